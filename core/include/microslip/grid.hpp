@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace microslip {
+
+/// Uniform nodes x_1 < ... < x_N in a contact [-a, a]; the leading edge is x = +a. The edges lie
+/// trailing_offset dx beyond the first node and leading_offset dx beyond the last one, and so
+/// determine the spacing dx = 2a / (N - 1 + trailing_offset + leading_offset).
+/// With both offsets 1/2, the nodes are the centres of N elements that fill the contact.
+class Grid {
+ public:
+  struct Parameters {
+    double half_width;             ///< a, in (0, inf)  [mm]
+    Eigen::Index elements;         ///< N, in [1, 10000]
+    double leading_offset = 0.5;   ///< beta, in [0, 1]
+    double trailing_offset = 0.5;  ///< alpha, in [0, 1]
+  };
+
+  /// More elements than this need a dense matrix of more than 800 MB.
+  static constexpr Eigen::Index max_elements = 10000;
+
+  /// \throws std::invalid_argument outside the ranges, or if the only node lies on both edges
+  explicit Grid(const Parameters& parameters);
+
+  Eigen::Index size() const { return parameters_.elements; }
+  double half_width() const { return parameters_.half_width; }
+  double spacing() const { return spacing_; }
+
+  /// Positions of the nodes, ascending  [mm].
+  Eigen::VectorXd nodes() const;
+
+ private:
+  Parameters parameters_;
+  double spacing_;
+};
+
+}  // namespace microslip

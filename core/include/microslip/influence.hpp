@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "microslip/basis.hpp"
+#include "microslip/kernel.hpp"
+#include "microslip/toeplitz.hpp"
+
+namespace microslip {
+
+// Influence coefficients: the displacement [mm] that a basis function of unit height [N/mm^2]
+// causes, so in mm^3/N. Lengths named `offset` and `shift` are in units of the spacing dx, so
+// that grid distances are exact integers.
+//
+// Both are single integrals of the kernel's decay, which is positive, against a piecewise
+// polynomial weight that is formed without cancellation. Gauss-Legendre panels graded towards the
+// kernel's singularities make them accurate to rounding at any distance, shift and strip width.
+
+/// A(offset): displacement at a distance `offset` dx from the node.
+/// \param spacing  dx, in (0, inf)  [mm]
+/// \return         thesis (2.15), (6.10)  [mm^3/N]
+/// Accuracy: 1e-13 relative, tests/unit/influence_test.cpp
+double influence(const Kernel& kernel, const Basis& basis, double spacing, double offset);
+
+/// A(offset) - A(offset + shift), without the cancellation of the difference.
+/// \param shift  upstream distance in units of dx, in (0, inf)
+/// \return       thesis (A.4)-(A.6)  [mm^3/N]
+/// Accuracy: 1e-13 of the largest such entry on the grid, tests/unit/influence_test.cpp
+double influence_difference(const Kernel& kernel, const Basis& basis, double spacing, double offset,
+                            double shift);
+
+/// A of a uniform grid of n nodes: A_ij = A(i - j), symmetric.
+Toeplitz influence_matrix(const Kernel& kernel, const Basis& basis, double spacing, Eigen::Index n);
+
+/// A - A' of the same grid, A' taken a distance `step_ratio` dx upstream: thesis (3.5).
+/// \throws std::invalid_argument if step_ratio is not in (0, inf)
+Toeplitz influence_difference_matrix(const Kernel& kernel, const Basis& basis, double spacing,
+                                     Eigen::Index n, double step_ratio);
+
+}  // namespace microslip

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <variant>
+
+#include "microslip/material.hpp"
+
+namespace microslip {
+
+// A kernel K(z) is the displacement difference u_x [mm] at a distance z > 0 [mm] from a tangential
+// line load of 1 N per mm width, so in mm^2/N. It is even in z, logarithmic at z = 0, and
+// analytic elsewhere within `clear_distance` of the real axis. `decay` is -dK/dz > 0 [mm/N]; all
+// integrals of the kernel are built on it, because it never changes sign.
+
+/// The half-space loaded over a strip of finite width, observed on its centre line.
+/// Boussinesq-Cerruti, integrated over the width: thesis (10.3), (10.4).
+class StripKernel {
+ public:
+  /// \param width  strip width Dy, in (0, inf)  [mm]
+  /// \throws std::invalid_argument outside the ranges
+  StripKernel(const Material& material, double width);
+
+  double displacement(double z) const;
+  double decay(double z) const;
+  double clear_distance() const { return half_width_; }
+  const Material& material() const { return material_; }
+
+ private:
+  Material material_;
+  double half_width_;
+  double log_factor_;    ///< 2 (1 - nu) / (pi G)
+  double plain_factor_;  ///< 2 nu / (pi G)
+};
+
+/// Plane strain: K(z) = -(2 (1 - nu) / (pi G)) ln(z / L0).
+/// The limit of a strip of width Dy -> inf for L0 = Dy exp(nu / (1 - nu)); the difference falls as
+/// Dy^-2 (tests/unit/kernel_test.cpp).
+class PlaneKernel {
+ public:
+  /// \param length  L0, the distance at which the displacement is taken as zero, in (0, inf)  [mm]
+  /// \throws std::invalid_argument outside the ranges
+  PlaneKernel(const Material& material, double length);
+
+  double displacement(double z) const;
+  double decay(double z) const;
+  double clear_distance() const;
+  const Material& material() const { return material_; }
+
+ private:
+  Material material_;
+  double length_;
+  double factor_;  ///< 2 (1 - nu) / (pi G)
+};
+
+using Kernel = std::variant<StripKernel, PlaneKernel>;
+
+const Material& material_of(const Kernel& kernel);
+
+}  // namespace microslip

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "microslip/scene.hpp"
+#include "microslip/steady.hpp"
+
+namespace microslip {
+
+// Parts of a model from the keys of a scene. Each throws std::invalid_argument that names the key.
+
+/// material.shear_modulus, material.poisson_ratio
+Material read_material(Scene& scene);
+
+/// kernel.type strip|plane; kernel.width of a strip, kernel.length of plane strain
+Kernel read_kernel(Scene& scene, const Material& material);
+
+/// contact.half_width, contact.peak_traction
+HertzBound read_bound(Scene& scene);
+
+/// grid.elements, grid.leading_offset (0.5), grid.trailing_offset (0.5)
+Grid read_grid(Scene& scene, double half_width);
+
+/// basis constant|linear (constant)
+Basis read_basis(Scene& scene);
+
+/// load.creepage or load.force
+Load read_load(Scene& scene);
+
+/// All of the above, and step.ratio (1).
+SteadyProblem read_steady(Scene& scene);
+
+/// All of the above, with a given step ratio.
+SteadyProblem read_steady(Scene& scene, double step_ratio);
+
+}  // namespace microslip

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace microslip {
+
+/// A solve failed; executables report it and return 2.
+class NotConverged : public std::runtime_error {
+ public:
+  /// \param residual  largest violation of the contact conditions, relative to the largest bound or
+  ///                  slip
+  NotConverged(const std::string& what, int iterations, double residual);
+
+  int iterations() const { return iterations_; }
+  double residual() const { return residual_; }
+
+ private:
+  int iterations_;
+  double residual_;
+};
+
+}  // namespace microslip

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+namespace microslip {
+
+/// Rejects a parameter with one line: "<key> = <value>: expected <accepted>".
+/// \param key  the parameter's name as in a scene file, e.g. "kernel.width"
+/// \throws     std::invalid_argument if accepted_by_caller is false or the value is not finite
+void require(bool accepted_by_caller, std::string_view key, double value,
+             std::string_view accepted);
+
+/// The same for the commonest range, (0, inf).
+void require_positive(std::string_view key, double value);
+
+}  // namespace microslip

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "microslip/scene.hpp"
+
+namespace microslip {
+
+using Cell = std::variant<double, std::string>;
+
+struct Column {
+  std::string name;
+  std::string unit;  ///< "1" if it has none
+  std::string meaning;
+};
+
+/// A named result: what a program writes as <name>.tsv.
+class Table {
+ public:
+  Table(std::string name, std::string description, std::vector<Column> columns);
+
+  const std::string& name() const { return name_; }
+  const std::vector<Column>& columns() const { return columns_; }
+  std::size_t rows() const { return rows_.size(); }
+
+  /// \throws std::logic_error if the number of cells is not that of the columns
+  void add(std::vector<Cell> row);
+
+  /// \throws std::out_of_range if there is no such row or column
+  const Cell& at(std::size_t row, const std::string& column) const;
+  double number(std::size_t row, const std::string& column) const;
+
+  /// Comment block (program, parameters, columns), one header line, rows; tab-separated, %.17g.
+  void write(std::ostream& out, const std::string& program, const Parameters& parameters) const;
+
+ private:
+  std::string name_;
+  std::string description_;
+  std::vector<Column> columns_;
+  std::vector<std::vector<Cell>> rows_;
+};
+
+}  // namespace microslip

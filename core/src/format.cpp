@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/format.hpp"
+
+#include <array>
+#include <charconv>
+
+namespace microslip {
+
+namespace {
+
+template <class... Style>
+std::string to_string(double value, Style... style) {
+  std::array<char, 64> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, style...).ptr;
+  return {text.data(), end};
+}
+
+}  // namespace
+
+std::string format_short(double value) { return to_string(value); }
+
+std::string format_full(double value) { return to_string(value, std::chars_format::general, 17); }
+
+}  // namespace microslip

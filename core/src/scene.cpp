@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/scene.hpp"
+
+#include <algorithm>
+#include <boost/property_tree/info_parser.hpp>
+#include <boost/property_tree/ptree.hpp>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "microslip/format.hpp"
+
+namespace microslip {
+
+namespace {
+
+using Tree = boost::property_tree::ptree;
+
+void flatten(const Tree& tree, const std::string& prefix, std::map<std::string, std::string>& out) {
+  for (const auto& [name, child] : tree) {
+    const std::string key = prefix + name;
+    if (!child.data().empty() && !child.empty()) {
+      throw std::invalid_argument("key '" + key + "' has both a value and keys below it");
+    }
+    if (!child.empty()) {
+      flatten(child, key + ".", out);
+    } else if (!out.emplace(key, child.data()).second) {
+      throw std::invalid_argument("key '" + key + "' is given twice");
+    }
+  }
+}
+
+[[noreturn]] void reject(const std::string& key, const std::string& text,
+                         const std::string& accepted) {
+  throw std::invalid_argument(key + " = '" + text + "': expected " + accepted);
+}
+
+template <class Number>
+std::optional<Number> converted(const std::string& text) {
+  Number value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+std::optional<double> finite(const std::string& text) {
+  const auto value = converted<double>(text);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::string listed(std::initializer_list<std::string_view> words) {
+  std::string all;
+  for (const std::string_view word : words) {
+    if (!all.empty()) all += " or ";
+    all += word;
+  }
+  return all;
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+    }
+  }
+  return row.back();
+}
+
+/// " (did you mean 'x'?)" if one of the candidates is within three edits.
+template <class Candidates>
+std::string suggestion(const std::string& key, const Candidates& candidates) {
+  std::size_t best = 4;
+  std::string nearest;
+  for (const auto& [candidate, value] : candidates) {
+    const std::size_t distance = edit_distance(key, candidate);
+    if (distance == 0 || distance >= best) continue;
+    best = distance;
+    nearest = candidate;
+  }
+  return nearest.empty() ? "" : " (did you mean '" + nearest + "'?)";
+}
+
+}  // namespace
+
+Scene Scene::parse(std::istream& in, const std::string& name) {
+  Tree tree;
+  try {
+    boost::property_tree::read_info(in, tree);
+  } catch (const boost::property_tree::info_parser_error& error) {
+    throw std::invalid_argument(name + ", line " + std::to_string(error.line()) + ": " +
+                                error.message());
+  }
+  Scene scene;
+  flatten(tree, "", scene.values_);
+  return scene;
+}
+
+void Scene::overlay(const Scene& other) {
+  for (const auto& [key, value] : other.values_) values_[key] = value;
+}
+
+void Scene::set(std::string_view assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == 0 || equals == std::string_view::npos) {
+    throw std::invalid_argument("--set '" + std::string(assignment) + "': expected key=value");
+  }
+  const std::string key(assignment.substr(0, equals));
+  const std::string value(assignment.substr(equals + 1));
+  if (value.empty()) {
+    values_.erase(key);
+  } else {
+    values_[key] = value;
+  }
+}
+
+const std::string& Scene::text(const std::string& key) {
+  const auto found = values_.find(key);
+  if (found != values_.end()) return found->second;
+  throw std::invalid_argument("missing key '" + key + "'" + suggestion(key, values_));
+}
+
+double Scene::number(const std::string& key) {
+  const auto value = finite(text(key));
+  if (!value) reject(key, text(key), "a finite number");
+  parameters_.emplace_back(key, format_short(*value));
+  return *value;
+}
+
+double Scene::number(const std::string& key, double fallback) {
+  if (has(key)) return number(key);
+  parameters_.emplace_back(key, format_short(fallback));
+  return fallback;
+}
+
+std::vector<double> Scene::numbers(const std::string& key) {
+  std::vector<double> values;
+  std::istringstream words(text(key));
+  for (std::string word; words >> word;) {
+    const auto value = finite(word);
+    if (!value) reject(key, text(key), "finite numbers separated by blanks");
+    values.push_back(*value);
+  }
+  if (values.empty()) reject(key, text(key), "at least one number");
+  parameters_.emplace_back(key, text(key));
+  return values;
+}
+
+Eigen::Index Scene::whole(const std::string& key) {
+  const auto value = converted<Eigen::Index>(text(key));
+  if (!value) reject(key, text(key), "a whole number");
+  parameters_.emplace_back(key, std::to_string(*value));
+  return *value;
+}
+
+std::string Scene::word(const std::string& key, std::initializer_list<std::string_view> accepted) {
+  const std::string& value = text(key);
+  if (std::find(accepted.begin(), accepted.end(), value) == accepted.end()) {
+    reject(key, value, listed(accepted));
+  }
+  parameters_.emplace_back(key, value);
+  return value;
+}
+
+std::string Scene::word_or_first(const std::string& key,
+                                 std::initializer_list<std::string_view> accepted) {
+  if (has(key)) return word(key, accepted);
+  parameters_.emplace_back(key, *accepted.begin());
+  return parameters_.back().second;
+}
+
+void Scene::reject_unread() const {
+  for (const auto& [key, value] : values_) {
+    const auto read = [&](const auto& parameter) { return parameter.first == key; };
+    if (std::any_of(parameters_.begin(), parameters_.end(), read)) continue;
+    throw std::invalid_argument("unknown key '" + key + "'" + suggestion(key, parameters_) +
+                                "; known to this model: " + known_keys());
+  }
+}
+
+std::string Scene::known_keys() const {
+  std::string keys;
+  for (const auto& [key, value] : parameters_) keys += (keys.empty() ? "" : ", ") + key;
+  return keys;
+}
+
+}  // namespace microslip
