@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "microslip/progress.hpp"
+#include "microslip/scene.hpp"
+#include "microslip/steady.hpp"
+#include "microslip/table.hpp"
+
+namespace microslip::experiments {
+
+/// What does the step ratio do to the Carter-Fromm problem? Thesis Fig. 1.1.
+struct CarterParameters {
+  SteadyProblem problem;            ///< its step_ratio is replaced by each of the next
+  std::vector<double> step_ratios;  ///< c, each in (0, inf)  [1]
+};
+
+/// The keys of a steady scene, with step.ratios in place of step.ratio.
+CarterParameters read_carter(Scene& scene);
+
+/// Tables: traction (a row a node and step ratio, with the exact solution), exact (a fine line) and
+/// summary (a row a step ratio: errors and the count of wiggles).
+/// \throws NotConverged as solve_steady
+std::vector<Table> carter(const CarterParameters& parameters, const Progress& progress);
+
+/// Number of interior local extrema of a sequence; equal neighbours do not count.
+/// Carter's traction has one, at the stick-slip point.
+Eigen::Index turning_points(const Eigen::VectorXd& values);
+
+}  // namespace microslip::experiments
