@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "microslip/progress.hpp"
+#include "microslip/scene.hpp"
+#include "microslip/table.hpp"
+
+namespace microslip::program {
+
+/// An executable: a scene in, tables out.
+struct Program {
+  std::string name;
+  std::string question;     ///< one line for --help
+  std::string scene;        ///< text of the default scene; empty if --scene is required
+  std::string quick;        ///< what --quick changes in it; empty if there is no quick version
+  std::string default_out;  ///< folder for the tables
+  /// Reads all keys it needs, and returns the work to do once the scene has been accepted.
+  std::function<std::function<std::vector<Table>(const Progress&)>(Scene&)> prepare;
+};
+
+/// Parses the command line, runs the program and writes its tables, with provenance.txt last.
+/// Returns the exit status: 0, 1 for bad input or a failed write, 2 for NotConverged; the last two
+/// with one line on stderr, and no file written.
+int run(const Program& program, int argc, const char* const* argv);
+
+}  // namespace microslip::program

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "provenance.hpp"
+
+#include <Eigen/Core>
+#include <boost/version.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+#include <sstream>
+
+#include "version.hpp"
+
+namespace microslip::program {
+
+namespace {
+
+/// The revision lies beside the executable, not in it, so that a commit alone changes no program
+/// and reruns no study.
+std::string revision() {
+  std::error_code error;
+  const auto executable = std::filesystem::read_symlink("/proc/self/exe", error);
+  std::ifstream file(executable.parent_path() / "revision.txt");
+  std::string line;
+  return std::getline(file, line) && !line.empty() ? line : "unknown";
+}
+
+}  // namespace
+
+std::string version_line(const std::string& program) {
+  return program + " (microslip) " + version + ", revision " + revision();
+}
+
+std::string provenance(const std::string& program, int argc, const char* const* argv,
+                       std::chrono::duration<double> wall_time) {
+  std::ostringstream text;
+  text << version_line(program) << "\ncommand:";
+  for (int i = 0; i < argc; ++i) text << ' ' << std::quoted(argv[i], '\'');
+  text << "\ncompiler: " << __VERSION__ << "\nlibraries: Eigen " << EIGEN_WORLD_VERSION << '.'
+       << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION << ", Boost " << BOOST_LIB_VERSION
+       << "\nwall time: " << std::setprecision(3) << wall_time.count() << " s\n";
+  return text.str();
+}
+
+}  // namespace microslip::program
