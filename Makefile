@@ -1,0 +1,75 @@
+# `make` says what there is. A study is a folder studies/NAME with main.cpp, study.info and quick.info;
+# its figures are plots/NAME_*.gp. Both are found here by their files.
+SHELL := bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DELETE_ON_ERROR:
+MAKEFLAGS += --no-builtin-rules
+
+JOBS ?= $(shell nproc)
+BUILD := build/release
+STUDIES := $(patsubst studies/%/study.info,%,$(wildcard studies/*/study.info))
+SOURCES = $(shell find core experiments program apps studies tests -name '*.[ch]pp')
+
+.PHONY: help deps build figures quick test sanitize format check-format clean $(STUDIES)
+
+help:
+	@echo 'make figures      build, run every study, draw every figure into results/figures'
+	@echo 'make STUDY        one study with its figures: $(STUDIES)'
+	@echo 'make quick        every study, coarser, into results/quick'
+	@echo 'make test         build and run all tests'
+	@echo 'make sanitize     the unit tests under the address and undefined-behaviour sanitizers'
+	@echo 'make build        only build, into $(BUILD)/bin'
+	@echo 'make format       clang-format all sources; make check-format only looks'
+	@echo 'make clean        remove the build and the results'
+	@echo 'Missing Debian packages are installed first (DEPS=skip: not). JOBS=$(JOBS) compilers at once.'
+
+deps:
+	@tools/deps.sh build figures
+
+# $(call cmake_build,PRESET): says what it compiles, and nothing if there is nothing to do.
+cmake_build = mkdir -p build/$(1); \
+  [ -f build/$(1)/CMakeCache.txt ] || cmake --preset $(1) $(CMAKE_FLAGS) >build/$(1)/configure.log || \
+    { cat build/$(1)/configure.log; rm -f build/$(1)/CMakeCache.txt; exit 1; }; \
+  MAKEFLAGS=--no-print-directory cmake --build --preset $(1) -j $(JOBS) | sed '/^Consolidate compiler/d'
+
+build: deps
+	@$(call cmake_build,release)
+
+# A study reruns when the content of its program changes, which includes its scenes; a new time stamp
+# alone does nothing.
+$(STUDIES:%=$(BUILD)/content/%): $(BUILD)/content/%: build
+	@mkdir -p $(@D)
+	@cmp -s $(BUILD)/bin/$* $@ || cp $(BUILD)/bin/$* $@
+
+# $(call study_rules,STUDY,FOLDER,OPTIONS): the tables, and every figure from them.
+define study_rules
+$(2)/$(1)/provenance.txt: $(BUILD)/content/$(1)
+	$(BUILD)/bin/$(1)$(3) --out $(2)/$(1)
+
+$(2)/figures/$(1)_%.svg: plots/$(1)_%.gp plots/style.gp plots/draw.sh $(2)/$(1)/provenance.txt
+	plots/draw.sh $$< $(2)/$(1) $$@
+endef
+figures_of = $(patsubst plots/%.gp,$(2)/figures/%.svg,$(wildcard plots/$(1)_*.gp))
+
+$(foreach study,$(STUDIES),$(eval $(call study_rules,$(study),results,)))
+$(foreach study,$(STUDIES),$(eval $(call study_rules,$(study),results/quick, --quick)))
+$(foreach study,$(STUDIES),$(eval $(study): $(call figures_of,$(study),results)))
+
+figures: $(STUDIES)
+quick: $(foreach study,$(STUDIES),$(call figures_of,$(study),results/quick))
+
+test: build
+	ctest --preset release -j $(JOBS)
+
+sanitize: deps
+	@$(call cmake_build,debug)
+	ctest --preset debug -L unit -j $(JOBS)
+
+format:
+	@clang-format -i $(SOURCES)
+
+check-format:
+	@clang-format --dry-run --Werror $(SOURCES)
+
+clean:
+	rm -rf build results/*/

@@ -1,0 +1,28 @@
+# Thesis Fig. 1.1: the Carter-Fromm problem for falling step ratios, and what each adds to the exact
+# solution.
+traction = tables."/traction.tsv"
+ratios = ""
+set table $ratios
+plot tables."/summary.tsv" using (ratios = ratios.sprintf(" %g", column("step_ratio")), 0) with table
+unset table
+at(c) = same(column("step_ratio"), real(c)) ? column("x") : NaN
+
+set terminal svg size 640,560
+set multiplot layout 2,1 margins 0.13,0.98,0.11,0.93 spacing 0.07
+set xrange [-1:1]
+set format x ""
+set ylabel "traction p [N/mm^2]"
+set key bottom right
+set title "Carter-Fromm problem: a small step c = dq/dx makes the traction wiggle"
+plot traction using (at(word(ratios, 1))):(-column("bound")) with @bound_line title "bound -g", \
+     for [i=1:words(ratios)] traction using (at(word(ratios, i))):"traction" \
+       with linespoints linetype i pointtype 7 pointsize 0.25 notitle, \
+     tables."/exact.tsv" using "x":"traction" with @exact_line title "exact (10.1)"
+unset title
+set format x
+set xlabel "x [mm], rolling to the right"
+set ylabel "p - exact [N/mm^2]"
+set key bottom left
+plot for [i=1:words(ratios)] traction using (at(word(ratios, i))):(column("traction") - column("exact")) \
+       with linespoints linetype i pointtype 7 pointsize 0.25 title "c = ".word(ratios, i)
+unset multiplot

@@ -1,0 +1,26 @@
+# Style of every figure: half a page wide, colour-blind safe (Okabe and Ito), columns by name.
+# draw.sh defines `tables`, the folder of the study's tables.
+set terminal svg size 640,420 enhanced font "Helvetica,13" background "white" linewidth 1.3
+set datafile separator tab
+set datafile missing "nan"
+set encoding utf8
+set border 3 linecolor "gray30"
+set tics nomirror out
+set grid linecolor "gray85" linewidth 0.6
+set xlabel offset 0,0.4
+set ylabel offset 0.6,0
+set key samplen 2.2 spacing 1.15
+
+set linetype 1 linecolor "#0072b2"
+set linetype 2 linecolor "#d55e00"
+set linetype 3 linecolor "#009e73"
+set linetype 4 linecolor "#cc79a7"
+set linetype 5 linecolor "#e69f00"
+set linetype 6 linecolor "#56b4e9"
+set linetype 7 linecolor "#000000"
+set linetype cycle 7
+exact_line = "lines linecolor 'black' linewidth 1.2"
+bound_line = "lines linecolor 'gray60' linewidth 1 dashtype 2"
+
+# Values that differ by less than rounding of a printed number.
+same(a, b) = abs(a - b) <= 1e-9 * abs(b)

@@ -1,0 +1,50 @@
+#!/usr/bin/env bash
+# Installs what the project needs and this machine lacks. Usage: tools/deps.sh build|figures ...
+# Does nothing, and prints nothing, when all is there. DEPS=skip turns it off.
+set -euo pipefail
+[ "${DEPS:-}" = skip ] && exit 0
+
+# Debian package, and a command or file that shows it is present
+needs() {
+  case "$1" in
+    build) cat <<'LIST'
+g++ g++
+cmake cmake
+libeigen3-dev /usr/include/eigen3/Eigen/Core
+libboost-dev /usr/include/boost/property_tree/info_parser.hpp
+libboost-program-options-dev /usr/include/boost/program_options.hpp
+libgtest-dev /usr/include/gtest/gtest.h
+LIST
+      ;;
+    figures) echo "gnuplot-nox gnuplot" ;;
+    *) echo "deps.sh: unknown group '$1'; known: build, figures" >&2; return 1 ;;
+  esac
+}
+
+missing=()
+for group in "$@"; do
+  list=$(needs "$group")
+  while read -r package probe; do
+    case "$probe" in
+      /*) [ -e "$probe" ] || missing+=("$package") ;;
+      *) command -v "$probe" >/dev/null || missing+=("$package") ;;
+    esac
+  done <<<"$list"
+done
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+echo "deps: installing ${missing[*]}"
+command -v apt-get >/dev/null || {
+  echo "deps: no apt-get here; install these yourself and run with DEPS=skip" >&2
+  exit 1
+}
+sudo=
+[ "$(id -u)" -eq 0 ] || sudo=sudo
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+if ! { $sudo apt-get update && DEBIAN_FRONTEND=noninteractive \
+       $sudo apt-get install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
+  tail -n 20 "$log" >&2
+  echo "deps: apt-get failed" >&2
+  exit 1
+fi
