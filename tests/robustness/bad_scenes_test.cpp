@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bad input to the built executables: exit status 1, one line on stderr that names the key, no
+// file.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace microslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string good_scene = R"(
+problem steady
+material { shear_modulus 1
+  poisson_ratio 0.28 }
+contact { half_width 1
+  peak_traction 1 }
+kernel { type strip
+  width 40 }
+grid { elements 20 }
+load { creepage 0.4 }
+)";
+
+struct Outcome {
+  int status;
+  std::string error;
+};
+
+class BadScenes : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = fs::temp_directory_path() / ("microslip_" + name + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Outcome run(const std::string& scene, const std::string& options,
+              const std::string& program = "microslip") const {
+    const fs::path scene_path = folder_ / "scene.info";
+    std::ofstream(scene_path) << scene;
+    const std::string command = std::string(MICROSLIP_BIN) + "/" + program + " --scene '" +
+                                scene_path.string() + "' --out '" + out().string() + "' " +
+                                options + " 2>'" + (folder_ / "stderr").string() + "' >/dev/null";
+    const int status = std::system(command.c_str());
+    std::ostringstream error;
+    error << std::ifstream(folder_ / "stderr").rdbuf();
+    return {WEXITSTATUS(status), error.str()};
+  }
+
+  void expect_rejected(const std::string& scene, const std::string& options,
+                       const std::string& named) const {
+    const Outcome outcome = run(scene, options);
+    EXPECT_EQ(outcome.status, 1) << options;
+    EXPECT_EQ(outcome.error.rfind("microslip: ", 0), 0U) << outcome.error;
+    EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
+    EXPECT_NE(outcome.error.find(named), std::string::npos) << outcome.error;
+    EXPECT_FALSE(fs::exists(out())) << options;
+  }
+
+  fs::path out() const { return folder_ / "out"; }
+
+  fs::path folder_;
+};
+
+TEST_F(BadScenes, TheGoodOneIsSolved) {
+  const Outcome outcome = run(good_scene, "");
+  EXPECT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_EQ(outcome.error, "");
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(out())) files.push_back(entry.path().filename());
+  std::sort(files.begin(), files.end());
+  EXPECT_EQ(files, (std::vector<std::string>{"provenance.txt", "summary.tsv", "traction.tsv"}));
+}
+
+TEST_F(BadScenes, ValuesOutOfRange) {
+  expect_rejected(good_scene, "--set kernel.width=-40", "kernel.width = -40: expected");
+  expect_rejected(good_scene, "--set kernel.width=0", "kernel.width");
+  expect_rejected(good_scene, "--set step.ratio=0", "step.ratio = 0: expected");
+  expect_rejected(good_scene, "--set step.ratio=-1", "step.ratio");
+  expect_rejected(good_scene, "--set material.shear_modulus=0", "material.shear_modulus");
+  expect_rejected(good_scene, "--set material.poisson_ratio=0.6", "material.poisson_ratio");
+  expect_rejected(good_scene, "--set contact.half_width=-1", "contact.half_width");
+  expect_rejected(good_scene, "--set contact.peak_traction=0", "contact.peak_traction");
+  expect_rejected(good_scene, "--set grid.elements=0", "grid.elements");
+  expect_rejected(good_scene, "--set grid.elements=1000000000", "grid.elements");
+  expect_rejected(good_scene, "--set grid.leading_offset=1.5", "grid.leading_offset");
+  expect_rejected(good_scene, "--set grid.trailing_offset=-1", "grid.trailing_offset");
+  expect_rejected(good_scene, "--set load.creepage= --set load.force=-2", "load.force = -2");
+}
+
+TEST_F(BadScenes, TextForANumber) {
+  expect_rejected(good_scene, "--set grid.elements=many", "grid.elements");
+  expect_rejected(good_scene, "--set grid.elements=10.5", "grid.elements");
+  expect_rejected(good_scene, "--set load.creepage=nan", "load.creepage");
+  expect_rejected(good_scene, "--set load.creepage=inf", "load.creepage");
+  expect_rejected(good_scene, "--set load.creepage=1e400", "load.creepage");
+  expect_rejected(good_scene, "--set load.creepage=0,4", "load.creepage");
+}
+
+TEST_F(BadScenes, UnknownAndMissingKeys) {
+  expect_rejected(good_scene, "--set grid.elemnts=5", "unknown key 'grid.elemnts'");
+  expect_rejected(good_scene, "--set kernel.length=5", "unknown key 'kernel.length'");
+  expect_rejected(good_scene, "--set grid.elements=", "missing key 'grid.elements'");
+  expect_rejected(good_scene, "--set kernel.type=", "missing key 'kernel.type'");
+  expect_rejected(good_scene, "--set problem=", "missing key 'problem'");
+  expect_rejected("", "", "missing key 'problem'");
+}
+
+TEST_F(BadScenes, UnknownWords) {
+  expect_rejected(good_scene, "--set problem=sliding", "problem = 'sliding'");
+  expect_rejected(good_scene, "--set kernel.type=sphere", "kernel.type");
+  expect_rejected(good_scene, "--set basis=cubic", "basis = 'cubic'");
+}
+
+TEST_F(BadScenes, BothLoadsOrNeither) {
+  expect_rejected(good_scene, "--set load.force=-0.5", "'load.creepage' and 'load.force'");
+  expect_rejected(good_scene, "--set load.creepage=", "'load.creepage' and 'load.force'");
+}
+
+TEST_F(BadScenes, BrokenFilesAndOptions) {
+  expect_rejected("grid { elements 20", "", "scene.info, line");
+  expect_rejected(good_scene, "--set grid.elements", "key=value");
+  expect_rejected(good_scene, "--colour", "--colour");
+  expect_rejected(good_scene, "stray", "positional");
+}
+
+TEST_F(BadScenes, AnUnwritableFolderLeavesNothing) {
+  std::ofstream(out()) << "a file where a folder should be";
+  const Outcome outcome = run(good_scene, "");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
+  EXPECT_TRUE(fs::is_regular_file(out()));
+}
+
+TEST_F(BadScenes, StudiesAnswerAlike) {
+  const Outcome outcome = run(good_scene, "--quiet", "carter");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.error.find("carter: missing key 'step.ratios'"), std::string::npos);
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+}  // namespace
+}  // namespace microslip

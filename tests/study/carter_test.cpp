@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/carter.hpp"
+
+#include <gtest/gtest.h>
+
+#include "microslip/experiments/steady_scene.hpp"
+
+namespace microslip::experiments {
+namespace {
+
+constexpr Material material{1, 0.28};
+
+std::vector<Table> tables_for(const char* basis) {
+  return carter({.problem = {.kernel = PlaneKernel(material, 200),
+                             .bound = HertzBound(1, 1),
+                             .grid = Grid({.half_width = 1, .elements = 50}),
+                             .basis = make_basis(basis),
+                             .step_ratio = 1,
+                             .load = PrescribedCreepage{0.576}},
+                 .step_ratios = {1, 0.5, 0.1, 0.05, 0.01}},
+                [](std::size_t, std::size_t) {});
+}
+
+// Thesis Fig. 1.1: small steps wiggle, c = 1 does not.
+TEST(CarterStudy, SmallStepsWiggle) {
+  const Table summary = tables_for("constant")[2];
+  ASSERT_EQ(summary.name(), "summary");
+  EXPECT_EQ(summary.number(0, "turning_points"), 1);
+  EXPECT_EQ(summary.number(1, "turning_points"), 1);
+  EXPECT_GE(summary.number(2, "turning_points"), 5);
+  EXPECT_GE(summary.number(4, "turning_points"), 25);  // 29 of the 30 elements in adhesion
+}
+
+// Thesis 6.2: linear functions reduce the wiggles, "but this is not enough by far".
+TEST(CarterStudy, LinearFunctionsWiggleLater) {
+  const Table constant = tables_for("constant")[2];
+  const Table linear = tables_for("linear")[2];
+  for (const std::size_t row : {2U, 3U, 4U}) {
+    EXPECT_LT(linear.number(row, "turning_points"), constant.number(row, "turning_points"));
+    EXPECT_LT(linear.number(row, "largest_error"), constant.number(row, "largest_error"));
+  }
+  EXPECT_GE(linear.number(4, "turning_points"), 25);
+}
+
+TEST(CarterStudy, HasARowForEveryNodeAndStep) {
+  const std::vector<Table> tables = tables_for("constant");
+  EXPECT_EQ(tables[0].rows(), 5U * 50);
+  EXPECT_EQ(tables[2].rows(), 5U);
+}
+
+TEST(TurningPoints, CountsInteriorExtrema) {
+  EXPECT_EQ(turning_points(Eigen::Vector4d(1, 2, 3, 4)), 0);
+  EXPECT_EQ(turning_points(Eigen::Vector4d(1, 2, 1, 2)), 2);
+  EXPECT_EQ(turning_points(Eigen::Vector4d(1, 2, 2, 1)), 0);
+}
+
+TEST(SteadyScene, SummaryHoldsThePromisedRows) {
+  const auto tables = steady_scene({.kernel = PlaneKernel(material, 200),
+                                    .bound = HertzBound(1, 1),
+                                    .grid = Grid({.half_width = 1, .elements = 50}),
+                                    .basis = constant_basis(),
+                                    .step_ratio = 1,
+                                    .load = PrescribedForce{-1}});
+  std::vector<std::string> quantities;
+  for (std::size_t i = 0; i < tables[1].rows(); ++i) {
+    quantities.push_back(std::get<std::string>(tables[1].at(i, "quantity")));
+  }
+  for (const char* promised : {"force", "creepage", "force_ratio", "adhesion_elements",
+                               "slip_elements", "iterations", "dissipation"}) {
+    EXPECT_NE(std::find(quantities.begin(), quantities.end(), promised), quantities.end())
+        << promised;
+  }
+}
+
+}  // namespace
+}  // namespace microslip::experiments

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+
+#include "microslip/model.hpp"
+#include "microslip/table.hpp"
+
+namespace microslip {
+namespace {
+
+Scene scene_of(const std::string& text) {
+  std::istringstream in(text);
+  return Scene::parse(in, "test");
+}
+
+std::string message(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Scene, ReadsNestedKeys) {
+  Scene scene = scene_of("problem steady\ngrid { elements 12 ; comment\n}\nlist \"1 2.5 1e-3\"");
+  EXPECT_EQ(scene.word("problem", {"steady"}), "steady");
+  EXPECT_EQ(scene.whole("grid.elements"), 12);
+  EXPECT_EQ(scene.numbers("list"), (std::vector<double>{1, 2.5, 1e-3}));
+  EXPECT_NO_THROW(scene.reject_unread());
+}
+
+TEST(Scene, RecordsDefaultsAmongTheParameters) {
+  Scene scene = scene_of("a 1");
+  EXPECT_EQ(scene.number("a", 7), 1);
+  EXPECT_EQ(scene.number("b", 0.5), 0.5);
+  EXPECT_EQ(scene.word_or_first("basis", {"constant", "linear"}), "constant");
+  EXPECT_EQ(scene.parameters(), (Parameters{{"a", "1"}, {"b", "0.5"}, {"basis", "constant"}}));
+}
+
+TEST(Scene, AssignmentsWinAndEmptyOnesRemove) {
+  Scene scene = scene_of("a 1\nb { c 2 }");
+  scene.set("b.c=3");
+  scene.set("a=");
+  EXPECT_EQ(scene.number("b.c"), 3);
+  EXPECT_FALSE(scene.has("a"));
+}
+
+TEST(Scene, OverlayReplacesAndAdds) {
+  Scene scene = scene_of("a 1\nb 2");
+  scene.overlay(scene_of("b 3\nc 4"));
+  EXPECT_EQ(scene.number("a") + scene.number("b") + scene.number("c"), 8);
+}
+
+TEST(Scene, RejectsTextThatIsNoFiniteDecimalNumber) {
+  for (const char* text : {"abc", "1x", "nan", "inf", "1,5", "0x10", "1e400", "1 2", "+1"}) {
+    Scene scene;
+    scene.set(std::string("a=") + text);
+    EXPECT_NE(message([&] { scene.number("a"); }).find("a = '"), std::string::npos) << text;
+  }
+}
+
+TEST(Scene, RejectsWholeNumbersThatAreNot) {
+  for (const char* text : {"1.5", "1e3", "99999999999999999999"}) {
+    Scene scene;
+    scene.set(std::string("a=") + text);
+    EXPECT_NE(message([&] { scene.whole("a"); }), "") << text;
+  }
+}
+
+TEST(Scene, NamesTheMissingKeyAndANearOne) {
+  Scene scene = scene_of("grid { elemnts 5 }");
+  EXPECT_EQ(message([&] { scene.whole("grid.elements"); }),
+            "missing key 'grid.elements' (did you mean 'grid.elemnts'?)");
+}
+
+TEST(Scene, NamesTheUnknownKeyAndTheKnownOnes) {
+  Scene scene = scene_of("a 1\nextra 2");
+  scene.number("a");
+  EXPECT_EQ(message([&] { scene.reject_unread(); }), "unknown key 'extra'; known to this model: a");
+}
+
+TEST(Scene, RejectsRepeatedKeysAndBrokenFiles) {
+  EXPECT_NE(message([] { scene_of("a 1\na 2"); }).find("'a' is given twice"), std::string::npos);
+  EXPECT_NE(message([] { scene_of("a { b 1"); }).find("test, line"), std::string::npos);
+  EXPECT_NE(message([] { scene_of("a 1 { b 2 }"); }).find("'a' has both"), std::string::npos);
+  EXPECT_NE(message([] { Scene().set("novalue"); }).find("key=value"), std::string::npos);
+}
+
+TEST(Model, AKeyOfTheOtherKernelIsUnknown) {
+  Scene scene = scene_of("kernel { type plane\nlength 1\nwidth 2 }");
+  read_kernel(scene, {1, 0.28});
+  EXPECT_NE(message([&] { scene.reject_unread(); }).find("'kernel.width'"), std::string::npos);
+}
+
+TEST(Model, WantsExactlyOneLoad) {
+  for (const char* text : {"load { creepage 1\nforce 1 }", "problem steady"}) {
+    Scene scene = scene_of(text);
+    const std::string said = message([&] { read_load(scene); });
+    EXPECT_NE(said.find("'load.creepage'"), std::string::npos) << text;
+    EXPECT_NE(said.find("'load.force'"), std::string::npos) << text;
+  }
+}
+
+TEST(Table, WritesParametersColumnsAndFullDigits) {
+  Table table("t", "what it is", {{"x", "mm", "position"}, {"region", "1", "A or S"}});
+  table.add({0.1, "A"});
+  std::ostringstream out;
+  table.write(out, "prog", {{"grid.elements", "5"}});
+  EXPECT_EQ(out.str(),
+            "# prog: what it is\n# parameters\n#   grid.elements = 5\n# columns\n"
+            "#   x [mm]: position\n#   region [1]: A or S\nx\tregion\n0.10000000000000001\tA\n");
+}
+
+TEST(Table, RejectsARowOfTheWrongLength) {
+  Table table("t", "", {{"x", "mm", ""}});
+  EXPECT_THROW(table.add({1.0, 2.0}), std::logic_error);
+}
+
+}  // namespace
+}  // namespace microslip
