@@ -10,10 +10,10 @@ set multiplot layout 1,2 margins 0.09,0.98,0.17,0.9 spacing 0.11
 set xlabel "step ratio c = dq/dx"
 set xrange [0:1]
 set arrow from crossing, graph 0 to crossing, graph 1 nohead linecolor "gray60" dashtype 2
-set label sprintf(" M_{11} = M_{21}: c = %.6f", crossing) at crossing, graph 0.06 textcolor "gray40"
+set label sprintf("M_{11} = M_{21}\nat c = %.6f", crossing) at crossing, graph 0.48 offset 1,0 textcolor "gray40"
 set key top left
 set title "entries of M = A - A'"
-set ylabel "entry [2(1-{/Symbol n})dx/G]"
+set ylabel "entry [2(1-ν)dx/G]"
 plot diagonals using "step_ratio":"m11" with lines title "M_{11}", \
      diagonals using "step_ratio":"m21" with lines title "M_{21}", \
      diagonals using "step_ratio":"m12" with lines title "M_{12}"

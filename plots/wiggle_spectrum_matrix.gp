@@ -21,7 +21,7 @@ set format cb "%g"
 do for [k=0:1] {
   do for [name in "difference inverse"] {
     c = k == 0 ? first : second
-    set title sprintf(name eq "inverse" ? "(A - A')^{-1}, c = %g" : "A - A', c = %g", c)
+    set title sprintf(name eq "inverse" ? "(A - A')^{-1} [G/2(1-ν)dx], c = %g" : "A - A' [2(1-ν)dx/G], c = %g", c)
     set xrange [*:*]
     set yrange [*:*]
     stats matrix using name every ::(k*n*n)::(k*n*n + n*n - 1) nooutput
