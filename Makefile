@@ -18,7 +18,7 @@ help:
 	@echo 'make quick        every study, coarser, into results/quick'
 	@echo 'make test         build and run all tests'
 	@echo 'make sanitize     the unit tests under the address and undefined-behaviour sanitizers'
-	@echo 'make build        only build, into $(BUILD)/bin'
+	@echo 'make build        only build the programs, into $(BUILD)/bin'
 	@echo 'make format       clang-format all sources; make check-format only looks'
 	@echo 'make clean        remove the build and the results'
 	@echo 'Missing Debian packages are installed first (DEPS=skip: not). JOBS=$(JOBS) compilers at once.'
@@ -26,14 +26,14 @@ help:
 deps:
 	@tools/deps.sh build figures
 
-# $(call cmake_build,PRESET): says what it compiles, and nothing if there is nothing to do.
+# $(call cmake_build,PRESET,OPTIONS): says what it compiles, and nothing if there is nothing to do.
 cmake_build = mkdir -p build/$(1); \
   [ -f build/$(1)/CMakeCache.txt ] || cmake --preset $(1) $(CMAKE_FLAGS) >build/$(1)/configure.log || \
     { cat build/$(1)/configure.log; rm -f build/$(1)/CMakeCache.txt; exit 1; }; \
-  MAKEFLAGS=--no-print-directory cmake --build --preset $(1) -j $(JOBS) | sed '/^Consolidate compiler/d'
+  MAKEFLAGS=--no-print-directory cmake --build --preset $(1) -j $(JOBS) $(2) | sed '/^Consolidate compiler/d'
 
 build: deps
-	@$(call cmake_build,release)
+	@$(call cmake_build,release,--target microslip $(STUDIES))
 
 # A study reruns when the content of its program changes, which includes its scenes; a new time stamp
 # alone does nothing.
@@ -58,7 +58,8 @@ $(foreach study,$(STUDIES),$(eval $(study): $(call figures_of,$(study),results))
 figures: $(STUDIES)
 quick: $(foreach study,$(STUDIES),$(call figures_of,$(study),results/quick))
 
-test: build
+test: deps
+	@$(call cmake_build,release)
 	ctest --preset release -j $(JOBS)
 
 sanitize: deps

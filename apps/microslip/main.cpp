@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/steady_scene.hpp"
-#include "microslip/model.hpp"
 #include "microslip/program/run.hpp"
+#include "microslip/scene/model.hpp"
 
 int main(int argc, char** argv) {
   using namespace microslip;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/carter.hpp"
 
-#include "microslip/carter.hpp"
 #include "microslip/experiments/steady_scene.hpp"
-#include "microslip/model.hpp"
+#include "microslip/reference/carter.hpp"
+#include "microslip/scene/model.hpp"
 
 namespace microslip::experiments {
 

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <limits>
 
-#include "microslip/influence.hpp"
-#include "microslip/model.hpp"
-#include "microslip/require.hpp"
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/scene/model.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip::experiments {
 

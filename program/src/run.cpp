@@ -12,7 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "microslip/not_converged.hpp"
+#include "microslip/support/not_converged.hpp"
 #include "outputs.hpp"
 #include "provenance.hpp"
 

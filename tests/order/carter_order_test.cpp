@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "fitted_order.hpp"
-#include "microslip/carter.hpp"
-#include "microslip/steady.hpp"
+#include "microslip/reference/carter.hpp"
+#include "microslip/rolling/steady.hpp"
 
 namespace microslip {
 namespace {

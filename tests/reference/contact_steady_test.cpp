@@ -7,8 +7,8 @@
 
 #include <array>
 
-#include "microslip/active_set.hpp"
-#include "microslip/influence.hpp"
+#include "microslip/friction/active_set.hpp"
+#include "microslip/halfspace/influence.hpp"
 
 namespace microslip {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/active_set.hpp"
+#include "microslip/friction/active_set.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <string>
 #include <tuple>
 
-#include "microslip/grid.hpp"
-#include "microslip/influence.hpp"
-#include "microslip/not_converged.hpp"
-#include "microslip/traction_bound.hpp"
+#include "microslip/friction/traction_bound.hpp"
+#include "microslip/halfspace/grid.hpp"
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/support/not_converged.hpp"
 
 namespace microslip {
 namespace {

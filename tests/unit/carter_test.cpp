@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/carter.hpp"
+#include "microslip/reference/carter.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/grid.hpp"
+#include "microslip/halfspace/grid.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "microslip/toeplitz.hpp"
-#include "microslip/traction_bound.hpp"
+#include "microslip/friction/traction_bound.hpp"
+#include "microslip/linalg/toeplitz.hpp"
 
 namespace microslip {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/influence.hpp"
+#include "microslip/halfspace/influence.hpp"
 
 #include <gtest/gtest.h>
 

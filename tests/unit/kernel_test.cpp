@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/kernel.hpp"
+#include "microslip/halfspace/kernel.hpp"
 
 #include <gtest/gtest.h>
 

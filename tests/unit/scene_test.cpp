@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/scene.hpp"
+#include "microslip/scene/scene.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "microslip/model.hpp"
-#include "microslip/table.hpp"
+#include "microslip/scene/model.hpp"
+#include "microslip/scene/table.hpp"
 
 namespace microslip {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/steady.hpp"
+#include "microslip/rolling/steady.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "microslip/influence.hpp"
+#include "microslip/halfspace/influence.hpp"
 
 namespace microslip {
 namespace {

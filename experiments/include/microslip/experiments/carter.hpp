@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "microslip/progress.hpp"
-#include "microslip/scene.hpp"
-#include "microslip/steady.hpp"
-#include "microslip/table.hpp"
+#include "microslip/rolling/steady.hpp"
+#include "microslip/scene/scene.hpp"
+#include "microslip/scene/table.hpp"
+#include "microslip/support/progress.hpp"
 
 namespace microslip::experiments {
 

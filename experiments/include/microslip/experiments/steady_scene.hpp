@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "microslip/steady.hpp"
-#include "microslip/table.hpp"
+#include "microslip/rolling/steady.hpp"
+#include "microslip/scene/table.hpp"
 
 namespace microslip::experiments {
 

@@ -3,11 +3,11 @@
 
 #include <vector>
 
-#include "microslip/basis.hpp"
-#include "microslip/kernel.hpp"
-#include "microslip/progress.hpp"
-#include "microslip/scene.hpp"
-#include "microslip/table.hpp"
+#include "microslip/halfspace/basis.hpp"
+#include "microslip/halfspace/kernel.hpp"
+#include "microslip/scene/scene.hpp"
+#include "microslip/scene/table.hpp"
+#include "microslip/support/progress.hpp"
 
 namespace microslip::experiments {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "microslip/progress.hpp"
-#include "microslip/scene.hpp"
-#include "microslip/table.hpp"
+#include "microslip/scene/scene.hpp"
+#include "microslip/scene/table.hpp"
+#include "microslip/support/progress.hpp"
 
 namespace microslip::program {
 

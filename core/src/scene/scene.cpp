@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/scene.hpp"
+#include "microslip/scene/scene.hpp"
 
 #include <algorithm>
 #include <boost/property_tree/info_parser.hpp>
@@ -11,7 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "microslip/format.hpp"
+#include "microslip/support/format.hpp"
 
 namespace microslip {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/kernel.hpp"
+#include "microslip/halfspace/kernel.hpp"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "microslip/require.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip {
 

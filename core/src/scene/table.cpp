@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/table.hpp"
+#include "microslip/scene/table.hpp"
 
 #include <ostream>
 #include <stdexcept>
 
-#include "microslip/format.hpp"
+#include "microslip/support/format.hpp"
 
 namespace microslip {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/grid.hpp"
+#include "microslip/halfspace/grid.hpp"
 
-#include "microslip/require.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/basis.hpp"
+#include "microslip/halfspace/basis.hpp"
 
 #include <algorithm>
 #include <stdexcept>

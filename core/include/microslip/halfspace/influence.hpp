@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "microslip/basis.hpp"
-#include "microslip/kernel.hpp"
-#include "microslip/toeplitz.hpp"
+#include "microslip/halfspace/basis.hpp"
+#include "microslip/halfspace/kernel.hpp"
+#include "microslip/linalg/toeplitz.hpp"
 
 namespace microslip {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/require.hpp"
+#include "microslip/support/require.hpp"
 
 #include <cmath>
 #include <stdexcept>
 #include <string>
 
-#include "microslip/format.hpp"
+#include "microslip/support/format.hpp"
 
 namespace microslip {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/traction_bound.hpp"
+#include "microslip/friction/traction_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "microslip/require.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "microslip/material.hpp"
-#include "microslip/traction_bound.hpp"
+#include "microslip/friction/traction_bound.hpp"
+#include "microslip/halfspace/material.hpp"
 
 namespace microslip {
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/active_set.hpp"
+#include "microslip/friction/active_set.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
-#include "microslip/format.hpp"
-#include "microslip/not_converged.hpp"
-#include "microslip/require.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/not_converged.hpp"
+#include "microslip/support/require.hpp"
 #include "partition.hpp"
 
 namespace microslip {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/model.hpp"
+#include "microslip/scene/model.hpp"
 
 #include <stdexcept>
 

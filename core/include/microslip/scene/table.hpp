@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "microslip/scene.hpp"
+#include "microslip/scene/scene.hpp"
 
 namespace microslip {
 

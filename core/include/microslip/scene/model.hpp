@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "microslip/scene.hpp"
-#include "microslip/steady.hpp"
+#include "microslip/rolling/steady.hpp"
+#include "microslip/scene/scene.hpp"
 
 namespace microslip {
 

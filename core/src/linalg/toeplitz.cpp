@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/toeplitz.hpp"
+#include "microslip/linalg/toeplitz.hpp"
 
 #include <stdexcept>
 

@@ -3,7 +3,7 @@
 
 #include <variant>
 
-#include "microslip/material.hpp"
+#include "microslip/halfspace/material.hpp"
 
 namespace microslip {
 

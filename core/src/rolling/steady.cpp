@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/steady.hpp"
+#include "microslip/rolling/steady.hpp"
 
 #include <algorithm>
 
-#include "microslip/influence.hpp"
+#include "microslip/halfspace/influence.hpp"
 
 namespace microslip {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/carter.hpp"
+#include "microslip/reference/carter.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "microslip/format.hpp"
-#include "microslip/require.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip {
 

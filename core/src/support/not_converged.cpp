@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/not_converged.hpp"
+#include "microslip/support/not_converged.hpp"
 
-#include "microslip/format.hpp"
+#include "microslip/support/format.hpp"
 
 namespace microslip {
 

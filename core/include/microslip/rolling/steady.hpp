@@ -3,11 +3,11 @@
 
 #include <Eigen/Core>
 
-#include "microslip/active_set.hpp"
-#include "microslip/basis.hpp"
-#include "microslip/grid.hpp"
-#include "microslip/kernel.hpp"
-#include "microslip/traction_bound.hpp"
+#include "microslip/friction/active_set.hpp"
+#include "microslip/friction/traction_bound.hpp"
+#include "microslip/halfspace/basis.hpp"
+#include "microslip/halfspace/grid.hpp"
+#include "microslip/halfspace/kernel.hpp"
 
 namespace microslip {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/influence.hpp"
+#include "microslip/halfspace/influence.hpp"
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <vector>
 
-#include "microslip/require.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip {
 

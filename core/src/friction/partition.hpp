@@ -4,7 +4,7 @@
 #include <Eigen/LU>
 #include <vector>
 
-#include "microslip/active_set.hpp"
+#include "microslip/friction/active_set.hpp"
 
 namespace microslip {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/material.hpp"
+#include "microslip/halfspace/material.hpp"
 
-#include "microslip/require.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip {
 

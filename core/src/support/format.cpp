@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/format.hpp"
+#include "microslip/support/format.hpp"
 
 #include <array>
 #include <charconv>
