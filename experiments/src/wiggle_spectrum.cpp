@@ -115,13 +115,13 @@ double diagonal_crossing(const Kernel& kernel, const Basis& basis, double spacin
 }
 
 WiggleSpectrumParameters read_wiggle_spectrum(Scene& scene) {
-  const WiggleSpectrumParameters parameters{.kernel = read_kernel(scene, read_material(scene)),
-                                            .basis = read_basis(scene),
-                                            .spacing = scene.number("grid.spacing"),
-                                            .elements = scene.whole("grid.elements"),
-                                            .step_ratios = scene.numbers("step.ratios"),
-                                            .samples = scene.whole("step.samples"),
-                                            .strip_widths = scene.numbers("crossing.strip_widths")};
+  WiggleSpectrumParameters parameters{.kernel = read_kernel(scene, read_material(scene)),
+                                      .basis = read_basis(scene),
+                                      .spacing = scene.number("grid.spacing"),
+                                      .elements = scene.whole("grid.elements"),
+                                      .step_ratios = scene.numbers("step.ratios"),
+                                      .samples = scene.whole("step.samples"),
+                                      .strip_widths = scene.numbers("crossing.strip_widths")};
   require_positive("grid.spacing", parameters.spacing);
   require(parameters.elements >= 3 && parameters.elements <= 1000, "grid.elements",
           static_cast<double>(parameters.elements), "a whole number in [3, 1000]");

@@ -151,5 +151,13 @@ TEST(ActiveSet, ThrowsWhereThereIsNoSolution) {
   }
 }
 
+TEST(ActiveSet, ThrowsWhereASystemIsSingular) {
+  const SlipEquations equations{.response = Eigen::MatrixXd::Zero(2, 2),
+                                .offset = Eigen::VectorXd::Zero(2),
+                                .bound = Eigen::VectorXd::Constant(2, 1),
+                                .weights = Eigen::VectorXd::Constant(2, 1)};
+  EXPECT_THROW(solve_active_set(equations, PrescribedCreepage{2}), NotConverged);
+}
+
 }  // namespace
 }  // namespace microslip

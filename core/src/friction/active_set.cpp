@@ -65,6 +65,10 @@ class ActiveSet {
   void respond(const Partition& partition) {
     response_ = partition.respond(equations_.bound, equations_.offset, prescribed_value(load_));
     slip_scale_ = std::max(std::abs(response_.creepage), response_.slip.lpNorm<Eigen::Infinity>());
+    if (!response_.traction.allFinite() || !std::isfinite(slip_scale_)) {
+      throw NotConverged("active set: singular system", iterations_,
+                         std::numeric_limits<double>::infinity());
+    }
   }
 
   bool above_bound(Index i) const {

@@ -138,7 +138,7 @@ Toeplitz influence_matrix(const Kernel& kernel, const Basis& basis, double spaci
 
 Toeplitz influence_difference_matrix(const Kernel& kernel, const Basis& basis, double spacing,
                                      Eigen::Index n, double step_ratio) {
-  require_positive("step.ratio", step_ratio);
+  require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
   const auto entry = [&](Eigen::Index k) {
     return influence_difference(kernel, basis, spacing, static_cast<double>(k), step_ratio);
   };

@@ -53,7 +53,9 @@ struct ContactState {
 /// Otherwise the path is given up after 20 n + 100 exchanges.
 /// Cost: one dense factorisation of the adhesion elements a round, O(n^3).
 /// \throws std::invalid_argument if the force is not below full sliding, weights . bound
-/// \throws NotConverged          if the path is given up, or does not end in a solution
+/// \throws NotConverged          if a system is singular, the path is given up, or it does not end
+/// in
+///                               a solution
 ContactState solve_active_set(const SlipEquations& equations, const Load& load);
 
 }  // namespace microslip

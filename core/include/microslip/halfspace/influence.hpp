@@ -28,11 +28,14 @@ double influence(const Kernel& kernel, const Basis& basis, double spacing, doubl
 double influence_difference(const Kernel& kernel, const Basis& basis, double spacing, double offset,
                             double shift);
 
+/// Below this a step is lost in the rounding of a position.
+inline constexpr double min_step_ratio = 1e-15;
+
 /// A of a uniform grid of n nodes: A_ij = A(i - j), symmetric.
 Toeplitz influence_matrix(const Kernel& kernel, const Basis& basis, double spacing, Eigen::Index n);
 
 /// A - A' of the same grid, A' taken a distance `step_ratio` dx upstream: thesis (3.5).
-/// \throws std::invalid_argument if step_ratio is not in (0, inf)
+/// \throws std::invalid_argument if step_ratio is not in [min_step_ratio, inf)
 Toeplitz influence_difference_matrix(const Kernel& kernel, const Basis& basis, double spacing,
                                      Eigen::Index n, double step_ratio);
 

@@ -17,7 +17,7 @@ struct SteadyProblem {
   HertzBound bound;
   Grid grid;  ///< on the same [-a, a] as the bound
   Basis basis;
-  double step_ratio;  ///< c = dq/dx of the difference that stands for du/dx, in (0, inf)  [1]
+  double step_ratio;  ///< c = dq/dx of the difference for du/dx, >= min_step_ratio  [1]
   Load load;
 };
 
