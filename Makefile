@@ -30,7 +30,7 @@ deps:
 cmake_build = mkdir -p build/$(1); \
   [ -f build/$(1)/CMakeCache.txt ] || cmake --preset $(1) $(CMAKE_FLAGS) >build/$(1)/configure.log || \
     { cat build/$(1)/configure.log; rm -f build/$(1)/CMakeCache.txt; exit 1; }; \
-  MAKEFLAGS=--no-print-directory cmake --build --preset $(1) -j $(JOBS) $(2) | sed '/^Consolidate compiler/d'
+  MAKEFLAGS=--no-print-directory cmake --build --preset $(1) -j $(JOBS) $(2) | sed -e '/^Consolidate compiler/d' -e '/^-- /d'
 
 build: deps
 	@$(call cmake_build,release,--target microslip $(STUDIES))
@@ -53,7 +53,7 @@ figures_of = $(patsubst plots/%.gp,$(2)/figures/%.svg,$(wildcard plots/$(1)_*.gp
 
 $(foreach study,$(STUDIES),$(eval $(call study_rules,$(study),results,)))
 $(foreach study,$(STUDIES),$(eval $(call study_rules,$(study),results/quick, --quick)))
-$(foreach study,$(STUDIES),$(eval $(study): $(call figures_of,$(study),results)))
+$(foreach study,$(STUDIES),$(eval $(study): results/$(study)/provenance.txt $(call figures_of,$(study),results)))
 
 figures: $(STUDIES)
 quick: $(foreach study,$(STUDIES),$(call figures_of,$(study),results/quick))

@@ -8,6 +8,8 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <vector>
 
+#include "microslip/halfspace/shape_function.hpp"
+
 namespace microslip::test {
 
 using Digits50 = boost::multiprecision::cpp_bin_float_50;
@@ -23,12 +25,12 @@ struct ReferenceInfluence {
   Digits50 nu;
   Digits50 width;  ///< Dy; 0 for plane strain
   Digits50 length = 1;
-  std::vector<ReferencePiece> basis;
+  std::vector<ReferencePiece> shape;
 
-  /// Integral of K(x - s) basis(s), thesis (6.28), (B.29) with z = x - s.
+  /// Integral of K(x - s) shape(s), thesis (6.28), (B.29) with z = x - s.
   Digits50 operator()(const Digits50& x) const {
     Digits50 sum = 0;
-    for (const ReferencePiece& piece : basis) {
+    for (const ReferencePiece& piece : shape) {
       const Digits50 a0 = piece.c[0] + piece.c[1] * x + piece.c[2] * x * x;
       const Digits50 a1 = -piece.c[1] - 2 * piece.c[2] * x;
       const auto at = [&](const Digits50& z) {
@@ -63,10 +65,12 @@ struct ReferenceInfluence {
   }
 };
 
-inline std::vector<ReferencePiece> reference_basis(const std::string& name) {
-  const Digits50 half = Digits50(1) / 2;
-  if (name == "constant") return {{-half, half, {1, 0, 0}}};
-  return {{-1, 0, {1, 1, 0}}, {0, 1, {1, -1, 0}}};
+inline std::vector<ReferencePiece> reference_pieces(const ShapeFunction& shape) {
+  std::vector<ReferencePiece> pieces;
+  for (const auto& [begin, end, c] : shape.pieces()) {
+    pieces.push_back({begin, end, {c[0], c[1], c[2]}});
+  }
+  return pieces;
 }
 
 }  // namespace microslip::test

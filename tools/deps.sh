@@ -13,6 +13,7 @@ cmake cmake
 libeigen3-dev /usr/include/eigen3/Eigen/Core
 libboost-dev /usr/include/boost/property_tree/info_parser.hpp
 libboost-program-options-dev /usr/include/boost/program_options.hpp
+libgsl-dev /usr/include/gsl/gsl_integration.h
 libgtest-dev /usr/include/gtest/gtest.h
 LIST
       ;;

@@ -27,16 +27,17 @@ double unit_of(const Kernel& kernel, double spacing) {
   return compliance(material_of(kernel)) * spacing;
 }
 
-Diagonals diagonals(const Kernel& kernel, const Basis& basis, double spacing, double step_ratio) {
+Diagonals diagonals(const Kernel& kernel, const ShapeFunction& shape, double spacing,
+                    double step_ratio) {
   const auto entry = [&](double offset) {
-    return influence_difference(kernel, basis, spacing, offset, step_ratio) /
+    return influence_difference(kernel, shape, spacing, offset, step_ratio) /
            unit_of(kernel, spacing);
   };
   return {entry(0), entry(1), entry(-1)};
 }
 
 Table matrix_table(const WiggleSpectrumParameters& parameters, const Progress& progress) {
-  const auto& [kernel, basis, spacing, n, step_ratios, samples, widths] = parameters;
+  const auto& [kernel, shape, spacing, n, step_ratios, samples, widths] = parameters;
   Table table("matrix", "M = A - A' and its inverse, thesis Figs. 6.1 and 6.2",
               {{"step_ratio", "1", "c = dq/dx"},
                {"row", "1", "row, from 1"},
@@ -45,7 +46,7 @@ Table matrix_table(const WiggleSpectrumParameters& parameters, const Progress& p
                {"inverse", "G/(2(1-nu)dx)", "entry of its inverse"}});
   for (std::size_t k = 0; k < step_ratios.size(); ++k) {
     const Eigen::MatrixXd difference =
-        influence_difference_matrix(kernel, basis, spacing, n, step_ratios[k]).dense() /
+        influence_difference_toeplitz(kernel, shape, spacing, n, step_ratios[k]).dense() /
         unit_of(kernel, spacing);
     const Eigen::MatrixXd inverse = difference.partialPivLu().inverse();
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -71,7 +72,7 @@ Table diagonals_table(const WiggleSpectrumParameters& parameters) {
   for (Eigen::Index k = 1; k <= parameters.samples; ++k) {
     const double c = static_cast<double>(k) / static_cast<double>(parameters.samples);
     const auto [main, lower, upper] =
-        diagonals(parameters.kernel, parameters.basis, parameters.spacing, c);
+        diagonals(parameters.kernel, parameters.shape, parameters.spacing, c);
     const double largest = std::max({std::abs(main), std::abs(lower), std::abs(upper)});
     table.add({c, main, lower, upper, std::abs(main) / largest, std::abs(lower) / largest,
                std::abs(upper) / largest});
@@ -90,9 +91,9 @@ Table crossing_table(const WiggleSpectrumParameters& parameters) {
                {"step_ratio", "1", "c = dq/dx of the crossing"},
                {"entry", "2(1-nu)dx/G", "M11 = M21 there"}});
   const auto add = [&](const std::string& name, const Kernel& kernel) {
-    const double c = diagonal_crossing(kernel, parameters.basis, parameters.spacing);
+    const double c = diagonal_crossing(kernel, parameters.shape, parameters.spacing);
     table.add({name, width_over_spacing(kernel, parameters.spacing), c,
-               diagonals(kernel, parameters.basis, parameters.spacing, c).main});
+               diagonals(kernel, parameters.shape, parameters.spacing, c).main});
   };
   add("scene", parameters.kernel);
   for (const double width : parameters.strip_widths) {
@@ -103,9 +104,9 @@ Table crossing_table(const WiggleSpectrumParameters& parameters) {
 
 }  // namespace
 
-double diagonal_crossing(const Kernel& kernel, const Basis& basis, double spacing) {
+double diagonal_crossing(const Kernel& kernel, const ShapeFunction& shape, double spacing) {
   const auto gap = [&](double c) {
-    const Diagonals d = diagonals(kernel, basis, spacing, c);
+    const Diagonals d = diagonals(kernel, shape, spacing, c);
     return d.main - d.lower;
   };
   std::uintmax_t iterations = 100;
@@ -116,7 +117,7 @@ double diagonal_crossing(const Kernel& kernel, const Basis& basis, double spacin
 
 WiggleSpectrumParameters read_wiggle_spectrum(Scene& scene) {
   WiggleSpectrumParameters parameters{.kernel = read_kernel(scene, read_material(scene)),
-                                      .basis = read_basis(scene),
+                                      .shape = read_shape(scene),
                                       .spacing = scene.number("grid.spacing"),
                                       .elements = scene.whole("grid.elements"),
                                       .step_ratios = scene.numbers("step.ratios"),

@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "fitted_order.hpp"
 #include "microslip/reference/carter.hpp"
 #include "microslip/rolling/steady.hpp"
+#include "microslip/support/convergence.hpp"
 
 namespace microslip {
 namespace {
@@ -38,7 +38,7 @@ double force_order(const Basis& basis, Edges edges, const std::vector<double>& s
   for (const double n : sizes) {
     errors.push_back(relative_force_error(static_cast<Eigen::Index>(n), basis, edges));
   }
-  return test::fitted_order(sizes, errors);
+  return fitted_order(sizes, errors);
 }
 
 TEST(CarterForce, IsFirstOrderOnTheThesisGrid) {

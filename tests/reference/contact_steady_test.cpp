@@ -35,7 +35,7 @@ TEST(ContactReference, SteadyTractionAndSlipAgreeToItsPrintedDigits) {
   constexpr double dx = 0.08;
   const StripKernel kernel({82000, 0.28}, 200);
   const SlipEquations equations{
-      .response = influence_difference_matrix(kernel, constant_basis(), dx, n, 1).dense() / dx,
+      .response = influence_difference_matrix(kernel, constant_basis(), dx, n, 1) / dx,
       .offset = Eigen::VectorXd::Zero(n),
       .bound = Eigen::Map<const Eigen::VectorXd>(contact_bound.data(), n),
       .weights = Eigen::VectorXd::Constant(n, dx)};

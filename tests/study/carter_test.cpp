@@ -29,6 +29,7 @@ TEST(CarterStudy, SmallStepsWiggle) {
   EXPECT_EQ(summary.number(1, "turning_points"), 1);
   EXPECT_GE(summary.number(2, "turning_points"), 5);
   EXPECT_GE(summary.number(4, "turning_points"), 25);  // 29 of the 30 elements in adhesion
+  EXPECT_NEAR(summary.number(0, "relative_force_error"), 0.0075, 0.0001);
 }
 
 // Thesis 6.2: linear functions reduce the wiggles, "but this is not enough by far".

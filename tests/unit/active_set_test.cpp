@@ -24,9 +24,8 @@ SlipEquations steady_equations(Eigen::Index n, const Basis& basis, double step_r
   const Grid grid({.half_width = 1, .elements = n});
   const double dx = grid.spacing();
   return {
-      .response =
-          influence_difference_matrix(PlaneKernel(material, 1), basis, dx, n, step_ratio).dense() /
-          (step_ratio * dx),
+      .response = influence_difference_matrix(PlaneKernel(material, 1), basis, dx, n, step_ratio) /
+                  (step_ratio * dx),
       .offset = Eigen::VectorXd::Zero(n),
       .bound = HertzBound(1, 1)(grid.nodes()),
       .weights = Eigen::VectorXd::Constant(n, dx)};

@@ -1,67 +1,78 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/halfspace/basis.hpp"
 
-#include <algorithm>
 #include <stdexcept>
+
+#include "microslip/support/require.hpp"
 
 namespace microslip {
 
 namespace {
 
-double polynomial(const Basis::Piece& piece, double s) {
-  return piece.c[0] + s * (piece.c[1] + s * piece.c[2]);
-}
+ShapeFunction bubble() { return ShapeFunction({{-1, 1, {1, 0, -1}}}); }
 
-/// Exact for degree <= 3: midpoint value plus the second-derivative term.
-double integral_within(const Basis::Piece& piece, double middle, double length) {
-  return length * (polynomial(piece, middle) + piece.c[2] * length * length / 12);
+/// (B.5) on [-reach, reach]; the whole function has reach 2.
+ShapeFunction vertex(double reach) {
+  return ShapeFunction({{-reach, 0, {1, 1.5, 0.5}}, {0, reach, {1, -1.5, 0.5}}});
 }
 
 }  // namespace
 
-Basis::Basis(std::string name, std::vector<Piece> pieces)
-    : name_(std::move(name)), pieces_(std::move(pieces)) {
-  for (const Piece& piece : pieces_) {
-    breakpoints_.push_back(piece.begin);
-    breakpoints_.push_back(piece.end);
+Basis::Basis(std::string name, Pattern pattern, std::vector<ShapeFunction> shapes)
+    : name_(std::move(name)), pattern_(pattern), shapes_(std::move(shapes)) {
+  if (shapes_.size() != (pattern == Pattern::uniform ? 1U : 2U)) {
+    throw std::invalid_argument("basis " + name_ + ": the pattern and the shapes do not agree");
   }
-  const auto repeats = std::unique(breakpoints_.begin(), breakpoints_.end());
-  breakpoints_.erase(repeats, breakpoints_.end());
 }
 
-double Basis::value(double s) const {
-  for (const Piece& piece : pieces_) {
-    if (s >= piece.begin && s < piece.end) return polynomial(piece, s);
+std::size_t Basis::shape_of(Eigen::Index i, Eigen::Index n) const {
+  switch (pattern_) {
+    case Pattern::alternating:
+      return static_cast<std::size_t>(i % 2);
+    case Pattern::last_differs:
+      return i == n - 1 ? 1 : 0;
+    default:
+      return 0;
   }
-  return 0;
 }
 
-double Basis::integral(double from, double length) const {
-  const double to = from + length;
-  double sum = 0;
-  for (const Piece& piece : pieces_) {
-    if (from >= piece.begin && to <= piece.end) {
-      return integral_within(piece, from + length / 2, length);
-    }
-    const double begin = std::max(from, piece.begin);
-    const double end = std::min(to, piece.end);
-    if (begin < end) sum += integral_within(piece, begin + (end - begin) / 2, end - begin);
-  }
-  return sum;
+Eigen::VectorXd Basis::weights(double spacing, Eigen::Index n) const {
+  return Eigen::VectorXd::NullaryExpr(
+      n, [&](Eigen::Index i) { return spacing * shapes_[shape_of(i, n)].weight(); });
 }
 
-double Basis::weight() const {
-  return integral(breakpoints_.front(), breakpoints_.back() - breakpoints_.front());
+Basis constant_basis() { return {"constant", Basis::Pattern::uniform, {constant_shape()}}; }
+
+Basis linear_basis() { return {"linear", Basis::Pattern::uniform, {linear_shape()}}; }
+
+Basis quadratic_basis() {
+  return {"quadratic", Basis::Pattern::alternating, {bubble(), vertex(2)}};
 }
 
-Basis constant_basis() { return {"constant", {{-0.5, 0.5, {1, 0, 0}}}}; }
+Basis quadratic_basis_as_printed() {
+  return {"quadratic as printed", Basis::Pattern::alternating, {bubble(), vertex(1)}};
+}
 
-Basis linear_basis() { return {"linear", {{-1, 0, {1, 1, 0}}, {0, 1, {1, -1, 0}}}}; }
+Basis trimmed_linear_basis(double leading_offset) {
+  require(leading_offset > 0 && leading_offset <= 1, "grid.leading_offset", leading_offset,
+          "a number in (0, 1]");
+  return {"trimmed linear",
+          Basis::Pattern::last_differs,
+          {linear_shape(), ShapeFunction({{-1, 0, {1, 1, 0}}, {0, leading_offset, {1, -1, 0}}})}};
+}
+
+Basis edge_constant_basis() {
+  return {"edge constant",
+          Basis::Pattern::last_differs,
+          {constant_shape(), ShapeFunction({{-0.5, 0.5, {1, -2, 0}}})}};
+}
 
 Basis make_basis(std::string_view name) {
   if (name == "constant") return constant_basis();
   if (name == "linear") return linear_basis();
-  throw std::invalid_argument("basis = " + std::string(name) + ": expected constant or linear");
+  if (name == "quadratic") return quadratic_basis();
+  throw std::invalid_argument("basis = " + std::string(name) +
+                              ": expected constant or linear or quadratic");
 }
 
 }  // namespace microslip

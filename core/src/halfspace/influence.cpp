@@ -64,86 +64,113 @@ double displacement(const Kernel& kernel, double distance) {
 
 }  // namespace
 
-double influence(const Kernel& kernel, const Basis& basis, double spacing, double offset) {
-  // Integration by parts of K(|offset - s|) basis(s): the weight is the traction within a distance
-  // z of the point, which at the farthest breakpoint is all of it. All bases are reached from
+double influence(const Kernel& kernel, const ShapeFunction& shape, double spacing, double offset) {
+  // Integration by parts of K(|offset - s|) shape(s): the weight is the traction within a distance
+  // z of the point, which at the farthest breakpoint is all of it. All shapes are reached from
   // either side by the same rule, so a point beyond the support is mirrored to its right.
-  const double first = basis.breakpoints().front();
-  const double last = basis.breakpoints().back();
+  const double first = shape.breakpoints().front();
+  const double last = shape.breakpoints().back();
   const auto by_parts = [&](const Reach& reach, const auto& weight) {
     const double farthest =
         reach.gap + *std::max_element(reach.breakpoints.begin(), reach.breakpoints.end());
-    return spacing * (displacement(kernel, spacing * farthest) * basis.weight() +
+    return spacing * (displacement(kernel, spacing * farthest) * shape.weight() +
                       spacing * integrate_decay(kernel, spacing, reach, weight));
   };
   if (offset >= last) {
     Reach reach{offset - last, {}};
-    for (const double s : basis.breakpoints()) reach.add(last - s);
-    return by_parts(reach, [&](double t) { return basis.integral(last - t, t); });
+    for (const double s : shape.breakpoints()) reach.add(last - s);
+    return by_parts(reach, [&](double t) { return shape.integral(last - t, t); });
   }
   if (offset <= first) {
     Reach reach{first - offset, {}};
-    for (const double s : basis.breakpoints()) reach.add(s - first);
-    return by_parts(reach, [&](double t) { return basis.integral(first, t); });
+    for (const double s : shape.breakpoints()) reach.add(s - first);
+    return by_parts(reach, [&](double t) { return shape.integral(first, t); });
   }
   Reach reach{0, {0}};
-  for (const double s : basis.breakpoints()) reach.add(std::abs(offset - s));
-  return by_parts(reach, [&](double t) { return basis.integral(offset - t, 2 * t); });
+  for (const double s : shape.breakpoints()) reach.add(std::abs(offset - s));
+  return by_parts(reach, [&](double t) { return shape.integral(offset - t, 2 * t); });
 }
 
-double influence_difference(const Kernel& kernel, const Basis& basis, double spacing, double offset,
-                            double shift) {
+double influence_difference(const Kernel& kernel, const ShapeFunction& shape, double spacing,
+                            double offset, double shift) {
   // Of the two weights by parts there remain the tractions that an interval of length `shift`
   // covers at a distance z on either side.
-  const double first = basis.breakpoints().front();
-  const double last = basis.breakpoints().back();
+  const double first = shape.breakpoints().front();
+  const double last = shape.breakpoints().back();
   const double scale = spacing * spacing;
   if (offset >= last) {
     Reach reach{offset - last, {}};
-    for (const double s : basis.breakpoints()) {
+    for (const double s : shape.breakpoints()) {
       reach.add(last - s);
       reach.add(last - s + shift);
     }
     return scale * integrate_decay(kernel, spacing, reach,
-                                   [&](double t) { return basis.integral(last - t, shift); });
+                                   [&](double t) { return shape.integral(last - t, shift); });
   }
   if (offset + shift <= first) {
     Reach reach{first - (offset + shift), {}};
-    for (const double s : basis.breakpoints()) {
+    for (const double s : shape.breakpoints()) {
       reach.add(s - first);
       reach.add(s - first + shift);
     }
     return -scale * integrate_decay(kernel, spacing, reach, [&](double t) {
-      return basis.integral(first + t - shift, shift);
+      return shape.integral(first + t - shift, shift);
     });
   }
   Reach reach{0, {0}};
-  for (const double s : basis.breakpoints()) {
+  for (const double s : shape.breakpoints()) {
     reach.add(std::abs(offset - s));
     reach.add(std::abs(offset + shift - s));
   }
   return scale * integrate_decay(kernel, spacing, reach, [&](double t) {
-           return basis.integral(offset - t, shift) - basis.integral(offset + t, shift);
+           return shape.integral(offset - t, shift) - shape.integral(offset + t, shift);
          });
 }
 
-Toeplitz influence_matrix(const Kernel& kernel, const Basis& basis, double spacing,
-                          Eigen::Index n) {
+Toeplitz influence_toeplitz(const Kernel& kernel, const ShapeFunction& shape, double spacing,
+                            Eigen::Index n) {
   const auto entry = [&](Eigen::Index k) {
-    return influence(kernel, basis, spacing, static_cast<double>(k));
-  };
-  const Eigen::VectorXd column = Eigen::VectorXd::NullaryExpr(n, entry);
-  return {column, column};
-}
-
-Toeplitz influence_difference_matrix(const Kernel& kernel, const Basis& basis, double spacing,
-                                     Eigen::Index n, double step_ratio) {
-  require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
-  const auto entry = [&](Eigen::Index k) {
-    return influence_difference(kernel, basis, spacing, static_cast<double>(k), step_ratio);
+    return influence(kernel, shape, spacing, static_cast<double>(k));
   };
   return {Eigen::VectorXd::NullaryExpr(n, entry),
           Eigen::VectorXd::NullaryExpr(n, [&](Eigen::Index k) { return entry(-k); })};
+}
+
+Toeplitz influence_difference_toeplitz(const Kernel& kernel, const ShapeFunction& shape,
+                                       double spacing, Eigen::Index n, double step_ratio) {
+  require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
+  const auto entry = [&](Eigen::Index k) {
+    return influence_difference(kernel, shape, spacing, static_cast<double>(k), step_ratio);
+  };
+  return {Eigen::VectorXd::NullaryExpr(n, entry),
+          Eigen::VectorXd::NullaryExpr(n, [&](Eigen::Index k) { return entry(-k); })};
+}
+
+namespace {
+
+/// Column j of the matrix is that of the Toeplitz matrix of node j's shape.
+template <class ToeplitzOf>
+Eigen::MatrixXd assemble(const Basis& basis, Eigen::Index n, const ToeplitzOf& toeplitz_of) {
+  std::vector<Toeplitz> matrices;
+  for (const ShapeFunction& shape : basis.shapes()) matrices.push_back(toeplitz_of(shape));
+  return Eigen::MatrixXd::NullaryExpr(
+      n, n, [&](Eigen::Index i, Eigen::Index j) { return matrices[basis.shape_of(j, n)](i, j); });
+}
+
+}  // namespace
+
+Eigen::MatrixXd influence_matrix(const Kernel& kernel, const Basis& basis, double spacing,
+                                 Eigen::Index n) {
+  return assemble(basis, n, [&](const ShapeFunction& shape) {
+    return influence_toeplitz(kernel, shape, spacing, n);
+  });
+}
+
+Eigen::MatrixXd influence_difference_matrix(const Kernel& kernel, const Basis& basis,
+                                            double spacing, Eigen::Index n, double step_ratio) {
+  return assemble(basis, n, [&](const ShapeFunction& shape) {
+    return influence_difference_toeplitz(kernel, shape, spacing, n, step_ratio);
+  });
 }
 
 }  // namespace microslip

@@ -18,17 +18,17 @@ SteadySolution solve_steady(const SteadyProblem& problem) {
   const Eigen::Index n = grid.size();
   const double dx = grid.spacing();
   const Eigen::VectorXd x = grid.nodes();
-  const Toeplitz difference = influence_difference_matrix(kernel, basis, dx, n, step_ratio);
-  const SlipEquations equations{.response = difference.dense() / (step_ratio * dx),
-                                .offset = Eigen::VectorXd::Zero(n),
-                                .bound = bound(x),
-                                .weights = Eigen::VectorXd::Constant(n, dx * basis.weight())};
+  const SlipEquations equations{
+      .response = influence_difference_matrix(kernel, basis, dx, n, step_ratio) / (step_ratio * dx),
+      .offset = Eigen::VectorXd::Zero(n),
+      .bound = bound(x),
+      .weights = basis.weights(dx, n)};
   const ContactState state = solve_active_set(equations, load);
   return {.x = x,
           .bound = equations.bound,
           .traction = state.traction,
           .slip = state.slip,
-          .displacement = influence_matrix(kernel, basis, dx, n).dense() * state.traction,
+          .displacement = influence_matrix(kernel, basis, dx, n) * state.traction,
           .zones = state.zones,
           .force = equations.weights.dot(state.traction),
           .creepage = state.creepage,

@@ -32,7 +32,11 @@ Grid read_grid(Scene& scene, double half_width) {
 }
 
 Basis read_basis(Scene& scene) {
-  return make_basis(scene.word_or_first("basis", {"constant", "linear"}));
+  return make_basis(scene.word_or_first("basis", {"constant", "linear", "quadratic"}));
+}
+
+ShapeFunction read_shape(Scene& scene) {
+  return make_basis(scene.word_or_first("basis", {"constant", "linear"})).shapes().front();
 }
 
 Load read_load(Scene& scene) {

@@ -1,56 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-#include <span>
+#include <Eigen/Core>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "microslip/halfspace/shape_function.hpp"
+
 namespace microslip {
 
-/// A traction basis function: a piecewise polynomial of degree <= 2 around its node, with compact
-/// support. All lengths are in units of the grid spacing dx and relative to the node.
+/// Which shape function belongs to which node of a uniform grid. The traction is the sum of
+/// coefficient times shape function.
 class Basis {
  public:
-  /// c[0] + c[1] s + c[2] s^2 on [begin, end]
-  struct Piece {
-    double begin;
-    double end;
-    std::array<double, 3> c;
+  enum class Pattern {
+    uniform,      ///< the first shape everywhere
+    alternating,  ///< the first and second in turn, from the trailing edge
+    last_differs  ///< the second at the last node, next to the leading edge
   };
 
-  /// \param pieces  in ascending order; gaps between them count as zero
-  Basis(std::string name, std::vector<Piece> pieces);
+  /// \param shapes  one, or two for the last two patterns
+  /// \throws std::invalid_argument for another number
+  Basis(std::string name, Pattern pattern, std::vector<ShapeFunction> shapes);
 
   const std::string& name() const { return name_; }
+  const std::vector<ShapeFunction>& shapes() const { return shapes_; }
 
-  /// Ends of the pieces, ascending, without repeats.
-  std::span<const double> breakpoints() const { return breakpoints_; }
+  /// Index into shapes() of node i of n, 0 <= i < n.
+  std::size_t shape_of(Eigen::Index i, Eigen::Index n) const;
 
-  /// Value at s; at a jump that of the piece to the right.
-  double value(double s) const;
-
-  /// Integral over [from, from + length], length >= 0: exact, and without cancellation for small
-  /// lengths.
-  double integral(double from, double length) const;
-
-  /// Integral over the whole support.
-  double weight() const;
+  /// Integrals of the n functions  [mm]
+  Eigen::VectorXd weights(double spacing, Eigen::Index n) const;
 
  private:
   std::string name_;
-  std::vector<Piece> pieces_;
-  std::vector<double> breakpoints_;
+  Pattern pattern_;
+  std::vector<ShapeFunction> shapes_;
 };
 
-/// 1 on one element around the node: thesis 2.7.
 Basis constant_basis();
-
-/// The hat over two elements: thesis (6.4).
 Basis linear_basis();
 
-/// \param name  "constant" or "linear"
+/// Continuous and piecewise quadratic on elements of two spacings, with bubbles on even and
+/// Lagrange functions on odd vertices between them: thesis (B.4), (B.5) with one spacing for both.
+/// The first node carries a bubble; with an odd number of nodes and both offsets 1, elements fill
+/// the contact.
+Basis quadratic_basis();
+
+/// The same as its influence coefficients are printed in (B.30): the vertex functions end at half
+/// their support.
+Basis quadratic_basis_as_printed();
+
+/// Hats, the last of which is zero beyond the leading edge: thesis Fig. 10.2.
+/// \param leading_offset  beta, distance of the edge from the last node in elements, in (0, 1]
+Basis trimmed_linear_basis(double leading_offset);
+
+/// Constant functions, and in the last element the antisymmetric one of thesis (C.1) besides. The
+/// thesis gives no equation for its coefficient. The closure here: the traction vanishes at the
+/// leading edge, which makes the two one function that falls linearly to zero (for beta = 1/2).
+Basis edge_constant_basis();
+
+/// \param name  "constant", "linear" or "quadratic"
 /// \throws std::invalid_argument for another name
 Basis make_basis(std::string_view name);
 

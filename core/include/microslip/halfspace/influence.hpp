@@ -7,7 +7,7 @@
 
 namespace microslip {
 
-// Influence coefficients: the displacement [mm] that a basis function of unit height [N/mm^2]
+// Influence coefficients: the displacement [mm] that a shape function of unit size [N/mm^2]
 // causes, so in mm^3/N. Lengths named `offset` and `shift` are in units of the spacing dx, so
 // that grid distances are exact integers.
 //
@@ -19,24 +19,34 @@ namespace microslip {
 /// \param spacing  dx, in (0, inf)  [mm]
 /// \return         thesis (2.15), (6.10)  [mm^3/N]
 /// Accuracy: 1e-13 relative, tests/unit/influence_test.cpp
-double influence(const Kernel& kernel, const Basis& basis, double spacing, double offset);
+double influence(const Kernel& kernel, const ShapeFunction& shape, double spacing, double offset);
 
 /// A(offset) - A(offset + shift), without the cancellation of the difference.
 /// \param shift  upstream distance in units of dx, in (0, inf)
 /// \return       thesis (A.4)-(A.6)  [mm^3/N]
 /// Accuracy: 1e-13 of the largest such entry on the grid, tests/unit/influence_test.cpp
-double influence_difference(const Kernel& kernel, const Basis& basis, double spacing, double offset,
-                            double shift);
+double influence_difference(const Kernel& kernel, const ShapeFunction& shape, double spacing,
+                            double offset, double shift);
 
 /// Below this a step is lost in the rounding of a position.
 inline constexpr double min_step_ratio = 1e-15;
 
-/// A of a uniform grid of n nodes: A_ij = A(i - j), symmetric.
-Toeplitz influence_matrix(const Kernel& kernel, const Basis& basis, double spacing, Eigen::Index n);
+/// A for n equal functions on a uniform grid: A_ij = A(i - j).
+Toeplitz influence_toeplitz(const Kernel& kernel, const ShapeFunction& shape, double spacing,
+                            Eigen::Index n);
 
-/// A - A' of the same grid, A' taken a distance `step_ratio` dx upstream: thesis (3.5).
+/// A - A' of the same, A' taken a distance `step_ratio` dx upstream: thesis (3.5).
 /// \throws std::invalid_argument if step_ratio is not in [min_step_ratio, inf)
-Toeplitz influence_difference_matrix(const Kernel& kernel, const Basis& basis, double spacing,
-                                     Eigen::Index n, double step_ratio);
+Toeplitz influence_difference_toeplitz(const Kernel& kernel, const ShapeFunction& shape,
+                                       double spacing, Eigen::Index n, double step_ratio);
+
+/// A for the functions of a basis: displacement at node i by the function of node j. n^2 numbers.
+Eigen::MatrixXd influence_matrix(const Kernel& kernel, const Basis& basis, double spacing,
+                                 Eigen::Index n);
+
+/// A - A' for the functions of a basis.
+/// \throws std::invalid_argument if step_ratio is not in [min_step_ratio, inf)
+Eigen::MatrixXd influence_difference_matrix(const Kernel& kernel, const Basis& basis,
+                                            double spacing, Eigen::Index n, double step_ratio);
 
 }  // namespace microslip

@@ -20,8 +20,11 @@ HertzBound read_bound(Scene& scene);
 /// grid.elements, grid.leading_offset (0.5), grid.trailing_offset (0.5)
 Grid read_grid(Scene& scene, double half_width);
 
-/// basis constant|linear (constant)
+/// basis constant|linear|quadratic (constant)
 Basis read_basis(Scene& scene);
+
+/// basis constant|linear (constant), for what needs one function for all nodes
+ShapeFunction read_shape(Scene& scene);
 
 /// load.creepage or load.force
 Load read_load(Scene& scene);

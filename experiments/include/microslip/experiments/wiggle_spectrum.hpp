@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "microslip/halfspace/basis.hpp"
 #include "microslip/halfspace/kernel.hpp"
+#include "microslip/halfspace/shape_function.hpp"
 #include "microslip/scene/scene.hpp"
 #include "microslip/scene/table.hpp"
 #include "microslip/support/progress.hpp"
@@ -16,7 +16,7 @@ namespace microslip::experiments {
 /// depend on nothing but c, and for a strip on Dy/dx and nu besides.
 struct WiggleSpectrumParameters {
   Kernel kernel;
-  Basis basis;
+  ShapeFunction shape;
   double spacing;                    ///< dx, in (0, inf)  [mm]
   Eigen::Index elements;             ///< size of the matrices shown, in [3, 1000]
   std::vector<double> step_ratios;   ///< c of the matrices shown, each in (0, inf)  [1]
@@ -34,6 +34,6 @@ std::vector<Table> wiggle_spectrum(const WiggleSpectrumParameters& parameters,
                                    const Progress& progress);
 
 /// The step ratio in (0.001, 1) at which M11 = M21, to rounding.
-double diagonal_crossing(const Kernel& kernel, const Basis& basis, double spacing);
+double diagonal_crossing(const Kernel& kernel, const ShapeFunction& shape, double spacing);
 
 }  // namespace microslip::experiments

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "microslip/reference/carter.hpp"
+#include "microslip/rolling/steady.hpp"
+#include "microslip/scene/scene.hpp"
+#include "microslip/scene/table.hpp"
+#include "microslip/support/progress.hpp"
+
+namespace microslip::experiments {
+
+/// Do higher-order basis functions converge faster? Thesis Fig. 6.9, appendix B: the Carter-Fromm
+/// problem with constant, linear and quadratic functions, the last also with the integration limits
+/// as printed in (B.30).
+struct BasisConvergenceParameters {
+  Material material;
+  double length;  ///< L0 of the plane kernel  [mm]
+  HertzBound bound;
+  std::vector<Eigen::Index> sizes;  ///< N, odd, ascending, at least two
+  double leading_offset;            ///< beta, in (0, 1]
+  double trailing_offset;           ///< alpha, in [0, 1]
+  double step_ratio;                ///< c  [1]
+  double stick_ratio;               ///< a', in (0, 1)
+};
+
+/// material.*, contact.*, kernel.length, grid.sizes, grid.leading_offset (1),
+/// grid.trailing_offset (1), step.ratio (1), load.stick_ratio
+BasisConvergenceParameters read_basis_convergence(Scene& scene);
+
+/// Tables: errors (a row a basis and N), orders (a row a basis and quantity), claims.
+std::vector<Table> basis_convergence(const BasisConvergenceParameters& parameters,
+                                     const Progress& progress);
+
+}  // namespace microslip::experiments

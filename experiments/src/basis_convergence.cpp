@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/basis_convergence.hpp"
+
+#include <cmath>
+#include <map>
+
+#include "microslip/experiments/claims.hpp"
+#include "microslip/scene/model.hpp"
+#include "microslip/support/convergence.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+/// A basis for the displacements, and the one whose weights integrate the traction. They differ for
+/// (B.30): its slip is in the influence coefficients, while the traction is that of (B.7).
+struct Variant {
+  Basis basis;
+  Basis traction;
+};
+
+std::vector<Variant> variants() {
+  return {{constant_basis(), constant_basis()},
+          {linear_basis(), linear_basis()},
+          {quadratic_basis(), quadratic_basis()},
+          {quadratic_basis_as_printed(), quadratic_basis()}};
+}
+
+struct Errors {
+  std::vector<double> sizes;
+  std::vector<double> force;
+  std::vector<double> point;
+  std::vector<double> mean;
+};
+
+}  // namespace
+
+BasisConvergenceParameters read_basis_convergence(Scene& scene) {
+  const Material material = read_material(scene);
+  const HertzBound bound = read_bound(scene);
+  BasisConvergenceParameters parameters{.material = material,
+                                        .length = scene.number("kernel.length"),
+                                        .bound = bound,
+                                        .sizes = {},
+                                        .leading_offset = scene.number("grid.leading_offset", 1),
+                                        .trailing_offset = scene.number("grid.trailing_offset", 1),
+                                        .step_ratio = scene.number("step.ratio", 1),
+                                        .stick_ratio = scene.number("load.stick_ratio")};
+  for (const double size : scene.numbers("grid.sizes")) {
+    require(size >= 3 && size <= 10000 && std::fmod(size, 2) == 1, "grid.sizes", size,
+            "odd whole numbers in [3, 10000], so that a node lies at the centre");
+    parameters.sizes.push_back(static_cast<Eigen::Index>(size));
+  }
+  require(parameters.sizes.size() > 1, "grid.sizes", static_cast<double>(parameters.sizes.size()),
+          "at least two sizes");
+  require(parameters.stick_ratio > 0 && parameters.stick_ratio < 1, "load.stick_ratio",
+          parameters.stick_ratio, "a number in (0, 1)");
+  return parameters;
+}
+
+std::vector<Table> basis_convergence(const BasisConvergenceParameters& p,
+                                     const Progress& progress) {
+  const Carter exact = Carter::from_creepage(
+      p.material, p.bound, compliance(p.material) * p.bound.peak() * (1 - p.stick_ratio));
+  Table errors("errors", "errors against Carter for rising N",
+               {{"basis", "1", "traction functions"},
+                {"elements", "1", "number of nodes N"},
+                {"force_error", "1", "|force / exact - 1|, by the functions' own weights"},
+                {"point_error", "N/mm^2", "|traction - exact| at x = 0, a node in adhesion"},
+                {"mean_error", "N/mm^2", "mean over the nodes of |traction - exact|"},
+                {"iterations", "1", "linear systems factorised"}});
+  std::map<std::string, Errors> found;
+  const std::vector<Variant> all = variants();
+  for (const auto& [basis, traction] : all) {
+    Errors& series = found[basis.name()];
+    for (const Eigen::Index n : p.sizes) {
+      const Grid grid({.half_width = p.bound.half_width(),
+                       .elements = n,
+                       .leading_offset = p.leading_offset,
+                       .trailing_offset = p.trailing_offset});
+      const SteadySolution s = solve_steady({.kernel = PlaneKernel(p.material, p.length),
+                                             .bound = p.bound,
+                                             .grid = grid,
+                                             .basis = basis,
+                                             .step_ratio = p.step_ratio,
+                                             .load = PrescribedCreepage{exact.creepage()}});
+      const double force = traction.weights(grid.spacing(), n).dot(s.traction);
+      const Eigen::VectorXd difference =
+          s.traction - s.x.unaryExpr([&](double x) { return exact.traction(x); });
+      series.sizes.push_back(static_cast<double>(n));
+      series.force.push_back(std::abs(force / exact.force() - 1));
+      series.point.push_back(std::abs(difference[n / 2]));
+      series.mean.push_back(difference.cwiseAbs().mean());
+      errors.add({basis.name(), static_cast<double>(n), series.force.back(), series.point.back(),
+                  series.mean.back(), static_cast<double>(s.iterations)});
+      progress(errors.rows(), all.size() * p.sizes.size());
+    }
+  }
+  Table orders("orders", "orders fitted over all N",
+               {{"basis", "1", "traction functions"},
+                {"force_order", "1", "of force_error"},
+                {"point_order", "1", "of point_error"},
+                {"mean_order", "1", "of mean_error"}});
+  for (const Variant& variant : all) {
+    const Errors& series = found.at(variant.basis.name());
+    orders.add({variant.basis.name(), fitted_order(series.sizes, series.force),
+                fitted_order(series.sizes, series.point), fitted_order(series.sizes, series.mean)});
+  }
+  const auto last = [&](const std::string& basis) { return found.at(basis).force.back(); };
+  const auto order = [&](const std::string& basis) {
+    return fitted_order(found.at(basis).sizes, found.at(basis).force);
+  };
+  const std::string printed = "quadratic as printed";
+  const auto& stalled = found.at(printed).force;
+  const double last_gain = stalled[stalled.size() - 2] / stalled.back();
+  const double best = last("quadratic") / last("linear");
+  const std::string at_last = "force at N = " + std::to_string(p.sizes.back());
+  const Table claims = claims_table(
+      {{"linear functions have a slightly lower error than constant ones", "6.4.1", not_given,
+        last("linear") / last("constant"), "1", verdict_of(last("linear") < last("constant")),
+        at_last + ": error of linear over that of constant functions"},
+       {"... but converge no faster", "6.4.1", not_given, order("linear") - order("constant"), "1",
+        verdict_of(std::abs(order("linear") - order("constant")) < 0.1),
+        "difference of the fitted orders of the force"},
+       {"quadratic functions: after some refinement no more improvement", "6.4.1", not_given,
+        last_gain, "1", verdict_of(last_gain < 1.1),
+        "reduction of the force error in the last doubling, limits as printed in (B.30)"},
+       {"quadratic functions make the convergence worse", "6.4.1", not_given, best, "1",
+        best < 1 ? "refuted" : "reproduced",
+        at_last + ": error of quadratic over that of linear functions, limits corrected to +-2"}});
+  return {errors, orders, claims};
+}
+
+}  // namespace microslip::experiments

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/claims.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+namespace microslip::experiments {
+
+std::string verdict_of(bool holds) { return holds ? "reproduced" : "refuted"; }
+
+Table claims_table(const std::vector<Claim>& claims) {
+  constexpr std::array verdicts = {"reproduced", "corrected", "refuted", "not_comparable"};
+  Table table("claims", "what the thesis says, and what was measured",
+              {{"claim", "1", "the thesis's statement"},
+               {"section", "1", "where it stands"},
+               {"thesis_value", "see unit", "its number; nan if it gives none"},
+               {"measured_value", "see unit", "ours"},
+               {"unit", "1", "unit of the two"},
+               {"verdict", "1", "reproduced, corrected, refuted or not_comparable"},
+               {"note", "1", "what the number is, and under which conditions"}});
+  for (const auto& [claim, section, thesis, measured, unit, verdict, note] : claims) {
+    if (std::find(verdicts.begin(), verdicts.end(), verdict) == verdicts.end()) {
+      throw std::logic_error("claim '" + claim + "': no such verdict: " + verdict);
+    }
+    table.add({claim, section, thesis, measured, unit, verdict, note});
+  }
+  return table;
+}
+
+}  // namespace microslip::experiments
