@@ -33,7 +33,7 @@ cmake_build = mkdir -p build/$(1); \
   MAKEFLAGS=--no-print-directory cmake --build --preset $(1) -j $(JOBS) $(2) | sed -e '/^Consolidate compiler/d' -e '/^-- /d'
 
 build: deps
-	@$(call cmake_build,release,--target microslip $(STUDIES))
+	@$(call cmake_build,release,--target programs)
 
 # A study reruns when the content of its program changes, which includes its scenes; a new time stamp
 # alone does nothing.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip {
 
@@ -14,21 +15,29 @@ Eigen::Index SteadySolution::adhesion_elements() const {
 Eigen::Index SteadySolution::slip_elements() const { return x.size() - adhesion_elements(); }
 
 SteadySolution solve_steady(const SteadyProblem& problem) {
-  const auto& [kernel, bound, grid, basis, step_ratio, load] = problem;
+  const auto& [kernel, bound, grid, basis, step_ratio, load, edge_displacement] = problem;
   const Eigen::Index n = grid.size();
   const double dx = grid.spacing();
   const Eigen::VectorXd x = grid.nodes();
-  const SlipEquations equations{
+  const Eigen::MatrixXd influence = influence_matrix(kernel, basis, dx, n);
+  SlipEquations equations{
       .response = influence_difference_matrix(kernel, basis, dx, n, step_ratio) / (step_ratio * dx),
       .offset = Eigen::VectorXd::Zero(n),
       .bound = bound(x),
       .weights = basis.weights(dx, n)};
+  if (edge_displacement) {
+    const double to_edge = grid.leading_offset() * dx;
+    require(to_edge > 0, "grid.leading_offset", grid.leading_offset(),
+            "a number > 0 where the displacement at the leading edge is known");
+    equations.response.row(n - 1) = influence.row(n - 1) / to_edge;
+    equations.offset[n - 1] = -*edge_displacement / to_edge;
+  }
   const ContactState state = solve_active_set(equations, load);
   return {.x = x,
           .bound = equations.bound,
           .traction = state.traction,
           .slip = state.slip,
-          .displacement = influence_matrix(kernel, basis, dx, n) * state.traction,
+          .displacement = influence * state.traction,
           .zones = state.zones,
           .force = equations.weights.dot(state.traction),
           .creepage = state.creepage,

@@ -27,6 +27,7 @@ class Grid {
   Eigen::Index size() const { return parameters_.elements; }
   double half_width() const { return parameters_.half_width; }
   double spacing() const { return spacing_; }
+  double leading_offset() const { return parameters_.leading_offset; }
 
   /// Positions of the nodes, ascending  [mm].
   Eigen::VectorXd nodes() const;

@@ -17,6 +17,11 @@ class Carter {
   /// \throws std::invalid_argument above that
   static Carter from_force(const Material& material, const HertzBound& bound, double force);
 
+  const HertzBound& bound() const { return bound_; }
+
+  /// 1 for a positive creepage, -1 for a negative one.
+  double direction() const { return direction_; }
+
   /// a': stick length over contact length, in [0, 1].
   double stick_ratio() const { return stick_ratio_; }
 

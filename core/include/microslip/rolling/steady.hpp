@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "microslip/friction/active_set.hpp"
 #include "microslip/friction/traction_bound.hpp"
@@ -19,6 +20,8 @@ struct SteadyProblem {
   Basis basis;
   double step_ratio;  ///< c = dq/dx of the difference for du/dx, >= min_step_ratio  [1]
   Load load;
+  /// The displacement at the leading edge, where it is known: thesis (10.6)  [mm]
+  std::optional<double> edge_displacement = std::nullopt;
 };
 
 /// Values at the N nodes, and what follows from them. A positive creepage gives negative tractions.
@@ -38,11 +41,13 @@ struct SteadySolution {
   Eigen::Index slip_elements() const;
 };
 
-/// Collocation at the nodes: s_I = w + ((A - A') p)_I / dq, thesis (3.5)-(3.8).
+/// Collocation at the nodes: s_I = w + ((A - A') p)_I / dq, thesis (3.5)-(3.8). If the displacement
+/// u_LE at the leading edge is known, the last one is s_N = w + ((A p)_N - u_LE) / (beta dx).
 /// Cost: O(N^2) memory; time as solve_active_set.
 /// Accuracy: the force is first order in dx for offsets 1/2 (tests/order/carter_order_test.cpp),
 /// because A' feels the leading edge about 0.825 dx beyond the last node (constant basis, c = 1).
-/// \throws std::invalid_argument for a step ratio or load outside its range
+/// \throws std::invalid_argument for a step ratio or load outside its range, or for a known u_LE at
+///                               beta = 0
 /// \throws NotConverged          as solve_active_set
 SteadySolution solve_steady(const SteadyProblem& problem);
 

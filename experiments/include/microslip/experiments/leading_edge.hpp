@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "microslip/halfspace/kernel.hpp"
+#include "microslip/reference/carter.hpp"
+#include "microslip/scene/scene.hpp"
+#include "microslip/scene/table.hpp"
+#include "microslip/support/progress.hpp"
+
+namespace microslip::experiments {
+
+/// Is the leading edge the cause of first order, and what does a better one gain? Thesis chapter 10
+/// and appendix C, on the Carter-Fromm problem in plane strain with c = 1.
+struct LeadingEdgeParameters {
+  Material material;
+  double length;  ///< L0 of the plane kernel  [mm]
+  HertzBound bound;
+  std::vector<Eigen::Index> sizes;       ///< N, each twice the one before, at least two
+  std::vector<double> leading_offsets;   ///< beta (the thesis's alpha), each in (0, 1]
+  std::vector<double> trailing_offsets;  ///< alpha, each in [0, 1]
+  std::vector<double> stick_ratios;      ///< a', each in (0, 1)
+  Eigen::Index profile_elements;         ///< N of the tractions shown
+  double profile_stick_ratio;            ///< a' of the tractions shown, and of the thesis's numbers
+  double profile_offset;                 ///< beta of the trimmed hat shown, thesis Fig. 10.3
+};
+
+/// material.*, contact.*, kernel.length, grid.sizes, grid.leading_offsets, grid.trailing_offsets,
+/// load.stick_ratios, profile.elements, profile.stick_ratio, profile.leading_offset
+LeadingEdgeParameters read_leading_edge(Scene& scene);
+
+/// Tables: errors (a row a scheme, offset, stick ratio and N), reductions (the factors per
+/// doubling), summary (their distributions), settings (which settings come closest to the thesis's
+/// numbers), profile (tractions, Figs. 10.1 and 10.3), hats (Fig. 10.2), claims.
+std::vector<Table> leading_edge(const LeadingEdgeParameters& parameters, const Progress& progress);
+
+}  // namespace microslip::experiments

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "microslip/experiments/leading_edge.hpp"
+#include "microslip/halfspace/basis.hpp"
+#include "microslip/rolling/steady.hpp"
+
+namespace microslip::experiments {
+
+/// One treatment of the leading edge.
+struct Scheme {
+  std::string name;
+  std::function<Basis(double)> basis;  ///< from the leading offset
+  bool edge_known = false;
+};
+
+struct Setting {
+  double offset;
+  double trailing_offset;
+  double stick_ratio;
+  Eigen::Index elements;
+};
+
+struct Solved {
+  SteadySolution solution;
+  Eigen::VectorXd exact;  ///< traction at the nodes
+  double traction_error;  ///< integral of |p - exact| by the midpoint rule  [N/mm]
+  double force_error;     ///< relative
+};
+
+/// Errors of one scheme, offset and stick ratio over all sizes.
+struct Series {
+  std::string scheme;
+  double offset;
+  double trailing_offset;
+  double stick_ratio;
+  std::vector<double> traction;
+  std::vector<double> force;
+};
+
+/// All treatments, in the order of the tables.
+std::vector<Scheme> schemes();
+
+/// The scheme of that name.
+Scheme scheme_of(const std::string& name);
+
+/// The thesis's edge function (C.1) lives on an element that ends at the edge.
+bool applies(const Scheme& scheme, double offset);
+
+Solved solve(const LeadingEdgeParameters& p, const Scheme& scheme, const Setting& setting);
+
+/// Every scheme that applies, for all offsets and stick ratios.
+std::vector<Series> solve_all(const LeadingEdgeParameters& p, const Progress& progress);
+
+/// Factors by which each doubling of N reduces the errors.
+std::vector<double> reductions(const std::vector<double>& errors);
+
+double mean(const std::vector<double>& values);
+double largest(const std::vector<double>& values);
+
+}  // namespace microslip::experiments

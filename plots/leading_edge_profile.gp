@@ -1,0 +1,25 @@
+# Thesis Figs. 10.1 and 10.3: the Carter-Fromm problem near the leading edge, with its displacement known
+# and with the last hat trimmed.
+profile = tables."/profile.tsv"
+offset = 0.0
+set table $offset
+plot profile using (same(column("leading_offset"), 0.5) ? 0 : (offset = column("leading_offset"))) with table
+unset table
+of(name, beta) = strcol("scheme") eq name && same(column("leading_offset"), beta) ? column("x") : NaN
+
+set terminal svg size 800,400
+set multiplot layout 1,2 margins 0.09,0.98,0.16,0.9 spacing 0.09
+set xrange [-0.3:1]
+set yrange [-1:0]
+set xlabel "x [mm], rolling to the right"
+set ylabel "traction p [N/mm^2]"
+set key bottom right
+set title "displacement at the edge known, β = 0.5"
+plot tables."/exact.tsv" using "x":"traction" with @exact_line title "exact (10.1)", \
+     profile using (of("standard constant", 0.5)):"traction" with linespoints linetype 2 pointtype 6 pointsize 0.5 title "standard", \
+     profile using (of("known edge constant", 0.5)):"traction" with linespoints linetype 1 pointtype 7 pointsize 0.4 title "u_{LE} known"
+set title sprintf("last hat trimmed, β = %g", offset)
+plot tables."/exact.tsv" using "x":"traction" with @exact_line title "exact (10.1)", \
+     profile using (of("standard linear", offset)):"traction" with linespoints linetype 2 pointtype 6 pointsize 0.5 title "standard", \
+     profile using (of("trimmed linear", offset)):"traction" with linespoints linetype 3 pointtype 7 pointsize 0.4 title "trimmed"
+unset multiplot
