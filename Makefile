@@ -46,7 +46,7 @@ define study_rules
 $(2)/$(1)/provenance.txt: $(BUILD)/content/$(1)
 	$(BUILD)/bin/$(1)$(3) --out $(2)/$(1)
 
-$(2)/figures/$(1)_%.svg: plots/$(1)_%.gp plots/style.gp plots/draw.sh $(2)/$(1)/provenance.txt
+$(2)/figures/$(1)_%.svg: plots/$(1)_%.gp $(wildcard plots/$(1).gpi) plots/style.gp plots/draw.sh $(2)/$(1)/provenance.txt
 	plots/draw.sh $$< $(2)/$(1) $$@
 endef
 figures_of = $(patsubst plots/%.gp,$(2)/figures/%.svg,$(wildcard plots/$(1)_*.gp))

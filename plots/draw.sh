@@ -8,7 +8,7 @@ mkdir -p "$(dirname "$output")"
 partial=$(dirname "$output")/.$(basename "$output").part
 trap 'rm -f "$partial" "$partial.log"' EXIT
 status=0
-gnuplot -e "tables='$tables'" "$(dirname "$0")/style.gp" "$script" \
+gnuplot -e "tables='$tables'; scripts='$(dirname "$0")'" "$(dirname "$0")/style.gp" "$script" \
   >"$partial" 2>"$partial.log" || status=$?
 if [ $status -ne 0 ] || [ -s "$partial.log" ] || [ ! -s "$partial" ]; then
   echo "draw: $script failed" >&2

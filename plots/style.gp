@@ -1,5 +1,5 @@
 # Style of every figure: half a page wide, colour-blind safe (Okabe and Ito), columns by name.
-# draw.sh defines `tables`, the folder of the study's tables.
+# draw.sh defines `tables`, the folder of the study's tables, and `scripts`, that of this file.
 set terminal svg size 640,420 enhanced font "Helvetica,13" background "white" linewidth 1.3
 set datafile separator tab
 set datafile missing "nan"

@@ -14,6 +14,7 @@ libeigen3-dev /usr/include/eigen3/Eigen/Core
 libboost-dev /usr/include/boost/property_tree/info_parser.hpp
 libboost-program-options-dev /usr/include/boost/program_options.hpp
 libgsl-dev /usr/include/gsl/gsl_integration.h
+libfftw3-dev /usr/include/fftw3.h
 libgtest-dev /usr/include/gtest/gtest.h
 LIST
       ;;

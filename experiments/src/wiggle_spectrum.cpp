@@ -1,105 +1,222 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/wiggle_spectrum.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
+#include "microslip/experiments/claims.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/scene/model.hpp"
+#include "microslip/spectrum/symbol.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip::experiments {
 
 namespace {
 
-/// M_11, M_21 and M_12, the entries on and next to the diagonal, in units of 2 (1 - nu) dx / G.
+using Parameters = WiggleSpectrumParameters;
+
+struct NamedShape {
+  std::string name;
+  ShapeFunction shape;
+};
+
+std::vector<NamedShape> shapes() {
+  return {{"constant", constant_shape()}, {"linear", linear_shape()}};
+}
+
+double unit_of(const Parameters& p) { return compliance(material_of(p.kernel)) * p.spacing; }
+
+/// B_11, B_21 and B_12, the entries on and next to the diagonal, in units of 2 (1 - nu) dx / G.
 struct Diagonals {
   double main;
   double lower;
   double upper;
 };
 
-double unit_of(const Kernel& kernel, double spacing) {
-  return compliance(material_of(kernel)) * spacing;
-}
-
 Diagonals diagonals(const Kernel& kernel, const ShapeFunction& shape, double spacing,
                     double step_ratio) {
+  const double unit = compliance(material_of(kernel)) * spacing;
   const auto entry = [&](double offset) {
-    return influence_difference(kernel, shape, spacing, offset, step_ratio) /
-           unit_of(kernel, spacing);
+    return influence_difference(kernel, shape, spacing, offset, step_ratio) / unit;
   };
   return {entry(0), entry(1), entry(-1)};
 }
 
-Table matrix_table(const WiggleSpectrumParameters& parameters, const Progress& progress) {
-  const auto& [kernel, shape, spacing, n, step_ratios, samples, widths] = parameters;
-  Table table("matrix", "M = A - A' and its inverse, thesis Figs. 6.1 and 6.2",
-              {{"step_ratio", "1", "c = dq/dx"},
+Eigen::MatrixXd difference(const Parameters& p, const ShapeFunction& shape, Eigen::Index n,
+                           double step_ratio) {
+  return influence_difference_toeplitz(p.kernel, shape, p.spacing, n, step_ratio).dense() /
+         unit_of(p);
+}
+
+Table functions_table(const Parameters& p) {
+  Table table("functions", "a function, the same shifted, and their difference, thesis Fig. 5.1",
+              {{"basis", "1", "traction functions"},
+               {"s", "dx", "distance from the node"},
+               {"function", "1", "the function"},
+               {"shifted", "1", "shifted to the right"},
+               {"difference", "1", "function minus shifted"}});
+  for (const auto& [name, shape] : shapes()) {
+    for (int i = -300; i <= 300; ++i) {
+      const double s = i / 200.0;
+      const double shifted = shape.value(s - p.shift);
+      table.add({name, s, shape.value(s), shifted, shape.value(s) - shifted});
+    }
+  }
+  return table;
+}
+
+Table matrix_table(const Parameters& p) {
+  Table table("matrix", "B = A - A' and its inverse, thesis Figs. 6.1, 6.2, 6.4 and 6.5",
+              {{"basis", "1", "traction functions"},
+               {"step_ratio", "1", "c = dq/dx"},
                {"row", "1", "row, from 1"},
                {"column", "1", "column, from 1"},
                {"difference", "2(1-nu)dx/G", "entry of A - A'"},
                {"inverse", "G/(2(1-nu)dx)", "entry of its inverse"}});
-  for (std::size_t k = 0; k < step_ratios.size(); ++k) {
-    const Eigen::MatrixXd difference =
-        influence_difference_toeplitz(kernel, shape, spacing, n, step_ratios[k]).dense() /
-        unit_of(kernel, spacing);
-    const Eigen::MatrixXd inverse = difference.partialPivLu().inverse();
-    for (Eigen::Index i = 0; i < n; ++i) {
-      for (Eigen::Index j = 0; j < n; ++j) {
-        table.add({step_ratios[k], static_cast<double>(i + 1), static_cast<double>(j + 1),
-                   difference(i, j), inverse(i, j)});
+  for (const auto& [name, shape] : shapes()) {
+    for (const double c : p.step_ratios) {
+      const Eigen::MatrixXd b = difference(p, shape, p.elements, c);
+      const Eigen::MatrixXd inverse = b.partialPivLu().inverse();
+      for (Eigen::Index i = 0; i < p.elements; ++i) {
+        for (Eigen::Index j = 0; j < p.elements; ++j) {
+          table.add({name, c, static_cast<double>(i + 1), static_cast<double>(j + 1), b(i, j),
+                     inverse(i, j)});
+        }
       }
     }
-    progress(k + 1, step_ratios.size());
   }
   return table;
 }
 
-Table diagonals_table(const WiggleSpectrumParameters& parameters) {
-  Table table("diagonals", "entries of M = A - A' on and next to the diagonal, thesis Fig. 6.3",
-              {{"step_ratio", "1", "c = dq/dx"},
-               {"m11", "2(1-nu)dx/G", "on the diagonal"},
-               {"m21", "2(1-nu)dx/G", "below it"},
-               {"m12", "2(1-nu)dx/G", "above it; negative"},
-               {"m11_scaled", "1", "|m11| over the largest of the three"},
-               {"m21_scaled", "1", "|m21| over the largest of the three"},
-               {"m12_scaled", "1", "|m12| over the largest of the three"}});
-  for (Eigen::Index k = 1; k <= parameters.samples; ++k) {
-    const double c = static_cast<double>(k) / static_cast<double>(parameters.samples);
-    const auto [main, lower, upper] =
-        diagonals(parameters.kernel, parameters.shape, parameters.spacing, c);
-    const double largest = std::max({std::abs(main), std::abs(lower), std::abs(upper)});
-    table.add({c, main, lower, upper, std::abs(main) / largest, std::abs(lower) / largest,
-               std::abs(upper) / largest});
+Table diagonals_table(const Parameters& p) {
+  Table table("diagonals", "entries of A - A' on and next to the diagonal, thesis Figs. 6.3, 6.6",
+              {{"basis", "1", "traction functions"},
+               {"step_ratio", "1", "c = dq/dx"},
+               {"b11", "2(1-nu)dx/G", "on the diagonal"},
+               {"b21", "2(1-nu)dx/G", "below it"},
+               {"b12", "2(1-nu)dx/G", "above it; negative"},
+               {"b11_scaled", "1", "|b11| over the largest of the three"},
+               {"b21_scaled", "1", "|b21| over the largest of the three"},
+               {"b12_scaled", "1", "|b12| over the largest of the three"}});
+  for (const auto& [name, shape] : shapes()) {
+    for (Eigen::Index k = 1; k <= p.samples; ++k) {
+      const double c = static_cast<double>(k) / static_cast<double>(p.samples);
+      const auto [main, lower, upper] = diagonals(p.kernel, shape, p.spacing, c);
+      const double largest = std::max({std::abs(main), std::abs(lower), std::abs(upper)});
+      table.add({name, c, main, lower, upper, std::abs(main) / largest, std::abs(lower) / largest,
+                 std::abs(upper) / largest});
+    }
   }
   return table;
 }
 
-double width_over_spacing(const Kernel& kernel, double spacing) {
-  return std::visit([&](const auto& k) { return 2 * k.clear_distance() / spacing; }, kernel);
-}
-
-Table crossing_table(const WiggleSpectrumParameters& parameters) {
-  Table table("crossing", "the step ratio at which M11 = M21; the thesis: around 0.3939",
-              {{"kernel", "1", "the scene's, or a strip for comparison"},
+Table crossing_table(const Parameters& p) {
+  Table table("crossing", "the step ratio at which B11 = B21; the thesis: around 0.3939",
+              {{"basis", "1", "traction functions"},
+               {"kernel", "1", "the scene's, or a strip for comparison"},
                {"width", "dx", "strip width Dy; inf for plane strain"},
                {"step_ratio", "1", "c = dq/dx of the crossing"},
-               {"entry", "2(1-nu)dx/G", "M11 = M21 there"}});
-  const auto add = [&](const std::string& name, const Kernel& kernel) {
-    const double c = diagonal_crossing(kernel, parameters.shape, parameters.spacing);
-    table.add({name, width_over_spacing(kernel, parameters.spacing), c,
-               diagonals(kernel, parameters.shape, parameters.spacing, c).main});
-  };
-  add("scene", parameters.kernel);
-  for (const double width : parameters.strip_widths) {
-    add("strip", StripKernel(material_of(parameters.kernel), width * parameters.spacing));
+               {"entry", "2(1-nu)dx/G", "B11 = B21 there"}});
+  for (const auto& [name, shape] : shapes()) {
+    const auto add = [&, &name = name, &shape = shape](const std::string& kind,
+                                                       const Kernel& kernel) {
+      const double width =
+          std::visit([&](const auto& k) { return 2 * k.clear_distance() / p.spacing; }, kernel);
+      const double c = diagonal_crossing(kernel, shape, p.spacing);
+      table.add({name, kind, width, c, diagonals(kernel, shape, p.spacing, c).main});
+    };
+    add("scene", p.kernel);
+    for (const double width : p.strip_widths) {
+      add("strip", StripKernel(material_of(p.kernel), width * p.spacing));
+    }
   }
   return table;
+}
+
+/// What one matrix B is like.
+struct Spectrum {
+  double condition;
+  double imaginary_to_real;  ///< sum of |Im| over sum of |Re| of the eigenvalues
+};
+
+Spectrum spectrum_of(const Eigen::MatrixXd& b) {
+  const Eigen::VectorXd singular = Eigen::BDCSVD<Eigen::MatrixXd>(b).singularValues();
+  const Eigen::VectorXcd eigen = Eigen::EigenSolver<Eigen::MatrixXd>(b, false).eigenvalues();
+  return {singular.maxCoeff() / singular.minCoeff(),
+          eigen.imag().cwiseAbs().sum() / eigen.real().cwiseAbs().sum()};
+}
+
+/// From 1 down to the smallest, equally spaced in the logarithm.
+std::vector<double> spectrum_steps(const Parameters& p) {
+  std::vector<double> steps;
+  for (int k = 0;; ++k) {
+    const double c = std::pow(10.0, -static_cast<double>(k) / static_cast<double>(p.per_decade));
+    if (c < p.smallest_step_ratio * (1 - 1e-12)) return steps;
+    steps.push_back(c);
+  }
+}
+
+Table spectrum_table(const Parameters& p, const Progress& progress) {
+  Table table("spectrum", "B = A - A' for falling step ratios",
+              {{"basis", "1", "traction functions"},
+               {"step_ratio", "1", "c = dq/dx"},
+               {"condition", "1", "2-norm condition number, n elements"},
+               {"condition_next", "1", "the same with n + 1 elements"},
+               {"imaginary_to_real", "1", "sum of |Im| over sum of |Re| of the eigenvalues"},
+               {"least_symbol", "2(1-nu)/G", "least |symbol| of B/(c dx) over all frequencies"}});
+  const std::vector<double> steps = spectrum_steps(p);
+  for (const auto& [name, shape] : shapes()) {
+    for (const double c : steps) {
+      const Spectrum here = spectrum_of(difference(p, shape, p.elements, c));
+      const Spectrum next = spectrum_of(difference(p, shape, p.elements + 1, c));
+      const double least = least_magnitude(Symbol(p.kernel, shape, p.spacing, c)) /
+                           compliance(material_of(p.kernel));
+      table.add({name, c, here.condition, next.condition, here.imaginary_to_real, least});
+      progress(table.rows(), 2 * steps.size());
+    }
+  }
+  return table;
+}
+
+Table claims_of(const Parameters& p, const Table& spectrum) {
+  const double crossing = diagonal_crossing(p.kernel, constant_shape(), p.spacing);
+  const Diagonals at_one = diagonals(p.kernel, constant_shape(), p.spacing, 1);
+  const std::size_t last = spectrum.rows() / 2 - 1;  // of the constant functions
+  const auto growth = [&](const std::string& column) {
+    return spectrum.number(last, column) / spectrum.number(0, column);
+  };
+  const bool odd = p.elements % 2 == 1;
+  const double odd_growth = growth(odd ? "condition" : "condition_next");
+  const double even_growth = growth(odd ? "condition_next" : "condition");
+  const double linear_gain = spectrum.number(2 * last + 1, "least_symbol");
+  return claims_table(
+      {{"B11 = B21 around c = 0.3939", "6.1", 0.3939, crossing, "1",
+        verdict_of(std::abs(crossing - 0.3939) < 0.01),
+        "constant functions, the scene's kernel; 0.3939 is 39/99, the nearest of 100 samples"},
+       {"at c = 1, B12 = -B11", "6.1", -1, at_one.upper / at_one.main, "1",
+        verdict_of(std::abs(at_one.upper / at_one.main + 1) < 1e-12), "B12 / B11"},
+       {"... while B21 is more than half as small", "6.1", not_given, at_one.lower / at_one.main,
+        "1", verdict_of(at_one.lower / at_one.main < 0.5), "B21 / B11 at c = 1"},
+       {"upper diagonals of B are positive, lower ones negative", "6", not_given, at_one.upper,
+        "2(1-nu)dx/G", at_one.upper > 0 && at_one.lower < 0 ? "reproduced" : "corrected",
+        "B12 at c = 1: it is the other way round"},
+       {"as c falls, imaginary parts of eigenvalues grow relative to real ones", "1", not_given,
+        growth("imaginary_to_real"), "1", verdict_of(growth("imaginary_to_real") > 10),
+        "growth of their ratio from c = 1 to the smallest c"},
+       {"as c falls, the condition number grows rapidly", "1", not_given, odd_growth, "1",
+        verdict_of(odd_growth > 1000), "growth for an odd number of elements"},
+       {"... for an even number of elements too", "1", not_given, even_growth, "1",
+        even_growth > 1000 ? "reproduced" : "corrected",
+        "B turns antisymmetric, which is singular for an odd number of elements only"},
+       {"linear functions do not solve the problem", "6.2", not_given, linear_gain, "2(1-nu)/G",
+        verdict_of(linear_gain < 0.01),
+        "least |symbol| at the smallest c; 1 for the exact strain"}});
 }
 
 }  // namespace
@@ -116,29 +233,38 @@ double diagonal_crossing(const Kernel& kernel, const ShapeFunction& shape, doubl
 }
 
 WiggleSpectrumParameters read_wiggle_spectrum(Scene& scene) {
-  WiggleSpectrumParameters parameters{.kernel = read_kernel(scene, read_material(scene)),
-                                      .shape = read_shape(scene),
-                                      .spacing = scene.number("grid.spacing"),
-                                      .elements = scene.whole("grid.elements"),
-                                      .step_ratios = scene.numbers("step.ratios"),
-                                      .samples = scene.whole("step.samples"),
-                                      .strip_widths = scene.numbers("crossing.strip_widths")};
-  require_positive("grid.spacing", parameters.spacing);
-  require(parameters.elements >= 3 && parameters.elements <= 1000, "grid.elements",
-          static_cast<double>(parameters.elements), "a whole number in [3, 1000]");
-  for (const double c : parameters.step_ratios) require_positive("step.ratios", c);
-  require(parameters.samples >= 1 && parameters.samples <= 100000, "step.samples",
-          static_cast<double>(parameters.samples), "a whole number in [1, 100000]");
-  for (const double width : parameters.strip_widths) {
-    require_positive("crossing.strip_widths", width);
+  Parameters p{.kernel = read_kernel(scene, read_material(scene)),
+               .spacing = scene.number("grid.spacing"),
+               .elements = scene.whole("grid.elements"),
+               .step_ratios = scene.numbers("step.ratios"),
+               .shift = scene.number("functions.shift"),
+               .samples = scene.whole("step.samples"),
+               .smallest_step_ratio = scene.number("spectrum.smallest_step_ratio"),
+               .per_decade = scene.whole("spectrum.per_decade"),
+               .strip_widths = scene.numbers("crossing.strip_widths")};
+  const auto require_whole = [](const char* key, Eigen::Index value, Eigen::Index least,
+                                Eigen::Index most) {
+    require(value >= least && value <= most, key, static_cast<double>(value),
+            "a whole number in [" + std::to_string(least) + ", " + std::to_string(most) + "]");
+  };
+  require_positive("grid.spacing", p.spacing);
+  require_whole("grid.elements", p.elements, 3, 1000);
+  for (const double c : p.step_ratios) {
+    require(c >= min_step_ratio, "step.ratios", c, "numbers >= 1e-15");
   }
-  return parameters;
+  require(p.shift > 0 && p.shift < 1, "functions.shift", p.shift, "a number in (0, 1)");
+  require_whole("step.samples", p.samples, 1, 100000);
+  require(p.smallest_step_ratio >= min_step_ratio && p.smallest_step_ratio < 1,
+          "spectrum.smallest_step_ratio", p.smallest_step_ratio, "a number in [1e-15, 1)");
+  require_whole("spectrum.per_decade", p.per_decade, 1, 100);
+  for (const double width : p.strip_widths) require_positive("crossing.strip_widths", width);
+  return p;
 }
 
-std::vector<Table> wiggle_spectrum(const WiggleSpectrumParameters& parameters,
-                                   const Progress& progress) {
-  return {matrix_table(parameters, progress), diagonals_table(parameters),
-          crossing_table(parameters)};
+std::vector<Table> wiggle_spectrum(const WiggleSpectrumParameters& p, const Progress& progress) {
+  const Table spectrum = spectrum_table(p, progress);
+  return {functions_table(p), matrix_table(p), diagonals_table(p),
+          crossing_table(p),  spectrum,        claims_of(p, spectrum)};
 }
 
 }  // namespace microslip::experiments

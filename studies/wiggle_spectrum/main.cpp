@@ -6,7 +6,7 @@
 int main(int argc, char** argv) {
   using namespace microslip;
   return program::run({.name = "wiggle_spectrum",
-                       .question = "which entries of A - A' survive a small step?",
+                       .question = "what makes the solution wiggle when the step is small?",
                        .scene = scenes::study,
                        .quick = scenes::quick,
                        .default_out = "results/wiggle_spectrum",

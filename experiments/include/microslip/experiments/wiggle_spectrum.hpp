@@ -11,29 +11,33 @@
 
 namespace microslip::experiments {
 
-/// Which entries of M = A - A' survive a small step, and what does its inverse look like then?
-/// Thesis Figs. 6.1-6.3. Entries are given in units of 2 (1 - nu) dx / G, so for plane strain they
-/// depend on nothing but c, and for a strip on Dy/dx and nu besides.
+/// Which entries of B = A - A' survive a small step, and what do its inverse, its eigenvalues and
+/// its symbol look like then? Thesis Figs. 5.1, 6.1-6.6, for constant and linear functions. Entries
+/// are in units of 2 (1 - nu) dx / G, so in plane strain they depend on nothing but c.
 struct WiggleSpectrumParameters {
   Kernel kernel;
-  ShapeFunction shape;
   double spacing;                    ///< dx, in (0, inf)  [mm]
-  Eigen::Index elements;             ///< size of the matrices shown, in [3, 1000]
-  std::vector<double> step_ratios;   ///< c of the matrices shown, each in (0, inf)  [1]
+  Eigen::Index elements;             ///< size of the matrices, in [3, 1000]
+  std::vector<double> step_ratios;   ///< c of the matrices shown  [1]
+  double shift;                      ///< of the functions shown, Fig. 5.1, in (0, 1)  [dx]
   Eigen::Index samples;              ///< c = 1/samples ... 1 of the diagonals, in [1, 100000]
+  double smallest_step_ratio;        ///< of the spectra, in [1e-15, 1)  [1]
+  Eigen::Index per_decade;           ///< step ratios a decade of the spectra, in [1, 100]
   std::vector<double> strip_widths;  ///< Dy/dx of further crossings, each in (0, inf)  [1]
 };
 
-/// material.*, kernel.*, basis, grid.spacing, grid.elements, step.ratios, step.samples,
-/// crossing.strip_widths
+/// material.*, kernel.*, grid.spacing, grid.elements, step.ratios, step.samples, functions.shift,
+/// spectrum.smallest_step_ratio, spectrum.per_decade, crossing.strip_widths
 WiggleSpectrumParameters read_wiggle_spectrum(Scene& scene);
 
-/// Tables: matrix (every entry of M and its inverse for each step ratio), diagonals (M11, M21, M12
-/// against c, as they are and scaled by the largest), crossing (c where M11 = M21).
+/// Tables: functions (Fig. 5.1), matrix (every entry of B and its inverse for each step ratio),
+/// diagonals (B11, B21, B12 against c, as they are and scaled by the largest), crossing (c where
+/// B11 = B21), spectrum (eigenvalues, condition number and least symbol against c, for an odd and
+/// an even number of elements), claims.
 std::vector<Table> wiggle_spectrum(const WiggleSpectrumParameters& parameters,
                                    const Progress& progress);
 
-/// The step ratio in (0.001, 1) at which M11 = M21, to rounding.
+/// The step ratio in (0.001, 1) at which B11 = B21, to rounding.
 double diagonal_crossing(const Kernel& kernel, const ShapeFunction& shape, double spacing);
 
 }  // namespace microslip::experiments

@@ -1,0 +1,3 @@
+# Thesis Fig. 6.7: constant functions.
+basis = "constant"
+load scripts."/fourier_inverse.gpi"

@@ -1,0 +1,19 @@
+# Thesis Fig. 5.1: a traction function, the same shifted, and their difference.
+functions = tables."/functions.tsv"
+of(name) = strcol("basis") eq name ? column("s") : NaN
+
+set terminal svg size 640,300
+set multiplot layout 1,2 margins 0.08,0.98,0.2,0.88 spacing 0.09
+set xrange [-1.5:1.5]
+set yrange [-1.1:2.4]
+set xlabel "distance from the node [dx]"
+set ylabel "traction function [1]"
+set key top left
+do for [name in "constant linear"] {
+  set title name
+  plot functions using (of(name)):"function" with lines linetype 4 title "function", \
+       functions using (of(name)):"shifted" with lines linetype 2 title "shifted", \
+       functions using (of(name)):"difference" with lines linetype 7 title "difference"
+  unset key
+}
+unset multiplot
