@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/carter.hpp"
 
+#include "microslip/experiments/claims.hpp"
 #include "microslip/experiments/steady_scene.hpp"
 #include "microslip/reference/carter.hpp"
 #include "microslip/scene/model.hpp"
+#include "microslip/support/format.hpp"
 
 namespace microslip::experiments {
 
@@ -40,6 +42,40 @@ void add_solution(Table& table, double step_ratio, const SteadySolution& solutio
   }
 }
 
+Table accuracy_table(const CarterParameters& parameters, const Carter& exact) {
+  Table table(
+      "accuracy", "force error against the step ratio",
+      {{"step_ratio", "1", "c = dq/dx"}, {"relative_force_error", "1", "force / exact_force - 1"}});
+  SteadyProblem problem = parameters.problem;
+  for (const double step_ratio : parameters.accuracy_step_ratios) {
+    problem.step_ratio = step_ratio;
+    table.add({step_ratio, solve_steady(problem).force / exact.force() - 1});
+  }
+  return table;
+}
+
+Table claims_of(const Table& summary, const Table& accuracy) {
+  const std::size_t last = summary.rows() - 1;
+  const double first_wiggles = summary.number(0, "turning_points");
+  const double last_wiggles = summary.number(last, "turning_points");
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < accuracy.rows(); ++i) {
+    const auto error = [&](std::size_t row) {
+      return std::abs(accuracy.number(row, "relative_force_error"));
+    };
+    if (error(i) < error(best)) best = i;
+  }
+  const double best_ratio = accuracy.number(best, "step_ratio");
+  return claims_table(
+      {{"wiggles arise when the step is small against the element", "1", not_given, last_wiggles,
+        "1", verdict_of(last_wiggles > 5 && first_wiggles == 1),
+        "local extrema of the traction at the smallest c; " + format_short(first_wiggles) +
+            " at the largest, as in the exact solution"},
+       {"accuracy decreases again for c < 0.55", "1", 0.55, best_ratio, "1",
+        verdict_of(std::abs(best_ratio - 0.55) <= 0.1),
+        "c of the least error of the force, on elements that fill the contact"}});
+}
+
 }  // namespace
 
 Eigen::Index turning_points(const Eigen::VectorXd& values) {
@@ -52,7 +88,9 @@ Eigen::Index turning_points(const Eigen::VectorXd& values) {
 
 CarterParameters read_carter(Scene& scene) {
   const std::vector<double> step_ratios = scene.numbers("step.ratios");
-  return {.problem = read_steady(scene, step_ratios.front()), .step_ratios = step_ratios};
+  return {.problem = read_steady(scene, step_ratios.front()),
+          .step_ratios = step_ratios,
+          .accuracy_step_ratios = scene.numbers("accuracy.step_ratios")};
 }
 
 std::vector<Table> carter(const CarterParameters& parameters, const Progress& progress) {
@@ -90,7 +128,9 @@ std::vector<Table> carter(const CarterParameters& parameters, const Progress& pr
                  static_cast<double>(solution.iterations)});
     progress(summary.rows(), parameters.step_ratios.size());
   }
-  return {traction, exact_table(exact, problem.bound.half_width()), summary};
+  const Table accuracy = accuracy_table(parameters, exact);
+  return {traction, exact_table(exact, problem.bound.half_width()), summary, accuracy,
+          claims_of(summary, accuracy)};
 }
 
 }  // namespace microslip::experiments

@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "microslip/experiments/claims.hpp"
-#include "microslip/halfspace/influence.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/spectrum/fourier_inverse.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
+#include "unit_difference.hpp"
 
 namespace microslip::experiments {
 
@@ -21,21 +21,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 
-struct NamedShape {
-  std::string name;
-  ShapeFunction shape;
-};
-
-std::vector<NamedShape> shapes() {
-  return {{"constant", constant_shape()}, {"linear", linear_shape()}};
-}
-
-/// B in units of 2 (1 - nu) dx / G.
 Toeplitz difference(const Parameters& p, const ShapeFunction& shape, Index n, double step_ratio) {
-  const double unit = compliance(material_of(p.kernel)) * p.spacing;
-  const Toeplitz b = influence_difference_toeplitz(p.kernel, shape, p.spacing, n, step_ratio);
-  return {VectorXd::NullaryExpr(n, [&](Index k) { return b(k, 0) / unit; }),
-          VectorXd::NullaryExpr(n, [&](Index k) { return b(0, k) / unit; })};
+  return unit_difference(p.kernel, shape, p.spacing, n, step_ratio);
 }
 
 VectorXcd coefficients_of(const Toeplitz& b) {
@@ -59,7 +46,7 @@ Table coefficients_table(const Parameters& p) {
                {"imaginary", "2(1-nu)dx/G", "imaginary part"},
                {"magnitude", "2(1-nu)dx/G", "absolute value"},
                {"reciprocal", "G/(2(1-nu)dx)", "absolute value of the reciprocal"}});
-  for (const auto& [name, shape] : shapes()) {
+  for (const auto& [name, shape] : uniform_shapes()) {
     for (const double c : p.step_ratios) {
       const VectorXcd found = coefficients_of(difference(p, shape, p.elements, c));
       const VectorXcd inverse = reciprocals(found);
@@ -80,7 +67,7 @@ Table columns_table(const Parameters& p) {
                {"approximate", "G/(2(1-nu)dx)", "by Fourier transformation"},
                {"without_mean", "G/(2(1-nu)dx)", "the same with the zero frequency dropped"},
                {"exact", "G/(2(1-nu)dx)", "by factorisation"}});
-  for (const auto& [name, shape] : shapes()) {
+  for (const auto& [name, shape] : uniform_shapes()) {
     for (const double c : p.step_ratios) {
       const Toeplitz b = difference(p, shape, p.elements, c);
       const VectorXd approximate = approximate_inverse_column(b);
@@ -135,7 +122,7 @@ Table errors_table(const Parameters& p, const Progress& progress) {
        {"without_boundary", "1", "the same in the middle half of the middle column"},
        {"without_mean", "1", "the last with the zero frequency dropped"}});
   const std::size_t total = 2 * p.step_ratios.size() * p.sizes.size();
-  for (const auto& [name, shape] : shapes()) {
+  for (const auto& [name, shape] : uniform_shapes()) {
     for (const double c : p.step_ratios) {
       for (const Index n : p.sizes) {
         const InverseErrors e = inverse_errors(difference(p, shape, n, c));

@@ -10,27 +10,16 @@
 #include <cstdint>
 
 #include "microslip/experiments/claims.hpp"
-#include "microslip/halfspace/influence.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/spectrum/symbol.hpp"
 #include "microslip/support/require.hpp"
+#include "unit_difference.hpp"
 
 namespace microslip::experiments {
 
 namespace {
 
 using Parameters = WiggleSpectrumParameters;
-
-struct NamedShape {
-  std::string name;
-  ShapeFunction shape;
-};
-
-std::vector<NamedShape> shapes() {
-  return {{"constant", constant_shape()}, {"linear", linear_shape()}};
-}
-
-double unit_of(const Parameters& p) { return compliance(material_of(p.kernel)) * p.spacing; }
 
 /// B_11, B_21 and B_12, the entries on and next to the diagonal, in units of 2 (1 - nu) dx / G.
 struct Diagonals {
@@ -41,7 +30,7 @@ struct Diagonals {
 
 Diagonals diagonals(const Kernel& kernel, const ShapeFunction& shape, double spacing,
                     double step_ratio) {
-  const double unit = compliance(material_of(kernel)) * spacing;
+  const double unit = difference_unit(kernel, spacing);
   const auto entry = [&](double offset) {
     return influence_difference(kernel, shape, spacing, offset, step_ratio) / unit;
   };
@@ -50,8 +39,7 @@ Diagonals diagonals(const Kernel& kernel, const ShapeFunction& shape, double spa
 
 Eigen::MatrixXd difference(const Parameters& p, const ShapeFunction& shape, Eigen::Index n,
                            double step_ratio) {
-  return influence_difference_toeplitz(p.kernel, shape, p.spacing, n, step_ratio).dense() /
-         unit_of(p);
+  return unit_difference(p.kernel, shape, p.spacing, n, step_ratio).dense();
 }
 
 Table functions_table(const Parameters& p) {
@@ -61,7 +49,7 @@ Table functions_table(const Parameters& p) {
                {"function", "1", "the function"},
                {"shifted", "1", "shifted to the right"},
                {"difference", "1", "function minus shifted"}});
-  for (const auto& [name, shape] : shapes()) {
+  for (const auto& [name, shape] : uniform_shapes()) {
     for (int i = -300; i <= 300; ++i) {
       const double s = i / 200.0;
       const double shifted = shape.value(s - p.shift);
@@ -79,7 +67,7 @@ Table matrix_table(const Parameters& p) {
                {"column", "1", "column, from 1"},
                {"difference", "2(1-nu)dx/G", "entry of A - A'"},
                {"inverse", "G/(2(1-nu)dx)", "entry of its inverse"}});
-  for (const auto& [name, shape] : shapes()) {
+  for (const auto& [name, shape] : uniform_shapes()) {
     for (const double c : p.step_ratios) {
       const Eigen::MatrixXd b = difference(p, shape, p.elements, c);
       const Eigen::MatrixXd inverse = b.partialPivLu().inverse();
@@ -104,7 +92,7 @@ Table diagonals_table(const Parameters& p) {
                {"b11_scaled", "1", "|b11| over the largest of the three"},
                {"b21_scaled", "1", "|b21| over the largest of the three"},
                {"b12_scaled", "1", "|b12| over the largest of the three"}});
-  for (const auto& [name, shape] : shapes()) {
+  for (const auto& [name, shape] : uniform_shapes()) {
     for (Eigen::Index k = 1; k <= p.samples; ++k) {
       const double c = static_cast<double>(k) / static_cast<double>(p.samples);
       const auto [main, lower, upper] = diagonals(p.kernel, shape, p.spacing, c);
@@ -123,7 +111,7 @@ Table crossing_table(const Parameters& p) {
                {"width", "dx", "strip width Dy; inf for plane strain"},
                {"step_ratio", "1", "c = dq/dx of the crossing"},
                {"entry", "2(1-nu)dx/G", "B11 = B21 there"}});
-  for (const auto& [name, shape] : shapes()) {
+  for (const auto& [name, shape] : uniform_shapes()) {
     const auto add = [&, &name = name, &shape = shape](const std::string& kind,
                                                        const Kernel& kernel) {
       const double width =
@@ -171,7 +159,7 @@ Table spectrum_table(const Parameters& p, const Progress& progress) {
                {"imaginary_to_real", "1", "sum of |Im| over sum of |Re| of the eigenvalues"},
                {"least_symbol", "2(1-nu)/G", "least |symbol| of B/(c dx) over all frequencies"}});
   const std::vector<double> steps = spectrum_steps(p);
-  for (const auto& [name, shape] : shapes()) {
+  for (const auto& [name, shape] : uniform_shapes()) {
     for (const double c : steps) {
       const Spectrum here = spectrum_of(difference(p, shape, p.elements, c));
       const Spectrum next = spectrum_of(difference(p, shape, p.elements + 1, c));

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "claims_of.hpp"
 #include "microslip/experiments/steady_scene.hpp"
 
 namespace microslip::experiments {
@@ -17,7 +18,8 @@ std::vector<Table> tables_for(const char* basis) {
                              .basis = make_basis(basis),
                              .step_ratio = 1,
                              .load = PrescribedCreepage{0.576}},
-                 .step_ratios = {1, 0.5, 0.1, 0.05, 0.01}},
+                 .step_ratios = {1, 0.5, 0.1, 0.05, 0.01},
+                 .accuracy_step_ratios = {0.3, 0.4, 0.5, 0.55, 0.6, 0.7, 0.8, 1}},
                 [](std::size_t, std::size_t) {});
 }
 
@@ -47,6 +49,11 @@ TEST(CarterStudy, HasARowForEveryNodeAndStep) {
   const std::vector<Table> tables = tables_for("constant");
   EXPECT_EQ(tables[0].rows(), 5U * 50);
   EXPECT_EQ(tables[2].rows(), 5U);
+}
+
+TEST(CarterStudy, Verdicts) {
+  EXPECT_EQ(verdicts(tables_for("constant")),
+            (std::vector<std::string>{"reproduced", "reproduced"}));
 }
 
 TEST(TurningPoints, CountsInteriorExtrema) {

@@ -13,15 +13,16 @@ namespace microslip::experiments {
 /// What does the step ratio do to the Carter-Fromm problem? Thesis Fig. 1.1.
 struct CarterParameters {
   SteadyProblem problem;            ///< its step_ratio is replaced by each of the next
-  std::vector<double> step_ratios;  ///< c, each in (0, inf)  [1]
+  std::vector<double> step_ratios;  ///< c of the tractions shown, falling, each >= 1e-15  [1]
+  std::vector<double> accuracy_step_ratios;  ///< c of the force errors, likewise  [1]
 };
 
-/// The keys of a steady scene, with step.ratios in place of step.ratio.
+/// The keys of a steady scene, with step.ratios and accuracy.step_ratios in place of step.ratio.
 CarterParameters read_carter(Scene& scene);
 
-/// Tables: traction (a row a node and step ratio, with the exact solution), exact (a fine line) and
-/// summary (a row a step ratio: errors and the count of wiggles).
-/// \throws NotConverged as solve_steady
+/// Tables: traction (a row a node and step ratio, with the exact solution), exact (a fine line),
+/// summary (a row a step ratio: errors and the count of wiggles), accuracy (the force error against
+/// c) and claims. \throws NotConverged as solve_steady
 std::vector<Table> carter(const CarterParameters& parameters, const Progress& progress);
 
 /// Number of interior local extrema of a sequence; equal neighbours do not count.

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "unit_difference.hpp"
+
+namespace microslip::experiments {
+
+std::vector<NamedShape> uniform_shapes() {
+  return {{"constant", constant_shape()}, {"linear", linear_shape()}};
+}
+
+double difference_unit(const Kernel& kernel, double spacing) {
+  return compliance(material_of(kernel)) * spacing;
+}
+
+Toeplitz unit_difference(const Kernel& kernel, const ShapeFunction& shape, double spacing,
+                         Eigen::Index n, double step_ratio) {
+  const double unit = difference_unit(kernel, spacing);
+  const Toeplitz b = influence_difference_toeplitz(kernel, shape, spacing, n, step_ratio);
+  return {Eigen::VectorXd::NullaryExpr(n, [&](Eigen::Index k) { return b(k, 0) / unit; }),
+          Eigen::VectorXd::NullaryExpr(n, [&](Eigen::Index k) { return b(0, k) / unit; })};
+}
+
+}  // namespace microslip::experiments
