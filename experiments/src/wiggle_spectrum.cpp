@@ -127,17 +127,13 @@ Table crossing_table(const Parameters& p) {
   return table;
 }
 
-/// What one matrix B is like.
-struct Spectrum {
-  double condition;
-  double imaginary_to_real;  ///< sum of |Im| over sum of |Re| of the eigenvalues
-};
-
-Spectrum spectrum_of(const Eigen::MatrixXd& b) {
+double condition(const Eigen::MatrixXd& b) {
   const Eigen::VectorXd singular = Eigen::BDCSVD<Eigen::MatrixXd>(b).singularValues();
-  const Eigen::VectorXcd eigen = Eigen::EigenSolver<Eigen::MatrixXd>(b, false).eigenvalues();
-  return {singular.maxCoeff() / singular.minCoeff(),
-          eigen.imag().cwiseAbs().sum() / eigen.real().cwiseAbs().sum()};
+  return singular.maxCoeff() / singular.minCoeff();
+}
+
+Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& b) {
+  return Eigen::EigenSolver<Eigen::MatrixXd>(b, false).eigenvalues();
 }
 
 /// From 1 down to the smallest, equally spaced in the logarithm.
@@ -150,26 +146,37 @@ std::vector<double> spectrum_steps(const Parameters& p) {
   }
 }
 
-Table spectrum_table(const Parameters& p, const Progress& progress) {
-  Table table("spectrum", "B = A - A' for falling step ratios",
-              {{"basis", "1", "traction functions"},
-               {"step_ratio", "1", "c = dq/dx"},
-               {"condition", "1", "2-norm condition number, n elements"},
-               {"condition_next", "1", "the same with n + 1 elements"},
-               {"imaginary_to_real", "1", "sum of |Im| over sum of |Re| of the eigenvalues"},
-               {"least_symbol", "2(1-nu)/G", "least |symbol| of B/(c dx) over all frequencies"}});
+/// The tables spectrum and eigenvalues.
+std::pair<Table, Table> spectrum_tables(const Parameters& p, const Progress& progress) {
+  Table spectrum(
+      "spectrum", "B = A - A' for falling step ratios",
+      {{"basis", "1", "traction functions"},
+       {"step_ratio", "1", "c = dq/dx"},
+       {"condition", "1", "2-norm condition number, n elements"},
+       {"condition_next", "1", "the same with n + 1 elements"},
+       {"imaginary_to_real", "1", "sum of |Im| over sum of |Re| of the eigenvalues"},
+       {"least_symbol", "2(1-nu)/G", "least |symbol| of B/(c dx) over all frequencies"}});
+  Table values("eigenvalues", "eigenvalues of B/c = (A - A')/c, n elements",
+               {{"basis", "1", "traction functions"},
+                {"step_ratio", "1", "c = dq/dx"},
+                {"real", "2(1-nu)dx/G", "real part, over c"},
+                {"imaginary", "2(1-nu)dx/G", "imaginary part, over c"}});
   const std::vector<double> steps = spectrum_steps(p);
   for (const auto& [name, shape] : uniform_shapes()) {
     for (const double c : steps) {
-      const Spectrum here = spectrum_of(difference(p, shape, p.elements, c));
-      const Spectrum next = spectrum_of(difference(p, shape, p.elements + 1, c));
+      const Eigen::MatrixXd b = difference(p, shape, p.elements, c);
+      const Eigen::VectorXcd found = eigenvalues(b);
+      for (const std::complex<double>& value : found) {
+        values.add({name, c, value.real() / c, value.imag() / c});
+      }
       const double least = least_magnitude(Symbol(p.kernel, shape, p.spacing, c)) /
                            compliance(material_of(p.kernel));
-      table.add({name, c, here.condition, next.condition, here.imaginary_to_real, least});
-      progress(table.rows(), 2 * steps.size());
+      spectrum.add({name, c, condition(b), condition(difference(p, shape, p.elements + 1, c)),
+                    found.imag().cwiseAbs().sum() / found.real().cwiseAbs().sum(), least});
+      progress(spectrum.rows(), 2 * steps.size());
     }
   }
-  return table;
+  return {spectrum, values};
 }
 
 Table claims_of(const Parameters& p, const Table& spectrum) {
@@ -250,9 +257,9 @@ WiggleSpectrumParameters read_wiggle_spectrum(Scene& scene) {
 }
 
 std::vector<Table> wiggle_spectrum(const WiggleSpectrumParameters& p, const Progress& progress) {
-  const Table spectrum = spectrum_table(p, progress);
-  return {functions_table(p), matrix_table(p), diagonals_table(p),
-          crossing_table(p),  spectrum,        claims_of(p, spectrum)};
+  const auto [spectrum, values] = spectrum_tables(p, progress);
+  return {functions_table(p), matrix_table(p), diagonals_table(p),    crossing_table(p),
+          spectrum,           values,          claims_of(p, spectrum)};
 }
 
 }  // namespace microslip::experiments

@@ -91,6 +91,7 @@ TEST_F(BadScenes, ValuesOutOfRange) {
   expect_rejected(good_scene, "--set contact.peak_traction=0", "contact.peak_traction");
   expect_rejected(good_scene, "--set grid.elements=0", "grid.elements");
   expect_rejected(good_scene, "--set grid.elements=1000000000", "grid.elements");
+  expect_rejected(good_scene, "--set basis=quadratic", "grid.elements = 20: expected an odd");
   expect_rejected(good_scene, "--set grid.leading_offset=1.5", "grid.leading_offset");
   expect_rejected(good_scene, "--set grid.trailing_offset=-1", "grid.trailing_offset");
   expect_rejected(good_scene, "--set load.creepage= --set load.force=-2", "load.force = -2");

@@ -3,6 +3,8 @@
 
 #include <stdexcept>
 
+#include "microslip/support/require.hpp"
+
 namespace microslip {
 
 Material read_material(Scene& scene) {
@@ -57,6 +59,8 @@ SteadyProblem read_steady(Scene& scene, double step_ratio) {
   const Kernel kernel = read_kernel(scene, material);
   const Grid grid = read_grid(scene, bound.half_width());
   const Basis basis = read_basis(scene);
+  require(basis.name() != "quadratic" || grid.size() % 2 == 1, "grid.elements",
+          static_cast<double>(grid.size()), "an odd number for quadratic functions");
   return {.kernel = kernel,
           .bound = bound,
           .grid = grid,

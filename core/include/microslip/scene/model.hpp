@@ -29,7 +29,7 @@ ShapeFunction read_shape(Scene& scene);
 /// load.creepage or load.force
 Load read_load(Scene& scene);
 
-/// All of the above, and step.ratio (1).
+/// All of the above, and step.ratio (1). Quadratic functions want an odd number of elements.
 SteadyProblem read_steady(Scene& scene);
 
 /// All of the above, with a given step ratio.

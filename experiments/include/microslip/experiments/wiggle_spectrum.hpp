@@ -32,8 +32,8 @@ WiggleSpectrumParameters read_wiggle_spectrum(Scene& scene);
 
 /// Tables: functions (Fig. 5.1), matrix (every entry of B and its inverse for each step ratio),
 /// diagonals (B11, B21, B12 against c, as they are and scaled by the largest), crossing (c where
-/// B11 = B21), spectrum (eigenvalues, condition number and least symbol against c, for an odd and
-/// an even number of elements), claims.
+/// B11 = B21), spectrum (condition number and least symbol against c, for an odd and an even number
+/// of elements), eigenvalues, claims.
 std::vector<Table> wiggle_spectrum(const WiggleSpectrumParameters& parameters,
                                    const Progress& progress);
 
