@@ -63,7 +63,7 @@ test: deps
 	ctest --preset release -j $(JOBS)
 
 sanitize: deps
-	@$(call cmake_build,debug)
+	@$(call cmake_build,debug,--target unit_tests)
 	ctest --preset debug -L unit -j $(JOBS)
 
 format:
