@@ -32,10 +32,10 @@ const Table& table(const std::string& name) {
 }
 
 TEST(LeadingEdge, Verdicts) {
-  EXPECT_EQ(verdicts(tables()),
-            (std::vector<std::string>{"reproduced", "reproduced", "reproduced", "reproduced",
-                                      "reproduced", "corrected", "not_comparable", "reproduced",
-                                      "reproduced"}));
+  EXPECT_EQ(
+      verdicts(tables()),
+      (std::vector<std::string>{"reproduced", "reproduced", "reproduced", "reproduced", "corrected",
+                                "corrected", "not_comparable", "reproduced", "reproduced"}));
 }
 
 TEST(LeadingEdge, MedianReductionsAreFirstOrderAndThreeHalves) {
