@@ -46,7 +46,7 @@ Table coefficients_table(const Parameters& p) {
                {"imaginary", "2(1-nu)dx/G", "imaginary part"},
                {"magnitude", "2(1-nu)dx/G", "absolute value"},
                {"reciprocal", "G/(2(1-nu)dx)", "absolute value of the reciprocal"}});
-  for (const auto& [name, shape] : uniform_shapes()) {
+  for (const auto& [name, shape] : uniform_shapes(p.basis)) {
     for (const double c : p.step_ratios) {
       const VectorXcd found = coefficients_of(difference(p, shape, p.elements, c));
       const VectorXcd inverse = reciprocals(found);
@@ -67,7 +67,7 @@ Table columns_table(const Parameters& p) {
                {"approximate", "G/(2(1-nu)dx)", "by Fourier transformation"},
                {"without_mean", "G/(2(1-nu)dx)", "the same with the zero frequency dropped"},
                {"exact", "G/(2(1-nu)dx)", "by factorisation"}});
-  for (const auto& [name, shape] : uniform_shapes()) {
+  for (const auto& [name, shape] : uniform_shapes(p.basis)) {
     for (const double c : p.step_ratios) {
       const Toeplitz b = difference(p, shape, p.elements, c);
       const VectorXd approximate = approximate_inverse_column(b);
@@ -121,8 +121,8 @@ Table errors_table(const Parameters& p, const Progress& progress) {
        {"with_boundary", "1", "largest error in the first, middle and last column, relative"},
        {"without_boundary", "1", "the same in the middle half of the middle column"},
        {"without_mean", "1", "the last with the zero frequency dropped"}});
-  const std::size_t total = 2 * p.step_ratios.size() * p.sizes.size();
-  for (const auto& [name, shape] : uniform_shapes()) {
+  const std::size_t total = uniform_shapes(p.basis).size() * p.step_ratios.size() * p.sizes.size();
+  for (const auto& [name, shape] : uniform_shapes(p.basis)) {
     for (const double c : p.step_ratios) {
       for (const Index n : p.sizes) {
         const InverseErrors e = inverse_errors(difference(p, shape, n, c));
@@ -177,6 +177,7 @@ Table claims_of(const Parameters& p) {
 
 FourierInverseParameters read_fourier_inverse(Scene& scene) {
   Parameters p{.kernel = read_kernel(scene, read_material(scene)),
+               .basis = scene.word_or_first("basis", {"both", "constant", "linear"}),
                .spacing = scene.number("grid.spacing"),
                .elements = scene.whole("grid.elements"),
                .step_ratios = scene.numbers("step.ratios"),

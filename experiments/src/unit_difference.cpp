@@ -3,8 +3,11 @@
 
 namespace microslip::experiments {
 
-std::vector<NamedShape> uniform_shapes() {
-  return {{"constant", constant_shape()}, {"linear", linear_shape()}};
+std::vector<NamedShape> uniform_shapes(const std::string& which) {
+  std::vector<NamedShape> shapes;
+  if (which != "linear") shapes.push_back({"constant", constant_shape()});
+  if (which != "constant") shapes.push_back({"linear", linear_shape()});
+  return shapes;
 }
 
 double difference_unit(const Kernel& kernel, double spacing) {

@@ -14,7 +14,8 @@ struct NamedShape {
 };
 
 /// The functions that are the same at every node, so that their matrices are Toeplitz.
-std::vector<NamedShape> uniform_shapes();
+/// \param which  "constant", "linear" or "both"
+std::vector<NamedShape> uniform_shapes(const std::string& which = "both");
 
 /// 2 (1 - nu) dx / G, in which entries of A - A' are given  [mm^3/N]
 double difference_unit(const Kernel& kernel, double spacing);

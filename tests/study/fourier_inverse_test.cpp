@@ -11,6 +11,7 @@ namespace {
 
 const std::vector<Table>& tables() {
   static const std::vector<Table> found = fourier_inverse({.kernel = PlaneKernel({1, 0.28}, 1),
+                                                           .basis = "both",
                                                            .spacing = 1,
                                                            .elements = 60,
                                                            .step_ratios = {1, 0.01},

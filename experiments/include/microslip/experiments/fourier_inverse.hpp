@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "microslip/halfspace/kernel.hpp"
@@ -14,13 +15,14 @@ namespace microslip::experiments {
 /// how good that is. Thesis 6.3, Figs. 6.7 and 6.8, for constant and linear functions.
 struct FourierInverseParameters {
   Kernel kernel;
+  std::string basis;                ///< of the tables: constant, linear or both; claims take both
   double spacing;                   ///< dx, in (0, inf)  [mm]
   Eigen::Index elements;            ///< size of the matrices shown, in [4, 10000]
   std::vector<double> step_ratios;  ///< c, each >= 1e-15; the first large, the last small  [1]
   std::vector<Eigen::Index> sizes;  ///< sizes for the errors, each in [4, 10000]
 };
 
-/// material.*, kernel.*, grid.spacing, grid.elements, grid.sizes, step.ratios
+/// material.*, kernel.*, basis (both), grid.spacing, grid.elements, grid.sizes, step.ratios
 FourierInverseParameters read_fourier_inverse(Scene& scene);
 
 /// Tables: coefficients (steps 3 and 4), columns (step 6 and the exact inverse), errors (against
