@@ -1,4 +1,4 @@
-# The force error against the step ratio: "for c < 0.55 the accuracy decreases again" (thesis, introduction).
+# The force error against the step ratio: "for c < 0.55 the accuracy decreases" (thesis, introduction).
 accuracy = tables."/accuracy.tsv"
 set terminal svg size 640,380
 set xlabel "step ratio c = dq/dx"
@@ -7,5 +7,5 @@ set yrange [0:*]
 set arrow from 0.55, graph 0 to 0.55, graph 1 nohead linecolor "gray60" dashtype 2
 set label "c = 0.55" at 0.55, graph 0.94 offset 1,0 textcolor "gray40"
 unset key
-set title "Carter-Fromm problem: the force is best near c = 0.55"
+set title "Carter-Fromm problem: the force is best near c = 0.6"
 plot accuracy using "step_ratio":"relative_force_error" with linespoints linetype 1 pointtype 7 pointsize 0.4

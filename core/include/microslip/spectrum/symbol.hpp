@@ -18,7 +18,7 @@ class Symbol {
 
   /// \param theta  in [pi/64, pi]
   /// The coefficients fall off as 1/k only; multiplied by (e^(i theta) - 1)^4 they fall off as
-  /// k^-5. Accuracy: 1e-6 relative at pi/64, 1e-10 from pi/16, tests/unit/spectrum_test.cpp
+  /// k^-5. Accuracy: 1e-6 at pi/64, 1e-9 from pi/16, tests/unit/spectrum_test.cpp
   std::complex<double> operator()(double theta) const;
 
  private:
