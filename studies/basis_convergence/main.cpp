@@ -5,17 +5,7 @@
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return program::run({.name = "basis_convergence",
-                       .question = "do higher-order functions converge faster?",
-                       .scene = scenes::study,
-                       .quick = scenes::quick,
-                       .default_out = "results/basis_convergence",
-                       .prepare =
-                           [](Scene& scene) {
-                             return [parameters = experiments::read_basis_convergence(scene)](
-                                        const Progress& progress) {
-                               return experiments::basis_convergence(parameters, progress);
-                             };
-                           }},
-                      argc, argv);
+  return program::run_study("basis_convergence", "do higher-order functions converge faster?",
+                            scenes::study, scenes::quick, experiments::read_basis_convergence,
+                            experiments::basis_convergence, argc, argv);
 }

@@ -5,17 +5,7 @@
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return program::run(
-      {.name = "carter",
-       .question = "what does the step ratio do to the Carter-Fromm problem?",
-       .scene = scenes::study,
-       .quick = scenes::quick,
-       .default_out = "results/carter",
-       .prepare =
-           [](Scene& scene) {
-             return [parameters = experiments::read_carter(scene)](const Progress& progress) {
-               return experiments::carter(parameters, progress);
-             };
-           }},
-      argc, argv);
+  return program::run_study("carter", "what does the step ratio do to the Carter-Fromm problem?",
+                            scenes::study, scenes::quick, experiments::read_carter,
+                            experiments::carter, argc, argv);
 }

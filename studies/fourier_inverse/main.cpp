@@ -5,17 +5,7 @@
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return program::run({.name = "fourier_inverse",
-                       .question = "why does the inverse of A - A' oscillate?",
-                       .scene = scenes::study,
-                       .quick = scenes::quick,
-                       .default_out = "results/fourier_inverse",
-                       .prepare =
-                           [](Scene& scene) {
-                             return [parameters = experiments::read_fourier_inverse(scene)](
-                                        const Progress& progress) {
-                               return experiments::fourier_inverse(parameters, progress);
-                             };
-                           }},
-                      argc, argv);
+  return program::run_study("fourier_inverse", "why does the inverse of A - A' oscillate?",
+                            scenes::study, scenes::quick, experiments::read_fourier_inverse,
+                            experiments::fourier_inverse, argc, argv);
 }

@@ -5,17 +5,7 @@
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return program::run(
-      {.name = "leading_edge",
-       .question = "is the leading edge the cause of first order?",
-       .scene = scenes::study,
-       .quick = scenes::quick,
-       .default_out = "results/leading_edge",
-       .prepare =
-           [](Scene& scene) {
-             return [parameters = experiments::read_leading_edge(scene)](const Progress& progress) {
-               return experiments::leading_edge(parameters, progress);
-             };
-           }},
-      argc, argv);
+  return program::run_study("leading_edge", "is the leading edge the cause of first order?",
+                            scenes::study, scenes::quick, experiments::read_leading_edge,
+                            experiments::leading_edge, argc, argv);
 }

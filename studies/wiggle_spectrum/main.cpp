@@ -5,17 +5,7 @@
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return program::run({.name = "wiggle_spectrum",
-                       .question = "what makes the solution wiggle when the step is small?",
-                       .scene = scenes::study,
-                       .quick = scenes::quick,
-                       .default_out = "results/wiggle_spectrum",
-                       .prepare =
-                           [](Scene& scene) {
-                             return [parameters = experiments::read_wiggle_spectrum(scene)](
-                                        const Progress& progress) {
-                               return experiments::wiggle_spectrum(parameters, progress);
-                             };
-                           }},
-                      argc, argv);
+  return program::run_study(
+      "wiggle_spectrum", "what makes the solution wiggle when the step is small?", scenes::study,
+      scenes::quick, experiments::read_wiggle_spectrum, experiments::wiggle_spectrum, argc, argv);
 }

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "claims_of.hpp"
+#include "study_tables.hpp"
 
 namespace microslip::experiments {
 namespace {

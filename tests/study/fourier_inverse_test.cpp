@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "claims_of.hpp"
 #include "microslip/support/convergence.hpp"
+#include "study_tables.hpp"
 
 namespace microslip::experiments {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "claims_of.hpp"
+#include "study_tables.hpp"
 
 namespace microslip::experiments {
 namespace {
@@ -24,12 +24,7 @@ const std::vector<Table>& tables() {
   return found;
 }
 
-const Table& table(const std::string& name) {
-  for (const Table& t : tables()) {
-    if (t.name() == name) return t;
-  }
-  throw std::logic_error("no table " + name);
-}
+const Table& table(const std::string& name) { return table_named(tables(), name); }
 
 /// Changes of sign down the middle column of the inverse, of at most 30.
 int sign_changes_of_inverse(const std::string& basis, double step_ratio) {
