@@ -32,8 +32,7 @@ bool applies(const Scheme& scheme, double offset) {
 }
 
 Solved solve(const LeadingEdgeParameters& p, const Scheme& scheme, const Setting& setting) {
-  const Carter carter = Carter::from_creepage(
-      p.material, p.bound, compliance(p.material) * p.bound.peak() * (1 - setting.stick_ratio));
+  const Carter carter = Carter::from_stick_ratio(p.material, p.bound, setting.stick_ratio);
   const PlaneKernel kernel(p.material, p.length);
   const Grid grid({.half_width = p.bound.half_width(),
                    .elements = setting.elements,

@@ -34,6 +34,16 @@ TEST(Carter, ForceAndCreepageDescribeTheSameSolution) {
   }
 }
 
+TEST(Carter, StickRatioDescribesTheSameSolution) {
+  const HertzBound bound(3, 7);
+  for (const double stick_ratio : {0.0, 0.3, 1.0}) {
+    const Carter carter = Carter::from_stick_ratio(material, bound, stick_ratio);
+    EXPECT_NEAR(carter.stick_ratio(), stick_ratio, 1e-15);
+    EXPECT_GE(carter.creepage(), 0);
+  }
+  EXPECT_THROW(Carter::from_stick_ratio(material, bound, 1.1), std::invalid_argument);
+}
+
 TEST(Carter, ForceIsTheIntegralOfTheTraction) {
   const HertzBound bound(3, 7);
   const Carter carter = Carter::from_creepage(material, bound, -1);

@@ -28,6 +28,12 @@ Carter Carter::from_creepage(const Material& material, const HertzBound& bound, 
   return {material, bound, std::max(0.0, 1 - std::abs(creepage) / sliding), direction_of(creepage)};
 }
 
+Carter Carter::from_stick_ratio(const Material& material, const HertzBound& bound,
+                                double stick_ratio) {
+  require(stick_ratio >= 0 && stick_ratio <= 1, "stick ratio", stick_ratio, "a number in [0, 1]");
+  return from_creepage(material, bound, compliance(material) * bound.peak() * (1 - stick_ratio));
+}
+
 Carter Carter::from_force(const Material& material, const HertzBound& bound, double force) {
   const double sliding = bound.total();
   require(std::abs(force) <= sliding, "load.force", force,

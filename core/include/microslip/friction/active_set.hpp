@@ -49,12 +49,11 @@ struct ContactState {
 /// Termination: the first phase has at most 6 n rounds. On the path the solution is piecewise
 /// linear in the height of the bound, with one piece a partition; if response + response^T is
 /// positive definite, it is unique, and each of the finitely many partitions is met at most once.
-/// All operators A and A - A' for c <= 1 that were tried are (tests/unit/active_set_test.cpp).
+/// A - A' is for all c <= 1 that were tried (tests/unit/active_set_test.cpp).
 /// Otherwise the path is given up after 20 n + 100 exchanges.
 /// Cost: one dense factorisation of the adhesion elements a round, O(n^3).
 /// \throws std::invalid_argument if the force is not below full sliding, weights . bound
-/// \throws NotConverged          if a system is singular, the path is given up, or it does not end
-/// in
+/// \throws NotConverged          if a system is singular, or the path is given up or ends short of
 ///                               a solution
 ContactState solve_active_set(const SlipEquations& equations, const Load& load);
 

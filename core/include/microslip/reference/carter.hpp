@@ -13,6 +13,12 @@ class Carter {
   /// \param creepage  w, finite; |w| >= compliance * peak is full sliding  [1]
   static Carter from_creepage(const Material& material, const HertzBound& bound, double creepage);
 
+  /// Under a positive creepage.
+  /// \param stick_ratio  a', in [0, 1]
+  /// \throws std::invalid_argument outside the range
+  static Carter from_stick_ratio(const Material& material, const HertzBound& bound,
+                                 double stick_ratio);
+
   /// \param force  F, at most full sliding in absolute value  [N/mm]
   /// \throws std::invalid_argument above that
   static Carter from_force(const Material& material, const HertzBound& bound, double force);
