@@ -34,13 +34,13 @@ TEST(ContactReference, SteadyTractionAndSlipAgreeToItsPrintedDigits) {
   constexpr Eigen::Index n = contact_bound.size();
   constexpr double dx = 0.08;
   const StripKernel kernel({82000, 0.28}, 200);
-  const SlipEquations equations{
-      .response = influence_difference_matrix(kernel, constant_basis(), dx, n, 1) / dx,
-      .offset = Eigen::VectorXd::Zero(n),
-      .bound = Eigen::Map<const Eigen::VectorXd>(contact_bound.data(), n),
-      .weights = Eigen::VectorXd::Constant(n, dx)};
-  const ContactState state = solve_active_set(equations, PrescribedCreepage{-0.00024});
-  const double largest = equations.bound.maxCoeff();
+  const Eigen::VectorXd bound = Eigen::Map<const Eigen::VectorXd>(contact_bound.data(), n);
+  ActiveSet active_set(influence_difference_matrix(kernel, constant_basis(), dx, n, 1) / dx,
+                       Eigen::VectorXd::Constant(n, dx));
+  const ContactState state = active_set.solve(
+      {.bound = bound, .offset = Eigen::VectorXd::Zero(n), .reference = Eigen::VectorXd::Zero(n)},
+      PrescribedCreepage{-0.00024});
+  const double largest = bound.maxCoeff();
   for (Eigen::Index i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     EXPECT_NEAR(state.traction[i], contact_traction[k], 1e-5 * largest) << i;

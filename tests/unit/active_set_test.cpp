@@ -20,6 +20,22 @@ namespace {
 
 constexpr Material material{1, 0.28};
 
+/// The slip of a steady problem, in one value.
+struct SlipEquations {
+  Eigen::MatrixXd response;
+  Eigen::VectorXd offset;
+  Eigen::VectorXd bound;
+  Eigen::VectorXd weights;
+};
+
+ContactState solve_active_set(const SlipEquations& equations, const Load& load) {
+  return ActiveSet(equations.response, equations.weights)
+      .solve({.bound = equations.bound,
+              .offset = equations.offset,
+              .reference = Eigen::VectorXd::Zero(equations.bound.size())},
+             load);
+}
+
 SlipEquations steady_equations(Eigen::Index n, const Basis& basis, double step_ratio) {
   const Grid grid({.half_width = 1, .elements = n});
   const double dx = grid.spacing();

@@ -6,10 +6,10 @@
 #include <limits>
 #include <optional>
 
+#include "adhesion_system.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
-#include "partition.hpp"
 
 namespace microslip {
 
@@ -34,36 +34,67 @@ double wrong_slip(Zone zone, double slip) { return static_cast<double>(zone) * s
 
 Zone slip_zone(double traction) { return traction > 0 ? Zone::slip_positive : Zone::slip_negative; }
 
-class ActiveSet {
- public:
-  ActiveSet(const SlipEquations& equations, const Load& load)
-      : equations_(equations),
-        load_(load),
-        bound_scale_(equations.bound.maxCoeff()),
-        zones_(static_cast<std::size_t>(equations.bound.size()), Zone::adhesion) {}
+/// What a partition answers to bound, offset, reference and load; linear in the four.
+struct Response {
+  VectorXd traction;
+  VectorXd slip;  ///< zero in adhesion
+  double creepage;
+};
 
-  ContactState solve() {
+/// One search for the partition of given conditions.
+class Search {
+ public:
+  Search(AdhesionSystem& system, const SlipConditions& conditions, const Load& load,
+         const std::vector<Zone>& first)
+      : system_(system),
+        conditions_(conditions),
+        prescribed_(prescribed_value(load)),
+        force_prescribed_(std::holds_alternative<PrescribedForce>(load)),
+        bound_scale_(conditions.bound.maxCoeff()),
+        zones_(first) {
+    system_.prescribe_force(force_prescribed_);
+  }
+
+  ContactState run() {
     if (!exchange_blocks()) follow_path();
     return {response_.traction, response_.slip, zones_, response_.creepage, iterations_};
   }
 
  private:
-  Index size() const { return equations_.bound.size(); }
+  Index size() const { return conditions_.bound.size(); }
   Zone& zone(Index i) { return zones_[static_cast<std::size_t>(i)]; }
   Zone zone(Index i) const { return zones_[static_cast<std::size_t>(i)]; }
 
   bool carries_load() const {
-    return std::holds_alternative<PrescribedCreepage>(load_) ||
+    return !force_prescribed_ ||
            std::find(zones_.begin(), zones_.end(), Zone::adhesion) != zones_.end();
   }
 
-  Partition factorise() {
-    ++iterations_;
-    return {equations_, load_, zones_};
+  /// The answer of the partition that the system follows. Increments p - reference are what is
+  /// computed, so that small ones keep their digits.
+  Response answer(const SlipConditions& conditions, double prescribed) const {
+    VectorXd increment = VectorXd::Zero(size());
+    for (Index i = 0; i < size(); ++i) {
+      if (zone(i) == Zone::adhesion) continue;
+      increment[i] = static_cast<double>(zone(i)) * conditions.bound[i] - conditions.reference[i];
+    }
+    VectorXd slip = conditions.offset;
+    if (!increment.isZero(0)) slip += system_.response() * increment;
+    const double other =
+        force_prescribed_ ? system_.weights().dot(conditions.reference + increment) : 0;
+    const auto [stuck, creepage] = system_.solve(-slip, prescribed - other);
+    slip += system_.response() * stuck;
+    slip.array() += creepage;
+    for (Index i = 0; i < size(); ++i) {
+      if (zone(i) == Zone::adhesion) slip[i] = 0;
+    }
+    return {conditions.reference + increment + stuck, slip, creepage};
   }
 
-  void respond(const Partition& partition) {
-    response_ = partition.respond(equations_.bound, equations_.offset, prescribed_value(load_));
+  void respond() {
+    ++iterations_;
+    system_.follow(zones_);
+    response_ = answer(conditions_, prescribed_);
     slip_scale_ = std::max(std::abs(response_.creepage), response_.slip.lpNorm<Eigen::Infinity>());
     if (!response_.traction.allFinite() || !std::isfinite(slip_scale_)) {
       throw NotConverged("active set: singular system", iterations_,
@@ -73,7 +104,8 @@ class ActiveSet {
 
   bool above_bound(Index i) const {
     return zone(i) == Zone::adhesion &&
-           excess_over_bound(response_.traction[i], equations_.bound[i]) > tolerance * bound_scale_;
+           excess_over_bound(response_.traction[i], conditions_.bound[i]) >
+               tolerance * bound_scale_;
   }
 
   bool slips_wrongly(Index i) const {
@@ -84,7 +116,7 @@ class ActiveSet {
   bool exchange_blocks() {
     std::vector<int> releases(zones_.size(), 0);
     while (carries_load()) {
-      respond(factorise());
+      respond();
       bool released = false;
       for (Index i = 0; i < size(); ++i) {
         if (!above_bound(i)) continue;
@@ -127,7 +159,7 @@ class ActiveSet {
       }
       for (const Zone to : {Zone::slip_negative, Zone::slip_positive}) {
         const double s = static_cast<double>(to);
-        consider(s * response_.traction[i] - equations_.bound[i], 1 - s * rise.traction[i],
+        consider(s * response_.traction[i] - conditions_.bound[i], 1 - s * rise.traction[i],
                  bound_scale_, i, to);
       }
     }
@@ -136,13 +168,12 @@ class ActiveSet {
 
   void follow_path() {
     std::fill(zones_.begin(), zones_.end(), Zone::adhesion);
-    const VectorXd ones = VectorXd::Ones(size());
-    const VectorXd zeros = VectorXd::Zero(size());
+    const SlipConditions higher{VectorXd::Ones(size()), VectorXd::Zero(size()),
+                                VectorXd::Zero(size())};
     const Index limit = iterations_ + 20 * size() + 100;
     for (Index last = -1; iterations_ < limit && carries_load();) {
-      const Partition partition = factorise();
-      respond(partition);
-      const auto next = next_exchange(partition.respond(ones, zeros, 0), last);
+      respond();
+      const auto next = next_exchange(answer(higher, 0), last);
       if (!next) break;
       zone(next->element) = next->zone;
       last = next->element;
@@ -158,7 +189,7 @@ class ActiveSet {
     for (Index i = 0; i < size(); ++i) {
       if (above_bound(i)) {
         worst = std::max(
-            worst, excess_over_bound(response_.traction[i], equations_.bound[i]) / bound_scale_);
+            worst, excess_over_bound(response_.traction[i], conditions_.bound[i]) / bound_scale_);
       }
       if (slips_wrongly(i)) {
         worst = std::max(worst, wrong_slip(zone(i), response_.slip[i]) / slip_scale_);
@@ -167,8 +198,10 @@ class ActiveSet {
     return worst;
   }
 
-  const SlipEquations& equations_;
-  const Load& load_;
+  AdhesionSystem& system_;
+  const SlipConditions& conditions_;
+  double prescribed_;
+  bool force_prescribed_;
   double bound_scale_;
   std::vector<Zone> zones_;
   Response response_;
@@ -176,19 +209,35 @@ class ActiveSet {
   int iterations_ = 0;
 };
 
-void require_below_full_sliding(const SlipEquations& equations, const Load& load) {
+void require_below_full_sliding(const Load& load, double full_sliding) {
   const auto* force = std::get_if<PrescribedForce>(&load);
   if (force == nullptr) return;
-  const double limit = equations.weights.dot(equations.bound);
-  require(std::abs(force->value) < limit, "load.force", force->value,
-          "an absolute value below full sliding, " + format_short(limit));
+  require(std::abs(force->value) < full_sliding, "load.force", force->value,
+          "an absolute value below full sliding, " + format_short(full_sliding));
 }
 
 }  // namespace
 
-ContactState solve_active_set(const SlipEquations& equations, const Load& load) {
-  require_below_full_sliding(equations, load);
-  return ActiveSet(equations, load).solve();
+ActiveSet::ActiveSet(const Eigen::MatrixXd& response, const VectorXd& weights)
+    : system_(std::make_unique<AdhesionSystem>(response, weights)) {}
+
+ActiveSet::~ActiveSet() = default;
+ActiveSet::ActiveSet(ActiveSet&&) noexcept = default;
+ActiveSet& ActiveSet::operator=(ActiveSet&&) noexcept = default;
+
+ContactState ActiveSet::solve(const SlipConditions& conditions, const Load& load) {
+  return solve(conditions, load,
+               std::vector<Zone>(static_cast<std::size_t>(system_->size()), Zone::adhesion));
+}
+
+ContactState ActiveSet::solve(const SlipConditions& conditions, const Load& load,
+                              const std::vector<Zone>& first) {
+  require_below_full_sliding(load, system_->weights().dot(conditions.bound));
+  return Search(*system_, conditions, load, first).run();
+}
+
+VectorXd ActiveSet::respond(const VectorXd& traction) const {
+  return system_->response() * traction;
 }
 
 }  // namespace microslip

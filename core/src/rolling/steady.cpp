@@ -20,28 +20,28 @@ SteadySolution solve_steady(const SteadyProblem& problem) {
   const double dx = grid.spacing();
   const Eigen::VectorXd x = grid.nodes();
   const Eigen::MatrixXd influence = influence_matrix(kernel, basis, dx, n);
-  SlipEquations equations{
-      .response = influence_difference_matrix(kernel, basis, dx, n, step_ratio) / (step_ratio * dx),
-      .offset = Eigen::VectorXd::Zero(n),
-      .bound = bound(x),
-      .weights = basis.weights(dx, n)};
+  Eigen::MatrixXd strain =
+      influence_difference_matrix(kernel, basis, dx, n, step_ratio) / (step_ratio * dx);
+  SlipConditions conditions{
+      .bound = bound(x), .offset = Eigen::VectorXd::Zero(n), .reference = Eigen::VectorXd::Zero(n)};
   if (edge_displacement) {
     const double to_edge = grid.leading_offset() * dx;
     require(to_edge > 0, "grid.leading_offset", grid.leading_offset(),
             "a number > 0 where the displacement at the leading edge is known");
-    equations.response.row(n - 1) = influence.row(n - 1) / to_edge;
-    equations.offset[n - 1] = -*edge_displacement / to_edge;
+    strain.row(n - 1) = influence.row(n - 1) / to_edge;
+    conditions.offset[n - 1] = -*edge_displacement / to_edge;
   }
-  const ContactState state = solve_active_set(equations, load);
+  const Eigen::VectorXd weights = basis.weights(dx, n);
+  const ContactState state = ActiveSet(strain, weights).solve(conditions, load);
   return {.x = x,
-          .bound = equations.bound,
+          .bound = conditions.bound,
           .traction = state.traction,
           .slip = state.slip,
           .displacement = influence * state.traction,
           .zones = state.zones,
-          .force = equations.weights.dot(state.traction),
+          .force = weights.dot(state.traction),
           .creepage = state.creepage,
-          .dissipation = -equations.weights.cwiseProduct(state.traction).dot(state.slip),
+          .dissipation = -weights.cwiseProduct(state.traction).dot(state.slip),
           .iterations = state.iterations};
 }
 

@@ -43,12 +43,12 @@ struct SteadySolution {
 
 /// Collocation at the nodes: s_I = w + ((A - A') p)_I / dq, thesis (3.5)-(3.8). If the displacement
 /// u_LE at the leading edge is known, the last one is s_N = w + ((A p)_N - u_LE) / (beta dx).
-/// Cost: O(N^2) memory; time as solve_active_set.
+/// Cost: O(N^2) memory; time as ActiveSet.
 /// Accuracy: the force is first order in dx for offsets 1/2 (tests/order/carter_order_test.cpp),
 /// because A' feels the leading edge about 0.825 dx beyond the last node (constant basis, c = 1).
 /// \throws std::invalid_argument for a step ratio or load outside its range, or for a known u_LE at
 ///                               beta = 0
-/// \throws NotConverged          as solve_active_set
+/// \throws NotConverged          as ActiveSet::solve
 SteadySolution solve_steady(const SteadyProblem& problem);
 
 }  // namespace microslip
