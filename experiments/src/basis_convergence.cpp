@@ -38,7 +38,7 @@ struct Errors {
 
 BasisConvergenceParameters read_basis_convergence(Scene& scene) {
   const Material material = read_material(scene);
-  const HertzBound bound = read_bound(scene);
+  const HertzBound bound = read_hertz_bound(scene);
   BasisConvergenceParameters parameters{.material = material,
                                         .length = scene.number("kernel.length"),
                                         .bound = bound,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/carter.hpp"
 
+#include <stdexcept>
+
 #include "microslip/experiments/claims.hpp"
 #include "microslip/experiments/steady_scene.hpp"
 #include "microslip/reference/carter.hpp"
@@ -15,11 +17,11 @@ constexpr int exact_points = 1001;
 
 Carter exact_solution(const SteadyProblem& problem) {
   const Material& material = material_of(problem.kernel);
+  const auto& bound = std::get<HertzBound>(problem.bound);
   if (const auto* force = std::get_if<PrescribedForce>(&problem.load)) {
-    return Carter::from_force(material, problem.bound, force->value);
+    return Carter::from_force(material, bound, force->value);
   }
-  return Carter::from_creepage(material, problem.bound,
-                               std::get<PrescribedCreepage>(problem.load).value);
+  return Carter::from_creepage(material, bound, std::get<PrescribedCreepage>(problem.load).value);
 }
 
 Table exact_table(const Carter& exact, double half_width) {
@@ -87,6 +89,10 @@ Eigen::Index turning_points(const Eigen::VectorXd& values) {
 }
 
 CarterParameters read_carter(Scene& scene) {
+  if (scene.has("contact.bound_file")) {
+    throw std::invalid_argument("contact.bound_file: Carter's solution is for a Hertzian bound; " +
+                                std::string("expected contact.peak_traction"));
+  }
   const std::vector<double> step_ratios = scene.numbers("step.ratios");
   return {.problem = read_steady(scene, step_ratios.front()),
           .step_ratios = step_ratios,
@@ -113,7 +119,7 @@ std::vector<Table> carter(const CarterParameters& parameters, const Progress& pr
                  {"turning_points", "1", "local extrema of the traction; exact: 1"},
                  {"adhesion_elements", "1", "elements in adhesion"},
                  {"slip_elements", "1", "elements in slip"},
-                 {"iterations", "1", "linear systems factorised"}});
+                 {"iterations", "1", "stick/slip partitions tried"}});
   for (const double step_ratio : parameters.step_ratios) {
     problem.step_ratio = step_ratio;
     const SteadySolution solution = solve_steady(problem);
@@ -129,7 +135,7 @@ std::vector<Table> carter(const CarterParameters& parameters, const Progress& pr
     progress(summary.rows(), parameters.step_ratios.size());
   }
   const Table accuracy = accuracy_table(parameters, exact);
-  return {traction, exact_table(exact, problem.bound.half_width()), summary, accuracy,
+  return {traction, exact_table(exact, half_width_of(problem.bound)), summary, accuracy,
           claims_of(summary, accuracy)};
 }
 

@@ -318,7 +318,7 @@ Table claims_of(const LeadingEdgeParameters& p, const std::vector<Series>& all,
 
 LeadingEdgeParameters read_leading_edge(Scene& scene) {
   const Material material = read_material(scene);
-  const HertzBound bound = read_bound(scene);
+  const HertzBound bound = read_hertz_bound(scene);
   LeadingEdgeParameters p{.material = material,
                           .length = scene.number("kernel.length"),
                           .bound = bound,

@@ -42,7 +42,7 @@ std::string region(Zone zone) { return zone == Zone::adhesion ? "A" : "S"; }
 
 std::vector<Table> steady_scene(const SteadyProblem& problem) {
   const SteadySolution solution = solve_steady(problem);
-  return {traction_table(solution), summary_table(solution, problem.bound.total())};
+  return {traction_table(solution), summary_table(solution, full_sliding_force(problem.bound))};
 }
 
 }  // namespace microslip::experiments

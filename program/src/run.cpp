@@ -45,12 +45,27 @@ Scene parse_text(const std::string& text, const std::string& name) {
   return Scene::parse(in, name);
 }
 
-Scene parse_file(const std::string& path) {
+/// \throws std::invalid_argument if it cannot be read
+std::string file_text(const std::string& path) {
   std::ifstream in(path);
-  if (!in) {
-    throw std::invalid_argument("--scene " + path + ": cannot read it: " + std::strerror(errno));
+  std::ostringstream text;
+  if (in && in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
+  if (in.bad() || !in.is_open() || text.fail()) {
+    throw std::invalid_argument(std::string("cannot read it: ") + std::strerror(errno));
   }
-  return Scene::parse(in, path);
+  return text.str();
+}
+
+Scene parse_file(const std::string& path) {
+  const std::string text = [&] {
+    try {
+      return file_text(path);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("--scene " + path + ": " + error.what());
+    }
+  }();
+  std::istringstream in(text);
+  return Scene::parse(in, path, path.substr(0, path.find_last_of('/') + 1));
 }
 
 Scene read_scene(const Program& program, const options::variables_map& given) {
@@ -63,6 +78,7 @@ Scene read_scene(const Program& program, const options::variables_map& given) {
   for (const std::string& assignment : given["set"].as<std::vector<std::string>>()) {
     scene.set(assignment);
   }
+  scene.read_files_by(file_text);
   return scene;
 }
 

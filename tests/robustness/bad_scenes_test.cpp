@@ -122,8 +122,34 @@ TEST_F(BadScenes, UnknownWords) {
 }
 
 TEST_F(BadScenes, BothLoadsOrNeither) {
-  expect_rejected(good_scene, "--set load.force=-0.5", "'load.creepage' and 'load.force'");
-  expect_rejected(good_scene, "--set load.creepage=", "'load.creepage' and 'load.force'");
+  expect_rejected(good_scene, "--set load.force=-0.5",
+                  "expected only one of 'load.creepage' and 'load.force'");
+  expect_rejected(good_scene,
+                  "--set load.creepage=", "missing key 'load.creepage' or 'load.force'");
+}
+
+TEST_F(BadScenes, BoundFiles) {
+  const auto rejected = [&](const std::string& text, const std::string& named) {
+    std::ofstream(folder_ / "bound.tsv") << text;
+    std::string scene = good_scene;
+    scene.replace(scene.find("peak_traction 1"), 15, "bound_file bound.tsv");
+    expect_rejected(scene, "", "contact.bound_file = 'bound.tsv': " + named);
+  };
+  rejected("", "line 0: expected a column 'x'");
+  rejected("x\tg\n0\t1\n", "line 1: expected a column 'bound'");
+  rejected("# comment\nx\tbound\n0\tone\n", "line 3: column 'bound': 'one' is not");
+  rejected("x\tbound\n0\t1\n0.5\n", "line 3: expected 2 values, found 1");
+  rejected("x\tbound\n", "0 rows: expected at least one");
+  rejected("x\tbound\n0\t1\n0\t2\n", "x = 0: expected ascending positions");
+  rejected("x\tbound\n2\t1\n", "x = 2: expected positions from -half_width to half_width");
+  rejected("x\tbound\n0\t-1\n", "bound = -1: expected a number >= 0");
+  rejected("x\tbound\n0\t0\n", "bound = 0: expected a bound that is not");
+  expect_rejected(good_scene, "--set contact.bound_file=b.tsv",
+                  "only one of 'contact.peak_traction' and 'contact.bound_file'");
+  expect_rejected(good_scene, "--set contact.peak_traction= --set contact.bound_file=none.tsv",
+                  "contact.bound_file = 'none.tsv': cannot read it: No such file");
+  expect_rejected(good_scene, "--set contact.peak_traction= --set contact.bound_file=/",
+                  "contact.bound_file = '/': cannot read it: Is a directory");
 }
 
 TEST_F(BadScenes, BrokenFilesAndOptions) {

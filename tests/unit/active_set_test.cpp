@@ -43,7 +43,7 @@ SlipEquations steady_equations(Eigen::Index n, const Basis& basis, double step_r
       .response = influence_difference_matrix(PlaneKernel(material, 1), basis, dx, n, step_ratio) /
                   (step_ratio * dx),
       .offset = Eigen::VectorXd::Zero(n),
-      .bound = HertzBound(1, 1)(grid.nodes()),
+      .bound = bound_at(HertzBound(1, 1), grid.nodes()),
       .weights = Eigen::VectorXd::Constant(n, dx)};
 }
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "microslip/friction/traction_bound.hpp"
 #include "microslip/linalg/toeplitz.hpp"
 
 namespace microslip {
@@ -37,21 +36,6 @@ TEST(Grid, RejectsWhatIsOutsideItsRange) {
                std::invalid_argument);
   EXPECT_THROW(Grid({.half_width = 1, .elements = 1, .leading_offset = 0, .trailing_offset = 0}),
                std::invalid_argument);
-}
-
-TEST(HertzBound, IsAnEllipseThatEndsAtTheEdges) {
-  const HertzBound bound(2, 3);
-  EXPECT_DOUBLE_EQ(bound(0), 3);
-  EXPECT_DOUBLE_EQ(bound(1.2), 3 * 0.8);
-  EXPECT_DOUBLE_EQ(bound(-2), 0);
-  EXPECT_DOUBLE_EQ(bound(2.1), 0);
-  EXPECT_THROW(HertzBound(2, 0), std::invalid_argument);
-}
-
-TEST(HertzBound, TotalIsItsIntegral) {
-  const HertzBound bound(2, 3);
-  const Grid fine({.half_width = 2, .elements = 10000});
-  EXPECT_NEAR(bound(fine.nodes()).sum() * fine.spacing(), bound.total(), 1e-5);
 }
 
 TEST(Toeplitz, TakesColumnsBelowAndRowsAboveTheDiagonal) {

@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "microslip/support/require.hpp"
 
 namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
 
 HertzBound::HertzBound(double half_width, double peak) : half_width_(half_width), peak_(peak) {
   require_positive("contact.half_width", half_width);
@@ -19,10 +23,52 @@ double HertzBound::operator()(double x) const {
   return peak_ * std::sqrt(std::max(0.0, (1 - r) * (1 + r)));
 }
 
-Eigen::VectorXd HertzBound::operator()(const Eigen::VectorXd& x) const {
-  return x.unaryExpr([this](double xi) { return (*this)(xi); });
+double HertzBound::total() const { return std::numbers::pi / 2 * half_width_ * peak_; }
+
+TabulatedBound::TabulatedBound(double half_width, const VectorXd& x, const VectorXd& values)
+    : half_width_(half_width), x_(x.size() + 2), values_(x.size() + 2) {
+  require_positive("contact.half_width", half_width);
+  if (x.size() == 0) throw std::invalid_argument("0 rows: expected at least one");
+  for (Index i = 0; i < x.size(); ++i) {
+    require(std::abs(x[i]) <= half_width, "x", x[i], "positions from -half_width to half_width");
+    require(i == 0 || x[i] > x[i - 1], "x", x[i], "ascending positions");
+    require(values[i] >= 0, "bound", values[i], "a number >= 0");
+  }
+  require(values.maxCoeff() > 0, "bound", 0, "a bound that is not zero everywhere");
+  x_ << -half_width, x, half_width;
+  values_ << (x[0] > -half_width ? 0 : values[0]), values,
+      (x[x.size() - 1] < half_width ? 0 : values[values.size() - 1]);
 }
 
-double HertzBound::total() const { return std::numbers::pi / 2 * half_width_ * peak_; }
+double TabulatedBound::operator()(double x) const {
+  if (std::abs(x) > half_width_) return 0;
+  const auto after = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);
+  const Index i = after - x_.begin();
+  const double width = x_[i] - x_[i - 1];
+  if (width <= 0) return values_[i];
+  const double part = (x - x_[i - 1]) / width;
+  return (1 - part) * values_[i - 1] + part * values_[i];
+}
+
+double TabulatedBound::total() const {
+  const Index n = x_.size();
+  const VectorXd widths = x_.tail(n - 1) - x_.head(n - 1);
+  return widths.dot(values_.tail(n - 1) + values_.head(n - 1)) / 2;
+}
+
+double half_width_of(const TractionBound& bound) {
+  return std::visit([](const auto& b) { return b.half_width(); }, bound);
+}
+
+VectorXd bound_at(const TractionBound& bound, const VectorXd& x) {
+  const auto values = [&](const auto& b) -> VectorXd {
+    return x.unaryExpr([&](double xi) { return b(xi); });
+  };
+  return std::visit(values, bound);
+}
+
+double full_sliding_force(const TractionBound& bound) {
+  return std::visit([](const auto& b) { return b.total(); }, bound);
+}
 
 }  // namespace microslip

@@ -22,8 +22,9 @@ SteadySolution solve_steady(const SteadyProblem& problem) {
   const Eigen::MatrixXd influence = influence_matrix(kernel, basis, dx, n);
   Eigen::MatrixXd strain =
       influence_difference_matrix(kernel, basis, dx, n, step_ratio) / (step_ratio * dx);
-  SlipConditions conditions{
-      .bound = bound(x), .offset = Eigen::VectorXd::Zero(n), .reference = Eigen::VectorXd::Zero(n)};
+  SlipConditions conditions{.bound = bound_at(bound, x),
+                            .offset = Eigen::VectorXd::Zero(n),
+                            .reference = Eigen::VectorXd::Zero(n)};
   if (edge_displacement) {
     const double to_edge = grid.leading_offset() * dx;
     require(to_edge > 0, "grid.leading_offset", grid.leading_offset(),

@@ -21,9 +21,19 @@ Kernel read_kernel(Scene& scene, const Material& material) {
   return PlaneKernel(material, scene.number("kernel.length"));
 }
 
-HertzBound read_bound(Scene& scene) {
+HertzBound read_hertz_bound(Scene& scene) {
   const double half_width = scene.number("contact.half_width");
   return {half_width, scene.number("contact.peak_traction")};
+}
+
+TractionBound read_bound(Scene& scene) {
+  if (!scene.has_second("contact.peak_traction", "contact.bound_file")) {
+    return read_hertz_bound(scene);
+  }
+  const double half_width = scene.number("contact.half_width");
+  return scene.from_columns("contact.bound_file", {"x", "bound"}, [&](const auto& table) {
+    return TabulatedBound(half_width, table[0], table[1]);
+  });
 }
 
 Grid read_grid(Scene& scene, double half_width) {
@@ -42,10 +52,9 @@ ShapeFunction read_shape(Scene& scene) {
 }
 
 Load read_load(Scene& scene) {
-  if (scene.has("load.creepage") == scene.has("load.force")) {
-    throw std::invalid_argument("load: expected exactly one of 'load.creepage' and 'load.force'");
+  if (scene.has_second("load.creepage", "load.force")) {
+    return PrescribedForce{scene.number("load.force")};
   }
-  if (scene.has("load.force")) return PrescribedForce{scene.number("load.force")};
   return PrescribedCreepage{scene.number("load.creepage")};
 }
 
@@ -55,9 +64,9 @@ SteadyProblem read_steady(Scene& scene) {
 
 SteadyProblem read_steady(Scene& scene, double step_ratio) {
   const Material material = read_material(scene);
-  const HertzBound bound = read_bound(scene);
+  const TractionBound bound = read_bound(scene);
   const Kernel kernel = read_kernel(scene, material);
-  const Grid grid = read_grid(scene, bound.half_width());
+  const Grid grid = read_grid(scene, half_width_of(bound));
   const Basis basis = read_basis(scene);
   require(basis.name() != "quadratic" || grid.size() % 2 == 1, "grid.elements",
           static_cast<double>(grid.size()), "an odd number for quadratic functions");

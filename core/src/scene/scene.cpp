@@ -4,14 +4,13 @@
 #include <algorithm>
 #include <boost/property_tree/info_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
-#include <charconv>
-#include <cmath>
 #include <numeric>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 
+#include "columns.hpp"
 #include "microslip/support/format.hpp"
+#include "number.hpp"
 
 namespace microslip {
 
@@ -19,15 +18,17 @@ namespace {
 
 using Tree = boost::property_tree::ptree;
 
-void flatten(const Tree& tree, const std::string& prefix, std::map<std::string, std::string>& out) {
+/// \param store  takes key and text; false if the key is there already
+template <class Store>
+void flatten(const Tree& tree, const std::string& prefix, const Store& store) {
   for (const auto& [name, child] : tree) {
     const std::string key = prefix + name;
     if (!child.data().empty() && !child.empty()) {
       throw std::invalid_argument("key '" + key + "' has both a value and keys below it");
     }
     if (!child.empty()) {
-      flatten(child, key + ".", out);
-    } else if (!out.emplace(key, child.data()).second) {
+      flatten(child, key + ".", store);
+    } else if (!store(key, child.data())) {
       throw std::invalid_argument("key '" + key + "' is given twice");
     }
   }
@@ -36,20 +37,6 @@ void flatten(const Tree& tree, const std::string& prefix, std::map<std::string, 
 [[noreturn]] void reject(const std::string& key, const std::string& text,
                          const std::string& accepted) {
   throw std::invalid_argument(key + " = '" + text + "': expected " + accepted);
-}
-
-template <class Number>
-std::optional<Number> converted(const std::string& text) {
-  Number value{};
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return value;
-}
-
-std::optional<double> finite(const std::string& text) {
-  const auto value = converted<double>(text);
-  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::string listed(std::initializer_list<std::string_view> words) {
@@ -91,7 +78,7 @@ std::string suggestion(const std::string& key, const Candidates& candidates) {
 
 }  // namespace
 
-Scene Scene::parse(std::istream& in, const std::string& name) {
+Scene Scene::parse(std::istream& in, const std::string& name, const std::string& folder) {
   Tree tree;
   try {
     boost::property_tree::read_info(in, tree);
@@ -100,7 +87,9 @@ Scene Scene::parse(std::istream& in, const std::string& name) {
                                 error.message());
   }
   Scene scene;
-  flatten(tree, "", scene.values_);
+  flatten(tree, "", [&](const std::string& key, const std::string& text) {
+    return scene.values_.emplace(key, Value{text, folder}).second;
+  });
   return scene;
 }
 
@@ -118,18 +107,28 @@ void Scene::set(std::string_view assignment) {
   if (value.empty()) {
     values_.erase(key);
   } else {
-    values_[key] = value;
+    values_[key] = {value, ""};
   }
 }
 
-const std::string& Scene::text(const std::string& key) {
+const Scene::Value& Scene::value(const std::string& key) const {
   const auto found = values_.find(key);
   if (found != values_.end()) return found->second;
   throw std::invalid_argument("missing key '" + key + "'" + suggestion(key, values_));
 }
 
+bool Scene::has_second(const std::string& first, const std::string& second) const {
+  const bool both = has(first) && has(second);
+  if (both || (!has(first) && !has(second))) {
+    throw std::invalid_argument(std::string(both ? "expected only one of" : "missing key") + " '" +
+                                first + (both ? "' and '" : "' or '") + second + "'" +
+                                (both ? "" : suggestion(first, values_)));
+  }
+  return has(second);
+}
+
 double Scene::number(const std::string& key) {
-  const auto value = finite(text(key));
+  const auto value = finite_number(text(key));
   if (!value) reject(key, text(key), "a finite number");
   parameters_.emplace_back(key, format_short(*value));
   return *value;
@@ -145,7 +144,7 @@ std::vector<double> Scene::numbers(const std::string& key) {
   std::vector<double> values;
   std::istringstream words(text(key));
   for (std::string word; words >> word;) {
-    const auto value = finite(word);
+    const auto value = finite_number(word);
     if (!value) reject(key, text(key), "finite numbers separated by blanks");
     values.push_back(*value);
   }
@@ -159,6 +158,15 @@ Eigen::Index Scene::whole(const std::string& key) {
   if (!value) reject(key, text(key), "a whole number");
   parameters_.emplace_back(key, std::to_string(*value));
   return *value;
+}
+
+std::vector<Eigen::VectorXd> Scene::columns(const std::string& key,
+                                            const std::vector<std::string>& names) {
+  const auto& [path, folder] = value(key);
+  if (!read_file_) throw std::invalid_argument("expected no file here");
+  std::istringstream in(read_file_(path.starts_with('/') ? path : folder + path));
+  parameters_.emplace_back(key, path);
+  return read_columns(in, names);
 }
 
 std::string Scene::word(const std::string& key, std::initializer_list<std::string_view> accepted) {

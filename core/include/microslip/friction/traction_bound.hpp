@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <variant>
 
 namespace microslip {
 
@@ -18,7 +19,6 @@ class HertzBound {
 
   /// g(x)  [N/mm^2]
   double operator()(double x) const;
-  Eigen::VectorXd operator()(const Eigen::VectorXd& x) const;
 
   /// The force of full sliding, (pi/2) a peak  [N/mm]
   double total() const;
@@ -27,5 +27,39 @@ class HertzBound {
   double half_width_;
   double peak_;
 };
+
+/// A bound known at points: linear between them, from the outermost ones to zero at the edges
+/// -+half_width, and zero outside.
+class TabulatedBound {
+ public:
+  /// \param half_width  a, in (0, inf)  [mm]
+  /// \param x           at least one position, ascending, in [-a, a]  [mm]
+  /// \param values      as many, >= 0, not all zero  [N/mm^2]
+  /// 	hrows std::invalid_argument outside the ranges
+  TabulatedBound(double half_width, const Eigen::VectorXd& x, const Eigen::VectorXd& values);
+
+  double half_width() const { return half_width_; }
+
+  /// g(x)  [N/mm^2]
+  double operator()(double x) const;
+
+  /// The force of full sliding: its integral  [N/mm]
+  double total() const;
+
+ private:
+  double half_width_;
+  Eigen::VectorXd x_;  ///< with the edges
+  Eigen::VectorXd values_;
+};
+
+using TractionBound = std::variant<HertzBound, TabulatedBound>;
+
+double half_width_of(const TractionBound& bound);
+
+/// g at each position  [N/mm^2]
+Eigen::VectorXd bound_at(const TractionBound& bound, const Eigen::VectorXd& x);
+
+/// The force of full sliding  [N/mm]
+double full_sliding_force(const TractionBound& bound);
 
 }  // namespace microslip

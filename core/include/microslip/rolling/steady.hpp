@@ -15,7 +15,7 @@ namespace microslip {
 /// Steady rolling of quasi-identical bodies in 2D: s = w - du/dx, thesis (3.2).
 struct SteadyProblem {
   Kernel kernel;
-  HertzBound bound;
+  TractionBound bound;
   Grid grid;  ///< on the same [-a, a] as the bound
   Basis basis;
   double step_ratio;  ///< c = dq/dx of the difference for du/dx, >= min_step_ratio  [1]

@@ -15,7 +15,10 @@ Material read_material(Scene& scene);
 Kernel read_kernel(Scene& scene, const Material& material);
 
 /// contact.half_width, contact.peak_traction
-HertzBound read_bound(Scene& scene);
+HertzBound read_hertz_bound(Scene& scene);
+
+/// contact.half_width, and contact.peak_traction or contact.bound_file (columns x bound)
+TractionBound read_bound(Scene& scene);
 
 /// grid.elements, grid.leading_offset (0.5), grid.trailing_offset (0.5)
 Grid read_grid(Scene& scene, double half_width);

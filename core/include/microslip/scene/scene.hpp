@@ -2,9 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <initializer_list>
 #include <iosfwd>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,9 +22,16 @@ using Parameters = std::vector<std::pair<std::string, std::string>>;
 /// rejected at the end.
 class Scene {
  public:
+  /// The text of a file. \throws std::invalid_argument if it cannot be read
+  using FileReader = std::function<std::string(const std::string& path)>;
+
   /// Reads a property tree in INFO format.
-  /// \param name  of the source, for messages
-  static Scene parse(std::istream& in, const std::string& name);
+  /// \param name    of the source, for messages
+  /// \param folder  to which relative file names in it refer; ends in '/' unless empty
+  static Scene parse(std::istream& in, const std::string& name, const std::string& folder = "");
+
+  /// Without one, no key may name a file.
+  void read_files_by(FileReader reader) { read_file_ = std::move(reader); }
 
   /// Replaces what the other scene also gives, and adds the rest.
   void overlay(const Scene& other);
@@ -31,6 +40,9 @@ class Scene {
   void set(std::string_view assignment);
 
   bool has(const std::string& key) const { return values_.count(key) != 0; }
+
+  /// Whether the second of two keys is given. \throws std::invalid_argument unless one of them is
+  bool has_second(const std::string& first, const std::string& second) const;
 
   /// A finite decimal number.
   double number(const std::string& key);
@@ -41,6 +53,18 @@ class Scene {
 
   /// A whole number.
   Eigen::Index whole(const std::string& key);
+
+  /// What `use` makes of columns of numbers in a table file that the key names: a line of column
+  /// names, then rows, both separated by blanks or tabs; lines that begin with # are comments.
+  /// Other columns may hold anything. Messages name key, file and, where there is one, line.
+  template <class Use>
+  auto from_columns(const std::string& key, const std::vector<std::string>& names, Use use) {
+    try {
+      return use(columns(key, names));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(key + " = '" + text(key) + "': " + error.what());
+    }
+  }
 
   /// One of the words in `accepted`; the first is the default of the second form.
   std::string word(const std::string& key, std::initializer_list<std::string_view> accepted);
@@ -54,11 +78,20 @@ class Scene {
   const Parameters& parameters() const { return parameters_; }
 
  private:
-  const std::string& text(const std::string& key);
+  struct Value {
+    std::string text;
+    std::string folder;
+  };
+
+  std::vector<Eigen::VectorXd> columns(const std::string& key,
+                                       const std::vector<std::string>& names);
+  const Value& value(const std::string& key) const;
+  const std::string& text(const std::string& key) const { return value(key).text; }
   std::string known_keys() const;
 
-  std::map<std::string, std::string> values_;
+  std::map<std::string, Value> values_;
   Parameters parameters_;
+  FileReader read_file_;
 };
 
 }  // namespace microslip

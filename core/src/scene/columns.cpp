@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "columns.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+
+#include "number.hpp"
+
+namespace microslip {
+
+namespace {
+
+/// The words of the next line that is neither empty nor a comment; none at the end.
+std::vector<std::string> next_words(std::istream& in, int& line_number) {
+  for (std::string line; std::getline(in, line);) {
+    ++line_number;
+    if (line.starts_with('#')) continue;
+    std::istringstream stream(line);
+    std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+    if (!words.empty()) return words;
+  }
+  return {};
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
+  return all;
+}
+
+}  // namespace
+
+std::vector<Eigen::VectorXd> read_columns(std::istream& in, const std::vector<std::string>& names) {
+  int line = 0;
+  const auto fail = [&](const std::string& what) {
+    throw std::invalid_argument("line " + std::to_string(line) + ": " + what);
+  };
+  const std::vector<std::string> header = next_words(in, line);
+  std::vector<std::size_t> places;
+  for (const std::string& name : names) {
+    const auto found = std::find(header.begin(), header.end(), name);
+    if (found == header.end()) {
+      fail("expected a column '" + name +
+           "' among the names in the first line, which are: " + joined(header));
+    }
+    places.push_back(static_cast<std::size_t>(found - header.begin()));
+  }
+  std::vector<std::vector<double>> values(names.size());
+  for (auto words = next_words(in, line); !words.empty(); words = next_words(in, line)) {
+    if (words.size() != header.size()) {
+      fail("expected " + std::to_string(header.size()) + " values, found " +
+           std::to_string(words.size()));
+    }
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const auto value = finite_number(words[places[k]]);
+      if (!value)
+        fail("column '" + names[k] + "': '" + words[places[k]] + "' is not a finite number");
+      values[k].push_back(*value);
+    }
+  }
+  std::vector<Eigen::VectorXd> columns;
+  for (const std::vector<double>& column : values) {
+    columns.emplace_back(
+        Eigen::Map<const Eigen::VectorXd>(column.data(), static_cast<Eigen::Index>(column.size())));
+  }
+  return columns;
+}
+
+}  // namespace microslip

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/friction/traction_bound.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "microslip/halfspace/grid.hpp"
+
+namespace microslip {
+namespace {
+
+TEST(HertzBound, IsAnEllipseThatEndsAtTheEdges) {
+  const HertzBound bound(2, 3);
+  EXPECT_DOUBLE_EQ(bound(0), 3);
+  EXPECT_DOUBLE_EQ(bound(1.2), 3 * 0.8);
+  EXPECT_DOUBLE_EQ(bound(-2), 0);
+  EXPECT_DOUBLE_EQ(bound(2.1), 0);
+  EXPECT_THROW(HertzBound(2, 0), std::invalid_argument);
+}
+
+TEST(HertzBound, TotalIsItsIntegral) {
+  const HertzBound bound(2, 3);
+  const Grid fine({.half_width = 2, .elements = 10000});
+  EXPECT_NEAR(bound_at(bound, fine.nodes()).sum() * fine.spacing(), bound.total(), 1e-5);
+}
+
+TEST(TabulatedBound, IsLinearBetweenItsPointsAndTowardsTheEdges) {
+  const TabulatedBound bound(2, Eigen::Vector3d(-1, 0, 1.5), Eigen::Vector3d(2, 3, 1));
+  EXPECT_DOUBLE_EQ(bound(-1), 2);
+  EXPECT_DOUBLE_EQ(bound(0), 3);
+  EXPECT_DOUBLE_EQ(bound(1.5), 1);
+  EXPECT_DOUBLE_EQ(bound(-0.25), 2.75);
+  EXPECT_DOUBLE_EQ(bound(-1.5), 1);
+  EXPECT_DOUBLE_EQ(bound(1.75), 0.5);
+  EXPECT_DOUBLE_EQ(bound(2), 0);
+  EXPECT_DOUBLE_EQ(bound(2.1), 0);
+  EXPECT_DOUBLE_EQ(bound.total(), 1 + 2.5 + 3 + 0.25);
+}
+
+TEST(TabulatedBound, KeepsWhatIsGivenAtTheEdges) {
+  const TabulatedBound bound(1, Eigen::Vector2d(-1, 1), Eigen::Vector2d(2, 4));
+  EXPECT_DOUBLE_EQ(bound(-1), 2);
+  EXPECT_DOUBLE_EQ(bound(0), 3);
+  EXPECT_DOUBLE_EQ(bound(1), 4);
+  EXPECT_DOUBLE_EQ(bound.total(), 6);
+}
+
+}  // namespace
+}  // namespace microslip
