@@ -7,8 +7,7 @@
 
 #include <array>
 
-#include "microslip/friction/active_set.hpp"
-#include "microslip/halfspace/influence.hpp"
+#include "microslip/rolling/steady.hpp"
 
 namespace microslip {
 namespace {
@@ -31,17 +30,19 @@ constexpr std::array<double, 25> contact_slip = {
     0,           0,           0,           0,           0};
 
 TEST(ContactReference, SteadyTractionAndSlipAgreeToItsPrintedDigits) {
-  constexpr Eigen::Index n = contact_bound.size();
-  constexpr double dx = 0.08;
-  const StripKernel kernel({82000, 0.28}, 200);
-  const Eigen::VectorXd bound = Eigen::Map<const Eigen::VectorXd>(contact_bound.data(), n);
-  ActiveSet active_set(influence_difference_matrix(kernel, constant_basis(), dx, n, 1) / dx,
-                       Eigen::VectorXd::Constant(n, dx));
-  const ContactState state = active_set.solve(
-      {.bound = bound, .offset = Eigen::VectorXd::Zero(n), .reference = Eigen::VectorXd::Zero(n)},
-      PrescribedCreepage{-0.00024});
-  const double largest = bound.maxCoeff();
-  for (Eigen::Index i = 0; i < n; ++i) {
+  const auto to_vector = [](const std::array<double, 25>& row) {
+    return Eigen::Map<const Eigen::VectorXd>(row.data(), 25);
+  };
+  const Grid grid({.half_width = 1, .elements = 25});
+  const SteadySolution state =
+      solve_steady({.kernel = StripKernel({82000, 0.28}, 200),
+                    .bound = TabulatedBound(1, grid.nodes(), to_vector(contact_bound)),
+                    .grid = grid,
+                    .basis = constant_basis(),
+                    .step_ratio = 1,
+                    .load = PrescribedCreepage{-0.00024}});
+  const double largest = to_vector(contact_bound).maxCoeff();
+  for (Eigen::Index i = 0; i < 25; ++i) {
     const auto k = static_cast<std::size_t>(i);
     EXPECT_NEAR(state.traction[i], contact_traction[k], 1e-5 * largest) << i;
     EXPECT_NEAR(std::abs(state.slip[i]), contact_slip[k], 1e-8) << i;

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <variant>
+
+#include "microslip/halfspace/basis.hpp"
+#include "microslip/halfspace/kernel.hpp"
+#include "microslip/rolling/fractional_shift.hpp"
+
+namespace microslip {
+
+// How u' = A' p', the previous displacement at the place where the material was one step earlier,
+// is taken from the previous tractions p'.
+
+/// A' at the nodes moved upstream by c dx: thesis (3.13).
+struct Direct {};
+
+/// A' = (1 - c/c*) A + (c/c*) A'(c*): thesis (7.1), under-relaxation of the influence coefficients.
+struct Relaxed {
+  double step_ratio;  ///< c*, >= c
+};
+
+/// p = (1 - c/c*) p' + (c/c*) p*, where p* follows from a direct step of c*: thesis (7.10),
+/// under-relaxation of the tractions. A prescribed force is that of p*.
+struct RelaxedTraction {
+  double step_ratio;  ///< c*, >= c
+};
+
+/// A' = A (A^-1 A'(1))^c: thesis (8.4). For equal functions on an odd number of nodes.
+struct Fractional {};
+
+using AdvectionScheme = std::variant<Direct, Relaxed, RelaxedTraction, Fractional>;
+
+/// What the slip displacement of a step refers to: S = W + offset + A (p - reference).
+struct Advected {
+  Eigen::VectorXd offset;     ///< [mm]
+  Eigen::VectorXd reference;  ///< [N/mm^2]
+};
+
+class Advection {
+ public:
+  /// \param spacing   dx, in (0, inf)  [mm]
+  /// \param elements  n
+  /// \throws std::invalid_argument if the scheme does not go with the basis or the grid
+  Advection(Kernel kernel, Basis basis, double spacing, Eigen::Index elements,
+            AdvectionScheme scheme);
+
+  /// A p - A' p' as offset + A (p - reference), without cancellation for small steps.
+  /// \param previous    p'  [N/mm^2]
+  /// \param step_ratio  c, >= min_step_ratio; for `Relaxed` and `RelaxedTraction` at most c*
+  /// \throws std::invalid_argument outside the range
+  /// Cost: O(n^2), and as much again when c changes in the direct scheme; `Fractional` see there.
+  Advected advect(const Eigen::VectorXd& previous, double step_ratio);
+
+  /// The part of a step of `solved_step_ratio` that a step of c takes: c/c* for `RelaxedTraction`,
+  /// 1 for others.
+  double fraction(double step_ratio) const;
+
+  /// The step for which tractions are to be solved: c* for `RelaxedTraction`, c for others.
+  double solved_step_ratio(double step_ratio) const;
+
+ private:
+  Advected advect_directly(const Eigen::VectorXd& previous, double step_ratio, double part);
+
+  Kernel kernel_;
+  Basis basis_;
+  double spacing_;
+  Eigen::Index elements_;
+  AdvectionScheme scheme_;
+  std::optional<FractionalShift> shift_;
+  double difference_step_ratio_ = 0;
+  Eigen::MatrixXd difference_;  ///< A - A' at that step ratio
+};
+
+}  // namespace microslip

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "microslip/friction/active_set.hpp"
+#include "microslip/friction/traction_bound.hpp"
+#include "microslip/halfspace/grid.hpp"
+#include "microslip/rolling/advection.hpp"
+
+namespace microslip {
+
+/// Transient rolling of quasi-identical bodies in 2D, on a grid that moves with the contact:
+/// s = w + (1/V) Du/Dt, thesis (3.9).
+struct TransientProblem {
+  Kernel kernel;
+  TractionBound bound;
+  Grid grid;  ///< on the same [-a, a] as the bound
+  Basis basis;
+  AdvectionScheme scheme;
+};
+
+/// Values at the N nodes at the end of a step, and what follows from them. A positive creepage
+/// gives negative tractions.
+struct TransientState {
+  double distance;           ///< q rolled so far  [mm]
+  Eigen::VectorXd traction;  ///< coefficients of the basis  [N/mm^2]
+  Eigen::VectorXd slip;      ///< relative slip s of the step; zero before the first  [1]
+  std::vector<Zone> zones;
+  double force;        ///< integral of the traction  [N/mm]
+  double creepage;     ///< w of the step; zero before the first  [1]
+  double dissipation;  ///< -integral of p s over x: energy per mm rolled and mm width  [N/mm]
+  int iterations;      ///< stick/slip partitions tried
+
+  Eigen::Index adhesion_elements() const;
+  Eigen::Index slip_elements() const;
+};
+
+/// Implicit Euler steps, collocated at the nodes: dq s = dq w + A p - A' p', thesis (3.14)-(3.16).
+///
+/// A step whose partition is that of the step before costs O(N^2); see ActiveSet for others.
+/// Memory: N^2 numbers three to four times.
+/// Accuracy: first order in dx at the leading edge, as steady rolling; the cumulative creep of a
+/// Cattaneo shift that turns to Carter's solution, tests/order/transient_order_test.cpp.
+class TransientRolling {
+ public:
+  /// From rest: no tractions.
+  explicit TransientRolling(const TransientProblem& problem);
+
+  const Eigen::VectorXd& x() const { return x_; }          ///< nodes  [mm]
+  const Eigen::VectorXd& bound() const { return bound_; }  ///< at the nodes  [N/mm^2]
+  const TransientState& state() const { return state_; }
+
+  /// A p, the displacement at the nodes  [mm]. N^2 operations.
+  Eigen::VectorXd displacement() const { return active_set_.respond(state_.traction); }
+
+  /// Makes these the tractions, with nothing rolled.
+  /// \param traction  N, nowhere above the bound by more than 1e-3 of the largest  [N/mm^2]
+  /// \throws std::invalid_argument outside the range
+  void start_from(const Eigen::VectorXd& traction);
+
+  /// Shifts the bodies without rolling until they carry the force, from no tractions.
+  /// \return the shift  [mm]
+  /// \throws as ActiveSet::solve
+  double start_from_shift(const PrescribedForce& force);
+
+  /// Rolls on.
+  /// \param length  dq; dq/dx in the range of Advection::advect  [mm]
+  /// \throws std::invalid_argument outside the range, and as ActiveSet::solve
+  void step(double length, const Load& load);
+
+ private:
+  Eigen::VectorXd x_;
+  Eigen::VectorXd bound_;
+  Eigen::VectorXd weights_;
+  double spacing_;
+  ActiveSet active_set_;
+  Advection advection_;
+  TransientState state_;
+};
+
+/// Rolls a distance in steps of the given lengths, in turn; the last is shortened to end there.
+/// \param lengths     dq, at least one, each in (0, inf)  [mm]
+/// \param after_step  called after each
+void roll(TransientRolling& rolling, double distance, const std::vector<double>& lengths,
+          const Load& load, const std::function<void(const TransientState&)>& after_step);
+
+/// Their number.
+std::size_t number_of_steps(double distance, const std::vector<double>& lengths);
+
+}  // namespace microslip

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/rolling/advection.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// A step ratio is a quotient of lengths.
+constexpr double rounding = 1e-12;
+
+/// c*, or 0 where there is none.
+double relaxation_of(const AdvectionScheme& scheme) {
+  if (const auto* relaxed = std::get_if<Relaxed>(&scheme)) return relaxed->step_ratio;
+  if (const auto* relaxed = std::get_if<RelaxedTraction>(&scheme)) return relaxed->step_ratio;
+  return 0;
+}
+
+}  // namespace
+
+Advection::Advection(Kernel kernel, Basis basis, double spacing, Index elements,
+                     AdvectionScheme scheme)
+    : kernel_(std::move(kernel)),
+      basis_(std::move(basis)),
+      spacing_(spacing),
+      elements_(elements),
+      scheme_(scheme) {
+  const double relaxation = relaxation_of(scheme);
+  require(relaxation == 0 || relaxation >= min_step_ratio, "step.relaxation", relaxation,
+          "a number >= 1e-15");
+  if (!std::holds_alternative<Fractional>(scheme)) return;
+  if (basis_.shapes().size() != 1) {
+    throw std::invalid_argument("basis = '" + basis_.name() +
+                                "': expected equal functions at all nodes for fractional powers");
+  }
+  shift_.emplace(kernel_, basis_.shapes().front(), spacing, elements);
+}
+
+double Advection::fraction(double step_ratio) const {
+  return step_ratio / solved_step_ratio(step_ratio);
+}
+
+double Advection::solved_step_ratio(double step_ratio) const {
+  const auto* relaxed = std::get_if<RelaxedTraction>(&scheme_);
+  return relaxed == nullptr ? step_ratio : relaxed->step_ratio;
+}
+
+Advected Advection::advect_directly(const VectorXd& previous, double step_ratio, double part) {
+  if (step_ratio != difference_step_ratio_) {
+    difference_ = influence_difference_matrix(kernel_, basis_, spacing_, elements_, step_ratio);
+    difference_step_ratio_ = step_ratio;
+  }
+  return {.offset = part * (difference_ * previous), .reference = previous};
+}
+
+Advected Advection::advect(const VectorXd& previous, double step_ratio) {
+  require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
+  if (shift_) {
+    return {.offset = VectorXd::Zero(elements_),
+            .reference = shift_->move(previous, step_ratio).traction};
+  }
+  const double relaxation = relaxation_of(scheme_);
+  if (relaxation == 0) return advect_directly(previous, step_ratio, 1);
+  require(step_ratio <= relaxation * (1 + rounding), "step.ratio", step_ratio,
+          "at most step.relaxation = " + format_short(relaxation));
+  const bool of_tractions = std::holds_alternative<RelaxedTraction>(scheme_);
+  return advect_directly(previous, relaxation, of_tractions ? 1 : step_ratio / relaxation);
+}
+
+}  // namespace microslip
