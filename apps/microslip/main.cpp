@@ -1,21 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/steady_scene.hpp"
+#include "microslip/experiments/transient_scene.hpp"
 #include "microslip/program/run.hpp"
 #include "microslip/scene/model.hpp"
 
+namespace {
+
+using namespace microslip;
+
+program::Work prepare(Scene& scene) {
+  if (scene.word("problem", {"steady", "transient"}) == "steady") {
+    return [problem = read_steady(scene)](const Progress&) {
+      return experiments::steady_scene(problem);
+    };
+  }
+  return [transient = read_transient(scene)](const Progress& progress) {
+    return experiments::transient_scene(transient, progress);
+  };
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  using namespace microslip;
   return program::run({.name = "microslip",
                        .question = "solves one scene of your own",
                        .scene = "",
                        .quick = "",
                        .default_out = "out",
-                       .prepare =
-                           [](Scene& scene) {
-                             scene.word("problem", {"steady"});
-                             return [problem = read_steady(scene)](const Progress&) {
-                               return experiments::steady_scene(problem);
-                             };
-                           }},
+                       .prepare = prepare},
                       argc, argv);
 }

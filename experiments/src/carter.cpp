@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "microslip/experiments/claims.hpp"
-#include "microslip/experiments/steady_scene.hpp"
+#include "microslip/experiments/contact_tables.hpp"
 #include "microslip/reference/carter.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"

@@ -85,6 +85,7 @@ Scene read_scene(const Program& program, const options::variables_map& given) {
 Progress progress_on_terminal(const Program& program, bool quiet) {
   if (quiet || isatty(STDERR_FILENO) == 0) return [](std::size_t, std::size_t) {};
   return [&program](std::size_t done, std::size_t total) {
+    if (done < total && 100 * done / total == 100 * (done - 1) / total) return;
     std::cerr << '\r' << program.name << ": " << done << " of " << total
               << (done == total ? "\n" : "") << std::flush;
   };

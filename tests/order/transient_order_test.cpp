@@ -43,7 +43,7 @@ TEST(TransientOrder, CumulativeCreepIsFirstOrder) {
     const double dx = 2 / n;
     double creep = 0;
     std::size_t next = 0;
-    roll(rolling, distances.back(), {dx}, PrescribedForce{force}, [&](const TransientState& state) {
+    rolling.roll(distances.back(), {dx}, PrescribedForce{force}, [&](const TransientState& state) {
       creep += state.creepage * dx;
       if (state.distance < distances[next] - dx / 2) return;
       errors[next].push_back(creep - cumulative_creep[next]);

@@ -120,8 +120,8 @@ TEST(ContactReference, CattaneoShift) {
 TEST(ContactReference, TransientRolling) {
   for (const Rolled& reference : rolled) {
     TransientRolling rolling = shifted();
-    roll(rolling, 25 * dx, {reference.step_ratio * dx}, PrescribedForce{force},
-         [](const TransientState&) {});
+    rolling.roll(25 * dx, {reference.step_ratio * dx}, PrescribedForce{force},
+                 [](const TransientState&) {});
     SCOPED_TRACE(reference.step_ratio);
     expect_printed_digits(rolling.state().traction, reference.traction);
   }

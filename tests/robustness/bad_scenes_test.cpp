@@ -27,6 +27,21 @@ grid { elements 20 }
 load { creepage 0.4 }
 )";
 
+const std::string good_transient = R"(
+problem transient
+material { shear_modulus 1
+  poisson_ratio 0.28 }
+contact { half_width 1
+  peak_traction 1 }
+kernel { type strip
+  width 40 }
+grid { elements 20 }
+start { type cattaneo }
+step { ratio "1 0.5" }
+motion { distance 0.33 }
+load { force -1 }
+)";
+
 struct Outcome {
   int status;
   std::string error;
@@ -150,6 +165,53 @@ TEST_F(BadScenes, BoundFiles) {
                   "contact.bound_file = 'none.tsv': cannot read it: No such file");
   expect_rejected(good_scene, "--set contact.peak_traction= --set contact.bound_file=/",
                   "contact.bound_file = '/': cannot read it: Is a directory");
+}
+
+TEST_F(BadScenes, TheGoodTransientIsSolvedAndStartsTheNext) {
+  EXPECT_EQ(run(good_transient, "").error, "");
+  EXPECT_TRUE(fs::exists(out() / "history.tsv"));
+  const Outcome next = run(good_transient, "--set start.type=file --set start.file='" +
+                                               (out() / "traction.tsv").string() + "'");
+  EXPECT_EQ(next.error, "");
+}
+
+TEST_F(BadScenes, Transients) {
+  expect_rejected(good_transient, "--set start.type=", "missing key 'start.type'");
+  expect_rejected(good_transient, "--set start.type=hertz", "start.type = 'hertz': expected rest");
+  expect_rejected(good_transient, "--set start.type=rest --set start.force=1",
+                  "unknown key 'start.force'");
+  expect_rejected(good_transient, "--set start.force=-2", "force = -2: expected an absolute value");
+  expect_rejected(good_transient, "--set load.force= --set load.creepage=0.1",
+                  "missing key 'start.force'");
+  expect_rejected(good_transient, "--set step.ratio=", "missing key 'step.ratio'");
+  expect_rejected(good_transient, "--set step.ratio='1 0'", "step.ratio = 0: expected numbers");
+  expect_rejected(good_transient, "--set step.scheme=exact", "step.scheme = 'exact': expected");
+  expect_rejected(good_transient, "--set step.relaxation=1", "unknown key 'step.relaxation'");
+  expect_rejected(good_transient, "--set step.scheme=relaxed --set step.relaxation=0.7",
+                  "step.ratio = 1: expected at most step.relaxation = 0.7");
+  expect_rejected(good_transient, "--set step.scheme=relaxed --set step.relaxation=0",
+                  "step.relaxation = 0: expected");
+  expect_rejected(good_transient, "--set step.scheme=fractional",
+                  "grid.elements = 20: expected an odd number");
+  expect_rejected(good_transient,
+                  "--set step.scheme=fractional --set basis=quadratic --set grid.elements=21",
+                  "basis = 'quadratic': expected equal functions");
+  expect_rejected(good_transient, "--set motion.distance=0", "motion.distance = 0: expected");
+  expect_rejected(good_transient, "--set step.ratio=1e-12",
+                  "motion.distance = 0.33: expected at most");
+}
+
+TEST_F(BadScenes, StartFiles) {
+  const auto rejected = [&](const std::string& text, const std::string& named) {
+    std::ofstream(folder_ / "start.tsv") << "x\ttraction\n" + text;
+    expect_rejected(good_transient,
+                    "--set grid.elements=2 --set start.type=file --set start.file='" +
+                        (folder_ / "start.tsv").string() + "'",
+                    "start.tsv': " + named);
+  };
+  rejected("-0.5\t0\n", "number of rows = 1: expected one a node, 2");
+  rejected("-0.5\t0\n0.4\t0\n", "x = 0.4: expected the node at 0.5");
+  rejected("-0.5\t0\n0.5\t1\n", "traction = 1: expected at most the bound, 0.866");
 }
 
 TEST_F(BadScenes, BrokenFilesAndOptions) {

@@ -25,7 +25,7 @@ TransientProblem problem(AdvectionScheme scheme, Eigen::Index n = 41, double pea
 
 void roll_quietly(TransientRolling& rolling, double distance, std::vector<double> lengths,
                   const Load& load) {
-  roll(rolling, distance, lengths, load, [](const TransientState&) {});
+  rolling.roll(distance, lengths, load, [](const TransientState&) {});
 }
 
 double largest_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
@@ -103,8 +103,8 @@ TEST_P(EveryScheme, ForceAndCreepageDescribeTheSameRolling) {
 TEST(Transient, ALastStepIsShortened) {
   TransientRolling rolling(problem(Direct{}));
   std::vector<double> distances;
-  roll(rolling, 0.25, {0.1}, PrescribedCreepage{0.1},
-       [&](const TransientState& state) { distances.push_back(state.distance); });
+  rolling.roll(0.25, {0.1}, PrescribedCreepage{0.1},
+               [&](const TransientState& state) { distances.push_back(state.distance); });
   ASSERT_EQ(distances.size(), 3U);
   EXPECT_DOUBLE_EQ(distances[0], 0.1);
   EXPECT_DOUBLE_EQ(distances[2], 0.25);
@@ -116,6 +116,7 @@ TEST(Transient, CountsSteps) {
   EXPECT_EQ(number_of_steps(50, {0.8}), 63U);
   EXPECT_EQ(number_of_steps(1, {0.3, 0.1}), 5U);
   EXPECT_EQ(number_of_steps(0.05, {0.1}), 1U);
+  EXPECT_EQ(number_of_steps(24, {1e-6}), 24000000U);
   EXPECT_THROW(number_of_steps(1, {0}), std::invalid_argument);
   EXPECT_THROW(number_of_steps(0, {1}), std::invalid_argument);
 }

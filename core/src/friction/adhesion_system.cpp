@@ -47,10 +47,12 @@ void AdhesionSystem::prescribe_force(bool force) {
 
 void AdhesionSystem::follow(const std::vector<Zone>& zones) {
   std::vector<Index> arrivals;
+  bool moved = base_.empty();
   for (std::size_t i = 0; i < zones.size(); ++i) {
     const bool stuck = zones[i] == Zone::adhesion;
     if (stuck == (stuck_[i] != 0)) continue;
     stuck_[i] = stuck ? 1 : 0;
+    moved = true;
     const auto known = std::find(changes_.begin(), changes_.end(), static_cast<Index>(i));
     if (known == changes_.end()) {
       arrivals.push_back(static_cast<Index>(i));
@@ -58,6 +60,12 @@ void AdhesionSystem::follow(const std::vector<Zone>& zones) {
       forget(to_size(known - changes_.begin()));
     }
   }
+  if (!moved) {
+    // Solves with a border cost as much again as without: in the end, new factors are cheaper.
+    if (!changes_.empty() && ++quiet_rounds_ > base_.size() / 3) factorise();
+    return;
+  }
+  quiet_rounds_ = 0;
   const std::size_t limit = base_.size() / 16 + 8;
   if (base_.empty() || changes_.size() + arrivals.size() > limit) return factorise();
   border(arrivals);

@@ -13,8 +13,8 @@ namespace microslip {
 ///
 /// Its factorisation follows the partition. That of some earlier adhesion area stays; elements that
 /// came or left since then border it, and only the Schur complement of the border is new. An
-/// exchange so costs O(n^2). After n/16 + 8 of them, or when the border is badly conditioned, the
-/// factors are made anew.
+/// exchange so costs O(n^2). After n/16 + 8 of them, when the border is badly conditioned, or when
+/// it has served long enough, the factors are made anew.
 class AdhesionSystem {
  public:
   AdhesionSystem(const Eigen::MatrixXd& response, Eigen::VectorXd weights);
@@ -66,6 +66,7 @@ class AdhesionSystem {
   Eigen::MatrixXd columns_;     ///< factors^-1 times the column of each change
   Eigen::MatrixXd schur_;
   Eigen::PartialPivLU<Eigen::MatrixXd> schur_factors_;
+  std::size_t quiet_rounds_ = 0;  ///< without a change
 };
 
 }  // namespace microslip

@@ -18,11 +18,11 @@ namespace {
 /// A step ratio is a quotient of lengths.
 constexpr double rounding = 1e-12;
 
-/// c*, or 0 where there is none.
-double relaxation_of(const AdvectionScheme& scheme) {
+/// c*, where there is one.
+std::optional<double> relaxation_of(const AdvectionScheme& scheme) {
   if (const auto* relaxed = std::get_if<Relaxed>(&scheme)) return relaxed->step_ratio;
   if (const auto* relaxed = std::get_if<RelaxedTraction>(&scheme)) return relaxed->step_ratio;
-  return 0;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -34,9 +34,8 @@ Advection::Advection(Kernel kernel, Basis basis, double spacing, Index elements,
       spacing_(spacing),
       elements_(elements),
       scheme_(scheme) {
-  const double relaxation = relaxation_of(scheme);
-  require(relaxation == 0 || relaxation >= min_step_ratio, "step.relaxation", relaxation,
-          "a number >= 1e-15");
+  const double relaxation = relaxation_of(scheme).value_or(1);
+  require(relaxation >= min_step_ratio, "step.relaxation", relaxation, "a number >= 1e-15");
   if (!std::holds_alternative<Fractional>(scheme)) return;
   if (basis_.shapes().size() != 1) {
     throw std::invalid_argument("basis = '" + basis_.name() +
@@ -68,12 +67,12 @@ Advected Advection::advect(const VectorXd& previous, double step_ratio) {
     return {.offset = VectorXd::Zero(elements_),
             .reference = shift_->move(previous, step_ratio).traction};
   }
-  const double relaxation = relaxation_of(scheme_);
-  if (relaxation == 0) return advect_directly(previous, step_ratio, 1);
-  require(step_ratio <= relaxation * (1 + rounding), "step.ratio", step_ratio,
-          "at most step.relaxation = " + format_short(relaxation));
+  const auto relaxation = relaxation_of(scheme_);
+  if (!relaxation) return advect_directly(previous, step_ratio, 1);
+  require(step_ratio <= *relaxation * (1 + rounding), "step.ratio", step_ratio,
+          "at most step.relaxation = " + format_short(*relaxation));
   const bool of_tractions = std::holds_alternative<RelaxedTraction>(scheme_);
-  return advect_directly(previous, relaxation, of_tractions ? 1 : step_ratio / relaxation);
+  return advect_directly(previous, *relaxation, of_tractions ? 1 : step_ratio / *relaxation);
 }
 
 }  // namespace microslip

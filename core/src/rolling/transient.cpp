@@ -29,39 +29,49 @@ Load over(const Load& load, double length) {
   return creepage == nullptr ? load : PrescribedCreepage{creepage->value * length};
 }
 
-/// Where step k (from 0) of a cycle of lengths ends.
+/// Steps of given lengths, in turn, the last of which ends at a distance.
 class Schedule {
  public:
-  explicit Schedule(const std::vector<double>& lengths) : ends_(lengths.size()) {
+  Schedule(double distance, const std::vector<double>& lengths)
+      : distance_(distance), lengths_(lengths), ends_(lengths.size()) {
+    require_positive("motion.distance", distance);
     for (const double length : lengths) require_positive("step length", length);
     std::partial_sum(lengths.begin(), lengths.end(), ends_.begin());
   }
 
-  double end(std::size_t step) const {
-    const auto cycles = static_cast<double>(step / ends_.size());
-    return cycles * ends_.back() + ends_[step % ends_.size()];
+  /// Where step k, from 0, begins.
+  double begin(std::size_t k) const { return k == 0 ? 0 : unlimited_end(k - 1); }
+
+  double end(std::size_t k) const { return is_last(k) ? distance_ : unlimited_end(k); }
+
+  double length(std::size_t k) const {
+    const double rest = distance_ - begin(k);
+    return rest < (1 - negligible) * full_length(k) ? rest : full_length(k);
+  }
+
+  bool is_last(std::size_t k) const {
+    return distance_ - unlimited_end(k) <= negligible * full_length(k);
+  }
+
+  std::size_t size() const {
+    const double cycles = std::floor((1 - negligible) * distance_ / ends_.back());
+    std::size_t k = static_cast<std::size_t>(cycles) * ends_.size();
+    while (!is_last(k)) ++k;
+    return k + 1;
   }
 
  private:
+  double full_length(std::size_t k) const { return lengths_[k % lengths_.size()]; }
+
+  double unlimited_end(std::size_t k) const {
+    const auto cycles = static_cast<double>(k / ends_.size());
+    return cycles * ends_.back() + ends_[k % ends_.size()];
+  }
+
+  double distance_;
+  const std::vector<double>& lengths_;
   std::vector<double> ends_;
 };
-
-/// Calls take(length) for each step.
-template <class Take>
-void for_each_step(double distance, const std::vector<double>& lengths, Take take) {
-  require_positive("motion.distance", distance);
-  const Schedule schedule(lengths);
-  double begin = 0;
-  for (std::size_t k = 0;; ++k) {
-    const double length = lengths[k % lengths.size()];
-    const double rest = distance - begin;
-    if (rest <= length * (1 + negligible))
-      return take(rest >= length * (1 - negligible) ? length : rest);
-    take(length);
-    begin = schedule.end(k);
-    if (distance - begin <= negligible * length) return;
-  }
-}
 
 }  // namespace
 
@@ -73,22 +83,33 @@ Index TransientState::slip_elements() const {
   return static_cast<Index>(zones.size()) - adhesion_elements();
 }
 
-TransientRolling::TransientRolling(const TransientProblem& problem)
+void require_within_bound(const VectorXd& x, const VectorXd& bound, const VectorXd& traction) {
+  const double tolerance = printed * bound.maxCoeff();
+  for (Index i = 0; i < x.size(); ++i) {
+    require(std::abs(traction[i]) <= bound[i] + tolerance, "traction", traction[i],
+            "at most the bound, " + format_short(bound[i]) + ", at x = " + format_short(x[i]));
+  }
+}
+
+TransientRolling::TransientRolling(const TransientProblem& problem, const Start& start)
     : x_(problem.grid.nodes()),
       bound_(bound_at(problem.bound, x_)),
       weights_(problem.basis.weights(problem.grid.spacing(), problem.grid.size())),
       spacing_(problem.grid.spacing()),
       active_set_(influence_matrix(problem.kernel, problem.basis, spacing_, x_.size()), weights_),
       advection_(problem.kernel, problem.basis, spacing_, x_.size(), problem.scheme) {
-  start_from(VectorXd::Zero(x_.size()));
+  if (const auto* shift = std::get_if<CattaneoShift>(&start)) {
+    start_from_shift({shift->force});
+  } else {
+    const auto* traction = std::get_if<VectorXd>(&start);
+    start_from(traction != nullptr ? *traction : VectorXd::Zero(x_.size()));
+  }
 }
 
 void TransientRolling::start_from(const VectorXd& traction) {
-  const double tolerance = printed * bound_.maxCoeff();
+  require_within_bound(x_, bound_, traction);
   std::vector<Zone> zones;
   for (Index i = 0; i < x_.size(); ++i) {
-    require(std::abs(traction[i]) <= bound_[i] + tolerance, "traction", traction[i],
-            "at most the bound " + format_short(bound_[i]) + " at x = " + format_short(x_[i]));
     const bool slips = bound_[i] > 0 && std::abs(traction[i]) >= bound_[i];
     zones.push_back(!slips ? Zone::adhesion
                            : (traction[i] > 0 ? Zone::slip_positive : Zone::slip_negative));
@@ -133,18 +154,20 @@ void TransientRolling::step(double length, const Load& load) {
             .iterations = contact.iterations};
 }
 
-void roll(TransientRolling& rolling, double distance, const std::vector<double>& lengths,
-          const Load& load, const std::function<void(const TransientState&)>& after_step) {
-  for_each_step(distance, lengths, [&](double length) {
-    rolling.step(length, load);
-    after_step(rolling.state());
-  });
+void TransientRolling::roll(double distance, const std::vector<double>& lengths, const Load& load,
+                            const std::function<void(const TransientState&)>& after_step) {
+  const Schedule schedule(distance, lengths);
+  const double start = state_.distance;
+  for (std::size_t k = 0;; ++k) {
+    step(schedule.length(k), load);
+    state_.distance = start + schedule.end(k);
+    after_step(state_);
+    if (schedule.is_last(k)) return;
+  }
 }
 
 std::size_t number_of_steps(double distance, const std::vector<double>& lengths) {
-  std::size_t count = 0;
-  for_each_step(distance, lengths, [&](double) { ++count; });
-  return count;
+  return Schedule(distance, lengths).size();
 }
 
 }  // namespace microslip

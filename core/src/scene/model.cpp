@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/scene/model.hpp"
 
-#include <stdexcept>
+#include <cmath>
+#include <numeric>
 
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip {
@@ -58,11 +61,17 @@ Load read_load(Scene& scene) {
   return PrescribedCreepage{scene.number("load.creepage")};
 }
 
-SteadyProblem read_steady(Scene& scene) {
-  return read_steady(scene, scene.number("step.ratio", 1));
-}
+namespace {
 
-SteadyProblem read_steady(Scene& scene, double step_ratio) {
+/// What steady and transient scenes have in common.
+struct ContactModel {
+  Kernel kernel;
+  TractionBound bound;
+  Grid grid;
+  Basis basis;
+};
+
+ContactModel read_contact(Scene& scene) {
   const Material material = read_material(scene);
   const TractionBound bound = read_bound(scene);
   const Kernel kernel = read_kernel(scene, material);
@@ -70,12 +79,90 @@ SteadyProblem read_steady(Scene& scene, double step_ratio) {
   const Basis basis = read_basis(scene);
   require(basis.name() != "quadratic" || grid.size() % 2 == 1, "grid.elements",
           static_cast<double>(grid.size()), "an odd number for quadratic functions");
-  return {.kernel = kernel,
-          .bound = bound,
-          .grid = grid,
-          .basis = basis,
+  return {kernel, bound, grid, basis};
+}
+
+Eigen::VectorXd traction_at_nodes(const std::vector<Eigen::VectorXd>& columns,
+                                  const TransientProblem& problem) {
+  constexpr double printed = 1e-3;  // of dx: positions may have few digits
+  const Eigen::VectorXd nodes = problem.grid.nodes();
+  const Eigen::VectorXd& x = columns[0];
+  require(x.size() == nodes.size(), "number of rows", static_cast<double>(x.size()),
+          "one a node, " + std::to_string(nodes.size()));
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    require(std::abs(x[i] - nodes[i]) <= printed * problem.grid.spacing(), "x", x[i],
+            "the node at " + format_short(nodes[i]));
+  }
+  require_within_bound(nodes, bound_at(problem.bound, nodes), columns[1]);
+  return columns[1];
+}
+
+/// A history of more rows would take more than 300 MB.
+constexpr double most_steps = 1e6;
+
+Start read_start(Scene& scene, const TransientProblem& problem, const Load& load) {
+  const std::string type = scene.word("start.type", {"rest", "cattaneo", "file"});
+  if (type == "rest") return Rest{};
+  if (type == "file") {
+    return scene.from_columns("start.file", {"x", "traction"}, [&](const auto& columns) {
+      return traction_at_nodes(columns, problem);
+    });
+  }
+  const auto* force = std::get_if<PrescribedForce>(&load);
+  return CattaneoShift{force == nullptr ? scene.number("start.force")
+                                        : scene.number("start.force", force->value)};
+}
+
+}  // namespace
+
+SteadyProblem read_steady(Scene& scene) {
+  return read_steady(scene, scene.number("step.ratio", 1));
+}
+
+SteadyProblem read_steady(Scene& scene, double step_ratio) {
+  const ContactModel model = read_contact(scene);
+  return {.kernel = model.kernel,
+          .bound = model.bound,
+          .grid = model.grid,
+          .basis = model.basis,
           .step_ratio = step_ratio,
           .load = read_load(scene)};
+}
+
+AdvectionScheme read_scheme(Scene& scene) {
+  const std::string name =
+      scene.word_or_first("step.scheme", {"direct", "relaxed", "relaxed_traction", "fractional"});
+  if (name == "direct") return Direct{};
+  if (name == "fractional") return Fractional{};
+  const double relaxation = scene.number("step.relaxation", 1);
+  if (name == "relaxed") return Relaxed{relaxation};
+  return RelaxedTraction{relaxation};
+}
+
+TransientScene read_transient(Scene& scene) {
+  const ContactModel model = read_contact(scene);
+  const TransientProblem problem{.kernel = model.kernel,
+                                 .bound = model.bound,
+                                 .grid = model.grid,
+                                 .basis = model.basis,
+                                 .scheme = read_scheme(scene)};
+  const std::vector<double> step_ratios = scene.numbers("step.ratio");
+  for (const double ratio : step_ratios) {
+    require(ratio >= min_step_ratio, "step.ratio", ratio, "numbers >= 1e-15");
+  }
+  const double distance = scene.number("motion.distance");
+  require_positive("motion.distance", distance);
+  const double mean = std::accumulate(step_ratios.begin(), step_ratios.end(), 0.0) /
+                      static_cast<double>(step_ratios.size());
+  const double steps = distance / (mean * problem.grid.spacing());
+  require(steps <= most_steps, "motion.distance", distance,
+          "at most " + format_short(most_steps) + " steps, not " + format_short(std::ceil(steps)));
+  const Load load = read_load(scene);
+  return {.problem = problem,
+          .start = read_start(scene, problem, load),
+          .distance = distance,
+          .step_ratios = step_ratios,
+          .load = load};
 }
 
 }  // namespace microslip

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <variant>
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
@@ -21,6 +22,22 @@ struct TransientProblem {
   Basis basis;
   AdvectionScheme scheme;
 };
+
+/// No tractions.
+struct Rest {};
+
+/// A shift without rolling, from no tractions, until the bodies carry a force.
+struct CattaneoShift {
+  double force;  ///< less in absolute value than full sliding  [N/mm]
+};
+
+/// The last are tractions at the N nodes, nowhere above the bound by more than 1e-3 of the largest:
+/// they may have been printed with few digits  [N/mm^2]
+using Start = std::variant<Rest, CattaneoShift, Eigen::VectorXd>;
+
+/// \throws std::invalid_argument if a traction is not finite or above the bound, see Start
+void require_within_bound(const Eigen::VectorXd& x, const Eigen::VectorXd& bound,
+                          const Eigen::VectorXd& traction);
 
 /// Values at the N nodes at the end of a step, and what follows from them. A positive creepage
 /// gives negative tractions.
@@ -46,8 +63,8 @@ struct TransientState {
 /// Cattaneo shift that turns to Carter's solution, tests/order/transient_order_test.cpp.
 class TransientRolling {
  public:
-  /// From rest: no tractions.
-  explicit TransientRolling(const TransientProblem& problem);
+  /// \throws as start_from_shift, if that is how it starts; as require_within_bound for tractions
+  explicit TransientRolling(const TransientProblem& problem, const Start& start = Rest{});
 
   const Eigen::VectorXd& x() const { return x_; }          ///< nodes  [mm]
   const Eigen::VectorXd& bound() const { return bound_; }  ///< at the nodes  [N/mm^2]
@@ -57,8 +74,7 @@ class TransientRolling {
   Eigen::VectorXd displacement() const { return active_set_.respond(state_.traction); }
 
   /// Makes these the tractions, with nothing rolled.
-  /// \param traction  N, nowhere above the bound by more than 1e-3 of the largest  [N/mm^2]
-  /// \throws std::invalid_argument outside the range
+  /// \throws as require_within_bound
   void start_from(const Eigen::VectorXd& traction);
 
   /// Shifts the bodies without rolling until they carry the force, from no tractions.
@@ -71,6 +87,13 @@ class TransientRolling {
   /// \throws std::invalid_argument outside the range, and as ActiveSet::solve
   void step(double length, const Load& load);
 
+  /// Rolls a distance in steps of the given lengths, in turn; the last is shortened to end there.
+  /// \param distance    (0, inf)  [mm]
+  /// \param lengths     dq, at least one, each as for step()  [mm]
+  /// \param after_step  called after each
+  void roll(double distance, const std::vector<double>& lengths, const Load& load,
+            const std::function<void(const TransientState&)>& after_step);
+
  private:
   Eigen::VectorXd x_;
   Eigen::VectorXd bound_;
@@ -81,13 +104,7 @@ class TransientRolling {
   TransientState state_;
 };
 
-/// Rolls a distance in steps of the given lengths, in turn; the last is shortened to end there.
-/// \param lengths     dq, at least one, each in (0, inf)  [mm]
-/// \param after_step  called after each
-void roll(TransientRolling& rolling, double distance, const std::vector<double>& lengths,
-          const Load& load, const std::function<void(const TransientState&)>& after_step);
-
-/// Their number.
+/// How many steps TransientRolling::roll takes.
 std::size_t number_of_steps(double distance, const std::vector<double>& lengths);
 
 }  // namespace microslip

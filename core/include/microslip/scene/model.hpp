@@ -2,6 +2,7 @@
 #pragma once
 
 #include "microslip/rolling/steady.hpp"
+#include "microslip/rolling/transient.hpp"
 #include "microslip/scene/scene.hpp"
 
 namespace microslip {
@@ -37,5 +38,23 @@ SteadyProblem read_steady(Scene& scene);
 
 /// All of the above, with a given step ratio.
 SteadyProblem read_steady(Scene& scene, double step_ratio);
+
+/// step.scheme direct|relaxed|relaxed_traction|fractional (direct); step.relaxation (1) of the
+/// second and third
+AdvectionScheme read_scheme(Scene& scene);
+
+/// A transient problem with all that happens to it.
+struct TransientScene {
+  TransientProblem problem;
+  Start start;
+  double distance;                  ///< (0, inf)  [mm]
+  std::vector<double> step_ratios;  ///< dq/dx, taken in turn, each (0, inf)  [1]
+  Load load;
+};
+
+/// All of a steady scene but step.ratio, and: step.ratio (one or more numbers), step.scheme,
+/// motion.distance, start.type rest|cattaneo|file; start.force (load.force) of the second,
+/// start.file (columns x traction, at the nodes) of the third.
+TransientScene read_transient(Scene& scene);
 
 }  // namespace microslip

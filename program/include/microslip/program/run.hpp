@@ -11,6 +11,8 @@
 
 namespace microslip::program {
 
+using Work = std::function<std::vector<Table>(const Progress&)>;
+
 /// An executable: a scene in, tables out.
 struct Program {
   std::string name;
@@ -19,7 +21,7 @@ struct Program {
   std::string quick;        ///< what --quick changes in it; empty if there is no quick version
   std::string default_out;  ///< folder for the tables
   /// Reads all keys it needs, and returns the work to do once the scene has been accepted.
-  std::function<std::function<std::vector<Table>(const Progress&)>(Scene&)> prepare;
+  std::function<Work(Scene&)> prepare;
 };
 
 /// Parses the command line, runs the program and writes its tables, with provenance.txt last.

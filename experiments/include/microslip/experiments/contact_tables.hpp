@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "microslip/friction/active_set.hpp"
+#include "microslip/scene/table.hpp"
+
+namespace microslip::experiments {
+
+/// "A" in adhesion, "S" in slip.
+std::string region(Zone zone);
+
+/// Values at the nodes, all of one length; for the units see SteadySolution.
+struct NodeValues {
+  const Eigen::VectorXd& x;
+  const Eigen::VectorXd& bound;
+  const Eigen::VectorXd& traction;
+  const Eigen::VectorXd& slip;
+  const Eigen::VectorXd& displacement;
+  const std::vector<Zone>& zones;
+};
+
+/// The table `traction`: a row a node.
+Table traction_table(const std::string& description, const NodeValues& values);
+
+/// The table `summary`, a row a quantity, without rows.
+Table empty_summary(const std::string& description);
+
+}  // namespace microslip::experiments

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/contact_tables.hpp"
+
+namespace microslip::experiments {
+
+std::string region(Zone zone) { return zone == Zone::adhesion ? "A" : "S"; }
+
+Table traction_table(const std::string& description, const NodeValues& values) {
+  Table table("traction", description,
+              {{"x", "mm", "position; the leading edge is at x = +half_width"},
+               {"bound", "N/mm^2", "traction bound g"},
+               {"traction", "N/mm^2", "tangential traction p"},
+               {"slip", "1", "relative slip s"},
+               {"displacement", "mm", "tangential displacement difference u"},
+               {"region", "1", "A adhesion, S slip"}});
+  for (Eigen::Index i = 0; i < values.x.size(); ++i) {
+    table.add({values.x[i], values.bound[i], values.traction[i], values.slip[i],
+               values.displacement[i], region(values.zones[static_cast<std::size_t>(i)])});
+  }
+  return table;
+}
+
+Table empty_summary(const std::string& description) {
+  return {"summary",
+          description,
+          {{"quantity", "1", "name"},
+           {"value", "see unit", "value"},
+           {"unit", "1", "unit of the value"}}};
+}
+
+}  // namespace microslip::experiments

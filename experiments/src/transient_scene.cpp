@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/transient_scene.hpp"
+
+#include "microslip/experiments/contact_tables.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+std::vector<double> lengths_of(const TransientScene& scene) {
+  std::vector<double> lengths = scene.step_ratios;
+  for (double& length : lengths) length *= scene.problem.grid.spacing();
+  return lengths;
+}
+
+Table empty_history() {
+  return {"history",
+          "transient rolling, a row a step; the first is the start, where there is no rate",
+          {{"q", "mm", "distance rolled"},
+           {"force", "N/mm", "total force F"},
+           {"creepage", "1", "relative rigid slip w of the step"},
+           {"adhesion_elements", "1", "elements in adhesion"},
+           {"slip_elements", "1", "elements in slip"},
+           {"dissipation", "N/mm", "energy lost per mm rolled and mm width"},
+           {"iterations", "1", "stick/slip partitions tried"}}};
+}
+
+void add(Table& history, const TransientState& state) {
+  history.add({state.distance, state.force, state.creepage,
+               static_cast<double>(state.adhesion_elements()),
+               static_cast<double>(state.slip_elements()), state.dissipation,
+               static_cast<double>(state.iterations)});
+}
+
+}  // namespace
+
+std::vector<Table> transient_scene(const TransientScene& scene, const Progress& progress) {
+  const std::vector<double> lengths = lengths_of(scene);
+  const std::size_t steps = number_of_steps(scene.distance, lengths);
+  TransientRolling rolling(scene.problem, scene.start);
+  Table history = empty_history();
+  add(history, rolling.state());
+  double cumulative_creep = 0;
+  double dissipated = 0;
+  double before = 0;
+  rolling.roll(scene.distance, lengths, scene.load, [&](const TransientState& state) {
+    add(history, state);
+    cumulative_creep += state.creepage * (state.distance - before);
+    dissipated += state.dissipation * (state.distance - before);
+    before = state.distance;
+    progress(history.rows() - 1, steps);
+  });
+
+  const TransientState& last = rolling.state();
+  const double full_sliding = full_sliding_force(scene.problem.bound);
+  Table summary = empty_summary("transient rolling, the whole contact at the end");
+  summary.add({"distance", last.distance, "mm"});
+  summary.add({"steps", static_cast<double>(steps), "1"});
+  summary.add({"force", last.force, "N/mm"});
+  summary.add({"creepage", last.creepage, "1"});
+  summary.add({"cumulative_creep", cumulative_creep, "mm"});
+  summary.add({"force_ratio", last.force / full_sliding, "1"});
+  summary.add({"full_sliding_force", full_sliding, "N/mm"});
+  summary.add({"adhesion_elements", static_cast<double>(last.adhesion_elements()), "1"});
+  summary.add({"slip_elements", static_cast<double>(last.slip_elements()), "1"});
+  summary.add({"dissipation", last.dissipation, "N/mm"});
+  summary.add({"dissipated_energy", dissipated, "N"});
+  return {traction_table("transient rolling, values at the nodes at the end",
+                         {rolling.x(), rolling.bound(), last.traction, last.slip,
+                          rolling.displacement(), last.zones}),
+          history, summary};
+}
+
+}  // namespace microslip::experiments
