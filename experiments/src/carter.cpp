@@ -5,6 +5,7 @@
 
 #include "microslip/experiments/claims.hpp"
 #include "microslip/experiments/contact_tables.hpp"
+#include "microslip/experiments/profile.hpp"
 #include "microslip/reference/carter.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
@@ -79,14 +80,6 @@ Table claims_of(const Table& summary, const Table& accuracy) {
 }
 
 }  // namespace
-
-Eigen::Index turning_points(const Eigen::VectorXd& values) {
-  Eigen::Index count = 0;
-  for (Eigen::Index i = 1; i + 1 < values.size(); ++i) {
-    count += (values[i] - values[i - 1]) * (values[i + 1] - values[i]) < 0;
-  }
-  return count;
-}
 
 CarterParameters read_carter(Scene& scene) {
   if (scene.has("contact.bound_file")) {

@@ -169,7 +169,7 @@ std::pair<Table, Table> spectrum_tables(const Parameters& p, const Progress& pro
       for (const std::complex<double>& value : found) {
         values.add({name, c, value.real() / c, value.imag() / c});
       }
-      const double least = least_magnitude(Symbol(p.kernel, shape, p.spacing, c)) /
+      const double least = least_magnitude(Symbol::of_strain(p.kernel, shape, p.spacing, c)) /
                            compliance(material_of(p.kernel));
       spectrum.add({name, c, condition(b), condition(difference(p, shape, p.elements + 1, c)),
                     found.imag().cwiseAbs().sum() / found.real().cwiseAbs().sum(), least});

@@ -56,12 +56,6 @@ TEST(CarterStudy, Verdicts) {
             (std::vector<std::string>{"reproduced", "reproduced"}));
 }
 
-TEST(TurningPoints, CountsInteriorExtrema) {
-  EXPECT_EQ(turning_points(Eigen::Vector4d(1, 2, 3, 4)), 0);
-  EXPECT_EQ(turning_points(Eigen::Vector4d(1, 2, 1, 2)), 2);
-  EXPECT_EQ(turning_points(Eigen::Vector4d(1, 2, 2, 1)), 0);
-}
-
 TEST(SteadyScene, SummaryHoldsThePromisedRows) {
   const auto tables = steady_scene({.kernel = PlaneKernel(material, 200),
                                     .bound = HertzBound(1, 1),

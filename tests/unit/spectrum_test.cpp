@@ -15,7 +15,7 @@ namespace {
 constexpr Material material{1, 0.28};
 
 Symbol symbol_of(const ShapeFunction& shape, double step_ratio) {
-  return {PlaneKernel(material, 1), shape, 1, step_ratio};
+  return Symbol::of_strain(PlaneKernel(material, 1), shape, 1, step_ratio);
 }
 
 // c = 1, constant functions, plane strain: at the highest frequency the aliases sum to 8 G / pi^2,
@@ -54,6 +54,50 @@ TEST(Symbol, LeastMagnitudes) {
   EXPECT_NEAR(least(linear_shape(), 1), 0.543, 5e-4);
   EXPECT_NEAR(least(linear_shape(), 0.2), 0.338, 5e-4);
   EXPECT_NEAR(least(linear_shape(), 0.01), 0.036, 5e-4);
+}
+
+/// Sums over aliases of K^(xi) shape^(xi) exp(i xi c) for constant functions, with K^ = 1/|xi|.
+std::complex<double> influence_sum(double theta, double c) {
+  std::complex<double> sum = 0;
+  for (int m = -400000; m <= 400000; ++m) {
+    const double xi = theta + 2 * std::numbers::pi * m;
+    sum += 2 * std::sin(xi / 2) / (xi * std::abs(xi)) * std::polar(1.0, xi * c);
+  }
+  return sum;
+}
+
+TEST(Symbol, OfTheInfluenceAgreesWithTheSumOverAliases) {
+  const Symbol symbol = Symbol::of_influence(PlaneKernel(material, 1), constant_shape(), 1);
+  for (const double theta : {std::numbers::pi / 64, std::numbers::pi / 16, 1.0, std::numbers::pi}) {
+    const std::complex<double> exact = influence_sum(theta, 0);
+    const std::complex<double> error = symbol(theta) / compliance(material) / exact - 1.0;
+    EXPECT_LT(std::abs(error), theta < 0.1 ? 1e-5 : 1e-7) << theta;
+  }
+}
+
+TEST(Amplification, IsTheQuotientOfShiftedAndUnshiftedSums) {
+  for (const double c : {0.05, 0.5, 0.8, 1.0, 1.7}) {
+    const Amplification g(PlaneKernel(material, 1), constant_shape(), 1, c);
+    for (const double theta : {std::numbers::pi / 16, 1.0, 2.0, std::numbers::pi}) {
+      const std::complex<double> exact = influence_sum(theta, c) / influence_sum(theta, 0);
+      EXPECT_LT(std::abs(g(theta) - exact), 1e-7) << c << ' ' << theta;
+    }
+  }
+}
+
+// Stable for any step, and a translation for a whole one.
+TEST(Amplification, NeverAmplifies) {
+  for (const ShapeFunction& shape : {constant_shape(), linear_shape()}) {
+    for (const double c : {1e-3, 0.05, 0.2, 0.5, 0.8, 0.99, 1.0, 1.3, 2.0}) {
+      const Amplification g(StripKernel(material, 40), shape, 1, c);
+      for (int k = 2; k <= 64; ++k) {
+        const double theta = k * std::numbers::pi / 64;
+        EXPECT_LT(std::abs(g(theta)), 1 + 1e-7) << c << ' ' << theta;
+        if (c != std::round(c)) continue;
+        EXPECT_LT(std::abs(g(theta) - std::polar(1.0, c * theta)), 1e-6) << c << ' ' << theta;
+      }
+    }
+  }
 }
 
 TEST(FourierInverse, TransformsAndRotationsUndoEachOther) {

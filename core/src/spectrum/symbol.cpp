@@ -19,13 +19,21 @@ constexpr double lowest = std::numbers::pi / 64;
 
 }  // namespace
 
-Symbol::Symbol(const Kernel& kernel, const ShapeFunction& shape, double spacing,
-               double step_ratio) {
+Symbol Symbol::of_strain(const Kernel& kernel, const ShapeFunction& shape, double spacing,
+                         double step_ratio) {
   require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
-  for (int k = -reach; k <= reach; ++k) {
-    differences_.push_back(influence_difference(kernel, shape, spacing, k, step_ratio) /
-                           (step_ratio * spacing));
-  }
+  return Symbol([&](double offset) {
+    return influence_difference(kernel, shape, spacing, offset, step_ratio) /
+           (step_ratio * spacing);
+  });
+}
+
+Symbol Symbol::of_influence(const Kernel& kernel, const ShapeFunction& shape, double spacing) {
+  return Symbol([&](double offset) { return influence(kernel, shape, spacing, offset); });
+}
+
+Symbol::Symbol(const std::function<double(double)>& coefficient) {
+  for (int k = -reach; k <= reach; ++k) differences_.push_back(coefficient(k));
   for (int pass = 0; pass < order; ++pass) {
     for (std::size_t i = 0; i + 1 < differences_.size(); ++i) {
       differences_[i] = differences_[i + 1] - differences_[i];
@@ -40,6 +48,16 @@ std::complex<double> Symbol::operator()(double theta) const {
     sum += std::polar(differences_[i], (reach - static_cast<double>(i)) * theta);
   }
   return sum / std::pow(std::polar(1.0, theta) - 1.0, order);
+}
+
+Amplification::Amplification(const Kernel& kernel, const ShapeFunction& shape, double spacing,
+                             double step_ratio)
+    : strain_(Symbol::of_strain(kernel, shape, spacing, step_ratio)),
+      influence_(Symbol::of_influence(kernel, shape, spacing)),
+      length_(step_ratio * spacing) {}
+
+std::complex<double> Amplification::operator()(double theta) const {
+  return 1.0 - length_ * strain_(theta) / influence_(theta);
 }
 
 double least_magnitude(const Symbol& symbol) {

@@ -25,8 +25,4 @@ CarterParameters read_carter(Scene& scene);
 /// c) and claims. \throws NotConverged as solve_steady
 std::vector<Table> carter(const CarterParameters& parameters, const Progress& progress);
 
-/// Number of interior local extrema of a sequence; equal neighbours do not count.
-/// Carter's traction has one, at the stick-slip point.
-Eigen::Index turning_points(const Eigen::VectorXd& values);
-
 }  // namespace microslip::experiments

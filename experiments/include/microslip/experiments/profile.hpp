@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace microslip::experiments {
+
+// The shape of values at uniform nodes. Positions count nodes from 0.
+
+/// Number of interior local extrema; equal neighbours do not count.
+/// \param threshold  rises and falls up to this are flat, >= 0
+Eigen::Index turning_points(const Eigen::VectorXd& values, double threshold = 0);
+
+/// Sum of all rises and falls between neighbours.
+double total_variation(const Eigen::VectorXd& values);
+
+struct Peak {
+  double height;    ///< of the largest value
+  double position;  ///< of the parabola through it and its neighbours
+  double width;     ///< between the two points next to it at half its height
+};
+
+/// The largest value; the width ends at the first and last node at the latest.
+Peak peak_of(const Eigen::VectorXd& values);
+
+}  // namespace microslip::experiments

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "microslip/experiments/cattaneo_to_carter.hpp"
+#include "microslip/scene/scene.hpp"
+#include "microslip/scene/table.hpp"
+#include "microslip/support/progress.hpp"
+
+namespace microslip::experiments {
+
+/// What becomes of a traction peak that travels by a step that is no whole number of elements?
+/// Thesis chapter 4, for the direct scheme with constant and linear functions.
+struct SmoothingParameters {
+  CattaneoToCarter rolling;         ///< its kernel and spacing are those of the pulse as well
+  std::vector<double> step_ratios;  ///< c, each >= 1e-15; the first is a whole number  [1]
+  double distance;                  ///< of Figs. 4.2 and 4.3, in elements
+  Eigen::Index pulse_elements;      ///< size of A^-1 A', odd; the pulse starts in the middle
+  Eigen::Index frequencies;         ///< of the amplification factor, in [8, 1000]
+  Eigen::Index refinement;          ///< elements of the reference for each one, >= 2
+};
+
+/// The keys of a CattaneoToCarter, step.ratios, motion.elements, pulse.elements,
+/// spectrum.frequencies, reference.refinement
+SmoothingParameters read_smoothing(Scene& scene);
+
+/// Tables: pulse (A^-1 A' on a unit pulse after one step and after the distance, Figs. 4.1, 4.2),
+/// pulse_summary (sum, peak, width, total variation), amplification (damping and speed against
+/// frequency), traction and reference (Cattaneo to Carter, Fig. 4.3), summary (its peaks and
+/// errors), claims.
+std::vector<Table> smoothing(const SmoothingParameters& parameters, const Progress& progress);
+
+}  // namespace microslip::experiments

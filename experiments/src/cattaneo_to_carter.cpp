@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/cattaneo_to_carter.hpp"
+
+#include <algorithm>
+
+#include "microslip/scene/model.hpp"
+
+namespace microslip::experiments {
+
+TransientProblem CattaneoToCarter::problem(const AdvectionScheme& scheme) const {
+  return {.kernel = kernel, .bound = bound, .grid = grid, .basis = basis, .scheme = scheme};
+}
+
+TransientRolling CattaneoToCarter::rolled(const AdvectionScheme& scheme, double step_ratio,
+                                          double elements) const {
+  TransientRolling rolling(problem(scheme), CattaneoShift{force});
+  rolling.roll(elements * grid.spacing(), {step_ratio * grid.spacing()}, PrescribedForce{force},
+               [](const TransientState&) {});
+  return rolling;
+}
+
+TransientRolling CattaneoToCarter::refined(double elements, Eigen::Index refinement) const {
+  CattaneoToCarter fine = *this;
+  fine.grid = Grid({.half_width = grid.half_width(), .elements = refinement * grid.size()});
+  return fine.rolled(Direct{}, 1, elements * grid.spacing() / fine.grid.spacing());
+}
+
+CattaneoToCarter read_cattaneo_to_carter(Scene& scene) {
+  const Material material = read_material(scene);
+  const HertzBound bound = read_hertz_bound(scene);
+  const Kernel kernel = read_kernel(scene, material);
+  const Grid grid({.half_width = bound.half_width(), .elements = scene.whole("grid.elements")});
+  const Basis basis = make_basis(scene.word_or_first("basis", {"constant", "linear"}));
+  return {.kernel = kernel,
+          .bound = bound,
+          .grid = grid,
+          .basis = basis,
+          .force = scene.number("load.force")};
+}
+
+Eigen::VectorXd interpolated(const Eigen::VectorXd& x, const Eigen::VectorXd& values,
+                             const Eigen::VectorXd& at) {
+  return at.unaryExpr([&](double position) {
+    const auto after = std::upper_bound(x.begin(), x.end(), position) - x.begin();
+    if (after == 0) return values[0];
+    if (after == x.size()) return values[x.size() - 1];
+    const double part = (position - x[after - 1]) / (x[after] - x[after - 1]);
+    return (1 - part) * values[after - 1] + part * values[after];
+  });
+}
+
+}  // namespace microslip::experiments

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/smoothing.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "microslip/experiments/claims.hpp"
+#include "microslip/experiments/profile.hpp"
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/spectrum/symbol.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Parameters = SmoothingParameters;
+
+/// A^-1 A' for steps of any length.
+class Transport {
+ public:
+  Transport(const Parameters& p, Basis basis)
+      : kernel_(p.rolling.kernel),
+        basis_(std::move(basis)),
+        spacing_(p.rolling.grid.spacing()),
+        size_(p.pulse_elements),
+        factors_(influence_matrix(kernel_, basis_, spacing_, size_)) {}
+
+  MatrixXd matrix(double step_ratio) const {
+    const MatrixXd difference =
+        influence_difference_matrix(kernel_, basis_, spacing_, size_, step_ratio);
+    return MatrixXd::Identity(size_, size_) - factors_.solve(difference);
+  }
+
+  /// A unit pulse in the middle after a distance in elements, the last step shortened.
+  VectorXd pulse(double step_ratio, double distance) const {
+    VectorXd traction = VectorXd::Unit(size_, size_ / 2);
+    const double full_steps = std::floor(distance / step_ratio * (1 + 1e-12));
+    const MatrixXd step = matrix(step_ratio);
+    for (double k = 0; k < full_steps; ++k) traction = step * traction;
+    const double rest = distance - full_steps * step_ratio;
+    if (rest > 1e-9 * step_ratio) traction = matrix(rest) * traction;
+    return traction;
+  }
+
+ private:
+  Kernel kernel_;
+  Basis basis_;
+  double spacing_;
+  Index size_;
+  Eigen::PartialPivLU<MatrixXd> factors_;
+};
+
+struct Tables {
+  Table pulse{"pulse",
+              "A^-1 A' on a unit pulse, thesis Figs. 4.1 and 4.2",
+              {{"basis", "1", "traction functions"},
+               {"step_ratio", "1", "c = dq/dx"},
+               {"distance", "dx", "travelled: one step, or the distance of the scene"},
+               {"position", "dx", "from where the pulse started"},
+               {"traction", "1", "what has become of the pulse"}}};
+  Table pulse_summary{"pulse_summary",
+                      "the shape of the pulse; exact: all of it at -distance",
+                      {{"basis", "1", "traction functions"},
+                       {"step_ratio", "1", "c = dq/dx"},
+                       {"distance", "dx", "travelled"},
+                       {"sum", "1", "sum of the column; exact: 1"},
+                       {"peak", "1", "largest value; exact: 1"},
+                       {"peak_position", "dx", "from where the pulse started"},
+                       {"width", "dx", "at half the peak; of one element: 1"},
+                       {"least", "1", "smallest value; exact: 0"},
+                       {"total_variation", "1", "sum of rises and falls; exact: 2"}}};
+  Table amplification{
+      "amplification",
+      "what a step does to the traction exp(i theta k) in adhesion",
+      {{"basis", "1", "traction functions"},
+       {"step_ratio", "1", "c = dq/dx"},
+       {"frequency", "1", "theta / pi, below 1, which would alternate from node to node"},
+       {"magnitude", "1", "|g| of one step; exact: 1"},
+       {"damping", "1", "|g|^(1/c), that of one element travelled; exact: 1"},
+       {"speed", "1", "arg g / (c theta); exact: 1"}}};
+  Table traction{"traction",
+                 "from a Cattaneo shift to Carter's solution, thesis Fig. 4.3",
+                 {{"step_ratio", "1", "c = dq/dx"},
+                  {"x", "mm", "position; the leading edge is at x = +half_width"},
+                  {"bound", "N/mm^2", "traction bound g"},
+                  {"traction", "N/mm^2", "tangential traction p"}}};
+  Table reference{"reference",
+                  "the same on a finer grid, with c = 1 there",
+                  {{"x", "mm", "position"}, {"traction", "N/mm^2", "tangential traction p"}}};
+  Table summary{
+      "summary",
+      "from a Cattaneo shift to Carter's solution, errors",
+      {{"step_ratio", "1", "c = dq/dx"},
+       {"error", "1", "integral of |p - reference|, over that of |reference|"},
+       {"largest_error", "N/mm^2", "of the traction at a node"},
+       {"peak", "N/mm^2", "largest |p|"},
+       {"reference_peak", "N/mm^2", "that of the reference"},
+       {"flank_motion", "dx",
+        "where |p| falls to a third of the reference's peak towards the leading edge: by how "
+        "much it is ahead of the reference's"},
+       {"total_variation", "N/mm^2", "sum of rises and falls"},
+       {"turning_points", "1", "local extrema"}}};
+};
+
+void add_pulse(Tables& tables, const std::string& basis, double step_ratio, double distance,
+               const VectorXd& values) {
+  const auto start = static_cast<double>(values.size() / 2);
+  for (Index i = 0; i < values.size(); ++i) {
+    tables.pulse.add({basis, step_ratio, distance, static_cast<double>(i) - start, values[i]});
+  }
+  const Peak peak = peak_of(values);
+  tables.pulse_summary.add({basis, step_ratio, distance, values.sum(), peak.height,
+                            peak.position - start, peak.width, values.minCoeff(),
+                            total_variation(values)});
+}
+
+void add_amplification(Tables& tables, const Parameters& p, const Basis& basis, double c) {
+  constexpr double lowest = 1.0 / 32;
+  const Amplification g(p.rolling.kernel, basis.shapes().front(), p.rolling.grid.spacing(), c);
+  for (Index k = 1; k < p.frequencies; ++k) {
+    const double frequency = static_cast<double>(k) / static_cast<double>(p.frequencies);
+    if (frequency < lowest) continue;
+    const double exact_phase = c * frequency * std::numbers::pi;
+    const std::complex<double> value = g(frequency * std::numbers::pi);
+    const double phase = exact_phase + std::arg(value * std::polar(1.0, -exact_phase));
+    const double magnitude = std::abs(value);
+    tables.amplification.add(
+        {basis.name(), c, frequency, magnitude, std::pow(magnitude, 1 / c), phase / exact_phase});
+  }
+}
+
+void add_pulses(Tables& tables, const Parameters& p, const Basis& basis) {
+  const Transport transport(p, basis);
+  for (const double c : p.step_ratios) {
+    add_pulse(tables, basis.name(), c, c, transport.pulse(c, c));
+    add_pulse(tables, basis.name(), c, p.distance, transport.pulse(c, p.distance));
+    add_amplification(tables, p, basis, c);
+  }
+}
+
+/// The largest x at which |p| has the level  [mm].
+double flank_of(const TransientRolling& rolling, double level) {
+  const VectorXd p = rolling.state().traction.cwiseAbs();
+  Index i = p.size() - 1;
+  while (i > 0 && p[i - 1] < level) --i;
+  const double spacing = rolling.x()[1] - rolling.x()[0];
+  return rolling.x()[i] - (i == 0 ? 0 : spacing * (level - p[i]) / (p[i - 1] - p[i]));
+}
+
+void add_rolling(Tables& tables, double step_ratio, const TransientRolling& rolling,
+                 const TransientRolling& fine) {
+  const VectorXd& x = rolling.x();
+  const VectorXd& traction = rolling.state().traction;
+  for (Index i = 0; i < x.size(); ++i) {
+    tables.traction.add({step_ratio, x[i], rolling.bound()[i], traction[i]});
+  }
+  const VectorXd reference = interpolated(fine.x(), fine.state().traction, x);
+  const VectorXd error = traction - reference;
+  const double relative_error = error.lpNorm<1>() / reference.lpNorm<1>();
+  const double peak = traction.cwiseAbs().maxCoeff();
+  const double exact_peak = fine.state().traction.cwiseAbs().maxCoeff();
+  const double motion = flank_of(fine, exact_peak / 3) - flank_of(rolling, exact_peak / 3);
+  const auto turns = static_cast<double>(turning_points(traction, 1e-6 * exact_peak));
+  tables.summary.add({step_ratio, relative_error, error.lpNorm<Eigen::Infinity>(), peak, exact_peak,
+                      motion / (x[1] - x[0]), total_variation(traction), turns});
+}
+
+/// Statements of the thesis on A^-1 A', with constant functions and its own step ratios.
+std::vector<Claim> pulse_claims(const Parameters& p) {
+  const Transport transport(p, constant_basis());
+  const MatrixXd unit = transport.matrix(1);
+  const Index n = unit.rows();
+  const double off_shift =
+      (unit.rightCols(n - 1) - MatrixXd::Identity(n, n).leftCols(n - 1)).cwiseAbs().maxCoeff();
+  double worst_sum = 1;
+  for (const double c : {0.8, 0.5, 0.2, 0.05}) {
+    const double sum = transport.pulse(c, c).sum();
+    if (std::abs(sum - 1) > std::abs(worst_sum - 1)) worst_sum = sum;
+  }
+  const auto after = [&](double c) { return transport.pulse(c, p.distance); };
+  const auto motion = [&](double c) {
+    return static_cast<double>(n / 2) - peak_of(after(c)).position;
+  };
+  const double fast = motion(0.8), even = motion(0.5), slow = motion(0.2);
+  const double highest = std::max(peak_of(after(0.8)).height, peak_of(after(0.5)).height);
+  const VectorXd wiggly = after(0.05);
+  const std::string over = " dx of the peak after " + format_short(p.distance) + " dx";
+  return {
+      {"c = 1: A^-1 A' has a one before the diagonal and zeros elsewhere, but for a column", "4", 0,
+       off_shift, "1", verdict_of(off_shift < 1e-9), "largest deviation from that"},
+      {"the columns of A^-1 A' sum up to one for all c", "4", 1, worst_sum, "1",
+       verdict_of(std::abs(worst_sum - 1) < 1e-6), "of the middle column, the c furthest from one"},
+      {"smoothing appears whenever c is not an integer", "4", not_given, highest, "1",
+       verdict_of(highest < 0.5 && std::abs(peak_of(after(1)).height - 1) < 1e-9),
+       "largest height of a unit pulse after the distance, c = 0.8 or 0.5; 1 for c = 1"},
+      {"c > 1/2: the forward motion is overestimated", "4", not_given, fast, "dx",
+       verdict_of(fast > p.distance + 0.5), "motion at c = 0.8 in" + over},
+      {"c = 1/2: the forward motion is overestimated", "4", not_given, even, "dx",
+       std::abs(even - p.distance) < 0.01 ? "corrected" : verdict_of(even > p.distance),
+       "motion at c = 0.5 in" + over + ": by symmetry all frequencies travel at the right speed"},
+      {"c < 1/2: the forward motion is underestimated", "4", not_given, slow, "dx",
+       verdict_of(slow < p.distance - 0.5), "motion at c = 0.2 in" + over},
+      {"a small c may even add or amplify wiggles", "4", not_given, total_variation(wiggly), "1",
+       verdict_of(total_variation(wiggly) > 2 && turning_points(wiggly, 1e-3) > 5),
+       "total variation of a unit pulse at c = 0.05 after the distance; at the start 2"}};
+}
+
+Table claims_of(const Parameters& p, const Table& summary) {
+  std::vector<Claim> claims = pulse_claims(p);
+  double fast = 0, slow = 0;
+  for (std::size_t i = 0; i < summary.rows(); ++i) {
+    const double c = summary.number(i, "step_ratio");
+    const double motion = summary.number(i, "flank_motion");
+    if (c > 0.5 && c < 1) fast = std::max(fast, motion);
+    if (c < 0.5) slow = std::min(slow, motion);
+  }
+  claims.push_back({"Cattaneo to Carter looks very similar", "4", not_given, slow, "dx",
+                    verdict_of(fast > 0.5 && slow < -0.5),
+                    "the flank is ahead of the reference by this for c < 1/2, by " +
+                        format_short(std::round(100 * fast) / 100) + " dx for c > 1/2"});
+  return claims_table(claims);
+}
+
+}  // namespace
+
+SmoothingParameters read_smoothing(Scene& scene) {
+  SmoothingParameters p{.rolling = read_cattaneo_to_carter(scene),
+                        .step_ratios = scene.numbers("step.ratios"),
+                        .distance = scene.number("motion.elements"),
+                        .pulse_elements = scene.whole("pulse.elements"),
+                        .frequencies = scene.whole("spectrum.frequencies"),
+                        .refinement = scene.whole("reference.refinement")};
+  for (const double c : p.step_ratios) {
+    require(c >= min_step_ratio, "step.ratios", c, "numbers >= 1e-15");
+  }
+  require_positive("motion.elements", p.distance);
+  const auto demand = [](const char* key, Index value, bool holds, const char* accepted) {
+    require(holds, key, static_cast<double>(value), accepted);
+  };
+  demand("pulse.elements", p.pulse_elements,
+         p.pulse_elements % 2 == 1 && p.pulse_elements >= 3 && p.pulse_elements <= 2001,
+         "an odd number in [3, 2001]");
+  demand("spectrum.frequencies", p.frequencies, p.frequencies >= 8 && p.frequencies <= 1000,
+         "a whole number in [8, 1000]");
+  demand("reference.refinement", p.refinement, p.refinement >= 2, "a whole number >= 2");
+  return p;
+}
+
+std::vector<Table> smoothing(const SmoothingParameters& p, const Progress& progress) {
+  Tables tables;
+  const std::size_t total = p.step_ratios.size() + 3;
+  for (const Basis& basis : {constant_basis(), linear_basis()}) {
+    add_pulses(tables, p, basis);
+  }
+  progress(2, total);
+  const TransientRolling fine = p.rolling.refined(p.distance, p.refinement);
+  progress(3, total);
+  for (const double c : p.step_ratios) {
+    add_rolling(tables, c, p.rolling.rolled(Direct{}, c, p.distance), fine);
+    progress(3 + tables.summary.rows(), total);
+  }
+  for (Index i = 0; i < fine.x().size(); ++i) {
+    tables.reference.add({fine.x()[i], fine.state().traction[i]});
+  }
+  return {tables.pulse,     tables.pulse_summary, tables.amplification,        tables.traction,
+          tables.reference, tables.summary,       claims_of(p, tables.summary)};
+}
+
+}  // namespace microslip::experiments
