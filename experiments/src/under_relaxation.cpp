@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/under_relaxation.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "microslip/experiments/claims.hpp"
+#include "microslip/experiments/contact_tables.hpp"
+#include "microslip/experiments/profile.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Parameters = UnderRelaxationParameters;
+
+/// Rises and falls below this, of the peak bound, are flat.
+constexpr double flat = 1e-9;
+
+double turns(const VectorXd& traction, const HertzBound& bound) {
+  return static_cast<double>(turning_points(traction, flat * bound.peak()));
+}
+
+struct Tables {
+  Table traction{"traction",
+                 "from a Cattaneo shift to Carter's solution, thesis Figs. 7.1 and 7.2",
+                 {{"scheme", "1", "direct or relaxed"},
+                  {"step_ratio", "1", "c = dq/dx"},
+                  {"distance", "dx", "rolled"},
+                  {"x", "mm", "position; the leading edge is at x = +half_width"},
+                  {"bound", "N/mm^2", "traction bound g"},
+                  {"traction", "N/mm^2", "tangential traction p"}}};
+  Table reference{"reference",
+                  "the same on a finer grid, with c = 1 there",
+                  {{"distance", "dx", "rolled"},
+                   {"x", "mm", "position"},
+                   {"traction", "N/mm^2", "tangential traction p"}}};
+  Table summary{"summary",
+                "errors and local extrema",
+                {{"scheme", "1", "direct or relaxed"},
+                 {"step_ratio", "1", "c = dq/dx"},
+                 {"distance", "dx", "rolled"},
+                 {"error", "1", "integral of |p - reference|, over that of |reference|"},
+                 {"largest_error", "N/mm^2", "of the traction at a node"},
+                 {"near", "1", "part of the nodes within 1 % of the peak bound of c = c*"},
+                 {"total_variation", "N/mm^2", "sum of rises and falls"},
+                 {"turning_points", "1", "local extrema"}}};
+  Table wiggles{"wiggles",
+                "local extrema against the step ratio, on a coarser grid",
+                {{"scheme", "1", "direct or relaxed"},
+                 {"step_ratio", "1", "c = dq/dx"},
+                 {"steps", "1", "steps made"},
+                 {"turning_points", "1", "local extrema of the traction"},
+                 {"total_variation", "N/mm^2", "sum of rises and falls"}}};
+  Table comparison{"comparison",
+                   "relaxation of A' (7.4) and of the tractions (7.10), step by step",
+                   {{"q", "dx", "distance rolled"},
+                    {"same_partition", "1", "1 if it was the same in all steps up to here"},
+                    {"differing_elements", "1", "elements in adhesion in one of them only"},
+                    {"difference", "N/mm^2", "largest one of the tractions"}}};
+  Table parting{"parting",
+                "where (7.4) and (7.10) first part",
+                {{"q", "dx", "distance rolled"},
+                 {"x", "mm", "position"},
+                 {"bound", "N/mm^2", "traction bound g"},
+                 {"relaxed", "N/mm^2", "traction of (7.4)"},
+                 {"relaxed_traction", "N/mm^2", "traction of (7.10)"},
+                 {"relaxed_region", "1", "A adhesion, S slip in (7.4)"},
+                 {"relaxed_traction_region", "1", "the same in (7.10)"}}};
+};
+
+std::vector<double> one_step(const Grid& grid, double step_ratio) {
+  return {step_ratio * grid.spacing()};
+}
+
+/// The traction at each of the distances.
+std::vector<VectorXd> snapshots(const CattaneoToCarter& rolling, const AdvectionScheme& scheme,
+                                double step_ratio, const std::vector<double>& distances) {
+  TransientRolling contact(rolling.problem(scheme), CattaneoShift{rolling.force});
+  std::vector<VectorXd> all;
+  double before = 0;
+  for (const double distance : distances) {
+    contact.roll((distance - before) * rolling.grid.spacing(), one_step(rolling.grid, step_ratio),
+                 PrescribedForce{rolling.force}, [](const TransientState&) {});
+    before = distance;
+    all.push_back(contact.state().traction);
+  }
+  return all;
+}
+
+void add_solutions(Tables& tables, const Parameters& p, const Progress& progress,
+                   std::size_t total) {
+  const VectorXd x = p.rolling.grid.nodes();
+  const VectorXd bound = bound_at(p.rolling.bound, x);
+  const std::vector<VectorXd> relaxed_whole =
+      snapshots(p.rolling, Relaxed{p.relaxation}, p.relaxation, p.distances);
+  std::vector<VectorXd> references;
+  for (const double distance : p.distances) {
+    const TransientRolling fine = p.rolling.refined(distance, p.refinement);
+    references.push_back(interpolated(fine.x(), fine.state().traction, x));
+    for (Index i = 0; i < fine.x().size(); ++i) {
+      tables.reference.add({distance, fine.x()[i], fine.state().traction[i]});
+    }
+  }
+  std::size_t done = 0;
+  for (const std::string scheme : {"relaxed", "direct"}) {
+    for (const double c : p.step_ratios) {
+      const std::vector<VectorXd> tractions = snapshots(
+          p.rolling, scheme == "direct" ? AdvectionScheme(Direct{}) : Relaxed{p.relaxation}, c,
+          p.distances);
+      for (std::size_t k = 0; k < p.distances.size(); ++k) {
+        const double distance = p.distances[k];
+        const VectorXd& traction = tractions[k];
+        for (Index i = 0; i < x.size(); ++i) {
+          tables.traction.add({scheme, c, distance, x[i], bound[i], traction[i]});
+        }
+        const VectorXd error = traction - references[k];
+        const double relative = error.lpNorm<1>() / references[k].lpNorm<1>();
+        const auto near =
+            ((traction - relaxed_whole[k]).array().abs() < 0.01 * p.rolling.bound.peak())
+                .cast<double>()
+                .mean();
+        tables.summary.add({scheme, c, distance, relative, error.lpNorm<Eigen::Infinity>(), near,
+                            total_variation(traction), turns(traction, p.rolling.bound)});
+      }
+      progress(++done, total);
+    }
+  }
+}
+
+void add_wiggles(Tables& tables, const Parameters& p, const Progress& progress, std::size_t done,
+                 std::size_t total) {
+  CattaneoToCarter small = p.rolling;
+  small.grid = Grid({.half_width = p.rolling.grid.half_width(), .elements = p.small_elements});
+  const double distance = p.distances.front();
+  const auto add = [&](const std::string& name, const AdvectionScheme& scheme, double c) {
+    const VectorXd traction = snapshots(small, scheme, c, {distance}).front();
+    const auto steps = static_cast<double>(
+        number_of_steps(distance * small.grid.spacing(), one_step(small.grid, c)));
+    tables.wiggles.add({name, c, steps, turns(traction, small.bound), total_variation(traction)});
+    progress(++done, total);
+  };
+  for (const double c : p.relaxed_step_ratios) add("relaxed", Relaxed{p.relaxation}, c);
+  for (const double c : p.direct_step_ratios) add("direct", Direct{}, c);
+}
+
+/// The largest difference before the partitions part, and after.
+struct Differences {
+  double before = 0;
+  double after = 0;
+  double first = 0;  ///< distance at which they part, in elements
+};
+
+Differences compare(Tables& tables, const Parameters& p) {
+  const auto contact = [&](const AdvectionScheme& scheme) {
+    return TransientRolling(p.rolling.problem(scheme), CattaneoShift{p.rolling.force});
+  };
+  TransientRolling of_matrix = contact(Relaxed{p.relaxation});
+  TransientRolling of_traction = contact(RelaxedTraction{p.relaxation});
+  const double dx = p.rolling.grid.spacing();
+  const double length = p.compared_step_ratio * dx;
+  const std::size_t steps = number_of_steps(p.distances.front() * dx, {length});
+  bool same = true;
+  Differences differences;
+  for (std::size_t k = 0; k < steps; ++k) {
+    for (TransientRolling* rolling : {&of_matrix, &of_traction}) {
+      rolling->step(length, PrescribedForce{p.rolling.force});
+    }
+    const TransientState& a = of_matrix.state();
+    const TransientState& b = of_traction.state();
+    double differing = 0;
+    for (std::size_t i = 0; i < a.zones.size(); ++i) differing += a.zones[i] != b.zones[i];
+    const double difference = (a.traction - b.traction).lpNorm<Eigen::Infinity>();
+    const bool part_now = same && differing > 0;
+    same = same && differing == 0;
+    const double q = a.distance / dx;
+    tables.comparison.add({q, same ? 1.0 : 0.0, differing, difference});
+    double& largest = same ? differences.before : differences.after;
+    largest = std::max(largest, difference);
+    if (!part_now) continue;
+    differences.first = q;
+    for (Index i = 0; i < of_matrix.x().size(); ++i) {
+      const auto zone = static_cast<std::size_t>(i);
+      tables.parting.add({q, of_matrix.x()[i], of_matrix.bound()[i], a.traction[i], b.traction[i],
+                          region(a.zones[zone]), region(b.zones[zone])});
+    }
+  }
+  return differences;
+}
+
+/// The largest factor from one step to the next of the difference of (7.4) and (7.10), among steps
+/// in which the partitions were the same after they had parted.
+double decay(const Table& comparison) {
+  double slowest = 0;
+  for (std::size_t i = 1; i < comparison.rows(); ++i) {
+    const bool same = comparison.number(i - 1, "differing_elements") == 0 &&
+                      comparison.number(i, "differing_elements") == 0;
+    const double before = comparison.number(i - 1, "difference");
+    const double now = comparison.number(i, "difference");
+    if (same && now < before && now > 1e-8) slowest = std::max(slowest, now / before);
+  }
+  return slowest;
+}
+
+/// How much the tractions of two step ratios differ, over their size.
+double spread(const CattaneoToCarter& rolling, const AdvectionScheme& scheme, double distance) {
+  const VectorXd large = snapshots(rolling, scheme, 0.8, {distance}).front();
+  const VectorXd small = snapshots(rolling, scheme, 0.2, {distance}).front();
+  return (large - small).lpNorm<1>() / large.lpNorm<1>();
+}
+
+double last_of(const Table& table, const std::string& scheme, const std::string& column) {
+  double value = not_given;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (std::get<std::string>(table.at(i, "scheme")) == scheme) value = table.number(i, column);
+  }
+  return value;
+}
+
+Table claims_of(const Tables& tables, const Parameters& p, const Differences& differences) {
+  const double relaxed_turns = last_of(tables.wiggles, "relaxed", "turning_points");
+  const double direct_turns = last_of(tables.wiggles, "direct", "turning_points");
+  const double expected = tables.wiggles.number(0, "turning_points");
+  double worst = 0;
+  for (std::size_t i = 0; i < tables.wiggles.rows(); ++i) {
+    if (std::get<std::string>(tables.wiggles.at(i, "scheme")) != "relaxed") continue;
+    worst = std::max(worst, tables.wiggles.number(i, "turning_points"));
+  }
+  const double near = last_of(tables.summary, "relaxed", "near");
+  const double largest = last_of(tables.summary, "relaxed", "largest_error");
+  const double direct_spread = spread(p.rolling, Direct{}, p.distances.back());
+  const double relaxed_spread = spread(p.rolling, Relaxed{p.relaxation}, p.distances.back());
+  const double dependence = relaxed_spread / direct_spread;
+  const double theta = p.compared_step_ratio / p.relaxation;
+  const double factor = decay(tables.comparison);
+  return claims_table(
+      {{"in transients, too, small steps wiggle (direct scheme)", "5", not_given, direct_turns, "1",
+        verdict_of(direct_turns > expected + 4),
+        "local extrema at the smallest c; " + format_short(expected) + " at the largest"},
+       {"with c* = 1 there are no artificial wiggles, however small the step", "7.1", expected,
+        relaxed_turns, "1", verdict_of(worst == expected), "local extrema at the smallest c"},
+       {"relaxation of A' (7.4) and of the tractions (7.10) are the same while the partitions are",
+        "7.1", 0, differences.before, "N/mm^2", verdict_of(differences.before < 1e-12),
+        "largest difference up to where they part"},
+       {"... and not where the partitions differ", "7.1", not_given, differences.after, "N/mm^2",
+        verdict_of(differences.after > 1e-4),
+        "largest difference from " + format_short(differences.first) + " dx on"},
+       {"... so they agree whenever the partitions do", "7.1", 0, factor, "1",
+        std::abs(factor - (1 - theta)) < 0.01 ? "corrected" : verdict_of(factor == 0),
+        "what has once differed dies out by 1 - c/c* = " + format_short(1 - theta) + " a step"},
+       {"c < c* stays near c = c* in a big part of the domain, but not around sharp edges", "7.1",
+        not_given, near, "1", verdict_of(near > 0.5 && largest > 0.05),
+        "part of the nodes within 1 % of the peak, at the smallest c; largest error " +
+            format_short(std::round(1000 * largest) / 1000) + " of the peak"},
+       {"relaxed solutions depend much less on c than direct ones", "7.1", not_given, dependence,
+        "1", dependence < 0.5 ? "reproduced" : (dependence < 1 ? "corrected" : "refuted"),
+        "difference of c = 0.8 and 0.2, over that of the direct scheme: less, but not much less"}});
+}
+
+}  // namespace
+
+UnderRelaxationParameters read_under_relaxation(Scene& scene) {
+  UnderRelaxationParameters p{.rolling = read_cattaneo_to_carter(scene),
+                              .relaxation = scene.number("step.relaxation"),
+                              .step_ratios = scene.numbers("step.ratios"),
+                              .distances = scene.numbers("motion.elements"),
+                              .refinement = scene.whole("reference.refinement"),
+                              .compared_step_ratio = scene.number("comparison.step_ratio"),
+                              .small_elements = scene.whole("wiggles.elements"),
+                              .relaxed_step_ratios = scene.numbers("wiggles.relaxed_step_ratios"),
+                              .direct_step_ratios = scene.numbers("wiggles.direct_step_ratios")};
+  const auto demand = [&](const char* key, const std::vector<double>& ratios) {
+    for (const double c : ratios) {
+      require(c >= 1e-6 && c <= p.relaxation, key, c,
+              "numbers in [1e-6, step.relaxation = " + format_short(p.relaxation) + "]");
+    }
+  };
+  demand("step.ratios", p.step_ratios);
+  demand("comparison.step_ratio", {p.compared_step_ratio});
+  demand("wiggles.relaxed_step_ratios", p.relaxed_step_ratios);
+  demand("wiggles.direct_step_ratios", p.direct_step_ratios);
+  for (std::size_t k = 0; k < p.distances.size(); ++k) {
+    require(p.distances[k] > (k == 0 ? 0 : p.distances[k - 1]), "motion.elements", p.distances[k],
+            "ascending numbers > 0");
+  }
+  require(p.refinement >= 2, "reference.refinement", static_cast<double>(p.refinement),
+          "a whole number >= 2");
+  return p;
+}
+
+std::vector<Table> under_relaxation(const UnderRelaxationParameters& p, const Progress& progress) {
+  Tables tables;
+  const std::size_t solutions = 2 * p.step_ratios.size();
+  const std::size_t total = solutions + p.relaxed_step_ratios.size() + p.direct_step_ratios.size();
+  const Differences differences = compare(tables, p);
+  add_solutions(tables, p, progress, total);
+  add_wiggles(tables, p, progress, solutions, total);
+  return {tables.traction,
+          tables.reference,
+          tables.summary,
+          tables.wiggles,
+          tables.comparison,
+          tables.parting,
+          claims_of(tables, p, differences)};
+}
+
+}  // namespace microslip::experiments

@@ -1,0 +1,14 @@
+# No wiggles at any step: local extrema against the step ratio, after the first distance.
+wiggles = tables."/wiggles.tsv"
+of(scheme) = strcol("scheme") eq scheme ? column("step_ratio") : NaN
+
+set terminal svg size 640,360
+set logscale x
+set format x "10^{%T}"
+set xlabel "step ratio c = dq/dx [1]"
+set ylabel "local extrema of the traction [1]"
+set yrange [0:*]
+set key at graph 0.6, 0.5
+set title "wiggles against the step"
+plot wiggles using (of("direct")):"turning_points" with linespoints linetype 2 pointtype 6 pointsize 0.6 title "direct", \
+     wiggles using (of("relaxed")):"turning_points" with linespoints linetype 1 pointtype 7 pointsize 0.5 title "under-relaxed, c* = 1"
