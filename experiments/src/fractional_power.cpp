@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/fractional_power.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "fractional_power_cost.hpp"
+#include "microslip/experiments/claims.hpp"
+#include "microslip/experiments/profile.hpp"
+#include "microslip/rolling/fractional_shift.hpp"
+#include "microslip/support/convergence.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using Parameters = FractionalPowerParameters;
+
+struct Tables {
+  Table shapes{"shapes",
+               "(A^-1 A')^steps on tractions of several shapes, thesis Figs. 8.1 and 8.2",
+               {{"shape", "1", "name of what it starts from"},
+                {"steps", "1", "number of steps of c"},
+                {"position", "dx", "from the leading edge's node"},
+                {"traction", "1", "traction"}}};
+  Table shapes_summary{"shapes_summary",
+                       "what becomes of the shapes; exact: between 0 and 1",
+                       {{"shape", "1", "name of what it starts from"},
+                        {"steps", "1", "number of steps of c"},
+                        {"distance", "dx", "travelled"},
+                        {"above", "1", "largest value above 1"},
+                        {"below", "1", "largest value below 0"},
+                        {"total_variation", "1", "sum of rises and falls"},
+                        {"start_variation", "1", "that of the start"}}};
+  Table traction{"traction",
+                 "from a Cattaneo shift to Carter's solution, thesis Figs. 8.3 and 8.4",
+                 {{"scheme", "1", "fractional or direct"},
+                  {"step_ratio", "1", "c = dq/dx"},
+                  {"distance", "dx", "rolled"},
+                  {"x", "mm", "position; the leading edge is at x = +half_width"},
+                  {"bound", "N/mm^2", "traction bound g"},
+                  {"traction", "N/mm^2", "tangential traction p"}}};
+  Table reference{"reference",
+                  "the same on a finer grid, with c = 1 there",
+                  {{"distance", "dx", "rolled"},
+                   {"x", "mm", "position"},
+                   {"traction", "N/mm^2", "tangential traction p"}}};
+  Table summary{"summary",
+                "errors and local extrema",
+                {{"scheme", "1", "fractional or direct"},
+                 {"step_ratio", "1", "c = dq/dx"},
+                 {"distance", "dx", "rolled"},
+                 {"error", "1", "integral of |p - reference|, over that of |reference|"},
+                 {"largest_error", "N/mm^2", "of the traction at a node"},
+                 {"from_unit_step", "N/mm^2", "largest difference to c = 1, whole distances only"},
+                 {"from_unit_step_inside", "N/mm^2", "the same without the trailing node"},
+                 {"total_variation", "N/mm^2", "sum of rises and falls"},
+                 {"turning_points", "1", "local extrema above 1e-4 of the peak bound"}}};
+};
+
+/// Fig. 8.2: shapes of a third of the contact next to the leading edge, and a single one there.
+std::map<std::string, VectorXd> start_shapes(Index n) {
+  const Index length = n / 5;
+  const auto shape = [&](const auto& height) -> VectorXd {
+    VectorXd values = VectorXd::Zero(n);
+    for (Index i = 0; i < length; ++i) {
+      values[n - 1 - length / 2 - i] =
+          height(static_cast<double>(i) / static_cast<double>(length - 1));
+    }
+    return values;
+  };
+  return {{"pulse", VectorXd::Unit(n, n - 1)},
+          {"plateau", shape([](double) { return 1.0; })},
+          {"ramp_up", shape([](double s) { return 1 - s; })},
+          {"ramp_down", shape([](double s) { return s; })},
+          {"pyramid", shape([](double s) { return 1 - std::abs(2 * s - 1); })}};
+}
+
+FractionalShift shape_shift(const Parameters& p) {
+  return {p.rolling.kernel, p.rolling.basis.shapes().front(), p.rolling.grid.spacing(),
+          p.shape_elements};
+}
+
+void add_shape(Tables& tables, const Parameters& p, const std::string& name, const VectorXd& start,
+               const VectorXd& moved, Index steps) {
+  const Index n = start.size();
+  for (Index i = 0; i < n; ++i) {
+    tables.shapes.add(
+        {name, static_cast<double>(steps), static_cast<double>(i - (n - 1)), moved[i]});
+  }
+  const double above = std::max(0.0, moved.maxCoeff() - 1);
+  const double below = std::max(0.0, -moved.minCoeff());
+  tables.shapes_summary.add({name, static_cast<double>(steps),
+                             p.step_ratio * static_cast<double>(steps), above, below,
+                             total_variation(moved), total_variation(start)});
+}
+
+void add_shapes(Tables& tables, const Parameters& p) {
+  const FractionalShift shift = shape_shift(p);
+  for (const auto& [name, start] : start_shapes(p.shape_elements)) {
+    add_shape(tables, p, name, start, start, 0);
+    VectorXd moved = start;
+    Index done = 0;
+    for (const Index steps : p.steps) {
+      for (; done < steps; ++done) moved = shift.move(moved, p.step_ratio).traction;
+      add_shape(tables, p, name, start, moved, steps);
+    }
+  }
+}
+
+bool is_whole(double value) { return std::abs(value - std::round(value)) < 1e-9; }
+
+void add_rolling(Tables& tables, const Parameters& p, double distance) {
+  const TransientRolling fine = p.rolling.refined(distance, p.refinement);
+  for (Index i = 0; i < fine.x().size(); ++i) {
+    tables.reference.add({distance, fine.x()[i], fine.state().traction[i]});
+  }
+  const auto add = [&](const std::string& name, const AdvectionScheme& scheme, double c,
+                       const VectorXd* whole) -> VectorXd {
+    const TransientRolling rolling = p.rolling.rolled(scheme, c, distance);
+    const VectorXd& x = rolling.x();
+    const VectorXd traction = rolling.state().traction;
+    for (Index i = 0; i < x.size(); ++i) {
+      tables.traction.add({name, c, distance, x[i], rolling.bound()[i], traction[i]});
+    }
+    const VectorXd reference = interpolated(fine.x(), fine.state().traction, x);
+    const VectorXd error = traction - reference;
+    const double relative = error.lpNorm<1>() / reference.lpNorm<1>();
+    double from_unit = not_given;
+    double inside = not_given;
+    if (whole != nullptr) {
+      const VectorXd difference = (traction - *whole).cwiseAbs();
+      from_unit = difference.maxCoeff();
+      inside = difference.tail(difference.size() - 1).maxCoeff();
+    }
+    const auto turns = static_cast<double>(turning_points(traction, 1e-4 * p.rolling.bound.peak()));
+    tables.summary.add({name, c, distance, relative, error.lpNorm<Eigen::Infinity>(), from_unit,
+                        inside, total_variation(traction), turns});
+    return traction;
+  };
+  if (is_whole(distance)) {
+    const VectorXd unit = p.rolling.rolled(Direct{}, 1, distance).state().traction;
+    for (const double c : p.step_ratios) add("fractional", Fractional{}, c, &unit);
+  } else {
+    add("fractional", Fractional{}, p.step_ratio, nullptr);
+  }
+  add("direct", Direct{}, p.step_ratio, nullptr);
+}
+
+/// (A^-1 A')^n p against (A^-1 A*)^m p, n c = m, thesis (8.1), on the sharpest of the shapes.
+double whole_distance_error(const Parameters& p) {
+  const FractionalShift shift = shape_shift(p);
+  const VectorXd start = start_shapes(p.shape_elements).at("pulse");
+  VectorXd moved = start;
+  Index steps = 0;
+  do {
+    moved = shift.move(moved, p.step_ratio).traction;
+    ++steps;
+  } while (steps < 100 && !is_whole(static_cast<double>(steps) * p.step_ratio));
+  const double distance = std::round(static_cast<double>(steps) * p.step_ratio);
+  return (moved - shift.move(start, distance).traction).lpNorm<Eigen::Infinity>();
+}
+
+/// A value of the last row that has these texts and numbers.
+double found(const Table& table, const std::string& key, const std::string& name,
+             const std::string& column, double distance_or_steps) {
+  const std::string place = table.name() == "summary" ? "distance" : "steps";
+  double value = not_given;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (std::get<std::string>(table.at(i, key)) != name) continue;
+    if (table.number(i, place) == distance_or_steps) value = table.number(i, column);
+  }
+  return value;
+}
+
+std::vector<double> column_of(const Table& table, const std::string& name) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < table.rows(); ++i) values.push_back(table.number(i, name));
+  return values;
+}
+
+Table claims_of(const Tables& tables, const CostTables& costs, const Parameters& p) {
+  const double whole_error = whole_distance_error(p);
+  const auto middle = static_cast<double>(p.steps[p.steps.size() / 2]);
+  const double pulse = found(tables.shapes_summary, "shape", "pulse", "below", middle);
+  const double pyramid = found(tables.shapes_summary, "shape", "pyramid", "below", middle);
+  double spot = 0, trailing = 0, worst_difference = 0, odd_residual = 0, even_residual = 0;
+  for (std::size_t i = 0; i < tables.summary.rows(); ++i) {
+    if (!std::isfinite(tables.summary.number(i, "from_unit_step"))) continue;
+    spot = std::max(spot, tables.summary.number(i, "from_unit_step_inside"));
+    trailing = std::max(trailing, tables.summary.number(i, "from_unit_step"));
+  }
+  for (std::size_t i = 0; i < costs.agreement.rows(); ++i) {
+    const bool even = costs.agreement.number(i, "negative_eigenvalue") == 1;
+    double& residual = even ? even_residual : odd_residual;
+    residual = std::max(residual, costs.agreement.number(i, "schur_residual"));
+    if (!even) {
+      worst_difference = std::max(worst_difference, costs.agreement.number(i, "difference"));
+    }
+  }
+  const double part = p.distances.back();
+  const double fractional = found(tables.summary, "scheme", "fractional", "error", part);
+  const double direct = found(tables.summary, "scheme", "direct", "error", part);
+  const double extrema = found(tables.summary, "scheme", "fractional", "turning_points", part);
+  std::vector<double> sizes = column_of(costs.cost, "elements");
+  std::vector<double> work = column_of(costs.cost, "solves");
+  for (std::size_t i = 0; i < work.size(); ++i) work[i] = 1 / (work[i] * sizes[i]);
+  const double growth = fitted_order(sizes, work);
+  return claims_table(
+      {{"(A^-1 A')^n = (A^-1 A*)^m where n c = m", "8", 0, whole_error, "1",
+        verdict_of(whole_error < 1e-9), "largest error of a unit pulse after the least such n"},
+       {"a single one: huge wiggles", "8", not_given, pulse, "1", verdict_of(pulse > 0.05),
+        "largest value below zero after " + format_short(middle) + " steps"},
+       {"a relatively smooth traction prevents wiggles", "8", not_given, pyramid, "1",
+        verdict_of(pyramid < 0.02 && pyramid < 0.2 * pulse), "the same for the pyramid"},
+       {"solutions of all c are on spot with c = 1 after whole distances", "8", 0, spot, "N/mm^2",
+        spot < 1e-9 ? "reproduced" : (spot < 0.1 ? "corrected" : "refuted"),
+        "largest difference, at the stick-slip point; " +
+            format_short(std::round(1000 * trailing) / 1000) +
+            " in the trailing element, which slips backwards"},
+       {"sharp edges are kept that the direct scheme smooths", "8", not_given, fractional / direct,
+        "1", verdict_of(fractional < 0.7 * direct),
+        "error after " + format_short(part) + " dx, over that of the direct scheme"},
+       {"wiggles arise after parts of elements", "8", not_given, extrema, "1",
+        verdict_of(extrema > 4), "local extrema after " + format_short(part) + " dx; exact: 3"},
+       {"non-integer powers cost too much", "8", 3, growth, "1",
+        growth < 1.5 ? "refuted" : "reproduced",
+        "exponent of work against N: solves of O(N) instead of a Schur method of O(N^3)"},
+       {"the action on a vector agrees with a Schur method", "8", 0, worst_difference, "1",
+        verdict_of(worst_difference < 1e-8), "largest relative difference, N odd"},
+       {"the power is the thesis's (8.4) for any N", "8", 0, even_residual, "1",
+        even_residual > 1e-3 && odd_residual < 1e-8 ? "corrected"
+                                                    : verdict_of(even_residual < 1e-8),
+        "residual of a Schur method for N even, where the power is complex; N odd: " +
+            format_short(odd_residual)}});
+}
+
+}  // namespace
+
+FractionalPowerParameters read_fractional_power(Scene& scene) {
+  const auto whole_numbers = [&](const char* key) {
+    std::vector<Index> all;
+    for (const double value : scene.numbers(key)) {
+      require(is_whole(value) && value > 0, key, value, "whole numbers > 0");
+      all.push_back(static_cast<Index>(value));
+    }
+    return all;
+  };
+  FractionalPowerParameters p{.rolling = read_cattaneo_to_carter(scene),
+                              .step_ratios = scene.numbers("step.ratios"),
+                              .distances = scene.numbers("motion.elements"),
+                              .step_ratio = scene.number("step.ratio"),
+                              .refinement = scene.whole("reference.refinement"),
+                              .shape_elements = scene.whole("shapes.elements"),
+                              .steps = whole_numbers("shapes.steps"),
+                              .cost_sizes = whole_numbers("cost.sizes"),
+                              .largest_schur = scene.whole("cost.largest_schur")};
+  const auto demand_odd = [](const char* key, Index value, Index least) {
+    require(value % 2 == 1 && value >= least, key, static_cast<double>(value),
+            "odd, and at least " + std::to_string(least));
+  };
+  demand_odd("grid.elements", p.rolling.grid.size(), 3);
+  demand_odd("shapes.elements", p.shape_elements, 51);
+  for (const Index size : p.cost_sizes) demand_odd("cost.sizes", size, 3);
+  for (const double c : p.step_ratios) {
+    require(c >= 1e-6, "step.ratios", c, "numbers >= 1e-6");
+  }
+  require(p.step_ratio > 0 && p.step_ratio < 1, "step.ratio", p.step_ratio, "a number in (0, 1)");
+  for (const double distance : p.distances) require_positive("motion.elements", distance);
+  require(std::is_sorted(p.steps.begin(), p.steps.end()), "shapes.steps",
+          static_cast<double>(p.steps.back()), "ascending numbers");
+  const auto tried = std::count_if(p.cost_sizes.begin(), p.cost_sizes.end(),
+                                   [&](Index size) { return size <= p.largest_schur; });
+  require(tried >= 3, "cost.largest_schur", static_cast<double>(p.largest_schur),
+          "at least the third of cost.sizes, for a fitted exponent");
+  require(p.refinement >= 2, "reference.refinement", static_cast<double>(p.refinement),
+          "a whole number >= 2");
+  return p;
+}
+
+std::vector<Table> fractional_power(const FractionalPowerParameters& p, const Progress& progress) {
+  Tables tables;
+  const std::size_t total = p.distances.size() + 2;
+  add_shapes(tables, p);
+  progress(1, total);
+  for (std::size_t k = 0; k < p.distances.size(); ++k) {
+    add_rolling(tables, p, p.distances[k]);
+    progress(2 + k, total);
+  }
+  const CostTables costs = measure_cost(p);
+  progress(total, total);
+  return {tables.shapes,  tables.shapes_summary,      tables.traction, tables.reference,
+          tables.summary, costs.eigenvalues,          costs.agreement, costs.cost,
+          costs.timing,   claims_of(tables, costs, p)};
+}
+
+}  // namespace microslip::experiments

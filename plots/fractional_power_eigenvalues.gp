@@ -1,0 +1,20 @@
+# Why an odd number of elements: with an even one an eigenvalue lies on the negative real axis.
+eigenvalues = tables."/eigenvalues.tsv"
+stats eigenvalues using "elements" nooutput
+odd = STATS_max
+even = STATS_min
+of(n) = column("elements") == n ? column("real") : NaN
+
+set terminal svg size 560,520
+set size ratio -1
+set xrange [-1.1:1.1]
+set yrange [-1.1:1.1]
+set xlabel "real part [1]"
+set ylabel "imaginary part [1]"
+set key at graph 0.7, 0.6
+set title "eigenvalues of A^{-1}A*"
+set parametric
+set trange [0:2*pi]
+plot cos(t), sin(t) with lines linecolor "gray60" dashtype 2 title "unit circle", \
+     eigenvalues using (of(odd)):"imaginary" with points linetype 1 pointtype 7 pointsize 0.4 title sprintf("N = %d", odd), \
+     eigenvalues using (of(even)):"imaginary" with points linetype 2 pointtype 6 pointsize 0.6 title sprintf("N = %d", even)
