@@ -16,23 +16,36 @@ at(scheme, c, d) = strcol("scheme") eq scheme && same(column("step_ratio"), real
   same(column("distance"), real(d)) ? column("x") : NaN
 from(d) = same(column("distance"), real(d)) ? column("x") : NaN
 
-set terminal svg size 860,400
-set multiplot layout 1,2 margins 0.08,0.98,0.15,0.9 spacing 0.08
-set xrange [-0.7:1]
-set yrange [0:1.02]
-set xlabel "x [mm], rolling to the right"
-set ylabel "traction p [N/mm^2]"
-set key at 0.6,0.4 maxrows 3 samplen 1.5 width -1
-set title "fractional powers, after ".whole." dx"
-plot traction using (at("fractional", word(ratios, 1), whole)):"bound" with @bound_line title "bound g", \
-     for [k=1:words(ratios)] traction using (at("fractional", word(ratios, k), whole)):"traction" \
-       with linespoints linetype k pointtype 7 pointsize 0.25 title "c = ".word(ratios, k), \
-     tables."/reference.tsv" using (from(whole)):"traction" with @exact_line title "reference"
-set key at 0.6,0.35 maxrows 4
-set ylabel ""
-set title sprintf("c = %g, after %s dx", c, part)
-plot traction using (at("direct", c, part)):"bound" with @bound_line title "bound g", \
-     traction using (at("direct", c, part)):"traction" with linespoints linetype 2 pointtype 6 pointsize 0.3 title "direct", \
-     traction using (at("fractional", c, part)):"traction" with linespoints linetype 1 pointtype 7 pointsize 0.25 title "fractional", \
-     tables."/reference.tsv" using (from(part)):"traction" with @exact_line title "reference"
+set terminal svg size 860,600
+set multiplot layout 2,2 margins 0.09,0.98,0.1,0.94 spacing 0.09,0.08
+set xrange [-1:1]
+set format x ""
+do for [panel=1:4] {
+  d = panel % 2 == 1 ? whole : part
+  if (panel == 3) { set format x; set xlabel "x [mm], rolling to the right" }
+  set title panel == 1 ? "fractional powers, after ".d." dx" : panel == 2 ? sprintf("c = %g, after %s dx", c, d) : ""
+  set ylabel panel == 1 ? "traction p [N/mm^2]" : panel == 3 ? "p - reference [N/mm^2]" : ""
+  if (panel > 2) {
+    unset key
+    set yrange [-0.25:0.1]
+    shown(p, r) = p - r
+  } else {
+    set key at panel == 1 ? 0.57 : 0.3, 0.35 maxrows 4 samplen 1.5
+    set yrange [-0.15:1.02]
+    shown(p, r) = p
+  }
+  if (d eq whole) {
+    plot traction using (at("fractional", word(ratios, 1), d)):(panel < 3 ? column("bound") : NaN) with @bound_line title "bound g", \
+         tables."/reference.tsv" using (panel < 3 ? from(d) : NaN):"traction" with @exact_line title "reference", \
+         for [k=1:words(ratios)] traction using (at("fractional", word(ratios, k), d)):(shown(column("traction"), column("reference"))) \
+           with linespoints linetype k pointtype 7 pointsize 0.25 title "c = ".word(ratios, k)
+  } else {
+    plot traction using (at("direct", c, d)):(panel < 3 ? column("bound") : NaN) with @bound_line title "bound g", \
+         tables."/reference.tsv" using (panel < 3 ? from(d) : NaN):"traction" with @exact_line title "reference", \
+         traction using (at("direct", c, d)):(shown(column("traction"), column("reference"))) \
+           with linespoints linetype 2 pointtype 6 pointsize 0.3 title "direct", \
+         traction using (at("fractional", c, d)):(shown(column("traction"), column("reference"))) \
+           with linespoints linetype 1 pointtype 7 pointsize 0.25 title "fractional"
+  }
+}
 unset multiplot

@@ -45,7 +45,8 @@ struct Tables {
                   {"distance", "dx", "rolled"},
                   {"x", "mm", "position; the leading edge is at x = +half_width"},
                   {"bound", "N/mm^2", "traction bound g"},
-                  {"traction", "N/mm^2", "tangential traction p"}}};
+                  {"traction", "N/mm^2", "tangential traction p"},
+                  {"reference", "N/mm^2", "that of the finer grid, interpolated"}}};
   Table reference{"reference",
                   "the same on a finer grid, with c = 1 there",
                   {{"distance", "dx", "rolled"},
@@ -126,10 +127,10 @@ void add_rolling(Tables& tables, const Parameters& p, double distance) {
     const TransientRolling rolling = p.rolling.rolled(scheme, c, distance);
     const VectorXd& x = rolling.x();
     const VectorXd traction = rolling.state().traction;
-    for (Index i = 0; i < x.size(); ++i) {
-      tables.traction.add({name, c, distance, x[i], rolling.bound()[i], traction[i]});
-    }
     const VectorXd reference = interpolated(fine.x(), fine.state().traction, x);
+    for (Index i = 0; i < x.size(); ++i) {
+      tables.traction.add({name, c, distance, x[i], rolling.bound()[i], traction[i], reference[i]});
+    }
     const VectorXd error = traction - reference;
     const double relative = error.lpNorm<1>() / reference.lpNorm<1>();
     double from_unit = not_given;
