@@ -13,6 +13,7 @@
 #include "microslip/support/convergence.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
+#include "rolled_tables.hpp"
 
 namespace microslip::experiments {
 
@@ -38,31 +39,6 @@ struct Tables {
                         {"below", "1", "largest value below 0"},
                         {"total_variation", "1", "sum of rises and falls"},
                         {"start_variation", "1", "that of the start"}}};
-  Table traction{"traction",
-                 "from a Cattaneo shift to Carter's solution, thesis Figs. 8.3 and 8.4",
-                 {{"scheme", "1", "fractional or direct"},
-                  {"step_ratio", "1", "c = dq/dx"},
-                  {"distance", "dx", "rolled"},
-                  {"x", "mm", "position; the leading edge is at x = +half_width"},
-                  {"bound", "N/mm^2", "traction bound g"},
-                  {"traction", "N/mm^2", "tangential traction p"},
-                  {"reference", "N/mm^2", "that of the finer grid, interpolated"}}};
-  Table reference{"reference",
-                  "the same on a finer grid, with c = 1 there",
-                  {{"distance", "dx", "rolled"},
-                   {"x", "mm", "position"},
-                   {"traction", "N/mm^2", "tangential traction p"}}};
-  Table summary{"summary",
-                "errors and local extrema",
-                {{"scheme", "1", "fractional or direct"},
-                 {"step_ratio", "1", "c = dq/dx"},
-                 {"distance", "dx", "rolled"},
-                 {"error", "1", "integral of |p - reference|, over that of |reference|"},
-                 {"largest_error", "N/mm^2", "of the traction at a node"},
-                 {"from_unit_step", "N/mm^2", "largest difference to c = 1, whole distances only"},
-                 {"from_unit_step_inside", "N/mm^2", "the same without the trailing node"},
-                 {"total_variation", "N/mm^2", "sum of rises and falls"},
-                 {"turning_points", "1", "local extrema above 1e-4 of the peak bound"}}};
 };
 
 /// Fig. 8.2: shapes of a third of the contact next to the leading edge, and a single one there.
@@ -117,41 +93,17 @@ void add_shapes(Tables& tables, const Parameters& p) {
 
 bool is_whole(double value) { return std::abs(value - std::round(value)) < 1e-9; }
 
-void add_rolling(Tables& tables, const Parameters& p, double distance) {
-  const TransientRolling fine = p.rolling.refined(distance, p.refinement);
-  for (Index i = 0; i < fine.x().size(); ++i) {
-    tables.reference.add({distance, fine.x()[i], fine.state().traction[i]});
-  }
-  const auto add = [&](const std::string& name, const AdvectionScheme& scheme, double c,
-                       const VectorXd* whole) -> VectorXd {
-    const TransientRolling rolling = p.rolling.rolled(scheme, c, distance);
-    const VectorXd& x = rolling.x();
-    const VectorXd traction = rolling.state().traction;
-    const VectorXd reference = interpolated(fine.x(), fine.state().traction, x);
-    for (Index i = 0; i < x.size(); ++i) {
-      tables.traction.add({name, c, distance, x[i], rolling.bound()[i], traction[i], reference[i]});
+RolledTables roll_all(const Parameters& p) {
+  RolledTables rolled(p.rolling, p.refinement);
+  for (const double distance : p.distances) {
+    if (is_whole(distance)) {
+      for (const double c : p.step_ratios) rolled.add("fractional", Fractional{}, c, distance);
+    } else {
+      rolled.add("fractional", Fractional{}, p.step_ratio, distance);
     }
-    const VectorXd error = traction - reference;
-    const double relative = error.lpNorm<1>() / reference.lpNorm<1>();
-    double from_unit = not_given;
-    double inside = not_given;
-    if (whole != nullptr) {
-      const VectorXd difference = (traction - *whole).cwiseAbs();
-      from_unit = difference.maxCoeff();
-      inside = difference.tail(difference.size() - 1).maxCoeff();
-    }
-    const auto turns = static_cast<double>(turning_points(traction, 1e-4 * p.rolling.bound.peak()));
-    tables.summary.add({name, c, distance, relative, error.lpNorm<Eigen::Infinity>(), from_unit,
-                        inside, total_variation(traction), turns});
-    return traction;
-  };
-  if (is_whole(distance)) {
-    const VectorXd unit = p.rolling.rolled(Direct{}, 1, distance).state().traction;
-    for (const double c : p.step_ratios) add("fractional", Fractional{}, c, &unit);
-  } else {
-    add("fractional", Fractional{}, p.step_ratio, nullptr);
+    rolled.add("direct", Direct{}, p.step_ratio, distance);
   }
-  add("direct", Direct{}, p.step_ratio, nullptr);
+  return rolled;
 }
 
 /// (A^-1 A')^n p against (A^-1 A*)^m p, n c = m, thesis (8.1), on the sharpest of the shapes.
@@ -168,16 +120,14 @@ double whole_distance_error(const Parameters& p) {
   return (moved - shift.move(start, distance).traction).lpNorm<Eigen::Infinity>();
 }
 
-/// A value of the last row that has these texts and numbers.
-double found(const Table& table, const std::string& key, const std::string& name,
-             const std::string& column, double distance_or_steps) {
-  const std::string place = table.name() == "summary" ? "distance" : "steps";
-  double value = not_given;
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (std::get<std::string>(table.at(i, key)) != name) continue;
-    if (table.number(i, place) == distance_or_steps) value = table.number(i, column);
+/// The largest value below zero of a shape after these steps.
+double below_zero(const Tables& tables, const std::string& shape, double steps) {
+  const Table& summary = tables.shapes_summary;
+  for (std::size_t i = 0; i < summary.rows(); ++i) {
+    const bool wanted = std::get<std::string>(summary.at(i, "shape")) == shape;
+    if (wanted && summary.number(i, "steps") == steps) return summary.number(i, "below");
   }
-  return value;
+  return not_given;
 }
 
 std::vector<double> column_of(const Table& table, const std::string& name) {
@@ -186,16 +136,19 @@ std::vector<double> column_of(const Table& table, const std::string& name) {
   return values;
 }
 
-Table claims_of(const Tables& tables, const CostTables& costs, const Parameters& p) {
+Table claims_of(const Tables& tables, const RolledTables& rolled, const CostTables& costs,
+                const Parameters& p) {
   const double whole_error = whole_distance_error(p);
   const auto middle = static_cast<double>(p.steps[p.steps.size() / 2]);
-  const double pulse = found(tables.shapes_summary, "shape", "pulse", "below", middle);
-  const double pyramid = found(tables.shapes_summary, "shape", "pyramid", "below", middle);
+  const double pulse = below_zero(tables, "pulse", middle);
+  const double pyramid = below_zero(tables, "pyramid", middle);
   double spot = 0, trailing = 0, worst_difference = 0, odd_residual = 0, even_residual = 0;
-  for (std::size_t i = 0; i < tables.summary.rows(); ++i) {
-    if (!std::isfinite(tables.summary.number(i, "from_unit_step"))) continue;
-    spot = std::max(spot, tables.summary.number(i, "from_unit_step_inside"));
-    trailing = std::max(trailing, tables.summary.number(i, "from_unit_step"));
+  const Table& summary = rolled.summary();
+  for (std::size_t i = 0; i < summary.rows(); ++i) {
+    if (std::get<std::string>(summary.at(i, "scheme")) != "fractional") continue;
+    if (!is_whole(summary.number(i, "distance"))) continue;
+    spot = std::max(spot, summary.number(i, "from_unit_step_inside"));
+    trailing = std::max(trailing, summary.number(i, "from_unit_step"));
   }
   for (std::size_t i = 0; i < costs.agreement.rows(); ++i) {
     const bool even = costs.agreement.number(i, "negative_eigenvalue") == 1;
@@ -206,9 +159,9 @@ Table claims_of(const Tables& tables, const CostTables& costs, const Parameters&
     }
   }
   const double part = p.distances.back();
-  const double fractional = found(tables.summary, "scheme", "fractional", "error", part);
-  const double direct = found(tables.summary, "scheme", "direct", "error", part);
-  const double extrema = found(tables.summary, "scheme", "fractional", "turning_points", part);
+  const double fractional = rolled.latest("fractional", part, "error");
+  const double direct = rolled.latest("direct", part, "error");
+  const double extrema = rolled.latest("fractional", part, "turning_points");
   std::vector<double> sizes = column_of(costs.cost, "elements");
   std::vector<double> work = column_of(costs.cost, "solves");
   for (std::size_t i = 0; i < work.size(); ++i) work[i] = 1 / (work[i] * sizes[i]);
@@ -287,18 +240,17 @@ FractionalPowerParameters read_fractional_power(Scene& scene) {
 
 std::vector<Table> fractional_power(const FractionalPowerParameters& p, const Progress& progress) {
   Tables tables;
-  const std::size_t total = p.distances.size() + 2;
   add_shapes(tables, p);
-  progress(1, total);
-  for (std::size_t k = 0; k < p.distances.size(); ++k) {
-    add_rolling(tables, p, p.distances[k]);
-    progress(2 + k, total);
-  }
+  progress(1, 3);
+  const RolledTables rolled = roll_all(p);
+  progress(2, 3);
   const CostTables costs = measure_cost(p);
-  progress(total, total);
-  return {tables.shapes,  tables.shapes_summary,      tables.traction, tables.reference,
-          tables.summary, costs.eigenvalues,          costs.agreement, costs.cost,
-          costs.timing,   claims_of(tables, costs, p)};
+  progress(3, 3);
+  return {tables.shapes,     tables.shapes_summary,
+          rolled.traction(), rolled.reference(),
+          rolled.summary(),  costs.eigenvalues,
+          costs.agreement,   costs.cost,
+          costs.timing,      claims_of(tables, rolled, costs, p)};
 }
 
 }  // namespace microslip::experiments

@@ -12,6 +12,7 @@
 #include "microslip/spectrum/symbol.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
+#include "rolled_tables.hpp"
 
 namespace microslip::experiments {
 
@@ -85,28 +86,6 @@ struct Tables {
        {"magnitude", "1", "|g| of one step; exact: 1"},
        {"damping", "1", "|g|^(1/c), that of one element travelled; exact: 1"},
        {"speed", "1", "arg g / (c theta); exact: 1"}}};
-  Table traction{"traction",
-                 "from a Cattaneo shift to Carter's solution, thesis Fig. 4.3",
-                 {{"step_ratio", "1", "c = dq/dx"},
-                  {"x", "mm", "position; the leading edge is at x = +half_width"},
-                  {"bound", "N/mm^2", "traction bound g"},
-                  {"traction", "N/mm^2", "tangential traction p"}}};
-  Table reference{"reference",
-                  "the same on a finer grid, with c = 1 there",
-                  {{"x", "mm", "position"}, {"traction", "N/mm^2", "tangential traction p"}}};
-  Table summary{
-      "summary",
-      "from a Cattaneo shift to Carter's solution, errors",
-      {{"step_ratio", "1", "c = dq/dx"},
-       {"error", "1", "integral of |p - reference|, over that of |reference|"},
-       {"largest_error", "N/mm^2", "of the traction at a node"},
-       {"peak", "N/mm^2", "largest |p|"},
-       {"reference_peak", "N/mm^2", "that of the reference"},
-       {"flank_motion", "dx",
-        "where |p| falls to a third of the reference's peak towards the leading edge: by how "
-        "much it is ahead of the reference's"},
-       {"total_variation", "N/mm^2", "sum of rises and falls"},
-       {"turning_points", "1", "local extrema"}}};
 };
 
 void add_pulse(Tables& tables, const std::string& basis, double step_ratio, double distance,
@@ -143,33 +122,6 @@ void add_pulses(Tables& tables, const Parameters& p, const Basis& basis) {
     add_pulse(tables, basis.name(), c, p.distance, transport.pulse(c, p.distance));
     add_amplification(tables, p, basis, c);
   }
-}
-
-/// The largest x at which |p| has the level  [mm].
-double flank_of(const TransientRolling& rolling, double level) {
-  const VectorXd p = rolling.state().traction.cwiseAbs();
-  Index i = p.size() - 1;
-  while (i > 0 && p[i - 1] < level) --i;
-  const double spacing = rolling.x()[1] - rolling.x()[0];
-  return rolling.x()[i] - (i == 0 ? 0 : spacing * (level - p[i]) / (p[i - 1] - p[i]));
-}
-
-void add_rolling(Tables& tables, double step_ratio, const TransientRolling& rolling,
-                 const TransientRolling& fine) {
-  const VectorXd& x = rolling.x();
-  const VectorXd& traction = rolling.state().traction;
-  for (Index i = 0; i < x.size(); ++i) {
-    tables.traction.add({step_ratio, x[i], rolling.bound()[i], traction[i]});
-  }
-  const VectorXd reference = interpolated(fine.x(), fine.state().traction, x);
-  const VectorXd error = traction - reference;
-  const double relative_error = error.lpNorm<1>() / reference.lpNorm<1>();
-  const double peak = traction.cwiseAbs().maxCoeff();
-  const double exact_peak = fine.state().traction.cwiseAbs().maxCoeff();
-  const double motion = flank_of(fine, exact_peak / 3) - flank_of(rolling, exact_peak / 3);
-  const auto turns = static_cast<double>(turning_points(traction, 1e-6 * exact_peak));
-  tables.summary.add({step_ratio, relative_error, error.lpNorm<Eigen::Infinity>(), peak, exact_peak,
-                      motion / (x[1] - x[0]), total_variation(traction), turns});
 }
 
 /// Statements of the thesis on A^-1 A', with constant functions and its own step ratios.
@@ -255,22 +207,19 @@ SmoothingParameters read_smoothing(Scene& scene) {
 
 std::vector<Table> smoothing(const SmoothingParameters& p, const Progress& progress) {
   Tables tables;
-  const std::size_t total = p.step_ratios.size() + 3;
+  const std::size_t total = p.step_ratios.size() + 2;
   for (const Basis& basis : {constant_basis(), linear_basis()}) {
     add_pulses(tables, p, basis);
   }
   progress(2, total);
-  const TransientRolling fine = p.rolling.refined(p.distance, p.refinement);
-  progress(3, total);
+  RolledTables rolled(p.rolling, p.refinement);
   for (const double c : p.step_ratios) {
-    add_rolling(tables, c, p.rolling.rolled(Direct{}, c, p.distance), fine);
-    progress(3 + tables.summary.rows(), total);
+    rolled.add("direct", Direct{}, c, p.distance);
+    progress(2 + rolled.summary().rows(), total);
   }
-  for (Index i = 0; i < fine.x().size(); ++i) {
-    tables.reference.add({fine.x()[i], fine.state().traction[i]});
-  }
-  return {tables.pulse,     tables.pulse_summary, tables.amplification,        tables.traction,
-          tables.reference, tables.summary,       claims_of(p, tables.summary)};
+  return {
+      tables.pulse,       tables.pulse_summary, tables.amplification,          rolled.traction(),
+      rolled.reference(), rolled.summary(),     claims_of(p, rolled.summary())};
 }
 
 }  // namespace microslip::experiments

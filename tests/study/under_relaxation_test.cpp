@@ -62,6 +62,7 @@ TEST(UnderRelaxationStudy, NoWigglesAtAMillionthOfAnElement) {
 TEST(UnderRelaxationStudy, RelaxationSuppressesThePeakMoreTheSmallerTheStep) {
   const Table& summary = table_named(tables(), "summary");
   for (std::size_t i = 2; i < 10; ++i) {
+    ASSERT_EQ(std::get<std::string>(summary.at(i, "scheme")), "relaxed");
     EXPECT_GT(summary.number(i, "error"), summary.number(i - 2, "error"));
     EXPECT_LT(summary.number(i, "total_variation"), summary.number(i - 2, "total_variation"));
   }
