@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
 #include <stdexcept>
+#include <tuple>
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/reference/cattaneo.hpp"
@@ -97,6 +100,41 @@ TEST_P(EveryScheme, ForceAndCreepageDescribeTheSameRolling) {
     by_force.step(0.02, PrescribedForce{-0.64 * full_sliding});
     by_creepage.step(0.02, PrescribedCreepage{by_force.state().creepage});
     EXPECT_LT(largest_difference(by_force.state().traction, by_creepage.state().traction), 1e-10);
+  }
+}
+
+// Loads of both kinds and signs, steps of any length: each step meets the contact conditions, with
+// slip recomputed from displacements.
+TEST(Transient, AnySequenceOfStepsMeetsTheContactConditions) {
+  const TransientProblem p = problem(Direct{}, 30);
+  const double dx = p.grid.spacing();
+  const Eigen::MatrixXd a = influence_matrix(p.kernel, p.basis, dx, 30);
+  TransientRolling rolling(p, Eigen::VectorXd(0.3 * bound_at(p.bound, p.grid.nodes())));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (int k = 0; k < 300; ++k) {
+    const double c = std::pow(10.0, 1.5 * unit(random) - 1.1);
+    const Load load = k % 2 == 0 ? Load(PrescribedForce{0.99 * unit(random) * full_sliding})
+                                 : Load(PrescribedCreepage{unit(random)});
+    const Eigen::VectorXd before = rolling.state().traction;
+    rolling.step(c * dx, load);
+    const TransientState& state = rolling.state();
+    const Eigen::VectorXd slip =
+        (a * (state.traction - before) +
+         influence_difference_matrix(p.kernel, p.basis, dx, 30, c) * before) /
+            (c * dx) +
+        Eigen::VectorXd::Constant(30, state.creepage);
+    for (Eigen::Index i = 0; i < 30; ++i) {
+      const double g = rolling.bound()[i];
+      EXPECT_LE(std::abs(state.traction[i]), g + 1e-11);
+      EXPECT_NEAR(slip[i], state.slip[i], 1e-10 / c);
+      if (state.zones[static_cast<std::size_t>(i)] == Zone::adhesion) {
+        EXPECT_EQ(state.slip[i], 0);
+      } else {
+        EXPECT_NEAR(std::abs(state.traction[i]), g, 1e-14);
+        EXPECT_LE(state.slip[i] * state.traction[i], 1e-10);
+      }
+    }
   }
 }
 
