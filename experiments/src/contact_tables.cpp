@@ -14,6 +14,7 @@ Table traction_table(const std::string& description, const NodeValues& values) {
                {"displacement", "mm", "tangential displacement difference u"},
                {"region", "1", "A adhesion, S slip"}});
   for (Eigen::Index i = 0; i < values.x.size(); ++i) {
+    if (values.bound[i] <= 0 && values.traction[i] == 0) continue;
     table.add({values.x[i], values.bound[i], values.traction[i], values.slip[i],
                values.displacement[i], region(values.zones[static_cast<std::size_t>(i)])});
   }

@@ -27,8 +27,8 @@ Table empty_history() {
 
 void add(Table& history, const TransientState& state) {
   history.add({state.distance, state.force, state.creepage,
-               static_cast<double>(state.adhesion_elements()),
-               static_cast<double>(state.slip_elements()), state.dissipation,
+               static_cast<double>(state.adhesion_elements),
+               static_cast<double>(state.slip_elements), state.dissipation,
                static_cast<double>(state.iterations)});
 }
 
@@ -61,8 +61,8 @@ std::vector<Table> transient_scene(const TransientScene& scene, const Progress& 
   summary.add({"cumulative_creep", cumulative_creep, "mm"});
   summary.add({"force_ratio", last.force / full_sliding, "1"});
   summary.add({"full_sliding_force", full_sliding, "N/mm"});
-  summary.add({"adhesion_elements", static_cast<double>(last.adhesion_elements()), "1"});
-  summary.add({"slip_elements", static_cast<double>(last.slip_elements()), "1"});
+  summary.add({"adhesion_elements", static_cast<double>(last.adhesion_elements), "1"});
+  summary.add({"slip_elements", static_cast<double>(last.slip_elements), "1"});
   summary.add({"dissipation", last.dissipation, "N/mm"});
   summary.add({"dissipated_energy", dissipated, "N"});
   return {traction_table("transient rolling, values at the nodes at the end",

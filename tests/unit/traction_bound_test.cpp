@@ -38,6 +38,18 @@ TEST(TabulatedBound, IsLinearBetweenItsPointsAndTowardsTheEdges) {
   EXPECT_DOUBLE_EQ(bound.total(), 1 + 2.5 + 3 + 0.25);
 }
 
+TEST(TractionBound, MeansAddUpToTheTotal) {
+  const Eigen::Vector3d x(-1, 0, 1.5), values(2, 3, 1);
+  for (const TractionBound& bound :
+       {TractionBound(HertzBound(2, 3)), TractionBound(TabulatedBound(2, x, values))}) {
+    const Eigen::VectorXd centres = Eigen::VectorXd::LinSpaced(31, -2.11, 2.09);
+    const Eigen::VectorXd means = mean_bound_around(bound, centres, 0.14);
+    EXPECT_NEAR(means.sum() * 0.14, full_sliding_force(bound), 1e-13);
+    EXPECT_NEAR(means[15], bound_at(bound, centres.segment(15, 1))[0], 0.05);
+    EXPECT_GE(means.minCoeff(), 0);
+  }
+}
+
 TEST(TabulatedBound, KeepsWhatIsGivenAtTheEdges) {
   const TabulatedBound bound(1, Eigen::Vector2d(-1, 1), Eigen::Vector2d(2, 4));
   EXPECT_DOUBLE_EQ(bound(-1), 2);

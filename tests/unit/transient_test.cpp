@@ -138,6 +138,85 @@ TEST(Transient, AnySequenceOfStepsMeetsTheContactConditions) {
   }
 }
 
+// On a grid fixed to the material nothing is interpolated: the results do not depend on the step,
+// but for when elements enter and leave. The direct scheme: 3e-2 at c = 0.1.
+TEST(MaterialFixed, TractionsDoNotDependOnTheStep) {
+  const auto rolled = [](double step_ratio, double elements) {
+    TransientRolling rolling(problem(MaterialFixed{}, 100), CattaneoShift{-0.64 * full_sliding});
+    const double dx = 0.02;
+    roll_quietly(rolling, elements * dx, {step_ratio * dx}, PrescribedForce{-0.64 * full_sliding});
+    return rolling;
+  };
+  for (const double elements : {25.0, 25.3}) {
+    const TransientRolling whole = rolled(1, elements);
+    for (const double c : {0.9, 0.5, 0.31, 0.1, 0.01}) {
+      const TransientRolling part = rolled(c, elements);
+      EXPECT_LT(largest_difference(part.x(), whole.x()), 1e-12);
+      const Eigen::VectorXd difference = part.state().traction - whole.state().traction;
+      const bool divides = std::abs(1 / c - std::round(1 / c)) < 1e-9 && elements == 25;
+      EXPECT_LT(difference.lpNorm<1>() * 0.02, divides ? 2e-4 : 3e-3) << c;
+    }
+  }
+}
+
+// Slip displacement of a material point: the shift of the bodies and what its displacement changed,
+// elements that have left included.
+TEST(MaterialFixed, SlipIsThatOfMaterialPoints) {
+  TransientRolling rolling(problem(MaterialFixed{}, 20), CattaneoShift{-0.5 * full_sliding});
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> ratio(0, 3);
+  const double dx = 0.1;
+  const PlaneKernel kernel(material, 200);
+  const auto displacement = [&](const Eigen::VectorXd& at, const Eigen::VectorXd& x,
+                                const Eigen::VectorXd& traction) {
+    return Eigen::VectorXd(at.unaryExpr([&](double xi) {
+      double sum = 0;
+      for (Eigen::Index j = 0; j < x.size(); ++j) {
+        sum += traction[j] * influence(kernel, constant_shape(), dx, std::round((xi - x[j]) / dx));
+      }
+      return sum;
+    }));
+  };
+  for (int k = 0; k < 60; ++k) {
+    const double length = ratio(random) * dx;
+    const Eigen::VectorXd x = rolling.x();
+    const Eigen::VectorXd traction = rolling.state().traction;
+    rolling.step(length, PrescribedForce{-0.7 * full_sliding});
+    const TransientState& state = rolling.state();
+    EXPECT_NEAR(state.force, -0.7 * full_sliding, 1e-12);
+    const Eigen::VectorXd then =
+        rolling.x() + Eigen::VectorXd::Constant(rolling.x().size(), length);
+    const Eigen::VectorXd slip =
+        displacement(rolling.x(), rolling.x(), state.traction) - displacement(then, x, traction);
+    for (Eigen::Index i = 0; i < slip.size(); ++i) {
+      if (rolling.bound()[i] == 0) {
+        EXPECT_EQ(state.traction[i], 0);
+      } else {
+        EXPECT_NEAR(length * state.slip[i], length * state.creepage + slip[i], 1e-11);
+      }
+    }
+  }
+}
+
+TEST(MaterialFixed, TheWindowStaysAsLargeAsTheContact) {
+  TransientRolling rolling(problem(MaterialFixed{}, 20), CattaneoShift{-0.64 * full_sliding});
+  roll_quietly(rolling, 30, {0.37 * 0.1}, PrescribedForce{-0.64 * full_sliding});
+  EXPECT_EQ(rolling.x().size(), 22);
+  EXPECT_GE(rolling.state().adhesion_elements + rolling.state().slip_elements, 20);
+  EXPECT_LE(rolling.state().adhesion_elements + rolling.state().slip_elements, 21);
+  rolling.step(0.31, PrescribedForce{-0.64 * full_sliding});
+  EXPECT_EQ(rolling.x().size(), 25);
+}
+
+TEST(MaterialFixed, WantsConstantFunctionsThatFillTheContact) {
+  TransientProblem p = problem(MaterialFixed{});
+  p.basis = linear_basis();
+  EXPECT_THROW(TransientRolling{p}, std::invalid_argument);
+  p = problem(MaterialFixed{});
+  p.grid = Grid({.half_width = 1, .elements = 41, .leading_offset = 1});
+  EXPECT_THROW(TransientRolling{p}, std::invalid_argument);
+}
+
 TEST(Transient, ALastStepIsShortened) {
   TransientRolling rolling(problem(Direct{}));
   std::vector<double> distances;
@@ -214,9 +293,9 @@ TEST(Transient, StartsFromTractionsWithinTheBound) {
   TransientRolling rolling(problem(Direct{}));
   rolling.start_from(-0.5 * rolling.bound());
   EXPECT_NEAR(rolling.state().force, -0.5 * full_sliding, 0.005);
-  EXPECT_EQ(rolling.state().slip_elements(), 0);
+  EXPECT_EQ(rolling.state().slip_elements, 0);
   rolling.start_from(rolling.bound());
-  EXPECT_EQ(rolling.state().adhesion_elements(), 0);
+  EXPECT_EQ(rolling.state().adhesion_elements, 0);
   EXPECT_THROW(rolling.start_from(1.1 * rolling.bound()), std::invalid_argument);
 }
 

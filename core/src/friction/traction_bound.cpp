@@ -23,6 +23,12 @@ double HertzBound::operator()(double x) const {
   return peak_ * std::sqrt(std::max(0.0, (1 - r) * (1 + r)));
 }
 
+double HertzBound::integral(double x) const {
+  const double r = std::clamp(x / half_width_, -1.0, 1.0);
+  return half_width_ * peak_ / 2 *
+         (r * std::sqrt((1 - r) * (1 + r)) + std::asin(r) + std::numbers::pi / 2);
+}
+
 double HertzBound::total() const { return std::numbers::pi / 2 * half_width_ * peak_; }
 
 TabulatedBound::TabulatedBound(double half_width, const VectorXd& x, const VectorXd& values)
@@ -50,10 +56,15 @@ double TabulatedBound::operator()(double x) const {
   return (1 - part) * values_[i - 1] + part * values_[i];
 }
 
-double TabulatedBound::total() const {
-  const Index n = x_.size();
-  const VectorXd widths = x_.tail(n - 1) - x_.head(n - 1);
-  return widths.dot(values_.tail(n - 1) + values_.head(n - 1)) / 2;
+double TabulatedBound::integral(double x) const {
+  double sum = 0;
+  for (Index i = 1; i < x_.size() && x_[i - 1] < x; ++i) {
+    const double end = std::min(x, x_[i]);
+    const double begin_value = values_[i - 1];
+    const double end_value = x < x_[i] ? (*this)(x) : values_[i];
+    sum += (end - x_[i - 1]) * (begin_value + end_value) / 2;
+  }
+  return sum;
 }
 
 double half_width_of(const TractionBound& bound) {
@@ -63,6 +74,15 @@ double half_width_of(const TractionBound& bound) {
 VectorXd bound_at(const TractionBound& bound, const VectorXd& x) {
   const auto values = [&](const auto& b) -> VectorXd {
     return x.unaryExpr([&](double xi) { return b(xi); });
+  };
+  return std::visit(values, bound);
+}
+
+VectorXd mean_bound_around(const TractionBound& bound, const VectorXd& x, double width) {
+  const auto values = [&](const auto& b) -> VectorXd {
+    return x.unaryExpr([&](double xi) {
+      return std::max(0.0, b.integral(xi + width / 2) - b.integral(xi - width / 2)) / width;
+    });
   };
   return std::visit(values, bound);
 }

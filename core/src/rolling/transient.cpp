@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 #include "microslip/halfspace/influence.hpp"
@@ -75,14 +76,6 @@ class Schedule {
 
 }  // namespace
 
-Index TransientState::adhesion_elements() const {
-  return std::count(zones.begin(), zones.end(), Zone::adhesion);
-}
-
-Index TransientState::slip_elements() const {
-  return static_cast<Index>(zones.size()) - adhesion_elements();
-}
-
 void require_within_bound(const VectorXd& x, const VectorXd& bound, const VectorXd& traction) {
   const double tolerance = printed * bound.maxCoeff();
   for (Index i = 0; i < x.size(); ++i) {
@@ -92,66 +85,136 @@ void require_within_bound(const VectorXd& x, const VectorXd& bound, const Vector
 }
 
 TransientRolling::TransientRolling(const TransientProblem& problem, const Start& start)
-    : x_(problem.grid.nodes()),
-      bound_(bound_at(problem.bound, x_)),
-      weights_(problem.basis.weights(problem.grid.spacing(), problem.grid.size())),
-      spacing_(problem.grid.spacing()),
-      active_set_(influence_matrix(problem.kernel, problem.basis, spacing_, x_.size()), weights_),
-      advection_(problem.kernel, problem.basis, spacing_, x_.size(), problem.scheme) {
+    : problem_(problem), spacing_(problem.grid.spacing()) {
+  if (std::holds_alternative<MaterialFixed>(problem.scheme)) {
+    if (problem.basis.name() != "constant") {
+      throw std::invalid_argument("basis = '" + problem.basis.name() +
+                                  "': expected constant on a grid that is fixed to the material");
+    }
+    make_window(1);
+  } else {
+    x_ = problem.grid.nodes();
+    bound_ = bound_at(problem.bound, x_);
+    make_system(x_.size());
+    advection_.emplace(problem.kernel, problem.basis, spacing_, x_.size(), problem.scheme);
+  }
   if (const auto* shift = std::get_if<CattaneoShift>(&start)) {
     start_from_shift({shift->force});
   } else {
     const auto* traction = std::get_if<VectorXd>(&start);
-    start_from(traction != nullptr ? *traction : VectorXd::Zero(x_.size()));
+    start_from(traction != nullptr ? *traction : VectorXd::Zero(problem.grid.size()));
   }
+}
+
+void TransientRolling::make_system(Index size) {
+  weights_ = problem_.basis.weights(spacing_, size);
+  active_set_.emplace(influence_matrix(problem_.kernel, problem_.basis, spacing_, size), weights_);
+}
+
+/// A window with room for steps over so many elements.
+void TransientRolling::make_window(Index kept) {
+  const auto& scheme = std::get<MaterialFixed>(problem_.scheme);
+  window_.emplace(problem_.bound, problem_.grid, scheme.moving_bound, kept);
+  make_system(window_->size());
+  const Index added = window_->size() - state_.traction.size();
+  VectorXd traction = VectorXd::Zero(window_->size());
+  traction.tail(state_.traction.size()) = state_.traction;
+  state_.traction = std::move(traction);
+  state_.zones.insert(state_.zones.begin(), static_cast<std::size_t>(added), Zone::adhesion);
+}
+
+void TransientRolling::return_to_start() {
+  if (!window_) return;
+  x_ = window_->x(0);
+  bound_ = window_->bound(0);
 }
 
 void TransientRolling::start_from(const VectorXd& traction) {
-  require_within_bound(x_, bound_, traction);
-  std::vector<Zone> zones;
+  return_to_start();
+  VectorXd padded = VectorXd::Zero(x_.size());
+  padded.tail(traction.size()) = traction;
+  require_within_bound(x_, bound_, padded);
+  ContactState contact{.traction = padded,
+                       .slip = VectorXd::Zero(x_.size()),
+                       .zones = {},
+                       .creepage = 0,
+                       .iterations = 0};
   for (Index i = 0; i < x_.size(); ++i) {
-    const bool slips = bound_[i] > 0 && std::abs(traction[i]) >= bound_[i];
-    zones.push_back(!slips ? Zone::adhesion
-                           : (traction[i] > 0 ? Zone::slip_positive : Zone::slip_negative));
+    const bool slips = bound_[i] > 0 && std::abs(padded[i]) >= bound_[i];
+    contact.zones.push_back(!slips ? Zone::adhesion
+                                   : (padded[i] > 0 ? Zone::slip_positive : Zone::slip_negative));
   }
-  state_ = {.distance = 0,
-            .traction = traction,
-            .slip = VectorXd::Zero(x_.size()),
-            .zones = zones,
-            .force = weights_.dot(traction),
-            .creepage = 0,
-            .dissipation = 0,
-            .iterations = 0};
+  state_ = state_of(0, contact, 1);
 }
 
 double TransientRolling::start_from_shift(const PrescribedForce& force) {
+  return_to_start();
   const VectorXd zeros = VectorXd::Zero(x_.size());
+  ContactState contact =
+      active_set_->solve({.bound = bound_, .offset = zeros, .reference = zeros}, force);
+  const double shift = std::exchange(contact.creepage, 0);
+  contact.slip.setZero();
+  state_ = state_of(0, contact, 1);
+  return shift;
+}
+
+/// \param contact  with slip displacements, over the length
+TransientState TransientRolling::state_of(double distance, const ContactState& contact,
+                                          double length) const {
+  TransientState state{.distance = distance,
+                       .traction = contact.traction,
+                       .slip = contact.slip / length,
+                       .zones = contact.zones,
+                       .force = weights_.dot(contact.traction),
+                       .creepage = contact.creepage / length,
+                       .dissipation = 0,
+                       .iterations = contact.iterations,
+                       .adhesion_elements = 0,
+                       .slip_elements = 0};
+  state.dissipation = -weights_.cwiseProduct(state.traction).dot(state.slip);
+  for (Index i = 0; i < bound_.size(); ++i) {
+    if (bound_[i] <= 0) continue;
+    const bool sticks = state.zones[static_cast<std::size_t>(i)] == Zone::adhesion;
+    ++(sticks ? state.adhesion_elements : state.slip_elements);
+  }
+  return state;
+}
+
+void TransientRolling::step_with_contact(double length, const Load& load) {
+  const double step_ratio = length / spacing_;
+  const double solved_length = advection_->solved_step_ratio(step_ratio) * spacing_;
+  auto [offset, reference] = advection_->advect(state_.traction, step_ratio);
+  ContactState contact = active_set_->solve(
+      {.bound = bound_, .offset = std::move(offset), .reference = std::move(reference)},
+      over(load, solved_length), state_.zones);
+  const double fraction = advection_->fraction(step_ratio);
+  contact.traction = (1 - fraction) * state_.traction + fraction * contact.traction;
+  state_ = state_of(state_.distance + length, contact, solved_length);
+}
+
+void TransientRolling::step_with_material(double length, const Load& load) {
+  const double step_ratio = length / spacing_;
+  require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
+  const double distance = state_.distance + length;
+  const Index elements = window_->elements_between(state_.distance, distance);
+  if (elements > window_->kept()) make_window(elements);
+  VectorXd bound = window_->bound(distance);
   const ContactState contact =
-      active_set_.solve({.bound = bound_, .offset = zeros, .reference = zeros}, force);
-  start_from(contact.traction);
-  state_.zones = contact.zones;
-  state_.iterations = contact.iterations;
-  return contact.creepage;
+      active_set_->solve({.bound = bound,
+                          .offset = VectorXd::Zero(bound.size()),
+                          .reference = moved_on(state_.traction, elements, 0.0)},
+                         over(load, length), moved_on(state_.zones, elements, Zone::adhesion));
+  x_ = window_->x(distance);
+  bound_ = std::move(bound);
+  state_ = state_of(distance, contact, length);
 }
 
 void TransientRolling::step(double length, const Load& load) {
-  const double step_ratio = length / spacing_;
-  const double solved_length = advection_.solved_step_ratio(step_ratio) * spacing_;
-  auto [offset, reference] = advection_.advect(state_.traction, step_ratio);
-  ContactState contact = active_set_.solve(
-      {.bound = bound_, .offset = std::move(offset), .reference = std::move(reference)},
-      over(load, solved_length), state_.zones);
-  const double fraction = advection_.fraction(step_ratio);
-  contact.traction = (1 - fraction) * state_.traction + fraction * contact.traction;
-  const VectorXd slip = contact.slip / solved_length;
-  state_ = {.distance = state_.distance + length,
-            .traction = contact.traction,
-            .slip = slip,
-            .zones = contact.zones,
-            .force = weights_.dot(contact.traction),
-            .creepage = contact.creepage / solved_length,
-            .dissipation = -weights_.cwiseProduct(contact.traction).dot(slip),
-            .iterations = contact.iterations};
+  if (window_) {
+    step_with_material(length, load);
+  } else {
+    step_with_contact(length, load);
+  }
 }
 
 void TransientRolling::roll(double distance, const std::vector<double>& lengths, const Load& load,

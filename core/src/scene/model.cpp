@@ -130,10 +130,11 @@ SteadyProblem read_steady(Scene& scene, double step_ratio) {
 }
 
 AdvectionScheme read_scheme(Scene& scene) {
-  const std::string name =
-      scene.word_or_first("step.scheme", {"direct", "relaxed", "relaxed_traction", "fractional"});
+  const std::string name = scene.word_or_first(
+      "step.scheme", {"direct", "relaxed", "relaxed_traction", "fractional", "material"});
   if (name == "direct") return Direct{};
   if (name == "fractional") return Fractional{};
+  if (name == "material") return MaterialFixed{};
   const double relaxation = scene.number("step.relaxation", 1);
   if (name == "relaxed") return Relaxed{relaxation};
   return RelaxedTraction{relaxation};

@@ -20,6 +20,9 @@ class HertzBound {
   /// g(x)  [N/mm^2]
   double operator()(double x) const;
 
+  /// The integral of g up to x, from the trailing edge  [N/mm]
+  double integral(double x) const;
+
   /// The force of full sliding, (pi/2) a peak  [N/mm]
   double total() const;
 
@@ -43,8 +46,11 @@ class TabulatedBound {
   /// g(x)  [N/mm^2]
   double operator()(double x) const;
 
+  /// The integral of g up to x, from the trailing edge  [N/mm]
+  double integral(double x) const;
+
   /// The force of full sliding: its integral  [N/mm]
-  double total() const;
+  double total() const { return integral(half_width_); }
 
  private:
   double half_width_;
@@ -58,6 +64,11 @@ double half_width_of(const TractionBound& bound);
 
 /// g at each position  [N/mm^2]
 Eigen::VectorXd bound_at(const TractionBound& bound, const Eigen::VectorXd& x);
+
+/// Means of g over intervals of the given width around each position  [N/mm^2]
+/// \param width  in (0, inf)  [mm]
+Eigen::VectorXd mean_bound_around(const TractionBound& bound, const Eigen::VectorXd& x,
+                                  double width);
 
 /// The force of full sliding  [N/mm]
 double full_sliding_force(const TractionBound& bound);

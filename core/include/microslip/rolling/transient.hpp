@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -13,8 +14,8 @@
 
 namespace microslip {
 
-/// Transient rolling of quasi-identical bodies in 2D, on a grid that moves with the contact:
-/// s = w + (1/V) Du/Dt, thesis (3.9).
+/// Transient rolling of quasi-identical bodies in 2D: s = w + (1/V) Du/Dt, thesis (3.9). The grid
+/// moves with the contact, or with the material if the scheme is MaterialFixed.
 struct TransientProblem {
   Kernel kernel;
   TractionBound bound;
@@ -50,9 +51,8 @@ struct TransientState {
   double creepage;     ///< w of the step; zero before the first  [1]
   double dissipation;  ///< -integral of p s over x: energy per mm rolled and mm width  [N/mm]
   int iterations;      ///< stick/slip partitions tried
-
-  Eigen::Index adhesion_elements() const;
-  Eigen::Index slip_elements() const;
+  Eigen::Index adhesion_elements;  ///< of those with a bound above zero
+  Eigen::Index slip_elements;      ///< likewise
 };
 
 /// Implicit Euler steps, collocated at the nodes: dq s = dq w + A p - A' p', thesis (3.14)-(3.16).
@@ -66,14 +66,17 @@ class TransientRolling {
   /// \throws as start_from_shift, if that is how it starts; as require_within_bound for tractions
   explicit TransientRolling(const TransientProblem& problem, const Start& start = Rest{});
 
-  const Eigen::VectorXd& x() const { return x_; }          ///< nodes  [mm]
-  const Eigen::VectorXd& bound() const { return bound_; }  ///< at the nodes  [N/mm^2]
+  // Nodes, and values at them, now. On a grid fixed to the material there are some behind the
+  // contact, where the bound is zero, and all have other positions after each step.
+  const Eigen::VectorXd& x() const { return x_; }          ///< in the contact's frame  [mm]
+  const Eigen::VectorXd& bound() const { return bound_; }  ///< [N/mm^2]
   const TransientState& state() const { return state_; }
 
   /// A p, the displacement at the nodes  [mm]. N^2 operations.
-  Eigen::VectorXd displacement() const { return active_set_.respond(state_.traction); }
+  Eigen::VectorXd displacement() const { return active_set_->respond(state_.traction); }
 
   /// Makes these the tractions, with nothing rolled.
+  /// \param traction  at the nodes of the problem's grid
   /// \throws as require_within_bound
   void start_from(const Eigen::VectorXd& traction);
 
@@ -95,12 +98,21 @@ class TransientRolling {
             const std::function<void(const TransientState&)>& after_step);
 
  private:
+  void make_window(Eigen::Index kept);
+  void make_system(Eigen::Index size);
+  void return_to_start();
+  TransientState state_of(double distance, const ContactState& contact, double length) const;
+  void step_with_contact(double length, const Load& load);
+  void step_with_material(double length, const Load& load);
+
+  TransientProblem problem_;
   Eigen::VectorXd x_;
   Eigen::VectorXd bound_;
   Eigen::VectorXd weights_;
   double spacing_;
-  ActiveSet active_set_;
-  Advection advection_;
+  std::optional<ActiveSet> active_set_;
+  std::optional<Advection> advection_;    ///< on a grid that moves with the contact
+  std::optional<MaterialWindow> window_;  ///< on the other
   TransientState state_;
 };
 

@@ -39,8 +39,8 @@ SteadyProblem read_steady(Scene& scene);
 /// All of the above, with a given step ratio.
 SteadyProblem read_steady(Scene& scene, double step_ratio);
 
-/// step.scheme direct|relaxed|relaxed_traction|fractional (direct); step.relaxation (1) of the
-/// second and third
+/// step.scheme direct|relaxed|relaxed_traction|fractional|material (direct); step.relaxation (1) of
+/// the second and third
 AdvectionScheme read_scheme(Scene& scene);
 
 /// A transient problem with all that happens to it.

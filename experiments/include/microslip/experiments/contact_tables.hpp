@@ -23,7 +23,7 @@ struct NodeValues {
   const std::vector<Zone>& zones;
 };
 
-/// The table `traction`: a row a node.
+/// The table `traction`: a row a node, but those outside the contact, without bound and traction.
 Table traction_table(const std::string& description, const NodeValues& values);
 
 /// The table `summary`, a row a quantity, without rows.
