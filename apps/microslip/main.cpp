@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/cylinder_scene.hpp"
 #include "microslip/experiments/steady_scene.hpp"
 #include "microslip/experiments/transient_scene.hpp"
 #include "microslip/program/run.hpp"
@@ -9,9 +10,15 @@ namespace {
 using namespace microslip;
 
 program::Work prepare(Scene& scene) {
-  if (scene.word("problem", {"steady", "transient"}) == "steady") {
-    return [problem = read_steady(scene)](const Progress&) {
-      return experiments::steady_scene(problem);
+  const std::string problem = scene.word("problem", {"steady", "transient", "cylinder"});
+  if (problem == "steady") {
+    return [steady = read_steady(scene)](const Progress&) {
+      return experiments::steady_scene(steady);
+    };
+  }
+  if (problem == "cylinder") {
+    return [cylinder = read_cylinder(scene)](const Progress& progress) {
+      return experiments::cylinder_scene(cylinder, progress);
     };
   }
   return [transient = read_transient(scene)](const Progress& progress) {

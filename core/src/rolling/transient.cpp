@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -123,14 +124,14 @@ void TransientRolling::make_window(Index kept) {
   state_.zones.insert(state_.zones.begin(), static_cast<std::size_t>(added), Zone::adhesion);
 }
 
-void TransientRolling::return_to_start() {
+void TransientRolling::set_bound(double distance) {
   if (!window_) return;
-  x_ = window_->x(0);
-  bound_ = window_->bound(0);
+  x_ = window_->x(distance);
+  bound_ = window_->bound(distance);
 }
 
 void TransientRolling::start_from(const VectorXd& traction) {
-  return_to_start();
+  set_bound(0);
   VectorXd padded = VectorXd::Zero(x_.size());
   padded.tail(traction.size()) = traction;
   require_within_bound(x_, bound_, padded);
@@ -144,23 +145,23 @@ void TransientRolling::start_from(const VectorXd& traction) {
     contact.zones.push_back(!slips ? Zone::adhesion
                                    : (padded[i] > 0 ? Zone::slip_positive : Zone::slip_negative));
   }
-  state_ = state_of(0, contact, 1);
+  state_ = state_of(0, contact, 1, bound_);
 }
 
 double TransientRolling::start_from_shift(const PrescribedForce& force) {
-  return_to_start();
+  set_bound(0);
   const VectorXd zeros = VectorXd::Zero(x_.size());
   ContactState contact =
       active_set_->solve({.bound = bound_, .offset = zeros, .reference = zeros}, force);
   const double shift = std::exchange(contact.creepage, 0);
   contact.slip.setZero();
-  state_ = state_of(0, contact, 1);
+  state_ = state_of(0, contact, 1, bound_);
   return shift;
 }
 
 /// \param contact  with slip displacements, over the length
 TransientState TransientRolling::state_of(double distance, const ContactState& contact,
-                                          double length) const {
+                                          double length, const VectorXd& bound) const {
   TransientState state{.distance = distance,
                        .traction = contact.traction,
                        .slip = contact.slip / length,
@@ -168,19 +169,20 @@ TransientState TransientRolling::state_of(double distance, const ContactState& c
                        .force = weights_.dot(contact.traction),
                        .creepage = contact.creepage / length,
                        .dissipation = 0,
+                       .mean_dissipation = std::numeric_limits<double>::quiet_NaN(),
                        .iterations = contact.iterations,
                        .adhesion_elements = 0,
                        .slip_elements = 0};
   state.dissipation = -weights_.cwiseProduct(state.traction).dot(state.slip);
-  for (Index i = 0; i < bound_.size(); ++i) {
-    if (bound_[i] <= 0) continue;
+  for (Index i = 0; i < bound.size(); ++i) {
+    if (bound[i] <= 0) continue;
     const bool sticks = state.zones[static_cast<std::size_t>(i)] == Zone::adhesion;
     ++(sticks ? state.adhesion_elements : state.slip_elements);
   }
   return state;
 }
 
-void TransientRolling::step_with_contact(double length, const Load& load) {
+TransientState TransientRolling::attempt_with_contact(double length, const Load& load) {
   const double step_ratio = length / spacing_;
   const double solved_length = advection_->solved_step_ratio(step_ratio) * spacing_;
   auto [offset, reference] = advection_->advect(state_.traction, step_ratio);
@@ -189,32 +191,37 @@ void TransientRolling::step_with_contact(double length, const Load& load) {
       over(load, solved_length), state_.zones);
   const double fraction = advection_->fraction(step_ratio);
   contact.traction = (1 - fraction) * state_.traction + fraction * contact.traction;
-  state_ = state_of(state_.distance + length, contact, solved_length);
+  return state_of(state_.distance + length, contact, solved_length, bound_);
 }
 
-void TransientRolling::step_with_material(double length, const Load& load) {
+TransientState TransientRolling::attempt_with_material(double length, const Load& load) {
   const double step_ratio = length / spacing_;
   require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
   const double distance = state_.distance + length;
   const Index elements = window_->elements_between(state_.distance, distance);
   if (elements > window_->kept()) make_window(elements);
-  VectorXd bound = window_->bound(distance);
-  const ContactState contact =
-      active_set_->solve({.bound = bound,
-                          .offset = VectorXd::Zero(bound.size()),
-                          .reference = moved_on(state_.traction, elements, 0.0)},
-                         over(load, length), moved_on(state_.zones, elements, Zone::adhesion));
-  x_ = window_->x(distance);
-  bound_ = std::move(bound);
-  state_ = state_of(distance, contact, length);
+  const SlipConditions conditions{.bound = window_->bound(distance),
+                                  .offset = VectorXd::Zero(window_->size()),
+                                  .reference = moved_on(state_.traction, elements, 0.0)};
+  const ContactState contact = active_set_->solve(conditions, over(load, length),
+                                                  moved_on(state_.zones, elements, Zone::adhesion));
+  TransientState state = state_of(distance, contact, length, conditions.bound);
+  const VectorXd mean = (state.traction + conditions.reference) / 2;
+  state.mean_dissipation = -weights_.cwiseProduct(mean).dot(state.slip);
+  return state;
+}
+
+TransientState TransientRolling::attempt(double length, const Load& load) {
+  return window_ ? attempt_with_material(length, load) : attempt_with_contact(length, load);
 }
 
 void TransientRolling::step(double length, const Load& load) {
-  if (window_) {
-    step_with_material(length, load);
-  } else {
-    step_with_contact(length, load);
-  }
+  state_ = attempt(length, load);
+  set_bound(state_.distance);
+}
+
+double TransientRolling::elastic_energy() const {
+  return weights_.cwiseProduct(state_.traction).dot(displacement()) / 2;
 }
 
 void TransientRolling::roll(double distance, const std::vector<double>& lengths, const Load& load,

@@ -100,6 +100,23 @@ Eigen::VectorXd traction_at_nodes(const std::vector<Eigen::VectorXd>& columns,
 /// A history of more rows would take more than 300 MB.
 constexpr double most_steps = 1e6;
 
+/// \param names  of all schemes, the default first
+AdvectionScheme read_scheme(Scene& scene, std::initializer_list<std::string_view> names) {
+  const std::string name = scene.word_or_first("step.scheme", names);
+  if (name == "direct") return Direct{};
+  if (name == "fractional") return Fractional{};
+  if (name == "material") return MaterialFixed{};
+  const double relaxation = scene.number("step.relaxation", 1);
+  if (name == "relaxed") return Relaxed{relaxation};
+  return RelaxedTraction{relaxation};
+}
+
+void require_few_steps(double distance, double length) {
+  const double steps = std::ceil(distance / length);
+  require(steps <= most_steps, "motion.distance", distance,
+          "at most " + format_short(most_steps) + " steps, not " + format_short(steps));
+}
+
 Start read_start(Scene& scene, const TransientProblem& problem, const Load& load) {
   const std::string type = scene.word("start.type", {"rest", "cattaneo", "file"});
   if (type == "rest") return Rest{};
@@ -129,24 +146,15 @@ SteadyProblem read_steady(Scene& scene, double step_ratio) {
           .load = read_load(scene)};
 }
 
-AdvectionScheme read_scheme(Scene& scene) {
-  const std::string name = scene.word_or_first(
-      "step.scheme", {"direct", "relaxed", "relaxed_traction", "fractional", "material"});
-  if (name == "direct") return Direct{};
-  if (name == "fractional") return Fractional{};
-  if (name == "material") return MaterialFixed{};
-  const double relaxation = scene.number("step.relaxation", 1);
-  if (name == "relaxed") return Relaxed{relaxation};
-  return RelaxedTraction{relaxation};
-}
-
 TransientScene read_transient(Scene& scene) {
   const ContactModel model = read_contact(scene);
-  const TransientProblem problem{.kernel = model.kernel,
-                                 .bound = model.bound,
-                                 .grid = model.grid,
-                                 .basis = model.basis,
-                                 .scheme = read_scheme(scene)};
+  const TransientProblem problem{
+      .kernel = model.kernel,
+      .bound = model.bound,
+      .grid = model.grid,
+      .basis = model.basis,
+      .scheme =
+          read_scheme(scene, {"direct", "relaxed", "relaxed_traction", "fractional", "material"})};
   const std::vector<double> step_ratios = scene.numbers("step.ratio");
   for (const double ratio : step_ratios) {
     require(ratio >= min_step_ratio, "step.ratio", ratio, "numbers >= 1e-15");
@@ -155,15 +163,43 @@ TransientScene read_transient(Scene& scene) {
   require_positive("motion.distance", distance);
   const double mean = std::accumulate(step_ratios.begin(), step_ratios.end(), 0.0) /
                       static_cast<double>(step_ratios.size());
-  const double steps = distance / (mean * problem.grid.spacing());
-  require(steps <= most_steps, "motion.distance", distance,
-          "at most " + format_short(most_steps) + " steps, not " + format_short(std::ceil(steps)));
+  require_few_steps(distance, mean * problem.grid.spacing());
   const Load load = read_load(scene);
   return {.problem = problem,
           .start = read_start(scene, problem, load),
           .distance = distance,
           .step_ratios = step_ratios,
           .load = load};
+}
+
+CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator) {
+  const ContactModel model = read_contact(scene);
+  CylinderScene cylinder{.contact = {.kernel = model.kernel,
+                                     .bound = model.bound,
+                                     .grid = model.grid,
+                                     .basis = model.basis,
+                                     .scheme = scheme},
+                         .cylinder = {.mass = scene.number("cylinder.mass"),
+                                      .inertia = scene.number("cylinder.inertia"),
+                                      .radius = scene.number("cylinder.radius"),
+                                      .slope_force = scene.number("cylinder.slope_force")},
+                         .integrator = integrator,
+                         .step_ratio = scene.number("step.ratio", 1),
+                         .distance = scene.number("motion.distance")};
+  require_positive("motion.distance", cylinder.distance);
+  require_few_steps(cylinder.distance, cylinder.step_ratio * model.grid.spacing());
+  return cylinder;
+}
+
+CylinderScene read_cylinder(Scene& scene) {
+  const std::string integrator =
+      scene.word_or_first("motion.integrator", {"midpoint", "verlet", "leapfrog"});
+  const AdvectionScheme scheme =
+      read_scheme(scene, {"material", "direct", "relaxed", "relaxed_traction", "fractional"});
+  return read_cylinder(scene, scheme,
+                       integrator == "midpoint" ? Integrator::midpoint
+                       : integrator == "verlet" ? Integrator::verlet
+                                                : Integrator::leapfrog);
 }
 
 }  // namespace microslip

@@ -50,7 +50,10 @@ struct TransientState {
   double force;        ///< integral of the traction  [N/mm]
   double creepage;     ///< w of the step; zero before the first  [1]
   double dissipation;  ///< -integral of p s over x: energy per mm rolled and mm width  [N/mm]
-  int iterations;      ///< stick/slip partitions tried
+  /// The same with (p + p')/2 at each material point, those that have just left included; only on a
+  /// grid fixed to the material, and nan on others  [N/mm]
+  double mean_dissipation;
+  int iterations;                  ///< stick/slip partitions tried
   Eigen::Index adhesion_elements;  ///< of those with a bound above zero
   Eigen::Index slip_elements;      ///< likewise
 };
@@ -75,6 +78,9 @@ class TransientRolling {
   /// A p, the displacement at the nodes  [mm]. N^2 operations.
   Eigen::VectorXd displacement() const { return active_set_->respond(state_.traction); }
 
+  /// Half the integral of p u  [N]. N^2 operations.
+  double elastic_energy() const;
+
   /// Makes these the tractions, with nothing rolled.
   /// \param traction  at the nodes of the problem's grid
   /// \throws as require_within_bound
@@ -90,6 +96,9 @@ class TransientRolling {
   /// \throws std::invalid_argument outside the range, and as ActiveSet::solve
   void step(double length, const Load& load);
 
+  /// The state to which that step would lead.
+  TransientState attempt(double length, const Load& load);
+
   /// Rolls a distance in steps of the given lengths, in turn; the last is shortened to end there.
   /// \param distance    (0, inf)  [mm]
   /// \param lengths     dq, at least one, each as for step()  [mm]
@@ -100,10 +109,11 @@ class TransientRolling {
  private:
   void make_window(Eigen::Index kept);
   void make_system(Eigen::Index size);
-  void return_to_start();
-  TransientState state_of(double distance, const ContactState& contact, double length) const;
-  void step_with_contact(double length, const Load& load);
-  void step_with_material(double length, const Load& load);
+  void set_bound(double distance);
+  TransientState state_of(double distance, const ContactState& contact, double length,
+                          const Eigen::VectorXd& bound) const;
+  TransientState attempt_with_contact(double length, const Load& load);
+  TransientState attempt_with_material(double length, const Load& load);
 
   TransientProblem problem_;
   Eigen::VectorXd x_;

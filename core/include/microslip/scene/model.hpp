@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "microslip/dynamics/cylinder.hpp"
 #include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "microslip/scene/scene.hpp"
@@ -39,10 +40,6 @@ SteadyProblem read_steady(Scene& scene);
 /// All of the above, with a given step ratio.
 SteadyProblem read_steady(Scene& scene, double step_ratio);
 
-/// step.scheme direct|relaxed|relaxed_traction|fractional|material (direct); step.relaxation (1) of
-/// the second and third
-AdvectionScheme read_scheme(Scene& scene);
-
 /// A transient problem with all that happens to it.
 struct TransientScene {
   TransientProblem problem;
@@ -52,9 +49,28 @@ struct TransientScene {
   Load load;
 };
 
-/// All of a steady scene but step.ratio, and: step.ratio (one or more numbers), step.scheme,
-/// motion.distance, start.type rest|cattaneo|file; start.force (load.force) of the second,
-/// start.file (columns x traction, at the nodes) of the third.
+/// All of a steady scene but step.ratio, and: step.ratio (one or more numbers), step.scheme
+/// direct|relaxed|relaxed_traction|fractional|material (direct), step.relaxation (1) of the second
+/// and third, motion.distance, start.type rest|cattaneo|file; start.force (load.force) of the
+/// second, start.file (columns x traction, at the nodes) of the third.
 TransientScene read_transient(Scene& scene);
+
+/// A cylinder that rolls down a slope from rest.
+struct CylinderScene {
+  TransientProblem contact;
+  Cylinder cylinder;
+  Integrator integrator;
+  double step_ratio;  ///< c, (0, inf)  [1]
+  double distance;    ///< (0, inf)  [mm]
+};
+
+/// All of a steady scene but load.*; cylinder.mass, cylinder.inertia, cylinder.radius,
+/// cylinder.slope_force, step.ratio (1), motion.distance, motion.integrator
+/// midpoint|verlet|leapfrog (midpoint), and step.scheme and step.relaxation as in a transient, but
+/// by default material.
+CylinderScene read_cylinder(Scene& scene);
+
+/// The same with a given scheme and integrator.
+CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator);
 
 }  // namespace microslip

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "microslip/rolling/transient.hpp"
+
+namespace microslip {
+
+// A solid body of revolution that rolls down a slope, thesis chapter 9: m dv/dt = F_cm + F,
+// I dw/dt = -R F, F the force of the contact. All per mm of width; units of mm, N and s.
+
+struct Cylinder {
+  double mass;         ///< m, in (0, inf)  [N s^2/mm^2]
+  double inertia;      ///< I, in (0, inf)  [N s^2]
+  double radius;       ///< R, in (0, inf)  [mm]
+  double slope_force;  ///< F_cm, gravity along the slope, in (0, inf)  [N/mm]
+};
+
+/// How contact and motion are advanced together. The contact needs the distance and the shift of a
+/// step, and gives the force at its end.
+enum class Integrator {
+  verlet,    ///< velocity Verlet with predicted velocities, Groot and Warren's lambda = 1/2
+  leapfrog,  ///< velocities half a step ahead of positions, with varying steps
+  /// Mean velocities move the contact, the mean of the forces before and after the step moves the
+  /// body: implicit, and the balance of energy is exact on a grid fixed to the material.
+  midpoint
+};
+
+/// Where the energy went; at the start all are zero but the motion. Per mm of width  [N]
+struct EnergyLedger {
+  double potential = 0;    ///< -F_cm X, thesis (9.7)
+  double translation = 0;  ///< m v^2/2
+  double rotation = 0;     ///< I omega^2/2
+  double elastic = 0;      ///< half the integral of p u
+  double dissipated = 0;   ///< thesis (9.11), with tractions at the end of each step
+  /// With (p + p')/2 at each material point; nan on a grid that moves with the contact
+  double mean_dissipated = 0;
+
+  /// The sum with the first or the second kind of dissipation; constant in theory.
+  double total() const { return motion() + dissipated; }
+  double mean_total() const { return motion() + mean_dissipated; }
+
+ private:
+  double motion() const { return potential + translation + rotation + elastic; }
+};
+
+struct CylinderState {
+  double time = 0;              ///< [s]
+  double position = 0;          ///< X rolled  [mm]
+  double velocity = 0;          ///< v, at the position's time for all integrators  [mm/s]
+  double angular_velocity = 0;  ///< omega  [1/s]
+  double force = 0;             ///< F  [N/mm]
+  double creepage = 0;          ///< (v - omega R)/v of the step  [1]
+};
+
+/// From rest. A step lasts c dx / v, but not longer than it takes F_cm to move the body by c dx
+/// from rest, so that a start from v = 0 works; nor than 4 c dx/a, at most an eighth, of the period
+/// in which the body swings on the contact as long as that sticks, 2 pi sqrt(m'/k), with 1/m' = 1/m
+/// + R^2/I and k the stiffness of the contact.
+///
+/// Order of accuracy: first in dx for any integrator, as that of the contact
+/// (tests/order/cylinder_order_test.cpp). Cost: that of a transient step, midpoint about five.
+class RollingCylinder {
+ public:
+  /// \param contact     creepage-driven, so its kernel.width or kernel.length matters
+  /// \param step_ratio  c, > 0  [1]
+  /// \throws std::invalid_argument outside the ranges
+  RollingCylinder(const TransientProblem& contact, const Cylinder& cylinder, Integrator integrator,
+                  double step_ratio);
+
+  /// Of the body that swings on a contact which sticks  [s]
+  double period() const { return period_; }
+
+  const CylinderState& state() const { return state_; }
+  const TransientRolling& contact() const { return contact_; }
+  EnergyLedger ledger() const;
+
+  /// \throws std::runtime_error if the cylinder stalls or rolls backwards
+  /// \throws NotConverged       as the contact, or if the implicit equation has no solution
+  void step();
+
+ private:
+  double time_step(double velocity) const;
+  void roll_contact(double velocity, double angular_velocity, double time);
+  void step_verlet();
+  void step_leapfrog();
+  void step_midpoint();
+
+  TransientRolling contact_;
+  Cylinder cylinder_;
+  Integrator integrator_;
+  double step_length_;  ///< c dx
+  double period_;
+  double longest_step_;  ///< [s]
+  double force_scale_;   ///< full sliding  [N/mm]
+  CylinderState state_;
+  double acceleration_;
+  double angular_acceleration_ = 0;
+  // Leapfrog: velocities half a step ahead, and that step.
+  double ahead_velocity_ = 0;
+  double ahead_angular_velocity_ = 0;
+  double ahead_time_ = 0;
+  double slope_ = 1;  ///< midpoint: of the last secant, >= 1
+  double dissipated_ = 0;
+  double mean_dissipated_ = 0;
+};
+
+}  // namespace microslip

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/dynamics/cylinder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "microslip/support/format.hpp"
+#include "microslip/support/not_converged.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip {
+
+namespace {
+
+void require_rolling(double velocity, const CylinderState& state) {
+  if (velocity > 0) return;
+  throw std::runtime_error("the cylinder stalls or rolls backwards after " +
+                           format_short(state.position) +
+                           " mm: a step with v = " + format_short(velocity) + " mm/s");
+}
+
+/// -dF/dS of a shift S so small that nothing slips  [N/mm^2]
+double stiffness(const TransientProblem& contact) {
+  const double length = contact.grid.spacing();
+  const double shift = 1e-9 * contact.grid.half_width();
+  TransientRolling at_rest(contact);
+  return -at_rest.attempt(length, PrescribedCreepage{shift / length}).force / shift;
+}
+
+}  // namespace
+
+RollingCylinder::RollingCylinder(const TransientProblem& contact, const Cylinder& cylinder,
+                                 Integrator integrator, double step_ratio)
+    : contact_(contact),
+      cylinder_(cylinder),
+      integrator_(integrator),
+      step_length_(step_ratio * contact.grid.spacing()),
+      force_scale_(full_sliding_force(contact.bound)),
+      acceleration_(cylinder.slope_force / cylinder.mass) {
+  require_positive("cylinder.mass", cylinder.mass);
+  require_positive("cylinder.inertia", cylinder.inertia);
+  require_positive("cylinder.radius", cylinder.radius);
+  require_positive("cylinder.slope_force", cylinder.slope_force);
+  require_positive("step.ratio", step_ratio);
+  const double mass =
+      1 / (1 / cylinder.mass + cylinder.radius * cylinder.radius / cylinder.inertia);
+  period_ = 2 * std::numbers::pi * std::sqrt(mass / stiffness(contact));
+  const double part = std::min(0.125, 4 * step_length_ / contact.grid.half_width());
+  longest_step_ =
+      std::min(part * period_, std::sqrt(2 * step_length_ * cylinder.mass / cylinder.slope_force));
+  ahead_time_ = time_step(0);
+  ahead_velocity_ = acceleration_ * ahead_time_ / 2;
+}
+
+double RollingCylinder::time_step(double velocity) const {
+  return velocity * longest_step_ > step_length_ ? step_length_ / velocity : longest_step_;
+}
+
+/// Moves the contact with these velocities, and takes accelerations from its force at the end.
+void RollingCylinder::roll_contact(double velocity, double angular_velocity, double time) {
+  require_rolling(velocity, state_);
+  const double length = velocity * time;
+  const double creepage = 1 - angular_velocity * cylinder_.radius / velocity;
+  contact_.step(length, PrescribedCreepage{creepage});
+  dissipated_ += contact_.state().dissipation * length;
+  mean_dissipated_ += contact_.state().mean_dissipation * length;
+  state_.time += time;
+  state_.position += length;
+  state_.creepage = creepage;
+  state_.force = contact_.state().force;
+  acceleration_ = (cylinder_.slope_force + state_.force) / cylinder_.mass;
+  angular_acceleration_ = -cylinder_.radius * state_.force / cylinder_.inertia;
+}
+
+void RollingCylinder::step_verlet() {
+  const double time = time_step(state_.velocity);
+  const double before = acceleration_, angular_before = angular_acceleration_;
+  roll_contact(state_.velocity + time * before / 2,
+               state_.angular_velocity + time * angular_before / 2, time);
+  state_.velocity += time * (before + acceleration_) / 2;
+  state_.angular_velocity += time * (angular_before + angular_acceleration_) / 2;
+}
+
+void RollingCylinder::step_leapfrog() {
+  roll_contact(ahead_velocity_, ahead_angular_velocity_, ahead_time_);
+  state_.velocity = ahead_velocity_ + ahead_time_ * acceleration_ / 2;
+  state_.angular_velocity = ahead_angular_velocity_ + ahead_time_ * angular_acceleration_ / 2;
+  ahead_time_ = time_step(state_.velocity);
+  ahead_velocity_ = state_.velocity + ahead_time_ * acceleration_ / 2;
+  ahead_angular_velocity_ = state_.angular_velocity + ahead_time_ * angular_acceleration_ / 2;
+}
+
+/// The unknown is the mean force. More of it makes the contact slide further, and so makes the
+/// force at the end smaller: the equation has one solution, found by secants from the last force.
+void RollingCylinder::step_midpoint() {
+  const double time = time_step(state_.velocity);
+  const double force = state_.force;
+  const auto velocity = [&](double mean_force) {
+    return state_.velocity + time * (cylinder_.slope_force + mean_force) / (2 * cylinder_.mass);
+  };
+  const auto angular_velocity = [&](double mean_force) {
+    return state_.angular_velocity - time * cylinder_.radius * mean_force / (2 * cylinder_.inertia);
+  };
+  const auto excess = [&](double mean_force) {
+    const double v = velocity(mean_force);
+    require_rolling(v, state_);
+    const double creepage = 1 - angular_velocity(mean_force) * cylinder_.radius / v;
+    return mean_force -
+           (force + contact_.attempt(v * time, PrescribedCreepage{creepage}).force) / 2;
+  };
+  // A secant may ask for so much braking that the cylinder would roll backwards.
+  const auto towards = [&](double from, double to) {
+    for (int k = 0; k < 60 && velocity(to) <= 0; ++k) to = (from + to) / 2;
+    return to;
+  };
+  // The residual is a difference of forces; where it no longer falls, rounding has been reached.
+  constexpr int most_secants = 100;
+  const double rounding = 1e-15 * force_scale_;
+  const double accepted = 1e-11 * force_scale_;
+  double before = force;
+  double at_before = excess(before);
+  double mean_force = towards(before, before - at_before / slope_);
+  for (int k = 0;; ++k) {
+    const double at_mean = excess(mean_force);
+    const bool stagnates = std::abs(at_mean) >= std::abs(at_before);
+    if (std::abs(at_mean) <= (stagnates ? accepted : rounding)) break;
+    if (k == most_secants) {
+      throw NotConverged("cylinder: midpoint rule", k, std::abs(at_mean) / force_scale_);
+    }
+    if (at_mean != at_before) slope_ = std::max(1.0, (at_mean - at_before) / (mean_force - before));
+    before = std::exchange(mean_force, towards(mean_force, mean_force - at_mean / slope_));
+    at_before = at_mean;
+  }
+  roll_contact(velocity(mean_force), angular_velocity(mean_force), time);
+  state_.velocity += time * (cylinder_.slope_force + mean_force) / cylinder_.mass;
+  state_.angular_velocity -= time * cylinder_.radius * mean_force / cylinder_.inertia;
+}
+
+void RollingCylinder::step() {
+  switch (integrator_) {
+    case Integrator::verlet:
+      return step_verlet();
+    case Integrator::leapfrog:
+      return step_leapfrog();
+    case Integrator::midpoint:
+      return step_midpoint();
+  }
+}
+
+EnergyLedger RollingCylinder::ledger() const {
+  EnergyLedger ledger;
+  ledger.potential = -cylinder_.slope_force * state_.position;
+  ledger.translation = cylinder_.mass * state_.velocity * state_.velocity / 2;
+  ledger.rotation = cylinder_.inertia * state_.angular_velocity * state_.angular_velocity / 2;
+  ledger.elastic = contact_.elastic_energy();
+  ledger.dissipated = dissipated_;
+  ledger.mean_dissipated = mean_dissipated_;
+  return ledger;
+}
+
+}  // namespace microslip

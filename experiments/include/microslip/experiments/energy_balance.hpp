@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "microslip/dynamics/cylinder.hpp"
+#include "microslip/scene/model.hpp"
+#include "microslip/scene/table.hpp"
+#include "microslip/support/progress.hpp"
+
+namespace microslip::experiments {
+
+/// How does the balance of energy of a cylinder that starts to roll down a slope close? Thesis
+/// chapter 9.
+struct EnergyBalanceParameters {
+  CylinderScene scene;              ///< of the motion shown; its scheme and integrator are not used
+  std::vector<double> snapshots;    ///< positions of the tractions shown, ascending  [mm]
+  std::vector<Eigen::Index> sizes;  ///< N of the energy errors, each twice the one before
+  double error_distance;            ///< at which errors are taken  [mm]
+  std::vector<Eigen::Index> motion_sizes;  ///< N whose motion is compared with a finer one
+  Eigen::Index refinement;                 ///< elements of the finer one for each, >= 2
+};
+
+/// The keys of a cylinder's scene without step.scheme and motion.integrator, and
+/// snapshots.positions, error.sizes, error.distance, motion.sizes, motion.refinement
+EnergyBalanceParameters read_energy_balance(Scene& scene);
+
+/// Tables: motion (v and omega R against X), snapshots, energy (all of them and their sums against
+/// X), energy_error (against N for each frame, integrator and ledger), motion_error (against a
+/// finer run), orders, claims.
+std::vector<Table> energy_balance(const EnergyBalanceParameters& parameters,
+                                  const Progress& progress);
+
+}  // namespace microslip::experiments

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/dynamics/cylinder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace microslip {
+namespace {
+
+constexpr Cylinder cylinder{.mass = 1, .inertia = 5000, .radius = 100, .slope_force = 0.3};
+
+RollingCylinder rolling(Integrator integrator, AdvectionScheme scheme = MaterialFixed{},
+                        double step_ratio = 1, const Cylinder& body = cylinder,
+                        Eigen::Index n = 40) {
+  return {{.kernel = PlaneKernel({1.44, 0.28}, 10),
+           .bound = HertzBound(1, 1),
+           .grid = Grid({.half_width = 1, .elements = n}),
+           .basis = constant_basis(),
+           .scheme = scheme},
+          body,
+          integrator,
+          step_ratio};
+}
+
+void roll_to(RollingCylinder& body, double distance) {
+  while (body.state().position < distance) body.step();
+}
+
+class EveryIntegrator : public testing::TestWithParam<Integrator> {};
+
+INSTANTIATE_TEST_SUITE_P(Integrators, EveryIntegrator,
+                         testing::Values(Integrator::verlet, Integrator::leapfrog,
+                                         Integrator::midpoint));
+
+// In the end it rolls with a constant creepage w, so that (1 - w) dv/dt = R domega/dt = -2 F/m for
+// a solid cylinder.
+TEST_P(EveryIntegrator, SettlesToRolling) {
+  RollingCylinder body = rolling(GetParam());
+  roll_to(body, 60);
+  const double v = body.state().velocity;
+  const double time = body.state().time;
+  EXPECT_NEAR(body.state().force, -0.1, 0.01);
+  EXPECT_NEAR(body.state().angular_velocity * cylinder.radius / v, 1, 0.05);
+  roll_to(body, 80);
+  const double rolled = 0.3 / (1 + (1 - body.state().creepage) / 2);
+  EXPECT_NEAR((body.state().velocity - v) / (body.state().time - time), rolled, 5e-4);
+}
+
+// Forces and their moments, summed over the steps.
+TEST_P(EveryIntegrator, ChangesOfMomentumAreThoseOfTheForces) {
+  RollingCylinder body = rolling(GetParam());
+  for (int k = 0; k < 100; ++k) body.step();
+  const double linear = cylinder.mass * body.state().velocity;
+  const double angular = cylinder.inertia * body.state().angular_velocity / cylinder.radius;
+  EXPECT_NEAR(linear + angular, cylinder.slope_force * body.state().time, 1e-12);
+}
+
+TEST_P(EveryIntegrator, StartsFromRestInStepsOfAboutAnElement) {
+  for (const double step_ratio : {1.0, 0.3}) {
+    RollingCylinder body = rolling(GetParam(), MaterialFixed{}, step_ratio);
+    double before = 0;
+    for (int k = 0; k < 30; ++k) {
+      body.step();
+      const double length = body.state().position - before;
+      EXPECT_GT(length, 0);
+      EXPECT_LT(length, 1.5 * step_ratio * 0.05);
+      before = body.state().position;
+    }
+  }
+}
+
+TEST(RollingCylinder, MidpointBalancesEnergyToRounding) {
+  for (const double step_ratio : {1.0, 0.37, 2.5}) {
+    for (const MovingBound bound : {MovingBound::cell_mean, MovingBound::at_node}) {
+      RollingCylinder body = rolling(Integrator::midpoint, MaterialFixed{bound}, step_ratio);
+      roll_to(body, 10);
+      const EnergyLedger ledger = body.ledger();
+      EXPECT_GT(ledger.mean_dissipated, 0.01);
+      EXPECT_LT(std::abs(ledger.mean_total()), 1e-13 * -ledger.potential) << step_ratio;
+      EXPECT_GT(std::abs(ledger.total()), 1e-3 * -ledger.potential);
+    }
+  }
+}
+
+// The two schemes of thesis chapter 9 are one: half a step more of velocity is what the other adds
+// at the start of its next step.
+TEST(RollingCylinder, VerletAndLeapfrogAreTheSame) {
+  RollingCylinder verlet = rolling(Integrator::verlet);
+  RollingCylinder leapfrog = rolling(Integrator::leapfrog);
+  for (int k = 0; k < 300; ++k) {
+    verlet.step();
+    leapfrog.step();
+    EXPECT_NEAR(verlet.state().position, leapfrog.state().position, 1e-11);
+    EXPECT_NEAR(verlet.state().velocity, leapfrog.state().velocity, 1e-11);
+  }
+}
+
+TEST(RollingCylinder, SlidesWhereTheSlopeIsTooSteep) {
+  Cylinder steep = cylinder;
+  steep.slope_force = 10;
+  RollingCylinder body = rolling(Integrator::verlet, MaterialFixed{}, 1, steep);
+  roll_to(body, 5);
+  EXPECT_LT(body.state().force, -0.95 * HertzBound(1, 1).total());
+  EXPECT_GT(body.state().creepage, 0.2);
+}
+
+TEST(RollingCylinder, SaysWhenItStalls) {
+  Cylinder stuck = cylinder;
+  stuck.slope_force = 0.003;
+  stuck.inertia = 1e6;
+  RollingCylinder body = rolling(Integrator::verlet, Direct{}, 1, stuck);
+  try {
+    roll_to(body, 5);
+    FAIL() << "expected it to stall, but v = " << body.state().velocity;
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("stalls or rolls backwards"), std::string::npos);
+  }
+}
+
+TEST(RollingCylinder, RejectsConstantsOutsideTheRange) {
+  Cylinder body = cylinder;
+  body.mass = 0;
+  EXPECT_THROW(rolling(Integrator::verlet, Direct{}, 1, body), std::invalid_argument);
+  body = cylinder;
+  body.slope_force = -1;
+  EXPECT_THROW(rolling(Integrator::verlet, Direct{}, 1, body), std::invalid_argument);
+  EXPECT_THROW(rolling(Integrator::verlet, Direct{}, 0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace microslip
