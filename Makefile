@@ -55,8 +55,12 @@ $(foreach study,$(STUDIES),$(eval $(call study_rules,$(study),results,)))
 $(foreach study,$(STUDIES),$(eval $(call study_rules,$(study),results/quick, --quick)))
 $(foreach study,$(STUDIES),$(eval $(study): results/$(study)/provenance.txt $(call figures_of,$(study),results)))
 
-figures: $(STUDIES)
-quick: $(foreach study,$(STUDIES),$(call figures_of,$(study),results/quick))
+# Studies side by side; what each prints comes out in one piece.
+side_by_side = @$(MAKE) --no-print-directory --output-sync=target -j$(JOBS) DEPS=skip
+figures: build
+	$(side_by_side) $(STUDIES)
+quick: build
+	$(side_by_side) $(foreach study,$(STUDIES),$(call figures_of,$(study),results/quick))
 
 test: deps
 	@$(call cmake_build,release)

@@ -201,6 +201,38 @@ TEST_F(BadScenes, Transients) {
                   "motion.distance = 0.33: expected at most");
 }
 
+TEST_F(BadScenes, Cylinders) {
+  const std::string good = R"(
+problem cylinder
+material { shear_modulus 1
+  poisson_ratio 0.28 }
+contact { half_width 1
+  peak_traction 1 }
+kernel { type strip
+  width 40 }
+grid { elements 20 }
+cylinder { mass 1
+  inertia 5000
+  radius 100
+  slope_force 0.3 }
+motion { distance 0.33 }
+)";
+  EXPECT_EQ(run(good, "").error, "");
+  fs::remove_all(out());
+  expect_rejected(good, "--set cylinder.mass=0", "cylinder.mass = 0: expected a number > 0");
+  expect_rejected(good, "--set cylinder.radius=-1", "cylinder.radius = -1");
+  expect_rejected(good, "--set cylinder.slope_force=", "missing key 'cylinder.slope_force'");
+  expect_rejected(good, "--set motion.integrator=euler", "motion.integrator = 'euler': expected");
+  expect_rejected(good, "--set load.force=-1", "unknown key 'load.force'");
+  expect_rejected(good, "--set step.ratio=-1", "step.ratio = -1: expected a number > 0");
+  expect_rejected(good, "--set basis=linear", "basis = 'linear': expected constant");
+  expect_rejected(good, "--set grid.leading_offset=1", "grid.leading_offset = 1: expected 0.5");
+  expect_rejected(good,
+                  "--set step.scheme=direct --set cylinder.slope_force=0.003 "
+                  "--set cylinder.inertia=1e6 --set motion.distance=5",
+                  "the cylinder stalls or rolls backwards");
+}
+
 TEST_F(BadScenes, StartFiles) {
   const auto rejected = [&](const std::string& text, const std::string& named) {
     std::ofstream(folder_ / "start.tsv") << "x\ttraction\n" + text;

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/energy_balance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "microslip/experiments/claims.hpp"
+#include "microslip/support/convergence.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+using Eigen::Index;
+using Parameters = EnergyBalanceParameters;
+
+struct Named {
+  std::string frame;
+  AdvectionScheme scheme;
+  std::string integrator;
+  Integrator rule;
+};
+
+std::vector<Named> combinations() {
+  std::vector<Named> all;
+  for (const auto& [frame, scheme] :
+       {std::pair<std::string, AdvectionScheme>{"contact", Direct{}}, {"world", MaterialFixed{}}}) {
+    all.push_back({frame, scheme, "verlet", Integrator::verlet});
+    all.push_back({frame, scheme, "leapfrog", Integrator::leapfrog});
+    all.push_back({frame, scheme, "midpoint", Integrator::midpoint});
+  }
+  return all;
+}
+
+RollingCylinder cylinder_on(const Parameters& p, Index elements, const AdvectionScheme& scheme,
+                            Integrator integrator) {
+  TransientProblem contact = p.scene.contact;
+  contact.scheme = scheme;
+  contact.grid = Grid({.half_width = contact.grid.half_width(), .elements = elements});
+  return {contact, p.scene.cylinder, integrator, p.scene.step_ratio};
+}
+
+struct Tables {
+  Table motion{"motion",
+               "the motion on a grid fixed to the world, midpoint rule",
+               {{"X", "mm", "distance rolled"},
+                {"t", "s", "time"},
+                {"v", "mm/s", "velocity"},
+                {"omega_R", "mm/s", "angular velocity times radius"},
+                {"force", "N/mm", "force F of the contact"},
+                {"creepage", "1", "(v - omega R)/v"},
+                {"predicted_wavelength", "mm", "v times the period on a contact that sticks"}}};
+  Table snapshots{"snapshots",
+                  "tractions on the way",
+                  {{"X", "mm", "distance rolled"},
+                   {"x", "mm", "position in the contact, rolling towards +x"},
+                   {"bound", "N/mm^2", "traction bound g"},
+                   {"traction", "N/mm^2", "tangential traction p"}}};
+  Table energy{"energy",
+               "energies against the distance, per mm of width",
+               {{"frame", "1", "contact or world: what the grid is fixed to"},
+                {"integrator", "1", "verlet, leapfrog or midpoint"},
+                {"X", "mm", "distance rolled"},
+                {"potential", "N", "-F_cm X"},
+                {"translation", "N", "m v^2/2"},
+                {"rotation", "N", "I omega^2/2"},
+                {"elastic", "N", "half the integral of p u"},
+                {"dissipated", "N", "thesis (9.11), tractions at the end of each step"},
+                {"total", "N", "sum of the five; exact: 0"},
+                {"mean_dissipated", "N", "mean tractions of material points; nan in contact"},
+                {"mean_total", "N", "sum with that; exact: 0"}}};
+  Table energy_error{"energy_error",
+                     "error of the balance over the energy turned over",
+                     {{"frame", "1", "contact or world"},
+                      {"integrator", "1", "verlet, leapfrog or midpoint"},
+                      {"elements", "1", "N"},
+                      {"steps", "1", "steps made"},
+                      {"error", "1", "|total| / (F_cm X) with the thesis's ledger"},
+                      {"mean_error", "1", "the same with mean tractions; nan in contact"},
+                      {"velocity", "mm/s", "at the end"}}};
+  Table motion_error{"motion_error",
+                     "motion against that of a finer grid (world, verlet), root of mean square",
+                     {{"frame", "1", "contact or world"},
+                      {"integrator", "1", "verlet, leapfrog or midpoint"},
+                      {"elements", "1", "N"},
+                      {"position_error", "1", "over the distance"},
+                      {"velocity_error", "1", "over the velocity at the end"}}};
+  Table orders{"orders",
+               "fitted orders in dx",
+               {{"frame", "1", "contact or world"},
+                {"integrator", "1", "verlet, leapfrog or midpoint"},
+                {"quantity", "1", "what converges"},
+                {"order", "1", "least-squares slope"}}};
+};
+
+void add_energy(Table& table, const Named& named, const RollingCylinder& body) {
+  const EnergyLedger e = body.ledger();
+  table.add({named.frame, named.integrator, body.state().position, e.potential, e.translation,
+             e.rotation, e.elastic, e.dissipated, e.total(), e.mean_dissipated, e.mean_total()});
+}
+
+/// Times between one braking maximum of the force and the next.
+std::vector<double> force_periods(const Table& motion) {
+  std::vector<double> maxima;
+  for (std::size_t i = 1; i + 1 < motion.rows(); ++i) {
+    const auto braking = [&](std::size_t row) { return -motion.number(row, "force"); };
+    if (braking(i) > braking(i - 1) && braking(i) >= braking(i + 1)) {
+      maxima.push_back(motion.number(i, "t"));
+    }
+  }
+  std::vector<double> periods;
+  for (std::size_t i = 1; i < maxima.size(); ++i) periods.push_back(maxima[i] - maxima[i - 1]);
+  return periods;
+}
+
+/// The motion shown, with snapshots and energies. Returns the period on a contact that sticks.
+double add_motion(Tables& tables, const Parameters& p) {
+  const double radius = p.scene.cylinder.radius;
+  const Index elements = p.scene.contact.grid.size();
+  double period = 0;
+  for (const Named& named : combinations()) {
+    if (named.integrator == "leapfrog") continue;
+    RollingCylinder body = cylinder_on(p, elements, named.scheme, named.rule);
+    const bool shown = named.frame == "world" && named.integrator == "midpoint";
+    if (shown) period = body.period();
+    std::size_t snapshot = 0;
+    while (body.state().position < p.scene.distance) {
+      body.step();
+      add_energy(tables.energy, named, body);
+      if (!shown) continue;
+      const CylinderState& s = body.state();
+      tables.motion.add({s.position, s.time, s.velocity, s.angular_velocity * radius, s.force,
+                         s.creepage, s.velocity * period});
+      if (snapshot == p.snapshots.size() || s.position < p.snapshots[snapshot]) continue;
+      ++snapshot;
+      const TransientRolling& contact = body.contact();
+      for (Index i = 0; i < contact.x().size(); ++i) {
+        if (contact.bound()[i] <= 0) continue;
+        tables.snapshots.add(
+            {s.position, contact.x()[i], contact.bound()[i], contact.state().traction[i]});
+      }
+    }
+  }
+  return period;
+}
+
+void add_energy_errors(Tables& tables, const Parameters& p, const Progress& progress,
+                       std::size_t total) {
+  std::size_t done = 0;
+  for (const Named& named : combinations()) {
+    std::vector<double> sizes, errors, mean_errors;
+    for (const Index elements : p.sizes) {
+      RollingCylinder body = cylinder_on(p, elements, named.scheme, named.rule);
+      double steps = 0;
+      for (; body.state().position < p.error_distance; ++steps) body.step();
+      const EnergyLedger ledger = body.ledger();
+      sizes.push_back(static_cast<double>(elements));
+      errors.push_back(std::abs(ledger.total() / ledger.potential));
+      mean_errors.push_back(std::abs(ledger.mean_total() / ledger.potential));
+      tables.energy_error.add({named.frame, named.integrator, sizes.back(), steps, errors.back(),
+                               mean_errors.back(), body.state().velocity});
+      progress(++done, total);
+    }
+    tables.orders.add({named.frame, named.integrator, "energy", fitted_order(sizes, errors)});
+    if (named.frame == "world" && named.integrator != "midpoint") {
+      tables.orders.add(
+          {named.frame, named.integrator, "mean energy", fitted_order(sizes, mean_errors)});
+    }
+  }
+}
+
+/// Position and velocity at equal times, from cubic and linear interpolation between steps.
+struct Trajectory {
+  Eigen::VectorXd position;
+  Eigen::VectorXd velocity;
+};
+
+Trajectory trajectory(RollingCylinder body, const Eigen::VectorXd& times) {
+  Trajectory result{Eigen::VectorXd(times.size()), Eigen::VectorXd(times.size())};
+  CylinderState before = body.state();
+  for (Index i = 0; i < times.size(); ++i) {
+    while (body.state().time < times[i]) {
+      before = body.state();
+      body.step();
+    }
+    const CylinderState& after = body.state();
+    const double step = after.time - before.time;
+    const double s = (times[i] - before.time) / step;
+    const double h = s * s * (3 - 2 * s);
+    result.position[i] = (1 - h) * before.position + h * after.position +
+                         step * s * (1 - s) * ((1 - s) * before.velocity - s * after.velocity);
+    result.velocity[i] = (1 - s) * before.velocity + s * after.velocity;
+  }
+  return result;
+}
+
+void add_motion_errors(Tables& tables, const Parameters& p, double end_time,
+                       const Progress& progress, std::size_t done, std::size_t total) {
+  const Eigen::VectorXd times = Eigen::VectorXd::LinSpaced(200, end_time / 200, end_time);
+  std::vector<Trajectory> references;
+  for (const Index elements : p.motion_sizes) {
+    references.push_back(trajectory(
+        cylinder_on(p, p.refinement * elements, MaterialFixed{}, Integrator::verlet), times));
+    progress(++done, total);
+  }
+  for (const Named& named : combinations()) {
+    std::vector<double> sizes, position_errors, velocity_errors;
+    for (std::size_t k = 0; k < p.motion_sizes.size(); ++k) {
+      const Trajectory& fine = references[k];
+      const Trajectory coarse =
+          trajectory(cylinder_on(p, p.motion_sizes[k], named.scheme, named.rule), times);
+      const double count = std::sqrt(static_cast<double>(times.size()));
+      sizes.push_back(static_cast<double>(p.motion_sizes[k]));
+      position_errors.push_back((coarse.position - fine.position).norm() / count /
+                                fine.position.maxCoeff());
+      velocity_errors.push_back((coarse.velocity - fine.velocity).norm() / count /
+                                fine.velocity.maxCoeff());
+      tables.motion_error.add({named.frame, named.integrator, sizes.back(), position_errors.back(),
+                               velocity_errors.back()});
+    }
+    tables.orders.add(
+        {named.frame, named.integrator, "position", fitted_order(sizes, position_errors)});
+    tables.orders.add(
+        {named.frame, named.integrator, "velocity", fitted_order(sizes, velocity_errors)});
+  }
+}
+
+double order_of(const Tables& tables, const Named& named, const std::string& quantity) {
+  for (std::size_t i = 0; i < tables.orders.rows(); ++i) {
+    if (std::get<std::string>(tables.orders.at(i, "frame")) == named.frame &&
+        std::get<std::string>(tables.orders.at(i, "integrator")) == named.integrator &&
+        std::get<std::string>(tables.orders.at(i, "quantity")) == quantity) {
+      return tables.orders.number(i, "order");
+    }
+  }
+  return not_given;
+}
+
+Table claims_of(const Tables& tables, double period) {
+  const Named thesis{"contact", Direct{}, "verlet", Integrator::verlet};
+  const Named ours{"world", MaterialFixed{}, "midpoint", Integrator::midpoint};
+  const Named theirs{"world", MaterialFixed{}, "verlet", Integrator::verlet};
+  const double factor = std::pow(2, order_of(tables, thesis, "energy"));
+  const Table& errors = tables.energy_error;
+  const std::size_t n = errors.rows() / combinations().size();
+  double integrators = 0, exact = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    for (const std::size_t frame : {std::size_t{0}, 3 * n}) {
+      const double verlet = errors.number(frame + k, "velocity");
+      const double leapfrog = errors.number(frame + n + k, "velocity");
+      integrators = std::max(integrators, std::abs(verlet / leapfrog - 1));
+    }
+    exact = std::max(exact, errors.number(5 * n + k, "mean_error"));
+  }
+  const std::vector<double> periods = force_periods(tables.motion);
+  const double first = periods.empty() ? not_given : periods.front() / period;
+  const double motion_order = order_of(tables, ours, "velocity");
+  return claims_table(
+      {{"doubling N divides the error in the energy by 1.7", "9", 1.7, factor, "1",
+        verdict_of(factor > 1.5 && factor < 2.1), "fitted over all N, grid fixed to the contact"},
+       {"no difference between Verlet and leapfrog", "9", 0, integrators, "1",
+        verdict_of(integrators < 1e-10),
+        "largest relative difference of v at the end: as printed they are the same scheme"},
+       {"the traction oscillates until slip, traction and rotation have settled", "9", not_given,
+        static_cast<double>(periods.size()), "1", verdict_of(periods.size() >= 3),
+        "periods of the force within the distance shown"},
+       {"the body swings on the contact: period in time, wavelength growing as v", "9", not_given,
+        first, "1", verdict_of(std::abs(first - 1) < 0.25),
+        "first period of the force, over 2 pi sqrt(m'/k) of a contact that sticks"},
+       {"the balance is first order with tractions at the end of each step", "9", not_given,
+        order_of(tables, theirs, "energy"), "1",
+        verdict_of(std::abs(order_of(tables, theirs, "energy") - 1) < 0.25),
+        "order of the energy error, grid fixed to the world"},
+       {"mean tractions and the midpoint rule balance to rounding", "9", 0, exact, "1",
+        verdict_of(exact < 1e-10), "largest error over the energy turned over, any N"},
+       {"exact bookkeeping is no proof of accuracy", "9", not_given, motion_order, "1",
+        verdict_of(motion_order < 2.5),
+        "order of v(t), midpoint rule; that of Verlet is " +
+            format_short(std::round(100 * order_of(tables, theirs, "velocity")) / 100)}});
+}
+
+}  // namespace
+
+EnergyBalanceParameters read_energy_balance(Scene& scene) {
+  const auto sizes = [&](const char* key) {
+    std::vector<Index> all;
+    for (const double value : scene.numbers(key)) {
+      require(value == std::round(value) && value >= 2, key, value, "whole numbers >= 2");
+      all.push_back(static_cast<Index>(value));
+    }
+    require(all.size() >= 3, key, static_cast<double>(all.size()), "at least three sizes");
+    return all;
+  };
+  EnergyBalanceParameters p{.scene = read_cylinder(scene, MaterialFixed{}, Integrator::midpoint),
+                            .snapshots = scene.numbers("snapshots.positions"),
+                            .sizes = sizes("error.sizes"),
+                            .error_distance = scene.number("error.distance"),
+                            .motion_sizes = sizes("motion.sizes"),
+                            .refinement = scene.whole("motion.refinement")};
+  require(std::is_sorted(p.snapshots.begin(), p.snapshots.end()), "snapshots.positions",
+          p.snapshots.back(), "ascending numbers");
+  require_positive("error.distance", p.error_distance);
+  require(p.refinement >= 2, "motion.refinement", static_cast<double>(p.refinement),
+          "a whole number >= 2");
+  return p;
+}
+
+std::vector<Table> energy_balance(const EnergyBalanceParameters& p, const Progress& progress) {
+  Tables tables;
+  const std::size_t errors = combinations().size() * p.sizes.size();
+  const std::size_t total = errors + p.motion_sizes.size();
+  const double period = add_motion(tables, p);
+  add_energy_errors(tables, p, progress, total);
+  RollingCylinder middle =
+      cylinder_on(p, p.motion_sizes.back(), MaterialFixed{}, Integrator::verlet);
+  while (middle.state().position < p.error_distance) middle.step();
+  add_motion_errors(tables, p, middle.state().time, progress, errors, total);
+  return {tables.motion,
+          tables.snapshots,
+          tables.energy,
+          tables.energy_error,
+          tables.motion_error,
+          tables.orders,
+          claims_of(tables, period)};
+}
+
+}  // namespace microslip::experiments
