@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "microslip/experiments/cattaneo_to_carter.hpp"
+
+namespace microslip::experiments {
+
+/// What becomes of the elements that the moving edges of the contact cross.
+enum class EdgeElements {
+  at_node,    ///< whole, as soon as and as long as their middle is in contact, with the bound there
+  cell_mean,  ///< whole, with the mean of the bound over them
+  cut         ///< only their part in contact, with the middle of it and the mean bound over it
+};
+
+/// Cattaneo to Carter on a grid fixed to the material, with elements that may be cut. Those at the
+/// edges change in each step, so that their rows and columns of the response do: a step costs
+/// O(N^3). With whole elements it is the scheme MaterialFixed.
+///
+/// The slip displacement is that of the material in the middle of each (part of an) element:
+/// S = W + u(x) - u'(x), u' by the previous tractions on the previous parts.
+class CutElementRolling {
+ public:
+  /// Shifted without rolling.
+  /// \param elements  in the contact, N or any other number, at rest from the trailing edge on  [1]
+  CutElementRolling(const CattaneoToCarter& rolling, EdgeElements treatment, double elements);
+
+  /// Rolls on at constant force.
+  /// \param step_ratio  c, > 0
+  void step(double step_ratio);
+
+  double distance() const { return distance_; }        ///< q rolled so far  [dx]
+  double creepage() const { return state_.creepage; }  ///< w of the last step; zero before  [1]
+
+  // Elements that in the last step
+  Eigen::Index entered() const;   ///< got into the contact at the leading edge
+  Eigen::Index left() const;      ///< got out of it at the trailing edge
+  Eigen::Index released() const;  ///< began to slip, of those in contact before
+
+  const Eigen::VectorXd& traction() const { return state_.traction; }  ///< [N/mm^2]
+  const std::vector<Zone>& zones() const { return state_.zones; }
+  Eigen::VectorXd x() const;      ///< middles of the elements in the contact's frame  [mm]
+  Eigen::VectorXd width() const;  ///< of the elements or their parts  [mm]
+  double force() const;           ///< [N/mm]
+
+ private:
+  /// Positions in dx, fixed to the material, from the trailing edge where nothing has been rolled.
+  struct Element {
+    Eigen::Index number;
+    double middle;
+    double width;
+
+    bool whole() const { return width == 1; }
+  };
+  using Elements = std::vector<Element>;
+
+  Eigen::Index first() const { return elements_.front().number; }
+  Eigen::Index end() const { return elements_.back().number + 1; }
+  Elements elements_at(double distance) const;
+  std::vector<Zone> zones_at(const Elements& next) const;
+  Eigen::VectorXd bound(const Elements& elements, double distance) const;
+  double influence_of(const Element& source, const Element& at) const;
+  Eigen::MatrixXd response(const Elements& sources, const Elements& at) const;
+  ContactState solve(const Elements& elements, const SlipConditions& conditions,
+                     const std::vector<Zone>& first) const;
+
+  Kernel kernel_;
+  HertzBound bound_;
+  double force_;
+  EdgeElements treatment_;
+  double contact_;           ///< length of the contact  [dx]
+  double spacing_;           ///< [mm]
+  ShapeFunction shape_;      ///< constant
+  Eigen::VectorXd between_;  ///< influence of whole elements, by distance in elements
+  double distance_ = 0;
+  Elements elements_;
+  ContactState state_;
+  Eigen::Index previous_first_;
+  Eigen::Index previous_end_;
+  std::vector<Zone> previous_zones_;  ///< moved to the elements of now
+};
+
+}  // namespace microslip::experiments
