@@ -6,7 +6,6 @@
 #include <functional>
 #include <numbers>
 #include <stdexcept>
-#include <vector>
 
 #include "microslip/experiments/cut_elements.hpp"
 
@@ -44,48 +43,47 @@ int steps_per_element(double step_ratio) {
   return static_cast<int>(std::ceil(1 / step_ratio - rounding));
 }
 
-double mean_of(const std::vector<double>& values, std::size_t begin, std::size_t end) {
-  double sum = 0;
-  for (std::size_t i = begin; i < end; ++i) sum += values[i];
-  return sum / static_cast<double>(end - begin);
+using Creepages = Eigen::Ref<const VectorXd>;
+
+/// Standard deviation over the mean.
+double deviation_of(const Creepages& w) {
+  return std::sqrt((w.array() - w.mean()).square().mean()) / std::abs(w.mean());
 }
 
 /// \param creepages  of the last steps, at least two elements' travel
-Noise noise_of(const std::vector<double>& creepages, double step_ratio) {
-  const int steps = steps_per_element(step_ratio);
-  const auto window = static_cast<std::size_t>(steps);
-  const std::size_t end = creepages.size();
-  const double mean = mean_of(creepages, end - window, end);
-  const double change = mean - mean_of(creepages, end - 2 * window, end - window);
-  double raw = 0, steady = 0;
-  for (std::size_t i = 0; i < window; ++i) {
-    const double difference = creepages[end - window + i] - mean;
-    const double place = (static_cast<double>(i) + 0.5) / steps - 0.5;
-    raw += std::pow(difference, 2) / steps;
-    steady += std::pow(difference - change * place, 2) / steps;
+Noise noise_of(const VectorXd& creepages, int steps) {
+  const VectorXd last = creepages.tail(steps);
+  const double mean = last.mean();
+  const double drift = mean - creepages.tail(2 * steps).head(steps).mean();
+  const VectorXd place = VectorXd::NullaryExpr(
+      steps, [&](Index i) { return (static_cast<double>(i) + 0.5) / steps - 0.5; });
+  double largest = 0;
+  for (Index i = 0; i + steps <= creepages.size(); ++i) {
+    largest = std::max(largest, deviation_of(creepages.segment(i, steps)));
   }
   return {.steps = steps,
           .mean = mean,
-          .deviation = std::sqrt(raw) / std::abs(mean),
-          .drift = change / mean,
-          .noise = std::sqrt(steady) / std::abs(mean),
+          .deviation = deviation_of(last),
+          .largest = largest,
+          .drift = drift / mean,
+          .noise = deviation_of(last - drift * place),
           .adhesion = 0};
 }
 
 /// \param step  makes a step of the given ratio and returns its creepage
-std::vector<double> last_creepages(double distance, double step_ratio,
-                                   const std::function<double(double)>& step) {
-  const double long_step = std::max(step_ratio, approach);
-  const double measured = 2 * steps_per_element(step_ratio) * step_ratio;
-  double rolled = 0;
-  while (rolled + measured < distance - rounding) {
-    const double length = std::min(long_step, distance - measured - rolled);
+Noise roll(double distance, double step_ratio, const std::function<double(double)>& step) {
+  const int steps = steps_per_element(step_ratio);
+  const double travel = steps * step_ratio;
+  const int travels = std::clamp(static_cast<int>(distance / travel + rounding), 2, 4);
+  const double before = distance - travels * travel;
+  for (double rolled = 0; rolled < before - rounding;) {
+    const double length = std::min(std::max(step_ratio, approach), before - rolled);
     step(length);
     rolled += length;
   }
-  std::vector<double> creepages;
-  for (int k = 0; k < 2 * steps_per_element(step_ratio); ++k) creepages.push_back(step(step_ratio));
-  return creepages;
+  VectorXd creepages(travels * steps);
+  for (double& creepage : creepages) creepage = step(step_ratio);
+  return noise_of(creepages, steps);
 }
 
 }  // namespace
@@ -96,23 +94,18 @@ Noise creepage_noise(const CattaneoToCarter& rolling, const std::string& treatme
   Noise noise;
   if (treatment == "cut") {
     CutElementRolling contact(rolling, EdgeElements::cut, elements);
-    noise = noise_of(last_creepages(distance, step_ratio,
-                                    [&](double length) {
-                                      contact.step(length);
-                                      return contact.creepage();
-                                    }),
-                     step_ratio);
+    noise = roll(distance, step_ratio, [&](double length) {
+      contact.step(length);
+      return contact.creepage();
+    });
     const auto& zones = contact.zones();
     noise.adhesion = static_cast<double>(std::count(zones.begin(), zones.end(), Zone::adhesion));
   } else {
     TransientRolling contact(rolling.problem(scheme_of(treatment)), CattaneoShift{rolling.force});
-    noise = noise_of(last_creepages(distance, step_ratio,
-                                    [&](double length) {
-                                      contact.step(length * rolling.grid.spacing(),
-                                                   PrescribedForce{rolling.force});
-                                      return contact.state().creepage;
-                                    }),
-                     step_ratio);
+    noise = roll(distance, step_ratio, [&](double length) {
+      contact.step(length * rolling.grid.spacing(), PrescribedForce{rolling.force});
+      return contact.state().creepage;
+    });
     noise.adhesion = static_cast<double>(contact.state().adhesion_elements);
   }
   noise.adhesion /= elements;

@@ -190,7 +190,8 @@ TEST(WorldFixedStudy, AveragedAndCutElementsStayBelowOnePercent) {
     EXPECT_NEAR(noise(treatment, "elements", 200), 0.005, 0.0004);
     EXPECT_GT(order(treatment), 0.9);
     EXPECT_LT(order(treatment), 1.2);
-    EXPECT_LT(value("orders", treatment, 200.0, "largest_deviation"), 0.01);
+    EXPECT_LT(value("orders", treatment, 200.0, "largest"), 0.01);
+    EXPECT_LT(noise(treatment, "elements", 200, "largest"), 0.0075);
     EXPECT_LT(noise(treatment, "step_ratio", 0.01), 1.25 * noise(treatment, "step_ratio", 0.1));
   }
   EXPECT_LT(noise("direct", "elements", 200), 0.002);

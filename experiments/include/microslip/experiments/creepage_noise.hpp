@@ -16,16 +16,16 @@ struct Noise {
   int steps;         ///< in it: 1/c, rounded up
   double mean;       ///< [1]
   double deviation;  ///< standard deviation over the mean
+  double largest;    ///< the largest deviation over an element's travel, of four or so elements
   double drift;      ///< change of the mean from the element's travel before, over the mean
   double noise;      ///< the deviation without the drift
   double adhesion;   ///< part of the contact in adhesion, at the end
 };
 
-/// Rolls from the shift. What is measured are the last steps; those before them, up to two elements
-/// from the end, are at least 0.1 dx long, tests/study/world_fixed_test.cpp.
-/// \param rolling     with a whole number of elements
-/// \param distance    in elements
-/// \param step_ratio  c, in (0, 1]
+/// Rolls from the shift. What is measured are the last steps; those before them, up to four
+/// elements from the end, are at least 0.1 dx long: tests/study/world_fixed_test.cpp. \param
+/// rolling     with a whole number of elements \param distance    in elements, >= 4 \param
+/// step_ratio  c, in (0, 1]
 Noise creepage_noise(const CattaneoToCarter& rolling, const std::string& treatment, double distance,
                      double step_ratio);
 
@@ -33,7 +33,8 @@ Noise creepage_noise(const CattaneoToCarter& rolling, const std::string& treatme
 /// g = peak sqrt(2 x/a), so that the force of whole elements with the bound of their nodes differs
 /// from that of the contact by sqrt(2/a) peak dx^(3/2) zeta(-1/2, t), where t dx is the distance
 /// of the last node from the edge. The adhesion area must make up for it at once: the creepage is
-/// its compliance to a force at the trailing edge, times the change of the force, over the step.
+/// its compliance to a force at the trailing edge, in plane strain and with adhesion up to the
+/// leading edge, times the change of the force, over the step.
 double predicted_noise(const CattaneoToCarter& rolling, const Noise& measured, double distance,
                        double step_ratio);
 
