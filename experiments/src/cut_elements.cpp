@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip::experiments {
 
@@ -108,6 +109,7 @@ std::vector<Zone> CutElementRolling::zones_at(const Elements& next) const {
 }
 
 void CutElementRolling::step(double step_ratio) {
+  require(step_ratio > 0 && step_ratio <= 2, "step.ratio", step_ratio, "a number in (0, 2]");
   const double distance = distance_ + step_ratio;
   const Elements next = elements_at(distance);
   const VectorXd u = response(elements_, next) * state_.traction;

@@ -28,7 +28,8 @@ class CutElementRolling {
   CutElementRolling(const CattaneoToCarter& rolling, EdgeElements treatment, double elements);
 
   /// Rolls on at constant force.
-  /// \param step_ratio  c, > 0
+  /// \param step_ratio  c, in (0, 2]
+  /// \throws std::invalid_argument outside the range
   void step(double step_ratio);
 
   double distance() const { return distance_; }        ///< q rolled so far  [dx]
