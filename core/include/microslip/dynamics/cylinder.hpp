@@ -58,7 +58,7 @@ struct CylinderState {
 /// + R^2/I and k the stiffness of the contact.
 ///
 /// Order of accuracy: first in dx for any integrator, as that of the contact
-/// (tests/order/cylinder_order_test.cpp). Cost: that of a transient step, midpoint about five.
+/// (tests/study/energy_balance_test.cpp). Cost: that of a transient step, midpoint about five.
 class RollingCylinder {
  public:
   /// \param contact     creepage-driven, so its kernel.width or kernel.length matters

@@ -38,7 +38,7 @@ class TabulatedBound {
   /// \param half_width  a, in (0, inf)  [mm]
   /// \param x           at least one position, ascending, in [-a, a]  [mm]
   /// \param values      as many, >= 0, not all zero  [N/mm^2]
-  /// 	hrows std::invalid_argument outside the ranges
+  /// \throws std::invalid_argument outside the ranges
   TabulatedBound(double half_width, const Eigen::VectorXd& x, const Eigen::VectorXd& values);
 
   double half_width() const { return half_width_; }
