@@ -109,7 +109,9 @@ void AdhesionSystem::border(const std::vector<Index>& arrivals) {
       columns_.col(k) = matrix_(base_, i);
     }
   }
-  columns_.rightCols(after - before) = factors_.solve(columns_.rightCols(after - before)).eval();
+  if (after > before) {
+    columns_.rightCols(after - before) = factors_.solve(columns_.rightCols(after - before)).eval();
+  }
   for (Index k = 0; k < after; ++k) {
     for (Index l = k < before ? before : 0; l < after; ++l) {
       const Index i = changes_[to_size(k)], j = changes_[to_size(l)];
@@ -135,7 +137,13 @@ void AdhesionSystem::forget(std::size_t change) {
 
 /// Entries of the right-hand side in slip are ignored, and are zero in the result.
 VectorXd AdhesionSystem::solve_bordered(const VectorXd& rhs) const {
+  VectorXd all = VectorXd::Zero(rhs.size());
   VectorXd values = rhs(base_);
+  if (changes_.empty()) {
+    values = factors_.solve(values).eval();
+    all(base_) = values;
+    return all;
+  }
   for (const Index i : changes_) {
     if (in_base(i)) values[position(i)] = 0;
   }
@@ -145,9 +153,8 @@ VectorXd AdhesionSystem::solve_bordered(const VectorXd& rhs) const {
     const double known = in_base(changes_[k]) ? 0 : rhs[changes_[k]];
     border[static_cast<Index>(k)] = known - row_of_change(k, values);
   }
-  if (!changes_.empty()) border = schur_factors_.solve(border).eval();
+  border = schur_factors_.solve(border).eval();
   values -= columns_ * border;
-  VectorXd all = VectorXd::Zero(rhs.size());
   all(base_) = values;
   for (std::size_t k = 0; k < changes_.size(); ++k) {
     const Index i = changes_[k];
