@@ -229,14 +229,8 @@ void add_motion_errors(Tables& tables, const Parameters& p, double end_time,
 }
 
 double order_of(const Tables& tables, const Named& named, const std::string& quantity) {
-  for (std::size_t i = 0; i < tables.orders.rows(); ++i) {
-    if (std::get<std::string>(tables.orders.at(i, "frame")) == named.frame &&
-        std::get<std::string>(tables.orders.at(i, "integrator")) == named.integrator &&
-        std::get<std::string>(tables.orders.at(i, "quantity")) == quantity) {
-      return tables.orders.number(i, "order");
-    }
-  }
-  return not_given;
+  return tables.orders.latest(
+      {{"frame", named.frame}, {"integrator", named.integrator}, {"quantity", quantity}}, "order");
 }
 
 Table claims_of(const Tables& tables, double period) {

@@ -120,16 +120,6 @@ double whole_distance_error(const Parameters& p) {
   return (moved - shift.move(start, distance).traction).lpNorm<Eigen::Infinity>();
 }
 
-/// The largest value below zero of a shape after these steps.
-double below_zero(const Tables& tables, const std::string& shape, double steps) {
-  const Table& summary = tables.shapes_summary;
-  for (std::size_t i = 0; i < summary.rows(); ++i) {
-    const bool wanted = std::get<std::string>(summary.at(i, "shape")) == shape;
-    if (wanted && summary.number(i, "steps") == steps) return summary.number(i, "below");
-  }
-  return not_given;
-}
-
 std::vector<double> column_of(const Table& table, const std::string& name) {
   std::vector<double> values;
   for (std::size_t i = 0; i < table.rows(); ++i) values.push_back(table.number(i, name));
@@ -140,8 +130,11 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const CostTabl
                 const Parameters& p) {
   const double whole_error = whole_distance_error(p);
   const auto middle = static_cast<double>(p.steps[p.steps.size() / 2]);
-  const double pulse = below_zero(tables, "pulse", middle);
-  const double pyramid = below_zero(tables, "pyramid", middle);
+  const auto below_zero = [&](const std::string& shape) {
+    return tables.shapes_summary.latest({{"shape", shape}, {"steps", middle}}, "below");
+  };
+  const double pulse = below_zero("pulse");
+  const double pyramid = below_zero("pyramid");
   double spot = 0, trailing = 0, worst_difference = 0, odd_residual = 0, even_residual = 0;
   const Table& summary = rolled.summary();
   for (std::size_t i = 0; i < summary.rows(); ++i) {
@@ -159,9 +152,12 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const CostTabl
     }
   }
   const double part = p.distances.back();
-  const double fractional = rolled.latest("fractional", part, "error");
-  const double direct = rolled.latest("direct", part, "error");
-  const double extrema = rolled.latest("fractional", part, "turning_points");
+  const auto at_end = [&](const std::string& scheme, const std::string& column) {
+    return rolled.summary().latest({{"scheme", scheme}, {"distance", part}}, column);
+  };
+  const double fractional = at_end("fractional", "error");
+  const double direct = at_end("direct", "error");
+  const double extrema = at_end("fractional", "turning_points");
   std::vector<double> sizes = column_of(costs.cost, "elements");
   std::vector<double> work = column_of(costs.cost, "solves");
   for (std::size_t i = 0; i < work.size(); ++i) work[i] = 1 / (work[i] * sizes[i]);

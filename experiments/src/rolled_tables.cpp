@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rolled_tables.hpp"
 
-#include <stdexcept>
-
 #include "microslip/experiments/profile.hpp"
 
 namespace microslip::experiments {
@@ -87,17 +85,6 @@ void RolledTables::add(const std::string& name, const AdvectionScheme& scheme, d
   summary_.add({name, step_ratio, distance, relative_error, error.lpNorm<Eigen::Infinity>(),
                 p.cwiseAbs().maxCoeff(), exact_peak, motion, total_variation(p), turns,
                 from_unit.maxCoeff(), from_unit.tail(x.size() - 1).maxCoeff(), near});
-}
-
-double RolledTables::latest(const std::string& name, double distance,
-                            const std::string& column) const {
-  for (std::size_t i = summary_.rows(); i-- > 0;) {
-    if (std::get<std::string>(summary_.at(i, "scheme")) == name &&
-        summary_.number(i, "distance") == distance) {
-      return summary_.number(i, column);
-    }
-  }
-  throw std::logic_error("no row of scheme " + name);
 }
 
 }  // namespace microslip::experiments

@@ -25,9 +25,6 @@ class RolledTables {
   const Table& reference() const { return reference_; }  ///< a row a node of the finer grid
   const Table& summary() const { return summary_; }      ///< a row a call of add()
 
-  /// Of the last row with this scheme and distance, in elements.
-  double latest(const std::string& name, double distance, const std::string& column) const;
-
  private:
   /// What all results at one distance are compared with.
   struct Yardstick {

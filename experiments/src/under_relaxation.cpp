@@ -136,26 +136,20 @@ double spread(const CattaneoToCarter& rolling, const AdvectionScheme& scheme, do
   return (large - small).lpNorm<1>() / large.lpNorm<1>();
 }
 
-double last_of(const Table& table, const std::string& scheme, const std::string& column) {
-  double value = not_given;
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (std::get<std::string>(table.at(i, "scheme")) == scheme) value = table.number(i, column);
-  }
-  return value;
-}
-
 Table claims_of(const Tables& tables, const RolledTables& rolled, const Parameters& p,
                 const Differences& differences) {
-  const double relaxed_turns = last_of(tables.wiggles, "relaxed", "turning_points");
-  const double direct_turns = last_of(tables.wiggles, "direct", "turning_points");
+  const double relaxed_turns = tables.wiggles.latest({{"scheme", "relaxed"}}, "turning_points");
+  const double direct_turns = tables.wiggles.latest({{"scheme", "direct"}}, "turning_points");
   const double expected = tables.wiggles.number(0, "turning_points");
   double worst = 0;
   for (std::size_t i = 0; i < tables.wiggles.rows(); ++i) {
     if (std::get<std::string>(tables.wiggles.at(i, "scheme")) != "relaxed") continue;
     worst = std::max(worst, tables.wiggles.number(i, "turning_points"));
   }
-  const double near = rolled.latest("relaxed", p.distances.back(), "near_unit_step");
-  const double largest = rolled.latest("relaxed", p.distances.back(), "largest_error");
+  const std::vector<std::pair<std::string, Cell>> smallest = {{"scheme", "relaxed"},
+                                                              {"distance", p.distances.back()}};
+  const double near = rolled.summary().latest(smallest, "near_unit_step");
+  const double largest = rolled.summary().latest(smallest, "largest_error");
   const double direct_spread = spread(p.rolling, Direct{}, p.distances.back());
   const double relaxed_spread = spread(p.rolling, Relaxed{p.relaxation}, p.distances.back());
   const double dependence = relaxed_spread / direct_spread;

@@ -186,27 +186,14 @@ void add_errors(Tables& tables, const Parameters& p) {
 
 double noise_at(const Tables& tables, const std::string& treatment, double step_ratio,
                 const std::string& column = "deviation") {
-  const Table& table = tables.noise;
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (std::get<std::string>(table.at(i, "treatment")) == treatment &&
-        std::get<std::string>(table.at(i, "series")) == "step_ratio" &&
-        table.number(i, "step_ratio") == step_ratio) {
-      return table.number(i, column);
-    }
-  }
-  return not_given;
+  return tables.noise.latest(
+      {{"treatment", treatment}, {"series", "step_ratio"}, {"step_ratio", step_ratio}}, column);
 }
 
 /// Share of an event in the jumps of a treatment.
 double share_of(const Tables& tables, const std::string& treatment, const std::string& event) {
-  const Table& table = tables.events;
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (std::get<std::string>(table.at(i, "treatment")) == treatment &&
-        std::get<std::string>(table.at(i, "event")) == event) {
-      return table.number(i, "share");
-    }
-  }
-  return 0;
+  const double share = tables.events.latest({{"treatment", treatment}, {"event", event}}, "share");
+  return std::isnan(share) ? 0 : share;
 }
 
 double rounded(double value) { return std::round(1e4 * value) / 1e4; }

@@ -32,15 +32,8 @@ const std::vector<Table>& tables() {
 
 double order_of(const std::string& frame, const std::string& integrator,
                 const std::string& quantity) {
-  const Table& orders = table_named(tables(), "orders");
-  for (std::size_t i = 0; i < orders.rows(); ++i) {
-    if (std::get<std::string>(orders.at(i, "frame")) == frame &&
-        std::get<std::string>(orders.at(i, "integrator")) == integrator &&
-        std::get<std::string>(orders.at(i, "quantity")) == quantity) {
-      return orders.number(i, "order");
-    }
-  }
-  return std::nan("");
+  return table_named(tables(), "orders")
+      .latest({{"frame", frame}, {"integrator", integrator}, {"quantity", quantity}}, "order");
 }
 
 TEST(EnergyBalanceStudy, EndOfStepBalanceIsFirstOrderForAllIntegratorsAndFrames) {

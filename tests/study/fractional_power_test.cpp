@@ -77,13 +77,8 @@ TEST(FractionalPowerStudy, TheResidualTellsWhichPowersAreReal) {
 TEST(FractionalPowerStudy, EdgesStaySharp) {
   const Table& summary = table_named(tables(), "summary");
   const auto error = [&](const std::string& scheme, double distance) {
-    for (std::size_t i = 0; i < summary.rows(); ++i) {
-      if (std::get<std::string>(summary.at(i, "scheme")) == scheme &&
-          summary.number(i, "distance") == distance && summary.number(i, "step_ratio") == 0.8) {
-        return summary.number(i, "error");
-      }
-    }
-    return std::nan("");
+    return summary.latest({{"scheme", scheme}, {"distance", distance}, {"step_ratio", 0.8}},
+                          "error");
   };
   EXPECT_LT(error("fractional", 38.4), 0.4 * error("direct", 38.4));
   EXPECT_LT(error("fractional", 25), error("direct", 25));

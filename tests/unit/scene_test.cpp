@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <sstream>
 #include <stdexcept>
@@ -115,6 +116,18 @@ TEST(Table, WritesParametersColumnsAndFullDigits) {
   EXPECT_EQ(out.str(),
             "# prog: what it is\n# parameters\n#   grid.elements = 5\n# columns\n"
             "#   x [mm]: position\n#   region [1]: A or S\nx\tregion\n0.10000000000000001\tA\n");
+}
+
+TEST(Table, LatestIsTheLastRowWithTheseCells) {
+  Table table("t", "", {{"name", "1", ""}, {"x", "mm", ""}, {"y", "1", ""}});
+  table.add({"a", 1.0, 10.0});
+  table.add({"b", 1.0, 20.0});
+  table.add({"a", 1.0, 30.0});
+  table.add({"a", 2.0, 40.0});
+  EXPECT_EQ(table.latest({{"name", "a"}}, "y"), 40);
+  EXPECT_EQ(table.latest({{"name", "a"}, {"x", 1.0}}, "y"), 30);
+  EXPECT_TRUE(std::isnan(table.latest({{"name", "b"}, {"x", 2.0}}, "y")));
+  EXPECT_THROW(table.latest({{"z", 1.0}}, "y"), std::out_of_range);
 }
 
 TEST(Table, RejectsARowOfTheWrongLength) {

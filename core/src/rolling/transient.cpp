@@ -124,14 +124,14 @@ void TransientRolling::make_window(Index kept) {
   state_.zones.insert(state_.zones.begin(), static_cast<std::size_t>(added), Zone::adhesion);
 }
 
-void TransientRolling::set_bound(double distance) {
+void TransientRolling::return_to_start() {
   if (!window_) return;
-  x_ = window_->x(distance);
-  bound_ = window_->bound(distance);
+  x_ = window_->x(0);
+  bound_ = window_->bound(0);
 }
 
 void TransientRolling::start_from(const VectorXd& traction) {
-  set_bound(0);
+  return_to_start();
   VectorXd padded = VectorXd::Zero(x_.size());
   padded.tail(traction.size()) = traction;
   require_within_bound(x_, bound_, padded);
@@ -149,7 +149,7 @@ void TransientRolling::start_from(const VectorXd& traction) {
 }
 
 double TransientRolling::start_from_shift(const PrescribedForce& force) {
-  set_bound(0);
+  return_to_start();
   const VectorXd zeros = VectorXd::Zero(x_.size());
   ContactState contact =
       active_set_->solve({.bound = bound_, .offset = zeros, .reference = zeros}, force);
@@ -194,30 +194,40 @@ TransientState TransientRolling::attempt_with_contact(double length, const Load&
   return state_of(state_.distance + length, contact, solved_length, bound_);
 }
 
-TransientState TransientRolling::attempt_with_material(double length, const Load& load) {
+/// \param bound  becomes that at the end of the step
+TransientState TransientRolling::attempt_with_material(double length, const Load& load,
+                                                       VectorXd& bound) {
   const double step_ratio = length / spacing_;
   require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
   const double distance = state_.distance + length;
   const Index elements = window_->elements_between(state_.distance, distance);
   if (elements > window_->kept()) make_window(elements);
-  const SlipConditions conditions{.bound = window_->bound(distance),
-                                  .offset = VectorXd::Zero(window_->size()),
-                                  .reference = moved_on(state_.traction, elements, 0.0)};
+  SlipConditions conditions{.bound = window_->bound(distance),
+                            .offset = VectorXd::Zero(window_->size()),
+                            .reference = moved_on(state_.traction, elements, 0.0)};
   const ContactState contact = active_set_->solve(conditions, over(load, length),
                                                   moved_on(state_.zones, elements, Zone::adhesion));
   TransientState state = state_of(distance, contact, length, conditions.bound);
   const VectorXd mean = (state.traction + conditions.reference) / 2;
   state.mean_dissipation = -weights_.cwiseProduct(mean).dot(state.slip);
+  bound = std::move(conditions.bound);
   return state;
 }
 
 TransientState TransientRolling::attempt(double length, const Load& load) {
-  return window_ ? attempt_with_material(length, load) : attempt_with_contact(length, load);
+  VectorXd bound;
+  return window_ ? attempt_with_material(length, load, bound) : attempt_with_contact(length, load);
 }
 
 void TransientRolling::step(double length, const Load& load) {
-  state_ = attempt(length, load);
-  set_bound(state_.distance);
+  if (!window_) {
+    state_ = attempt_with_contact(length, load);
+    return;
+  }
+  VectorXd bound;
+  state_ = attempt_with_material(length, load, bound);
+  x_ = window_->x(state_.distance);
+  bound_ = std::move(bound);
 }
 
 double TransientRolling::elastic_energy() const {

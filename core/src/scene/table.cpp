@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/scene/table.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <ostream>
 #include <stdexcept>
 
@@ -37,6 +39,15 @@ const Cell& Table::at(std::size_t row, const std::string& column) const {
 
 double Table::number(std::size_t row, const std::string& column) const {
   return std::get<double>(at(row, column));
+}
+
+double Table::latest(const std::vector<std::pair<std::string, Cell>>& cells,
+                     const std::string& column) const {
+  for (std::size_t row = rows_.size(); row-- > 0;) {
+    const auto has = [&](const auto& cell) { return at(row, cell.first) == cell.second; };
+    if (std::all_of(cells.begin(), cells.end(), has)) return number(row, column);
+  }
+  return std::numeric_limits<double>::quiet_NaN();
 }
 
 void Table::write(std::ostream& out, const std::string& program,

@@ -25,7 +25,7 @@ enum class Integrator {
   midpoint
 };
 
-/// Where the energy went; at the start all are zero but the motion. Per mm of width  [N]
+/// Where the energy went, all zero at the start. Per mm of width  [N]
 struct EnergyLedger {
   double potential = 0;    ///< -F_cm X, thesis (9.7)
   double translation = 0;  ///< m v^2/2

@@ -109,11 +109,11 @@ class TransientRolling {
  private:
   void make_window(Eigen::Index kept);
   void make_system(Eigen::Index size);
-  void set_bound(double distance);
+  void return_to_start();
   TransientState state_of(double distance, const ContactState& contact, double length,
                           const Eigen::VectorXd& bound) const;
   TransientState attempt_with_contact(double length, const Load& load);
-  TransientState attempt_with_material(double length, const Load& load);
+  TransientState attempt_with_material(double length, const Load& load, Eigen::VectorXd& bound);
 
   TransientProblem problem_;
   Eigen::VectorXd x_;

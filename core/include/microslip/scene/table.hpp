@@ -3,6 +3,7 @@
 
 #include <iosfwd>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -33,6 +34,10 @@ class Table {
   /// \throws std::out_of_range if there is no such row or column
   const Cell& at(std::size_t row, const std::string& column) const;
   double number(std::size_t row, const std::string& column) const;
+
+  /// The number in the last row that has these cells, as pairs of column and cell; nan if none has.
+  double latest(const std::vector<std::pair<std::string, Cell>>& cells,
+                const std::string& column) const;
 
   /// Comment block (program, parameters, columns), one header line, rows; tab-separated, %.17g.
   void write(std::ostream& out, const std::string& program, const Parameters& parameters) const;
