@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip {
@@ -30,6 +31,64 @@ double HertzBound::integral(double x) const {
 }
 
 double HertzBound::total() const { return std::numbers::pi / 2 * half_width_ * peak_; }
+
+namespace {
+
+/// h(t) as a sum of Chebyshev's polynomials of the second kind, by discrete projection, which is
+/// exact.
+VectorXd second_kind(const VectorXd& coefficients) {
+  const Index count = coefficients.size();
+  const double step = std::numbers::pi / static_cast<double>(count + 1);
+  VectorXd series = VectorXd::Zero(count);
+  for (Index j = 1; j <= count; ++j) {
+    const double angle = static_cast<double>(j) * step;
+    double h = 0;
+    for (Index k = count - 1; k >= 0; --k) h = h * std::cos(angle) + coefficients[k];
+    for (Index n = 0; n < count; ++n) {
+      series[n] += 2 / static_cast<double>(count + 1) * h * std::sin(angle) *
+                   std::sin(static_cast<double>(n + 1) * angle);
+    }
+  }
+  return series;
+}
+
+ChebyshevTraction polynomial_traction(double half_width, double peak,
+                                      const VectorXd& coefficients) {
+  constexpr Index most = 33;
+  constexpr int samples = 1000;
+  require_positive("contact.half_width", half_width);
+  require_positive("contact.peak_traction", peak);
+  const auto count = static_cast<double>(coefficients.size());
+  require(coefficients.size() >= 1 && coefficients.size() <= most, "contact.bound_polynomial",
+          count, "1 to 33 coefficients");
+  for (const double c : coefficients) {
+    require(true, "contact.bound_polynomial", c, "finite coefficients");
+  }
+  const double size = coefficients.lpNorm<1>();
+  require(size > 0, "contact.bound_polynomial", size, "coefficients that are not all zero");
+  ChebyshevTraction traction(-half_width, half_width, peak * second_kind(coefficients));
+  for (int i = 0; i <= samples; ++i) {
+    const double x = half_width * (2.0 * i / samples - 1);
+    const double h = traction.polynomial(x) / peak;
+    require(h >= -1e-12 * size, "contact.bound_polynomial", h,
+            "no negative value, as at x = " + format_short(x));
+  }
+  return traction;
+}
+
+}  // namespace
+
+PolynomialBound::PolynomialBound(double half_width, double peak, const VectorXd& coefficients)
+    : traction_(polynomial_traction(half_width, peak, coefficients)) {}
+
+std::optional<ChebyshevTraction> chebyshev_traction(const TractionBound& bound) {
+  if (const auto* hertz = std::get_if<HertzBound>(&bound)) {
+    return ChebyshevTraction(-hertz->half_width(), hertz->half_width(),
+                             VectorXd::Constant(1, hertz->peak()));
+  }
+  if (const auto* polynomial = std::get_if<PolynomialBound>(&bound)) return polynomial->traction();
+  return std::nullopt;
+}
 
 TabulatedBound::TabulatedBound(double half_width, const VectorXd& x, const VectorXd& values)
     : half_width_(half_width), x_(x.size() + 2), values_(x.size() + 2) {

@@ -27,6 +27,30 @@ double StripKernel::decay(double z) const {
   return half_width_ / radius * (log_factor_ / z + plain_factor_ * z / (radius * radius));
 }
 
+double StripKernel::regular_displacement(double z) const {
+  const double radius = std::hypot(z, half_width_);
+  return log_factor_ * std::log(half_width_ + radius) + plain_factor_ * half_width_ / radius;
+}
+
+double StripKernel::regular_decay(double z) const {
+  const double radius = std::hypot(z, half_width_);
+  return z / radius *
+         (plain_factor_ * half_width_ / (radius * radius) - log_factor_ / (half_width_ + radius));
+}
+
+double StripKernel::integral(double z) const {
+  if (z == 0) return 0;
+  const double along = half_width_ * std::asinh(z / half_width_);
+  return log_factor_ * (z * std::asinh(half_width_ / std::abs(z)) + along) + plain_factor_ * along;
+}
+
+double StripKernel::double_integral(double z) const {
+  const double radius = std::hypot(z, half_width_);
+  const double along = half_width_ * (z * std::asinh(z / half_width_) - radius);
+  const double across = z == 0 ? 0 : z * z / 2 * std::asinh(half_width_ / std::abs(z));
+  return log_factor_ * (across + half_width_ / 2 * radius + along) + plain_factor_ * along;
+}
+
 PlaneKernel::PlaneKernel(const Material& material, double length)
     : material_(material), length_(length) {
   validate(material);
@@ -38,10 +62,30 @@ double PlaneKernel::displacement(double z) const { return -factor_ * std::log(z 
 
 double PlaneKernel::decay(double z) const { return factor_ / z; }
 
+double PlaneKernel::regular_displacement(double) const { return factor_ * std::log(length_); }
+
+double PlaneKernel::regular_decay(double) const { return 0; }
+
+double PlaneKernel::integral(double z) const {
+  return z == 0 ? 0 : -factor_ * z * (std::log(std::abs(z) / length_) - 1);
+}
+
+double PlaneKernel::double_integral(double z) const {
+  return z == 0 ? 0 : -factor_ * z * z / 2 * (std::log(std::abs(z) / length_) - 1.5);
+}
+
 double PlaneKernel::clear_distance() const { return std::numeric_limits<double>::infinity(); }
 
 const Material& material_of(const Kernel& kernel) {
   return std::visit([](const auto& k) -> const Material& { return k.material(); }, kernel);
+}
+
+double log_factor(const Kernel& kernel) {
+  return compliance(material_of(kernel)) / std::numbers::pi;
+}
+
+double clear_distance(const Kernel& kernel) {
+  return std::visit([](const auto& k) { return k.clear_distance(); }, kernel);
 }
 
 }  // namespace microslip

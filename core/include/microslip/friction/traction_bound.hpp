@@ -2,7 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <variant>
+
+#include "microslip/halfspace/chebyshev_traction.hpp"
 
 namespace microslip {
 
@@ -31,6 +34,32 @@ class HertzBound {
   double peak_;
 };
 
+/// A polynomial times Hertz's square roots: peak sqrt(1 - (x/a)^2) h(x/a), zero outside [-a, a].
+class PolynomialBound {
+ public:
+  /// \param half_width    a, in (0, inf)  [mm]
+  /// \param peak          in (0, inf)  [N/mm^2]
+  /// \param coefficients  of h, from the constant up; 1 to 33 of them, with h >= 0 in [-1, 1]  [1]
+  /// \throws std::invalid_argument outside the ranges
+  PolynomialBound(double half_width, double peak, const Eigen::VectorXd& coefficients);
+
+  double half_width() const { return traction_.half_length(); }
+
+  /// g(x)  [N/mm^2]
+  double operator()(double x) const { return traction_(x); }
+
+  /// The integral of g up to x, from the trailing edge  [N/mm]
+  double integral(double x) const { return traction_.integral(x); }
+
+  /// The force of full sliding  [N/mm]
+  double total() const { return traction_.force(); }
+
+  const ChebyshevTraction& traction() const { return traction_; }
+
+ private:
+  ChebyshevTraction traction_;
+};
+
 /// A bound known at points: linear between them, from the outermost ones to zero at the edges
 /// -+half_width, and zero outside.
 class TabulatedBound {
@@ -52,15 +81,22 @@ class TabulatedBound {
   /// The force of full sliding: its integral  [N/mm]
   double total() const { return integral(half_width_); }
 
+  // Where its straight pieces end, the edges included, and the values there.
+  const Eigen::VectorXd& x() const { return x_; }            ///< [mm]
+  const Eigen::VectorXd& values() const { return values_; }  ///< [N/mm^2]
+
  private:
   double half_width_;
   Eigen::VectorXd x_;  ///< with the edges
   Eigen::VectorXd values_;
 };
 
-using TractionBound = std::variant<HertzBound, TabulatedBound>;
+using TractionBound = std::variant<HertzBound, PolynomialBound, TabulatedBound>;
 
 double half_width_of(const TractionBound& bound);
+
+/// The bound as a sum of Chebyshev's polynomials, if it is one.
+std::optional<ChebyshevTraction> chebyshev_traction(const TractionBound& bound);
 
 /// g at each position  [N/mm^2]
 Eigen::VectorXd bound_at(const TractionBound& bound, const Eigen::VectorXd& x);

@@ -11,6 +11,10 @@ namespace microslip {
 // line load of 1 N per mm width, so in mm^2/N. It is even in z, logarithmic at z = 0, and
 // analytic elsewhere within `clear_distance` of the real axis. `decay` is -dK/dz > 0 [mm/N]; all
 // integrals of the kernel are built on it, because it never changes sign.
+//
+// The `regular` parts are what remains without the logarithm of plane strain: of K(z) without
+// -log_factor ln z, and of its decay without log_factor / z. They are analytic at z = 0, too, where
+// the first is even in z and the second odd.
 
 /// The half-space loaded over a strip of finite width, observed on its centre line.
 /// Boussinesq-Cerruti, integrated over the width: thesis (10.3), (10.4).
@@ -22,6 +26,10 @@ class StripKernel {
 
   double displacement(double z) const;
   double decay(double z) const;
+  double regular_displacement(double z) const;
+  double regular_decay(double z) const;
+  double integral(double z) const;         ///< of K, from 0; odd in z
+  double double_integral(double z) const;  ///< of that, up to a constant; even in z
   double clear_distance() const { return half_width_; }
   const Material& material() const { return material_; }
 
@@ -43,6 +51,10 @@ class PlaneKernel {
 
   double displacement(double z) const;
   double decay(double z) const;
+  double regular_displacement(double z) const;
+  double regular_decay(double z) const;
+  double integral(double z) const;         ///< of K, from 0; odd in z
+  double double_integral(double z) const;  ///< of that, up to a constant; even in z
   double clear_distance() const;
   const Material& material() const { return material_; }
 
@@ -55,5 +67,11 @@ class PlaneKernel {
 using Kernel = std::variant<StripKernel, PlaneKernel>;
 
 const Material& material_of(const Kernel& kernel);
+
+/// Factor of the logarithm at z = 0, 2 (1 - nu) / (pi G)  [mm^2/N]
+double log_factor(const Kernel& kernel);
+
+/// Distance of the nearest singularity of the regular parts from the real axis  [mm]
+double clear_distance(const Kernel& kernel);
 
 }  // namespace microslip

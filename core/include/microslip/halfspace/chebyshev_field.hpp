@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "microslip/halfspace/chebyshev_traction.hpp"
+#include "microslip/halfspace/kernel.hpp"
+
+namespace microslip {
+
+/// What a ChebyshevTraction does to the half-space. The logarithm of the kernel is integrated in
+/// closed form, its regular part by Gauss-Chebyshev quadrature with as many points as its distance
+/// to the nearest singularity asks for.
+/// Accuracy: 1e-13 of the largest value, for strips of at least 0.02 half-lengths,
+/// tests/unit/chebyshev_field_test.cpp
+class ChebyshevField {
+ public:
+  /// \throws std::invalid_argument if a strip is narrower than 0.02 half-lengths of the traction
+  ChebyshevField(const Kernel& kernel, const ChebyshevTraction& traction);
+
+  const ChebyshevTraction& traction() const { return traction_; }
+
+  /// -du/dx, at any x  [1]
+  double strain(double x) const;
+
+  /// u, at any x  [mm]
+  double displacement(double x) const;
+
+  // The same, but beyond the ends as if the functions inside went on analytically, without the
+  // square roots that they have there. This is what a scheme feels that takes a difference across
+  // the leading edge.
+  double continued_strain(double x) const;        ///< [1]
+  double continued_displacement(double x) const;  ///< [mm]
+
+  /// u(x) - u(x + shift), without cancellation for small shifts  [mm]
+  /// \param shift  >= 0  [mm]
+  double continued_difference(double x, double shift) const;
+
+ private:
+  double position(double x) const { return (x - traction_.centre()) / traction_.half_length(); }
+  double regular_strain(double x) const;
+  double regular_displacement(double x) const;
+
+  Kernel kernel_;
+  ChebyshevTraction traction_;
+  double log_strain_;           ///< 2 (1 - nu) / G
+  Eigen::VectorXd points_;      ///< of the quadrature  [mm]
+  Eigen::VectorXd line_loads_;  ///< there  [N/mm]
+};
+
+}  // namespace microslip

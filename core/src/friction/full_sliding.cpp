@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/friction/full_sliding.hpp"
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+
+namespace microslip {
+
+using Eigen::Index;
+
+PolygonField::PolygonField(const Kernel& kernel, const TabulatedBound& bound)
+    : kernel_(kernel), bound_(bound) {}
+
+double PolygonField::strain(double x) const {
+  // By parts: the kernel acts on the slopes, and on the jumps at the edges.
+  const Eigen::VectorXd& ends = bound_.x();
+  const Eigen::VectorXd& values = bound_.values();
+  const auto sum = [&](const auto& kernel) {
+    double slope_of_u = 0;
+    for (Index i = 1; i < ends.size(); ++i) {
+      const double width = ends[i] - ends[i - 1];
+      if (width <= 0 || values[i] == values[i - 1]) continue;
+      slope_of_u += (values[i] - values[i - 1]) / width *
+                    (kernel.integral(x - ends[i - 1]) - kernel.integral(x - ends[i]));
+    }
+    const double first = values[0];
+    const double last = values[values.size() - 1];
+    if (first != 0) slope_of_u += first * kernel.displacement(std::abs(x - ends[0]));
+    if (last != 0) slope_of_u -= last * kernel.displacement(std::abs(x - ends[ends.size() - 1]));
+    return -slope_of_u;
+  };
+  return std::visit(sum, kernel_);
+}
+
+double PolygonField::displacement(double x) const {
+  const Eigen::VectorXd& ends = bound_.x();
+  const Eigen::VectorXd& values = bound_.values();
+  const auto sum = [&](const auto& kernel) {
+    double u = values[0] * kernel.integral(x - ends[0]) -
+               values[values.size() - 1] * kernel.integral(x - ends[ends.size() - 1]);
+    for (Index i = 1; i < ends.size(); ++i) {
+      const double width = ends[i] - ends[i - 1];
+      if (width <= 0) continue;
+      u += (values[i] - values[i - 1]) / width *
+           (kernel.double_integral(x - ends[i - 1]) - kernel.double_integral(x - ends[i]));
+    }
+    return u;
+  };
+  return std::visit(sum, kernel_);
+}
+
+double PolygonField::difference(double x, double shift) const {
+  constexpr double small_shift = 1e-3;
+  if (shift > small_shift * bound_.half_width()) return displacement(x) - displacement(x + shift);
+  using boost::math::quadrature::gauss;
+  return shift *
+         gauss<double, 7>::integrate([&](double s) { return strain(x + s * shift); }, 0.0, 1.0);
+}
+
+namespace {
+
+std::variant<ChebyshevField, PolygonField> field_of(const Kernel& kernel,
+                                                    const TractionBound& bound) {
+  if (const auto smooth = chebyshev_traction(bound)) return ChebyshevField(kernel, *smooth);
+  return PolygonField(kernel, std::get<TabulatedBound>(bound));
+}
+
+}  // namespace
+
+FullSliding::FullSliding(const Kernel& kernel, const TractionBound& bound)
+    : force_(full_sliding_force(bound)),
+      half_width_(half_width_of(bound)),
+      field_(field_of(kernel, bound)) {}
+
+double FullSliding::strain(double x) const {
+  if (const auto* smooth = std::get_if<ChebyshevField>(&field_)) return smooth->continued_strain(x);
+  return std::get<PolygonField>(field_).strain(x);
+}
+
+double FullSliding::displacement(double x) const {
+  if (const auto* smooth = std::get_if<ChebyshevField>(&field_)) {
+    return x > -half_width_ ? smooth->continued_displacement(x) : smooth->displacement(x);
+  }
+  return std::get<PolygonField>(field_).displacement(x);
+}
+
+double FullSliding::difference(double x, double shift) const {
+  if (const auto* smooth = std::get_if<ChebyshevField>(&field_)) {
+    if (x >= -half_width_) return smooth->continued_difference(x, shift);
+    return displacement(x) - displacement(x + shift);
+  }
+  return std::get<PolygonField>(field_).difference(x, shift);
+}
+
+}  // namespace microslip

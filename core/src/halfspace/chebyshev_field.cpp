@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/halfspace/chebyshev_field.hpp"
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "microslip/support/require.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double narrowest = 0.02;
+
+/// Below this part of the half-length a difference of displacements is the integral of the strain.
+constexpr double small_shift = 1e-3;
+
+/// Sum of c_n f_(n+1), f_k following Chebyshev's recurrence from 1 and t: f_k = T_k(t).
+double strain_series(const VectorXd& c, double t) {
+  double before = 1;
+  double now = t;
+  double sum = 0;
+  for (Index n = 0; n < c.size(); ++n) {
+    sum += c[n] * now;
+    before = std::exchange(now, 2 * t * now - before);
+  }
+  return sum;
+}
+
+/// The same with f_k = r^k.
+double power_series(const VectorXd& c, double r) {
+  double sum = 0;
+  for (Index n = c.size() - 1; n >= 0; --n) sum = r * (c[n] + sum);
+  return sum;
+}
+
+/// Antiderivative of the former, (f_(n+2)/(n+2) - f_n/n)/2 term by term; for n = 0 without the
+/// second part.
+template <class Values>
+double antiderivative(const VectorXd& c, const Values& f) {
+  double sum = c[0] * f(2) / 4;
+  for (Index n = 1; n < c.size(); ++n) {
+    const auto k = static_cast<double>(n);
+    sum += c[n] * (f(n + 2) / (k + 2) - f(n) / k) / 2;
+  }
+  return sum;
+}
+
+/// Outside [-1, 1], where T_k(t) becomes r^k: |r| < 1.
+double decaying_root(double t) { return 1 / (t + std::copysign(std::sqrt((t - 1) * (t + 1)), t)); }
+
+VectorXd chebyshev_values(double t, Index size) {
+  VectorXd values(size);
+  values[0] = 1;
+  values[1] = t;
+  for (Index k = 2; k < size; ++k) values[k] = 2 * t * values[k - 1] - values[k - 2];
+  return values;
+}
+
+}  // namespace
+
+ChebyshevField::ChebyshevField(const Kernel& kernel, const ChebyshevTraction& traction)
+    : kernel_(kernel), traction_(traction), log_strain_(log_factor(kernel) * std::numbers::pi) {
+  const double clear = clear_distance(kernel) / traction.half_length();
+  if (std::isinf(clear)) return;
+  require(2 * clear >= narrowest, "kernel.width", 2 * clear_distance(kernel),
+          "at least 0.02 half-widths of the contact for exact strains");
+  const auto count = static_cast<Index>(20 + 20 / clear) + traction.coefficients().size();
+  points_.resize(count);
+  line_loads_.resize(count);
+  const double step = std::numbers::pi / static_cast<double>(count + 1);
+  for (Index j = 0; j < count; ++j) {
+    const double angle = static_cast<double>(j + 1) * step;
+    points_[j] = traction.centre() + traction.half_length() * std::cos(angle);
+    line_loads_[j] = traction.half_length() * step * std::sin(angle) * std::sin(angle) *
+                     traction.polynomial(points_[j]);
+  }
+}
+
+double ChebyshevField::regular_strain(double x) const {
+  const auto sum = [&](const auto& kernel) {
+    double strain = 0;
+    for (Index j = 0; j < points_.size(); ++j) {
+      strain += line_loads_[j] * kernel.regular_decay(x - points_[j]);
+    }
+    return strain;
+  };
+  return std::visit(sum, kernel_);
+}
+
+double ChebyshevField::regular_displacement(double x) const {
+  const auto sum = [&](const auto& kernel) {
+    if (points_.size() == 0) return traction_.force() * kernel.regular_displacement(x);
+    double displacement = 0;
+    for (Index j = 0; j < points_.size(); ++j) {
+      displacement += line_loads_[j] * kernel.regular_displacement(x - points_[j]);
+    }
+    return displacement;
+  };
+  return std::visit(sum, kernel_);
+}
+
+double ChebyshevField::continued_strain(double x) const {
+  return log_strain_ * strain_series(traction_.coefficients(), position(x)) + regular_strain(x);
+}
+
+double ChebyshevField::strain(double x) const {
+  const double t = position(x);
+  if (std::abs(t) <= 1) return continued_strain(x);
+  return log_strain_ * power_series(traction_.coefficients(), decaying_root(t)) + regular_strain(x);
+}
+
+double ChebyshevField::continued_displacement(double x) const {
+  const VectorXd& c = traction_.coefficients();
+  const VectorXd values = chebyshev_values(position(x), c.size() + 2);
+  // The logarithm of an interval of half-length 1, at its centre, and scaled to this one.
+  const double logarithms = c[0] * (std::numbers::ln2 - std::log(traction_.half_length())) / 2;
+  return -log_strain_ * traction_.half_length() *
+             (antiderivative(c, [&](Index k) { return values[k]; }) - logarithms) +
+         regular_displacement(x);
+}
+
+double ChebyshevField::displacement(double x) const {
+  const double t = position(x);
+  if (std::abs(t) <= 1) return continued_displacement(x);
+  const VectorXd& c = traction_.coefficients();
+  const double r = decaying_root(t);
+  const double logarithms =
+      c[0] * (std::numbers::ln2 - std::log(traction_.half_length()) + std::log(std::abs(r))) / 2;
+  return -log_strain_ * traction_.half_length() *
+             (antiderivative(c, [&](Index k) { return std::pow(r, static_cast<double>(k)); }) -
+              logarithms) +
+         regular_displacement(x);
+}
+
+double ChebyshevField::continued_difference(double x, double shift) const {
+  if (shift > small_shift * traction_.half_length()) {
+    return continued_displacement(x) - continued_displacement(x + shift);
+  }
+  using boost::math::quadrature::gauss;
+  return shift * gauss<double, 7>::integrate(
+                     [&](double s) { return continued_strain(x + s * shift); }, 0.0, 1.0);
+}
+
+}  // namespace microslip

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/halfspace/chebyshev_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "microslip/friction/full_sliding.hpp"
+#include "microslip/support/quadrature.hpp"
+
+namespace microslip {
+namespace {
+
+const Material material{1.3, 0.28};
+
+ChebyshevTraction some_traction() {
+  return {-0.4, 1.1, (Eigen::VectorXd(4) << 0.7, -0.3, 0.2, 0.15).finished()};
+}
+
+/// u by adaptive quadrature over both sides of x.
+double integrated_displacement(const Kernel& kernel, const ChebyshevTraction& p, double x) {
+  const auto integrand = [&](double y) {
+    return p(y) *
+           std::visit([&](const auto& k) { return k.displacement(std::abs(x - y)); }, kernel);
+  };
+  if (x <= p.begin() || x >= p.end()) return integrate(integrand, p.begin(), p.end(), 1e-10);
+  return integrate(integrand, p.begin(), x, 1e-10) + integrate(integrand, x, p.end(), 1e-10);
+}
+
+TEST(ChebyshevTraction, IntegralsAreThoseOfItsValues) {
+  const ChebyshevTraction p = some_traction();
+  const auto values = [&](double x) { return p(x); };
+  for (const double x : {-0.2, 0.5, 1.09}) {
+    EXPECT_NEAR(p.integral(x), integrate(values, p.begin(), x, 1e-12), 1e-13);
+  }
+  EXPECT_EQ(p.integral(-3), 0);
+  EXPECT_DOUBLE_EQ(p.integral(3), p.force());
+}
+
+TEST(ChebyshevField, DisplacementsAgreeWithQuadrature) {
+  for (const Kernel& kernel :
+       {Kernel(PlaneKernel(material, 7)), Kernel(StripKernel(material, 20)),
+        Kernel(StripKernel(material, 0.8)), Kernel(StripKernel(material, 0.05))}) {
+    const ChebyshevField field(kernel, some_traction());
+    for (const double x : {-3.0, -0.41, -0.3, 0.35, 1.0, 1.2, 9.0}) {
+      const double expected = integrated_displacement(kernel, some_traction(), x);
+      EXPECT_NEAR(field.displacement(x), expected, 2e-10) << x;
+    }
+  }
+}
+
+TEST(ChebyshevField, StrainIsTheSlopeOfTheDisplacement) {
+  for (const Kernel& kernel :
+       {Kernel(PlaneKernel(material, 7)), Kernel(StripKernel(material, 0.8))}) {
+    const ChebyshevField field(kernel, some_traction());
+    for (const double x : {-3.0, -0.45, -0.3, 0.35, 1.0, 1.2, 9.0}) {
+      constexpr double h = 1e-5;
+      const double slope = (field.displacement(x - h) - field.displacement(x + h)) / (2 * h);
+      EXPECT_NEAR(field.strain(x), slope, 1e-8) << x;
+    }
+  }
+}
+
+// The remark of the class: strain of U_n's term is compliance T_(n+1).
+TEST(ChebyshevField, InPlaneStrainIsAPolynomialThatGoesOn) {
+  const ChebyshevField field(PlaneKernel(material, 7), some_traction());
+  const Eigen::VectorXd c = some_traction().coefficients();
+  for (const double t : {-0.9, 0.3, 1.7}) {
+    const double expected = c[0] * t + c[1] * (2 * t * t - 1) + c[2] * (4 * t * t * t - 3 * t) +
+                            c[3] * (8 * t * t * t * t - 8 * t * t + 1);
+    EXPECT_NEAR(field.continued_strain(0.35 + 0.75 * t), compliance(material) * expected, 1e-14);
+  }
+}
+
+TEST(ChebyshevField, SmallDifferencesKeepTheirDigits) {
+  const ChebyshevField field(StripKernel(material, 1), some_traction());
+  for (const double x : {-0.3, 0.35, 1.2}) {
+    for (const double shift : {1e-12, 1e-6, 1e-3}) {
+      EXPECT_NEAR(field.continued_difference(x, shift) / shift,
+                  field.continued_strain(x + shift / 2), 1e-5);
+    }
+    EXPECT_NEAR(field.continued_difference(x, 7.4e-4),
+                field.continued_displacement(x) - field.continued_displacement(x + 7.4e-4), 1e-14);
+  }
+}
+
+TEST(ChebyshevField, RefusesNarrowStrips) {
+  EXPECT_THROW(ChebyshevField(StripKernel(material, 0.01), some_traction()), std::invalid_argument);
+}
+
+// Hertz's bound with enough rows is Hertz's bound.
+// A jump at the edge, and a rough table: against quadrature of the kernel.
+TEST(FullSliding, TabulatedBoundsMayJumpAtTheEdges) {
+  const Eigen::VectorXd x = (Eigen::VectorXd(4) << -1, -0.2, 0.5, 1).finished();
+  const Eigen::VectorXd g = (Eigen::VectorXd(4) << 0.4, 1, 0.3, 0.2).finished();
+  const TabulatedBound table(1, x, g);
+  for (const Kernel& kernel :
+       {Kernel(PlaneKernel(material, 7)), Kernel(StripKernel(material, 0.3))}) {
+    const FullSliding sliding(kernel, table);
+    const auto displacement = [&](double x0) {
+      const auto integrand = [&](double y) {
+        return table(y) *
+               std::visit([&](const auto& k) { return k.displacement(std::abs(x0 - y)); }, kernel);
+      };
+      double sum = 0;
+      for (const auto& [begin, end] :
+           {std::pair(-1.0, -0.2), {-0.2, 0.1}, {0.1, 0.5}, {0.5, 1.0}}) {
+        sum += integrate(integrand, begin, end, 1e-10);
+      }
+      return sum;
+    };
+    EXPECT_NEAR(sliding.displacement(0.1), displacement(0.1), 1e-9);
+    EXPECT_NEAR(sliding.displacement(-1.5), displacement(-1.5), 1e-9);
+    constexpr double h = 1e-5;
+    const double slope = (sliding.displacement(0.1 - h) - sliding.displacement(0.1 + h)) / (2 * h);
+    EXPECT_NEAR(sliding.strain(0.1), slope, 1e-8);
+    EXPECT_NEAR(sliding.difference(0.1, 5e-4),
+                sliding.displacement(0.1) - sliding.displacement(0.1005), 1e-14);
+  }
+}
+
+TEST(FullSliding, TabulatedAndSmoothBoundsAgree) {
+  const HertzBound hertz(2, 3);
+  const Eigen::VectorXd angles = Eigen::VectorXd::LinSpaced(4001, -std::numbers::pi, 0);
+  const Eigen::VectorXd x = 2 * angles.array().cos();
+  const TabulatedBound table(2, x, bound_at(hertz, x));
+  for (const Kernel& kernel :
+       {Kernel(PlaneKernel(material, 7)), Kernel(StripKernel(material, 3))}) {
+    const FullSliding smooth(kernel, hertz);
+    const FullSliding tabulated(kernel, table);
+    EXPECT_NEAR(tabulated.force(), smooth.force(), 1e-5);
+    for (const double x0 : {-1.9, -0.5, 0.0, 1.7}) {
+      EXPECT_NEAR(tabulated.strain(x0), smooth.strain(x0), 2e-4) << x0;
+      EXPECT_NEAR(tabulated.displacement(x0), smooth.displacement(x0), 1e-5) << x0;
+      EXPECT_NEAR(tabulated.difference(x0, 0.1), smooth.difference(x0, 0.1), 1e-5) << x0;
+    }
+    EXPECT_NEAR(tabulated.displacement(-2.5), smooth.displacement(-2.5), 1e-5);
+  }
+}
+
+}  // namespace
+}  // namespace microslip

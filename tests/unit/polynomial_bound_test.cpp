@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include "microslip/friction/traction_bound.hpp"
+
+namespace microslip {
+namespace {
+
+Eigen::VectorXd coefficients(std::initializer_list<double> values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.begin(),
+                                           static_cast<Eigen::Index>(values.size()));
+}
+
+TEST(PolynomialBound, IsThePolynomialTimesHertz) {
+  const PolynomialBound bound(2, 5, coefficients({1, 0.3, 0.2}));
+  const HertzBound hertz(2, 5);
+  for (const double x : {-1.9, -0.7, 0.0, 1.3}) {
+    const double t = x / 2;
+    EXPECT_NEAR(bound(x), hertz(x) * (1 + 0.3 * t + 0.2 * t * t), 1e-14);
+  }
+  EXPECT_EQ(bound(2.1), 0);
+  const PolynomialBound plain(2, 5, coefficients({1}));
+  EXPECT_NEAR(plain.integral(0.4), hertz.integral(0.4), 1e-14);
+  EXPECT_NEAR(plain.total(), hertz.total(), 1e-14);
+}
+
+TEST(PolynomialBound, RefusesWhatIsNoBound) {
+  EXPECT_THROW(PolynomialBound(1, 1, coefficients({1, -1.1})), std::invalid_argument);
+  EXPECT_THROW(PolynomialBound(1, 1, coefficients({0, 0})), std::invalid_argument);
+  EXPECT_THROW(PolynomialBound(1, 1, Eigen::VectorXd()), std::invalid_argument);
+  EXPECT_THROW(PolynomialBound(1, 1, Eigen::VectorXd::Ones(34)), std::invalid_argument);
+  EXPECT_NO_THROW(PolynomialBound(1, 1, coefficients({1, -1})));
+}
+
+}  // namespace
+}  // namespace microslip
