@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "microslip/friction/traction_bound.hpp"
+#include "microslip/halfspace/chebyshev_field.hpp"
+#include "microslip/rolling/creepage_force.hpp"
+
+namespace microslip {
+
+/// A steady state as functions of the position.
+class ChebyshevSolution {
+ public:
+  /// \param direction  of the creepage, +-1
+  /// \param sliding    that of the bound
+  /// \param adhesion   of what adhesion takes away from it; none in full sliding
+  ChebyshevSolution(const CreepageForce& state, double direction, ChebyshevField sliding,
+                    std::optional<ChebyshevField> adhesion);
+
+  double creepage() const { return direction_ * state_.creepage; }  ///< w  [1]
+  double force() const { return direction_ * state_.force; }        ///< F  [N/mm]
+  double stick_edge() const { return state_.stick_edge; }           ///< b; a in full sliding  [mm]
+
+  /// -w F, the energy lost per mm rolled and mm width  [N/mm]
+  double dissipation() const { return -state_.creepage * state_.force; }
+
+  bool sticks(double x) const { return x >= state_.stick_edge; }
+  double traction(double x) const;      ///< p(x), zero outside the contact  [N/mm^2]
+  double slip(double x) const;          ///< s(x) inside the contact  [1]
+  double displacement(double x) const;  ///< u(x)  [mm]
+
+  /// Largest violation of the contact conditions |p| <= g and s p <= 0, over the peak of the bound
+  /// and the creepage, at 200 points  [1]
+  double violation() const;
+
+ private:
+  CreepageForce state_;
+  double direction_;
+  ChebyshevField sliding_;
+  std::optional<ChebyshevField> adhesion_;
+};
+
+/// Steady rolling with one stick zone [b, a] at the leading edge, spectrally. What adhesion takes
+/// away from full sliding is sqrt(1 - t^2) times a polynomial on the stick zone, whose trailing end
+/// b is free: collocation at the n + 1 zeros of T_(n+1) gives its n coefficients and the creepage
+/// that belongs to b. In plane strain the matrix is diagonal in Chebyshev's polynomials.
+/// Accuracy: 1e-11 of force, creepage and traction, with at most 64 unknowns, for strips at least
+/// as wide as the half-width and bounds sqrt(1 - x^2) times a smooth function,
+/// tests/unit/chebyshev_rolling_test.cpp. Cost: O(n^3) for a b, n = 4 ... 64.
+class ChebyshevRolling {
+ public:
+  /// \throws std::invalid_argument for a tabulated bound, which is not smooth; and as
+  ///                               ChebyshevField
+  /// \throws NotConverged          if 64 unknowns do not suffice
+  ChebyshevRolling(const Kernel& kernel, const TractionBound& bound);
+
+  /// \param unknowns  n, 1 to 64, instead of as many as needed
+  ChebyshevRolling(const Kernel& kernel, const TractionBound& bound, Eigen::Index unknowns);
+
+  Eigen::Index unknowns() const { return unknowns_; }
+
+  /// A point of the creepage-force curve.
+  /// \param stick_edge  b, in [-a, a)  [mm]
+  CreepageForce at(double stick_edge) const;
+
+  /// \throws std::invalid_argument if a force is not below full sliding
+  /// \throws NotConverged          if the contact conditions are violated by more than 1e-9: then
+  ///                               there is more than one stick zone
+  ChebyshevSolution solve(const Load& load) const;
+
+ private:
+  struct Zone {
+    Eigen::VectorXd coefficients;
+    double creepage;
+  };
+  Zone zone(double stick_edge, Eigen::Index unknowns) const;
+  CreepageForceCurve curve() const;
+
+  Kernel kernel_;
+  ChebyshevField sliding_;
+  Eigen::Index unknowns_;
+};
+
+}  // namespace microslip

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include "microslip/friction/active_set.hpp"
+
+namespace microslip {
+
+/// A steady state with one stick zone, [b, a], which ends at the leading edge. All are those of a
+/// positive creepage.
+struct CreepageForce {
+  double stick_edge;  ///< b, in [-a, a]  [mm]
+  double creepage;    ///< w  [1]
+  double force;       ///< F, negative  [N/mm]
+};
+
+/// All states with one stick zone, by the place of its trailing end.
+struct CreepageForceCurve {
+  std::function<CreepageForce(double stick_edge)> at;
+  double half_width;             ///< a  [mm]
+  double full_sliding_creepage;  ///< the least  [1]
+  double full_sliding_force;     ///< its absolute value  [N/mm]
+};
+
+/// Where on the curve a load is met.
+struct LoadedState {
+  CreepageForce state;
+  /// Loads below that of adhesion everywhere, which errors of discretisation may let the curve have
+  /// at b = -a, are met by this part of that state; else 1  [1]
+  double part;
+  double direction;  ///< of the creepage, +-1
+  int evaluations;   ///< of the curve
+};
+
+/// \param near   look there first, [mm], with this uncertainty  [mm]
+/// \throws std::invalid_argument if a force is not below full sliding
+/// \throws NotConverged          if the root is not found
+/// Bracketing by TOMS 748 to rounding: about ten evaluations, five with a good guess.
+LoadedState meet_load(const CreepageForceCurve& curve, const Load& load);
+LoadedState meet_load(const CreepageForceCurve& curve, const Load& load, double near,
+                      double uncertainty);
+
+}  // namespace microslip

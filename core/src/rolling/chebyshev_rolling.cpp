@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/rolling/chebyshev_rolling.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+#include "microslip/support/not_converged.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using std::numbers::pi;
+
+namespace {
+
+constexpr Index most_unknowns = 64;
+
+/// Coefficients have converged when the last two are this part of the largest.
+constexpr double resolved = 1e-14;
+
+/// Violations of the contact conditions that are rounding, also of a bound with a double zero.
+constexpr double tolerance = 1e-9;
+
+ChebyshevField field_of(const Kernel& kernel, const TractionBound& bound) {
+  const auto traction = chebyshev_traction(bound);
+  if (!traction) {
+    throw std::invalid_argument(
+        "contact.bound_file: expected contact.peak_traction or contact.bound_polynomial for the "
+        "method chebyshev, which wants a smooth bound");
+  }
+  return ChebyshevField(kernel, *traction);
+}
+
+double tail_of(const VectorXd& coefficients) {
+  return coefficients.tail(std::min<Index>(2, coefficients.size())).cwiseAbs().maxCoeff() /
+         coefficients.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
+ChebyshevSolution::ChebyshevSolution(const CreepageForce& state, double direction,
+                                     ChebyshevField sliding, std::optional<ChebyshevField> adhesion)
+    : state_(state),
+      direction_(direction),
+      sliding_(std::move(sliding)),
+      adhesion_(std::move(adhesion)) {}
+
+double ChebyshevSolution::traction(double x) const {
+  const double stuck = adhesion_ ? adhesion_->traction()(x) : 0;
+  return -direction_ * (sliding_.traction()(x) - stuck);
+}
+
+double ChebyshevSolution::slip(double x) const {
+  if (sticks(x)) return 0;
+  const double stuck = adhesion_ ? adhesion_->strain(x) : 0;
+  return direction_ * (state_.creepage - sliding_.strain(x) + stuck);
+}
+
+double ChebyshevSolution::displacement(double x) const {
+  const double stuck = adhesion_ ? adhesion_->displacement(x) : 0;
+  return -direction_ * (sliding_.displacement(x) - stuck);
+}
+
+double ChebyshevSolution::violation() const {
+  constexpr int samples = 200;
+  const double a = sliding_.traction().half_length();
+  double peak = 0;
+  double worst_traction = 0;
+  double worst_slip = 0;
+  for (int i = 1; i < samples; ++i) {
+    const double x = -a * std::cos(pi * i / samples);
+    const double g = sliding_.traction()(x);
+    peak = std::max(peak, g);
+    worst_traction = std::max(worst_traction, std::abs(traction(x)) - g);
+    worst_slip = std::max(worst_slip, -direction_ * slip(x));
+  }
+  return std::max(worst_traction / peak,
+                  state_.creepage > 0 ? worst_slip / state_.creepage : worst_slip);
+}
+
+ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bound, Index unknowns)
+    : kernel_(kernel), sliding_(field_of(kernel, bound)), unknowns_(unknowns) {
+  require(unknowns >= 1 && unknowns <= most_unknowns, "unknowns", static_cast<double>(unknowns),
+          "1 to 64");
+}
+
+ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bound)
+    : ChebyshevRolling(kernel, bound, 4) {
+  // Large stick zones need most; but if all sticks, the answer is the bound itself.
+  const double a = sliding_.traction().half_length();
+  const auto tail = [&] {
+    return std::max(tail_of(zone(-0.9 * a, unknowns_).coefficients),
+                    tail_of(zone(-0.3 * a, unknowns_).coefficients));
+  };
+  while (tail() > resolved) {
+    if (unknowns_ == most_unknowns) {
+      throw NotConverged("Chebyshev collocation: 64 unknowns do not suffice", 1, tail());
+    }
+    unknowns_ = std::min(most_unknowns, unknowns_ < 16 ? unknowns_ + 4 : unknowns_ + 8);
+  }
+}
+
+ChebyshevRolling::Zone ChebyshevRolling::zone(double stick_edge, Index n) const {
+  const double compliance = log_factor(kernel_) * pi;
+  const double end = sliding_.traction().end();
+  const double centre = (stick_edge + end) / 2;
+  const double half_length = (end - stick_edge) / 2;
+  const VectorXd angles = (VectorXd::LinSpaced(n + 1, 0, static_cast<double>(n)).array() + 0.5) *
+                          (pi / static_cast<double>(n + 1));
+  const VectorXd x = centre + half_length * angles.array().cos();
+  // All over the compliance: coefficients and creepage / compliance are unknown.
+  MatrixXd matrix(n + 1, n + 1);
+  for (Index k = 0; k < n; ++k) {
+    matrix.col(k) = (static_cast<double>(k + 1) * angles.array()).cos();
+  }
+  matrix.col(n).setOnes();
+  if (!std::isinf(clear_distance(kernel_))) {
+    // Quadrature with n points: sin((k+1) angle) of each term is its value there.
+    const double step = pi / static_cast<double>(n + 1);
+    MatrixXd decay(n + 1, n);
+    MatrixXd loads(n, n);
+    for (Index j = 0; j < n; ++j) {
+      const double angle = static_cast<double>(j + 1) * step;
+      const double point = centre + half_length * std::cos(angle);
+      for (Index i = 0; i <= n; ++i) {
+        decay(i, j) =
+            std::visit([&](const auto& k) { return k.regular_decay(x[i] - point); }, kernel_);
+      }
+      for (Index k = 0; k < n; ++k) {
+        loads(j, k) = std::sin(angle) * std::sin(static_cast<double>(k + 1) * angle);
+      }
+    }
+    matrix.leftCols(n) += (half_length * step / compliance) * (decay * loads);
+  }
+  const VectorXd strain =
+      x.unaryExpr([&](double xi) { return sliding_.continued_strain(xi) / compliance; });
+  const VectorXd unknowns = matrix.partialPivLu().solve(strain);
+  return {unknowns.head(n), compliance * unknowns[n]};
+}
+
+CreepageForce ChebyshevRolling::at(double stick_edge) const {
+  const Zone found = zone(stick_edge, unknowns_);
+  const ChebyshevTraction stuck(stick_edge, sliding_.traction().end(), found.coefficients);
+  return {stick_edge, found.creepage, stuck.force() - sliding_.traction().force()};
+}
+
+CreepageForceCurve ChebyshevRolling::curve() const {
+  const double a = sliding_.traction().half_length();
+  return {.at = [this](double b) { return at(b); },
+          .half_width = a,
+          .full_sliding_creepage = sliding_.strain(a),
+          .full_sliding_force = sliding_.traction().force()};
+}
+
+ChebyshevSolution ChebyshevRolling::solve(const Load& load) const {
+  const auto [state, part, direction, evaluations] = meet_load(curve(), load);
+  const double a = sliding_.traction().half_length();
+  std::optional<ChebyshevField> adhesion;
+  if (state.stick_edge < a) {
+    const ChebyshevTraction stuck(state.stick_edge, a,
+                                  zone(state.stick_edge, unknowns_).coefficients);
+    adhesion.emplace(kernel_, stuck);
+  }
+  ChebyshevSolution solution(state, direction, sliding_, std::move(adhesion));
+  const double violation = solution.violation();
+  if (violation > tolerance) {
+    throw NotConverged("Chebyshev collocation: more than one stick zone", evaluations, violation);
+  }
+  return solution;
+}
+
+}  // namespace microslip

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/rolling/creepage_force.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+
+#include "microslip/support/format.hpp"
+#include "microslip/support/not_converged.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip {
+
+namespace {
+
+/// A load as a positive number that grows along the curve.
+struct Target {
+  bool force;
+  double size;
+  double direction;
+
+  double reached_by(const CreepageForce& state) const {
+    return force ? -state.force : state.creepage;
+  }
+};
+
+Target target_of(const CreepageForceCurve& curve, const Load& load) {
+  if (const auto* force = std::get_if<PrescribedForce>(&load)) {
+    require(std::abs(force->value) < curve.full_sliding_force, "load.force", force->value,
+            "an absolute value below full sliding, " + format_short(curve.full_sliding_force));
+    return {true, std::abs(force->value), force->value > 0 ? -1.0 : 1.0};
+  }
+  const double creepage = std::get<PrescribedCreepage>(load).value;
+  require(true, "load.creepage", creepage, "a finite number");
+  return {false, std::abs(creepage), creepage < 0 ? -1.0 : 1.0};
+}
+
+}  // namespace
+
+LoadedState meet_load(const CreepageForceCurve& curve, const Load& load) {
+  return meet_load(curve, load, 0, curve.half_width);
+}
+
+LoadedState meet_load(const CreepageForceCurve& curve, const Load& load, double near,
+                      double uncertainty) {
+  const Target target = target_of(curve, load);
+  const double a = curve.half_width;
+  int evaluations = 0;
+  const auto excess = [&](double b) {
+    ++evaluations;
+    return target.reached_by(curve.at(b)) - target.size;
+  };
+  if (!target.force && target.size >= curve.full_sliding_creepage) {
+    return {{a, target.size, -curve.full_sliding_force}, 1, target.direction, 0};
+  }
+  double low = std::max(-a, near - uncertainty);
+  double high = std::min(a, near + uncertainty);
+  const double at_full_sliding =
+      (target.force ? curve.full_sliding_force : curve.full_sliding_creepage) - target.size;
+  double at_low = excess(low);
+  if (at_low > 0 && low > -a) at_low = excess(low = -a);
+  if (at_low >= 0) {
+    // Adhesion everywhere.
+    const CreepageForce all = curve.at(-a);
+    const double reached = target.reached_by(all);
+    const double part = reached > 0 ? target.size / reached : 0;
+    return {{-a, part * all.creepage, part * all.force}, part, target.direction, evaluations};
+  }
+  double at_high = high < a ? excess(high) : at_full_sliding;
+  if (at_high < 0) {
+    high = a;
+    at_high = at_full_sliding;
+  }
+  std::uintmax_t most = 60;
+  const auto root = boost::math::tools::toms748_solve(
+      excess, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(51), most);
+  const double b = (root.first + root.second) / 2;
+  const CreepageForce state = curve.at(b);
+  const double residual =
+      std::abs(target.reached_by(state) - target.size) / (at_full_sliding + target.size);
+  if (!(residual < 1e-9)) {
+    throw NotConverged("steady rolling: no stick zone carries the load", evaluations, residual);
+  }
+  return {state, 1, target.direction, evaluations};
+}
+
+}  // namespace microslip
