@@ -82,7 +82,7 @@ std::vector<Table> basis_convergence(const BasisConvergenceParameters& p,
                                              .bound = p.bound,
                                              .grid = grid,
                                              .basis = basis,
-                                             .step_ratio = p.step_ratio,
+                                             .method = Differences{.step_ratio = p.step_ratio},
                                              .load = PrescribedCreepage{exact.creepage()}});
       const double force = traction.weights(grid.spacing(), n).dot(s.traction);
       const Eigen::VectorXd difference =

@@ -51,7 +51,7 @@ Table accuracy_table(const CarterParameters& parameters, const Carter& exact) {
       {{"step_ratio", "1", "c = dq/dx"}, {"relative_force_error", "1", "force / exact_force - 1"}});
   SteadyProblem problem = parameters.problem;
   for (const double step_ratio : parameters.accuracy_step_ratios) {
-    problem.step_ratio = step_ratio;
+    problem.method = Differences{.step_ratio = step_ratio};
     table.add({step_ratio, solve_steady(problem).force / exact.force() - 1});
   }
   return table;
@@ -87,7 +87,7 @@ CarterParameters read_carter(Scene& scene) {
                                 std::string("expected contact.peak_traction"));
   }
   const std::vector<double> step_ratios = scene.numbers("step.ratios");
-  return {.problem = read_steady(scene, step_ratios.front()),
+  return {.problem = read_steady(scene, Differences{}),
           .step_ratios = step_ratios,
           .accuracy_step_ratios = scene.numbers("accuracy.step_ratios")};
 }
@@ -114,7 +114,7 @@ std::vector<Table> carter(const CarterParameters& parameters, const Progress& pr
                  {"slip_elements", "1", "elements in slip"},
                  {"iterations", "1", "stick/slip partitions tried"}});
   for (const double step_ratio : parameters.step_ratios) {
-    problem.step_ratio = step_ratio;
+    problem.method = Differences{.step_ratio = step_ratio};
     const SteadySolution solution = solve_steady(problem);
     const Eigen::VectorXd at_nodes =
         solution.x.unaryExpr([&](double x) { return exact.traction(x); });

@@ -42,9 +42,11 @@ Solved solve(const LeadingEdgeParameters& p, const Scheme& scheme, const Setting
                         .bound = p.bound,
                         .grid = grid,
                         .basis = scheme.basis(setting.offset),
-                        .step_ratio = 1,
+                        .method = Differences{},
                         .load = PrescribedCreepage{carter.creepage()}};
-  if (scheme.edge_known) problem.edge_displacement = edge_displacement(kernel, carter);
+  if (scheme.edge_known) {
+    problem.method = Differences{.edge_displacement = edge_displacement(kernel, carter)};
+  }
   SteadySolution solution = solve_steady(problem);
   Eigen::VectorXd exact = solution.x.unaryExpr([&](double x) { return carter.traction(x); });
   const double error = grid.spacing() * (solution.traction - exact).cwiseAbs().sum();

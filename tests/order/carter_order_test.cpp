@@ -31,9 +31,11 @@ double relative_force_error(Eigen::Index n, const Basis& basis, Edges edges,
                                       .leading_offset = edges.leading,
                                       .trailing_offset = edges.trailing}),
                         .basis = basis,
-                        .step_ratio = 1,
+                        .method = Differences{},
                         .load = PrescribedCreepage{exact.creepage()}};
-  if (edge_known) problem.edge_displacement = edge_displacement(kernel, exact);
+  if (edge_known) {
+    problem.method = Differences{.edge_displacement = edge_displacement(kernel, exact)};
+  }
   return solve_steady(problem).force / exact.force() - 1;
 }
 

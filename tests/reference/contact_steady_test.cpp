@@ -39,7 +39,7 @@ TEST(ContactReference, SteadyTractionAndSlipAgreeToItsPrintedDigits) {
                     .bound = TabulatedBound(1, grid.nodes(), to_vector(contact_bound)),
                     .grid = grid,
                     .basis = constant_basis(),
-                    .step_ratio = 1,
+                    .method = Differences{},
                     .load = PrescribedCreepage{-0.00024}});
   const double largest = to_vector(contact_bound).maxCoeff();
   for (Eigen::Index i = 0; i < 25; ++i) {

@@ -108,7 +108,7 @@ TEST(ContactReference, SteadyRolling) {
                                               .bound = bound(),
                                               .grid = grid,
                                               .basis = constant_basis(),
-                                              .step_ratio = 1,
+                                              .method = Differences{},
                                               .load = PrescribedCreepage{-0.00024}});
   expect_printed_digits(steady.traction, steady_traction);
 }

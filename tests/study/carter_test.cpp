@@ -16,7 +16,7 @@ std::vector<Table> tables_for(const char* basis) {
                              .bound = HertzBound(1, 1),
                              .grid = Grid({.half_width = 1, .elements = 50}),
                              .basis = make_basis(basis),
-                             .step_ratio = 1,
+                             .method = Differences{},
                              .load = PrescribedCreepage{0.576}},
                  .step_ratios = {1, 0.5, 0.1, 0.05, 0.01},
                  .accuracy_step_ratios = {0.3, 0.4, 0.5, 0.55, 0.6, 0.7, 0.8, 1}},
@@ -61,7 +61,7 @@ TEST(SteadyScene, SummaryHoldsThePromisedRows) {
                                     .bound = HertzBound(1, 1),
                                     .grid = Grid({.half_width = 1, .elements = 50}),
                                     .basis = constant_basis(),
-                                    .step_ratio = 1,
+                                    .method = Differences{},
                                     .load = PrescribedForce{-1}});
   std::vector<std::string> quantities;
   for (std::size_t i = 0; i < tables[1].rows(); ++i) {

@@ -17,7 +17,7 @@ SteadyProblem problem(Load load) {
           .bound = HertzBound(1, 1),
           .grid = Grid({.half_width = 1, .elements = 40}),
           .basis = constant_basis(),
-          .step_ratio = 1,
+          .method = Differences{},
           .load = load};
 }
 
@@ -47,7 +47,7 @@ TEST(Steady, IsScaleInvariant) {
                                          .bound = HertzBound(a, peak),
                                          .grid = Grid({.half_width = a, .elements = 40}),
                                          .basis = constant_basis(),
-                                         .step_ratio = 1,
+                                         .method = Differences{},
                                          .load = PrescribedCreepage{0.4 * peak / g}});
   EXPECT_NEAR((t.traction / peak - s.traction).lpNorm<Eigen::Infinity>(), 0, 1e-12);
   EXPECT_NEAR((t.displacement * g / (a * peak) - s.displacement).lpNorm<Eigen::Infinity>(), 0,
@@ -70,7 +70,7 @@ TEST(Steady, TheReferenceLengthMovesOnlyTheDisplacement) {
 
 TEST(Steady, RejectsAStepThatIsNotPositive) {
   SteadyProblem p = problem(PrescribedCreepage{0.4});
-  p.step_ratio = 0;
+  p.method = Differences{.step_ratio = 0};
   EXPECT_THROW(solve_steady(p), std::invalid_argument);
 }
 

@@ -77,12 +77,13 @@ TEST(Transient, TurnsToTheSteadySolutionOfItsDifference) {
     for (const Load load : {Load(PrescribedForce{-0.64 * full_sliding})}) {
       TransientRolling rolling(p);
       for (int k = 0; k < 600; ++k) rolling.step(step_ratio * p.grid.spacing(), load);
-      const SteadySolution steady = solve_steady({.kernel = p.kernel,
-                                                  .bound = p.bound,
-                                                  .grid = p.grid,
-                                                  .basis = p.basis,
-                                                  .step_ratio = steady_step_ratio,
-                                                  .load = load});
+      const SteadySolution steady =
+          solve_steady({.kernel = p.kernel,
+                        .bound = p.bound,
+                        .grid = p.grid,
+                        .basis = p.basis,
+                        .method = Differences{.step_ratio = steady_step_ratio},
+                        .load = load});
       EXPECT_LT(largest_difference(rolling.state().traction, steady.traction), 1e-8);
       EXPECT_NEAR(rolling.state().creepage, steady.creepage, 1e-8);
       EXPECT_NEAR(rolling.state().dissipation, steady.dissipation, 1e-8);

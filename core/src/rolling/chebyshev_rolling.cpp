@@ -32,8 +32,8 @@ ChebyshevField field_of(const Kernel& kernel, const TractionBound& bound) {
   const auto traction = chebyshev_traction(bound);
   if (!traction) {
     throw std::invalid_argument(
-        "contact.bound_file: expected contact.peak_traction or contact.bound_polynomial for the "
-        "method chebyshev, which wants a smooth bound");
+        "contact.bound_file: expected contact.peak_traction or contact.bound_polynomial, because "
+        "Chebyshev collocation wants a smooth bound");
   }
   return ChebyshevField(kernel, *traction);
 }
@@ -45,27 +45,24 @@ double tail_of(const VectorXd& coefficients) {
 
 }  // namespace
 
-ChebyshevSolution::ChebyshevSolution(const CreepageForce& state, double direction,
-                                     ChebyshevField sliding, std::optional<ChebyshevField> adhesion)
-    : state_(state),
-      direction_(direction),
-      sliding_(std::move(sliding)),
-      adhesion_(std::move(adhesion)) {}
+ChebyshevSolution::ChebyshevSolution(const LoadedState& loaded, ChebyshevField sliding,
+                                     std::optional<ChebyshevField> adhesion)
+    : loaded_(loaded), sliding_(std::move(sliding)), adhesion_(std::move(adhesion)) {}
 
 double ChebyshevSolution::traction(double x) const {
   const double stuck = adhesion_ ? adhesion_->traction()(x) : 0;
-  return -direction_ * (sliding_.traction()(x) - stuck);
+  return -loaded_.direction * (sliding_.traction()(x) - stuck);
 }
 
 double ChebyshevSolution::slip(double x) const {
   if (sticks(x)) return 0;
   const double stuck = adhesion_ ? adhesion_->strain(x) : 0;
-  return direction_ * (state_.creepage - sliding_.strain(x) + stuck);
+  return loaded_.direction * (loaded_.state.creepage - sliding_.strain(x) + stuck);
 }
 
 double ChebyshevSolution::displacement(double x) const {
   const double stuck = adhesion_ ? adhesion_->displacement(x) : 0;
-  return -direction_ * (sliding_.displacement(x) - stuck);
+  return -loaded_.direction * (sliding_.displacement(x) - stuck);
 }
 
 double ChebyshevSolution::violation() const {
@@ -79,10 +76,10 @@ double ChebyshevSolution::violation() const {
     const double g = sliding_.traction()(x);
     peak = std::max(peak, g);
     worst_traction = std::max(worst_traction, std::abs(traction(x)) - g);
-    worst_slip = std::max(worst_slip, -direction_ * slip(x));
+    worst_slip = std::max(worst_slip, -loaded_.direction * slip(x));
   }
   return std::max(worst_traction / peak,
-                  state_.creepage > 0 ? worst_slip / state_.creepage : worst_slip);
+                  loaded_.state.creepage > 0 ? worst_slip / loaded_.state.creepage : worst_slip);
 }
 
 ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bound, Index unknowns)
@@ -160,18 +157,19 @@ CreepageForceCurve ChebyshevRolling::curve() const {
 }
 
 ChebyshevSolution ChebyshevRolling::solve(const Load& load) const {
-  const auto [state, part, direction, evaluations] = meet_load(curve(), load);
+  const LoadedState loaded = meet_load(curve(), load);
+  const double edge = loaded.state.stick_edge;
   const double a = sliding_.traction().half_length();
   std::optional<ChebyshevField> adhesion;
-  if (state.stick_edge < a) {
-    const ChebyshevTraction stuck(state.stick_edge, a,
-                                  zone(state.stick_edge, unknowns_).coefficients);
+  if (edge < a) {
+    const ChebyshevTraction stuck(edge, a, zone(edge, unknowns_).coefficients);
     adhesion.emplace(kernel_, stuck);
   }
-  ChebyshevSolution solution(state, direction, sliding_, std::move(adhesion));
+  ChebyshevSolution solution(loaded, sliding_, std::move(adhesion));
   const double violation = solution.violation();
   if (violation > tolerance) {
-    throw NotConverged("Chebyshev collocation: more than one stick zone", evaluations, violation);
+    throw NotConverged("Chebyshev collocation: more than one stick zone", loaded.evaluations,
+                       violation);
   }
   return solution;
 }

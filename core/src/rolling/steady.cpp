@@ -4,27 +4,39 @@
 #include <algorithm>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/rolling/calibrated_rolling.hpp"
+#include "microslip/rolling/chebyshev_rolling.hpp"
 #include "microslip/support/require.hpp"
+#include "several_zones.hpp"
 
 namespace microslip {
 
-Eigen::Index SteadySolution::adhesion_elements() const {
+using Eigen::Index;
+using Eigen::VectorXd;
+
+Index SteadySolution::adhesion_elements() const {
   return std::count(zones.begin(), zones.end(), Zone::adhesion);
 }
 
-Eigen::Index SteadySolution::slip_elements() const { return x.size() - adhesion_elements(); }
+Index SteadySolution::slip_elements() const { return x.size() - adhesion_elements(); }
 
-SteadySolution solve_steady(const SteadyProblem& problem) {
-  const auto& [kernel, bound, grid, basis, step_ratio, load, edge_displacement] = problem;
-  const Eigen::Index n = grid.size();
+namespace {
+
+/// Violations of the contact conditions that are no error of discretisation: there is more than one
+/// stick zone.
+constexpr double another_zone = 1e-3;
+
+SteadySolution by_differences(const SteadyProblem& problem, const Differences& differences) {
+  const auto& [kernel, bound, grid, basis, method, load] = problem;
+  const auto& [step_ratio, edge_displacement] = differences;
+  const Index n = grid.size();
   const double dx = grid.spacing();
-  const Eigen::VectorXd x = grid.nodes();
+  const VectorXd x = grid.nodes();
   const Eigen::MatrixXd influence = influence_matrix(kernel, basis, dx, n);
   Eigen::MatrixXd strain =
       influence_difference_matrix(kernel, basis, dx, n, step_ratio) / (step_ratio * dx);
-  SlipConditions conditions{.bound = bound_at(bound, x),
-                            .offset = Eigen::VectorXd::Zero(n),
-                            .reference = Eigen::VectorXd::Zero(n)};
+  SlipConditions conditions{
+      .bound = bound_at(bound, x), .offset = VectorXd::Zero(n), .reference = VectorXd::Zero(n)};
   if (edge_displacement) {
     const double to_edge = grid.leading_offset() * dx;
     require(to_edge > 0, "grid.leading_offset", grid.leading_offset(),
@@ -32,7 +44,7 @@ SteadySolution solve_steady(const SteadyProblem& problem) {
     strain.row(n - 1) = influence.row(n - 1) / to_edge;
     conditions.offset[n - 1] = -*edge_displacement / to_edge;
   }
-  const Eigen::VectorXd weights = basis.weights(dx, n);
+  const VectorXd weights = basis.weights(dx, n);
   const ContactState state = ActiveSet(strain, weights).solve(conditions, load);
   return {.x = x,
           .bound = conditions.bound,
@@ -44,6 +56,44 @@ SteadySolution solve_steady(const SteadyProblem& problem) {
           .creepage = state.creepage,
           .dissipation = -weights.cwiseProduct(state.traction).dot(state.slip),
           .iterations = state.iterations};
+}
+
+/// \param solution  as functions of x, with one stick zone
+template <class Solution>
+SteadySolution sampled(const SteadyProblem& problem, const Solution& solution, int iterations) {
+  const VectorXd x = problem.grid.nodes();
+  SteadySolution state{
+      .x = x,
+      .bound = bound_at(problem.bound, x),
+      .traction = x.unaryExpr([&](double xi) { return solution.traction(xi); }),
+      .slip = x.unaryExpr([&](double xi) { return solution.slip(xi); }),
+      .displacement = x.unaryExpr([&](double xi) { return solution.displacement(xi); }),
+      .zones = {},
+      .force = solution.force(),
+      .creepage = solution.creepage(),
+      .dissipation = solution.dissipation(),
+      .iterations = iterations};
+  const Zone slipping = solution.creepage() < 0 ? Zone::slip_positive : Zone::slip_negative;
+  for (const double xi : x) state.zones.push_back(solution.sticks(xi) ? Zone::adhesion : slipping);
+  return state;
+}
+
+}  // namespace
+
+SteadySolution solve_steady(const SteadyProblem& problem) {
+  if (const auto* differences = std::get_if<Differences>(&problem.method)) {
+    return by_differences(problem, *differences);
+  }
+  if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
+    const ChebyshevRolling rolling(problem.kernel, problem.bound);
+    const ChebyshevSolution solution = rolling.solve(problem.load);
+    return sampled(problem, solution, solution.evaluations());
+  }
+  const CalibratedRolling rolling(problem.kernel, problem.bound, problem.basis,
+                                  problem.grid.size());
+  const CalibratedSolution solution = rolling.solve(problem.load);
+  if (solution.violation() > another_zone) return with_several_zones(problem);
+  return sampled(problem, solution, solution.evaluations());
 }
 
 }  // namespace microslip

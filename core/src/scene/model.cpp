@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/rolling/chebyshev_rolling.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 
@@ -30,6 +31,13 @@ HertzBound read_hertz_bound(Scene& scene) {
 }
 
 TractionBound read_bound(Scene& scene) {
+  if (scene.has("contact.bound_polynomial")) {
+    const double half_width = scene.number("contact.half_width");
+    const std::vector<double> h = scene.numbers("contact.bound_polynomial");
+    return PolynomialBound(
+        half_width, scene.number("contact.peak_traction", 1),
+        Eigen::Map<const Eigen::VectorXd>(h.data(), static_cast<Eigen::Index>(h.size())));
+  }
   if (!scene.has_second("contact.peak_traction", "contact.bound_file")) {
     return read_hertz_bound(scene);
   }
@@ -46,8 +54,11 @@ Grid read_grid(Scene& scene, double half_width) {
                .trailing_offset = scene.number("grid.trailing_offset", 0.5)});
 }
 
-Basis read_basis(Scene& scene) {
-  return make_basis(scene.word_or_first("basis", {"constant", "linear", "quadratic"}));
+Basis read_basis(Scene& scene, const Grid& grid) {
+  const Basis basis = make_basis(scene.word_or_first("basis", {"constant", "linear", "quadratic"}));
+  require(basis.name() != "quadratic" || grid.size() % 2 == 1, "grid.elements",
+          static_cast<double>(grid.size()), "an odd number for quadratic functions");
+  return basis;
 }
 
 ShapeFunction read_shape(Scene& scene) {
@@ -76,10 +87,7 @@ ContactModel read_contact(Scene& scene) {
   const TractionBound bound = read_bound(scene);
   const Kernel kernel = read_kernel(scene, material);
   const Grid grid = read_grid(scene, half_width_of(bound));
-  const Basis basis = read_basis(scene);
-  require(basis.name() != "quadratic" || grid.size() % 2 == 1, "grid.elements",
-          static_cast<double>(grid.size()), "an odd number for quadratic functions");
-  return {kernel, bound, grid, basis};
+  return {kernel, bound, grid, read_basis(scene, grid)};
 }
 
 Eigen::VectorXd traction_at_nodes(const std::vector<Eigen::VectorXd>& columns,
@@ -132,17 +140,53 @@ Start read_start(Scene& scene, const TransientProblem& problem, const Load& load
 
 }  // namespace
 
-SteadyProblem read_steady(Scene& scene) {
-  return read_steady(scene, scene.number("step.ratio", 1));
+namespace {
+
+double exact_edge_displacement(const SteadyProblem& problem) {
+  return ChebyshevRolling(problem.kernel, problem.bound)
+      .solve(problem.load)
+      .displacement(half_width_of(problem.bound));
 }
 
-SteadyProblem read_steady(Scene& scene, double step_ratio) {
-  const ContactModel model = read_contact(scene);
-  return {.kernel = model.kernel,
-          .bound = model.bound,
-          .grid = model.grid,
-          .basis = model.basis,
-          .step_ratio = step_ratio,
+}  // namespace
+
+SteadyProblem read_steady(Scene& scene) {
+  const bool chebyshev = scene.word_or_first("method", {"collocation", "chebyshev"}) == "chebyshev";
+  const std::string edge =
+      chebyshev
+          ? ""
+          : scene.word_or_first("leading_edge", {"calibrated", "standard", "exact", "trimmed"});
+  const bool has_step = edge != "" && edge != "calibrated";
+  const double step_ratio = has_step || scene.has("step.ratio") ? scene.number("step.ratio", 1) : 1;
+  require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
+  if (chebyshev) return read_steady(scene, ChebyshevCollocation{});
+  if (!has_step) return read_steady(scene, Calibrated{});
+  SteadyProblem problem = read_steady(scene, Differences{.step_ratio = step_ratio});
+  if (edge == "exact") {
+    problem.method = Differences{.step_ratio = step_ratio,
+                                 .edge_displacement = exact_edge_displacement(problem)};
+  }
+  if (edge == "trimmed") {
+    if (problem.basis.name() != "linear") {
+      throw std::invalid_argument("basis = '" + problem.basis.name() +
+                                  "': expected linear where the last function is trimmed");
+    }
+    problem.basis = trimmed_linear_basis(problem.grid.leading_offset());
+  }
+  return problem;
+}
+
+SteadyProblem read_steady(Scene& scene, const SteadyMethod& method) {
+  const Material material = read_material(scene);
+  const TractionBound bound = read_bound(scene);
+  const Kernel kernel = read_kernel(scene, material);
+  const Grid grid = read_grid(scene, half_width_of(bound));
+  const bool elements = !std::holds_alternative<ChebyshevCollocation>(method);
+  return {.kernel = kernel,
+          .bound = bound,
+          .grid = grid,
+          .basis = elements ? read_basis(scene, grid) : constant_basis(),
+          .method = method,
           .load = read_load(scene)};
 }
 

@@ -13,20 +13,20 @@ namespace microslip {
 /// A steady state as functions of the position.
 class ChebyshevSolution {
  public:
-  /// \param direction  of the creepage, +-1
   /// \param sliding    that of the bound
   /// \param adhesion   of what adhesion takes away from it; none in full sliding
-  ChebyshevSolution(const CreepageForce& state, double direction, ChebyshevField sliding,
+  ChebyshevSolution(const LoadedState& loaded, ChebyshevField sliding,
                     std::optional<ChebyshevField> adhesion);
 
-  double creepage() const { return direction_ * state_.creepage; }  ///< w  [1]
-  double force() const { return direction_ * state_.force; }        ///< F  [N/mm]
-  double stick_edge() const { return state_.stick_edge; }           ///< b; a in full sliding  [mm]
+  double creepage() const { return loaded_.direction * loaded_.state.creepage; }  ///< w  [1]
+  double force() const { return loaded_.direction * loaded_.state.force; }        ///< F  [N/mm]
+  double stick_edge() const { return loaded_.state.stick_edge; }  ///< b; a in full sliding  [mm]
+  int evaluations() const { return loaded_.evaluations; }         ///< of systems of equations
 
   /// -w F, the energy lost per mm rolled and mm width  [N/mm]
-  double dissipation() const { return -state_.creepage * state_.force; }
+  double dissipation() const { return -loaded_.state.creepage * loaded_.state.force; }
 
-  bool sticks(double x) const { return x >= state_.stick_edge; }
+  bool sticks(double x) const { return adhesion_ && x >= stick_edge(); }
   double traction(double x) const;      ///< p(x), zero outside the contact  [N/mm^2]
   double slip(double x) const;          ///< s(x) inside the contact  [1]
   double displacement(double x) const;  ///< u(x)  [mm]
@@ -36,8 +36,7 @@ class ChebyshevSolution {
   double violation() const;
 
  private:
-  CreepageForce state_;
-  double direction_;
+  LoadedState loaded_;
   ChebyshevField sliding_;
   std::optional<ChebyshevField> adhesion_;
 };

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <variant>
+#include <vector>
 
 #include "microslip/friction/active_set.hpp"
 #include "microslip/friction/traction_bound.hpp"
@@ -12,16 +14,37 @@
 
 namespace microslip {
 
+/// The difference scheme of the thesis: collocation at the nodes, s_I = w + ((A - A') p)_I / dq,
+/// (3.5)-(3.8). If the displacement u_LE at the leading edge is known, the last equation is
+/// s_N = w + ((A p)_N - u_LE) / (beta dx).
+/// Accuracy: the force is first order in dx for offsets 1/2, because A' feels the leading edge
+/// about 0.825 dx beyond the last node (constant functions, c = 1); 3/2 with u_LE known
+/// (tests/order/carter_order_test.cpp).
+struct Differences {
+  double step_ratio = 1;  ///< c = dq/dx of the difference for du/dx, >= min_step_ratio  [1]
+  /// u_LE, (10.6); needs beta > 0  [mm]
+  std::optional<double> edge_displacement = std::nullopt;
+};
+
+/// CalibratedRolling, sampled at the nodes: second order. If that finds more than one stick zone,
+/// elements of the same kind over the whole contact, with the leading edge where they feel it and
+/// the strain of full sliding exact: second order, too, but with noise from the stick-slip points
+/// inside elements; there the values at the nodes are interpolated.
+struct Calibrated {};
+
+/// ChebyshevRolling, sampled at the nodes: ten digits. For smooth bounds and one stick zone.
+struct ChebyshevCollocation {};
+
+using SteadyMethod = std::variant<Differences, Calibrated, ChebyshevCollocation>;
+
 /// Steady rolling of quasi-identical bodies in 2D: s = w - du/dx, thesis (3.2).
 struct SteadyProblem {
   Kernel kernel;
   TractionBound bound;
-  Grid grid;  ///< on the same [-a, a] as the bound
-  Basis basis;
-  double step_ratio;  ///< c = dq/dx of the difference for du/dx, >= min_step_ratio  [1]
+  Grid grid;                       ///< on the same [-a, a] as the bound
+  Basis basis = constant_basis();  ///< no part of Chebyshev collocation
+  SteadyMethod method = Calibrated{};
   Load load;
-  /// The displacement at the leading edge, where it is known: thesis (10.6)  [mm]
-  std::optional<double> edge_displacement = std::nullopt;
 };
 
 /// Values at the N nodes, and what follows from them. A positive creepage gives negative tractions.
@@ -35,20 +58,16 @@ struct SteadySolution {
   double force;        ///< integral of the traction  [N/mm]
   double creepage;     ///< w  [1]
   double dissipation;  ///< -integral of p s over x: energy per mm rolled and mm width  [N/mm]
-  int iterations;      ///< of the active set
+  int iterations;      ///< partitions tried, or systems solved
 
   Eigen::Index adhesion_elements() const;
   Eigen::Index slip_elements() const;
 };
 
-/// Collocation at the nodes: s_I = w + ((A - A') p)_I / dq, thesis (3.5)-(3.8). If the displacement
-/// u_LE at the leading edge is known, the last one is s_N = w + ((A p)_N - u_LE) / (beta dx).
-/// Cost: O(N^2) memory; time as ActiveSet.
-/// Accuracy: the force is first order in dx for offsets 1/2 (tests/order/carter_order_test.cpp),
-/// because A' feels the leading edge about 0.825 dx beyond the last node (constant basis, c = 1).
-/// \throws std::invalid_argument for a step ratio or load outside its range, or for a known u_LE at
-///                               beta = 0
-/// \throws NotConverged          as ActiveSet::solve
+/// Cost: O(N^2) memory; time as the method.
+/// \throws std::invalid_argument for a step ratio or load outside its range, for a known u_LE at
+///                               beta = 0, and as the method
+/// \throws NotConverged          as ActiveSet::solve or the method
 SteadySolution solve_steady(const SteadyProblem& problem);
 
 }  // namespace microslip

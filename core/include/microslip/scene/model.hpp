@@ -19,14 +19,15 @@ Kernel read_kernel(Scene& scene, const Material& material);
 /// contact.half_width, contact.peak_traction
 HertzBound read_hertz_bound(Scene& scene);
 
-/// contact.half_width, and contact.peak_traction or contact.bound_file (columns x bound)
+/// contact.half_width, and contact.peak_traction, with contact.bound_polynomial if it is not
+/// Hertzian (then the peak is 1 by default), or contact.bound_file (columns x bound)
 TractionBound read_bound(Scene& scene);
 
 /// grid.elements, grid.leading_offset (0.5), grid.trailing_offset (0.5)
 Grid read_grid(Scene& scene, double half_width);
 
-/// basis constant|linear|quadratic (constant)
-Basis read_basis(Scene& scene);
+/// basis constant|linear|quadratic (constant); the last for an odd number of elements
+Basis read_basis(Scene& scene, const Grid& grid);
 
 /// basis constant|linear (constant), for what needs one function for all nodes
 ShapeFunction read_shape(Scene& scene);
@@ -34,11 +35,18 @@ ShapeFunction read_shape(Scene& scene);
 /// load.creepage or load.force
 Load read_load(Scene& scene);
 
-/// All of the above, and step.ratio (1). Quadratic functions want an odd number of elements.
+/// method collocation|chebyshev (collocation), and of the first leading_edge
+/// calibrated|standard|exact|trimmed (calibrated):
+///   calibrated  `Calibrated`
+///   standard    `Differences` with step.ratio (1)
+///   exact       the same, with the displacement at the leading edge from Chebyshev collocation
+///   trimmed     the same as standard, with the last of linear functions trimmed
+/// All of the above, but for no basis with chebyshev. A step.ratio may stand in any steady scene,
+/// but has a role only in the last three.
 SteadyProblem read_steady(Scene& scene);
 
-/// All of the above, with a given step ratio.
-SteadyProblem read_steady(Scene& scene, double step_ratio);
+/// All of the above, with a given method.
+SteadyProblem read_steady(Scene& scene, const SteadyMethod& method);
 
 /// A transient problem with all that happens to it.
 struct TransientScene {

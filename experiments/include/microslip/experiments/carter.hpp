@@ -12,7 +12,7 @@ namespace microslip::experiments {
 
 /// What does the step ratio do to the Carter-Fromm problem? Thesis Fig. 1.1.
 struct CarterParameters {
-  SteadyProblem problem;  ///< with a Hertzian bound; step_ratio is replaced by each of the next
+  SteadyProblem problem;  ///< with a Hertzian bound; by differences, with each of the next
   std::vector<double> step_ratios;  ///< c of the tractions shown, falling, each >= 1e-15  [1]
   std::vector<double> accuracy_step_ratios;  ///< c of the force errors, likewise  [1]
 };

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/LU>
+#include <optional>
+
+#include "microslip/friction/full_sliding.hpp"
+#include "microslip/halfspace/basis.hpp"
+#include "microslip/rolling/creepage_force.hpp"
+
+namespace microslip {
+
+/// The distance, in elements, from the last of n equal elements to the edge at which a scheme of
+/// differences over one element feels its tractions vanish. It is found where the exact solution is
+/// known, for a strain that grows linearly (Carter's), from the force of the n elements; so
+/// Carter's force is met. For n -> inf it tends to 0.825344 for constant and to 0.884944 for linear
+/// functions, as Wiener-Hopf theory says, tests/unit/calibrated_rolling_test.cpp.
+/// \param elements  n, >= 2; odd for quadratic functions
+/// Cost: O(n^3)
+double edge_offset(const Basis& basis, Eigen::Index elements);
+
+/// What adhesion takes away from the tractions of full sliding, by n elements that fill the stick
+/// zone [b, a]: their outermost nodes lie edge_offset() elements inside its ends.
+struct StickLattice {
+  double stick_edge;        ///< b  [mm]
+  double spacing;           ///< h  [mm]
+  Eigen::VectorXd x;        ///< nodes  [mm]
+  Eigen::VectorXd removed;  ///< coefficients of the functions  [N/mm^2]
+  Eigen::VectorXd loads;    ///< the functions as line loads  [N/mm]
+  double creepage;          ///< that belongs to b  [1]
+};
+
+class CalibratedSolution;
+
+/// Steady rolling with one stick zone at the leading edge, by elements, of second order. Full
+/// sliding is exact, and only what adhesion takes away from it is made of elements: n of them, on
+/// the stick zone wherever that ends. So elements meet an edge of the contact or the stick-slip
+/// point only where the scheme feels one, and no element holds either inside. Differences are over
+/// one element; there is no step.
+///
+/// Accuracy: force and tractions are second order in 1/n for any adhesion and any bound that is
+/// smooth but for its square roots, tests/order/calibrated_order_test.cpp.
+/// Cost: O(n^3), once in plane strain, and five times or so for strips; memory n^2.
+class CalibratedRolling {
+ public:
+  /// \param basis     constant, linear or quadratic
+  /// \param elements  n, >= 2; odd for quadratic functions
+  /// \throws std::invalid_argument as ChebyshevField
+  CalibratedRolling(const Kernel& kernel, const TractionBound& bound, const Basis& basis,
+                    Eigen::Index elements);
+
+  const Kernel& kernel() const { return kernel_; }
+  const TractionBound& bound() const { return bound_; }
+  const Basis& basis() const { return basis_; }
+  const FullSliding& sliding() const { return sliding_; }
+
+  /// \param stick_edge  b, in [-a, a)  [mm]
+  StickLattice lattice(double stick_edge) const;
+
+  /// A point of the creepage-force curve.
+  CreepageForce at(double stick_edge) const;
+
+  /// \throws as meet_load
+  CalibratedSolution solve(const Load& load) const;
+
+ private:
+  CreepageForceCurve curve() const;
+
+  Kernel kernel_;
+  TractionBound bound_;
+  Basis basis_;
+  Eigen::Index elements_;
+  FullSliding sliding_;
+  bool plane_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;  ///< in plane strain, the same for any spacing
+  double edge_offset_;
+};
+
+/// A steady state as functions of the position.
+class CalibratedSolution {
+ public:
+  CalibratedSolution(const CalibratedRolling& rolling, const LoadedState& loaded);
+
+  double creepage() const { return loaded_.direction * loaded_.state.creepage; }  ///< w  [1]
+  double force() const { return loaded_.direction * loaded_.state.force; }        ///< F  [N/mm]
+  double stick_edge() const { return loaded_.state.stick_edge; }  ///< b; a in full sliding  [mm]
+  int evaluations() const { return loaded_.evaluations; }         ///< of systems of equations
+
+  /// -w F, the energy lost per mm rolled and mm width  [N/mm]
+  double dissipation() const { return -loaded_.state.creepage * loaded_.state.force; }
+
+  bool sticks(double x) const { return lattice_ && x >= stick_edge(); }
+  double traction(double x) const;      ///< p(x), zero outside the contact  [N/mm^2]
+  double slip(double x) const;          ///< s(x) inside the contact  [1]
+  double displacement(double x) const;  ///< u(x) inside the contact  [mm]
+
+  /// Largest violation of the contact conditions |p| <= g and s p <= 0, over the peak of the bound
+  /// and the creepage, at the nodes in adhesion and at 200 points in slip  [1]
+  double violation() const;
+
+ private:
+  double removed(double x) const;
+  double strain_by_loads(double x) const;
+  double displacement_by_loads(double x) const;
+  double slip_behind(double x) const;
+
+  Kernel kernel_;
+  TractionBound bound_;
+  FullSliding sliding_;
+  LoadedState loaded_;
+  std::optional<StickLattice> lattice_;  ///< none in full sliding
+  double anchor_ = 0;                    ///< a place in adhesion  [mm]
+  double anchor_displacement_ = 0;       ///< there  [mm]
+};
+
+}  // namespace microslip

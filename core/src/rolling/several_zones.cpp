@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "several_zones.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "microslip/friction/full_sliding.hpp"
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/rolling/calibrated_rolling.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// n nodes, the last of which is `leading` elements from the leading edge and the first half an
+/// element from the trailing one.
+struct Lattice {
+  Lattice(double half_width, double leading, Index n)
+      : spacing(2 * half_width / (static_cast<double>(n) - 0.5 + leading)),
+        x(VectorXd::LinSpaced(n, -half_width + spacing / 2, half_width - leading * spacing)) {}
+
+  double spacing;
+  VectorXd x;
+
+  /// Linear between the nodes, and constant beyond them.
+  double interpolate(const VectorXd& values, double at) const {
+    const auto last = static_cast<double>(x.size() - 1);
+    const double place = std::clamp((at - x[0]) / spacing, 0.0, last);
+    const Index i = std::min(static_cast<Index>(place), x.size() - 2);
+    const double part = place - static_cast<double>(i);
+    return (1 - part) * values[i] + part * values[i + 1];
+  }
+};
+
+}  // namespace
+
+SteadySolution with_several_zones(const SteadyProblem& problem) {
+  const Index n = problem.grid.size();
+  const Lattice lattice(problem.grid.half_width(), edge_offset(problem.basis, n), n);
+  const double h = lattice.spacing;
+  const FullSliding sliding(problem.kernel, problem.bound);
+  const auto* force = std::get_if<PrescribedForce>(&problem.load);
+  const double value = force ? force->value : std::get<PrescribedCreepage>(problem.load).value;
+  const double direction = (force ? -value : value) < 0 ? -1 : 1;
+  // Full sliding is exact, in its strain and its force; elements make the difference to it.
+  const VectorXd bound = bound_at(problem.bound, lattice.x);
+  const VectorXd weights = problem.basis.weights(h, n);
+  const SlipConditions conditions{.bound = bound,
+                                  .offset = lattice.x.unaryExpr([&](double x) {
+                                    return -direction * sliding.strain(x + h / 2);
+                                  }),
+                                  .reference = -direction * bound};
+  const double exact_less_elements = -direction * (sliding.force() - weights.dot(bound));
+  const Load load = force ? Load(PrescribedForce{value - exact_less_elements}) : problem.load;
+  const Eigen::MatrixXd strain =
+      influence_difference_matrix(problem.kernel, problem.basis, h, n, 1) / h;
+  const ContactState contact = ActiveSet(strain, weights).solve(conditions, load);
+  const VectorXd difference = contact.traction - conditions.reference;
+  const VectorXd displacement =
+      influence_matrix(problem.kernel, problem.basis, h, n) * difference -
+      direction * lattice.x.unaryExpr([&](double x) { return sliding.displacement(x); });
+
+  const VectorXd x = problem.grid.nodes();
+  const VectorXd bound_at_nodes = bound_at(problem.bound, x);
+  const auto at_nodes = [&](const VectorXd& values) -> VectorXd {
+    return x.unaryExpr([&](double xi) { return lattice.interpolate(values, xi); });
+  };
+  SteadySolution state{.x = x,
+                       .bound = bound_at_nodes,
+                       .traction = at_nodes(difference) - direction * bound_at_nodes,
+                       .slip = at_nodes(contact.slip),
+                       .displacement = at_nodes(displacement),
+                       .zones = {},
+                       .force = weights.dot(contact.traction) + exact_less_elements,
+                       .creepage = contact.creepage,
+                       .dissipation = 0,
+                       .iterations = contact.iterations};
+  state.dissipation = -state.creepage * state.force;
+  for (const double xi : x) {
+    const double place = std::round((xi - lattice.x[0]) / h);
+    const double nearest = std::clamp(place, 0.0, static_cast<double>(n - 1));
+    state.zones.push_back(contact.zones[static_cast<std::size_t>(nearest)]);
+  }
+  return state;
+}
+
+}  // namespace microslip
