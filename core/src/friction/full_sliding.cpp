@@ -73,7 +73,9 @@ FullSliding::FullSliding(const Kernel& kernel, const TractionBound& bound)
       field_(field_of(kernel, bound)) {}
 
 double FullSliding::strain(double x) const {
-  if (const auto* smooth = std::get_if<ChebyshevField>(&field_)) return smooth->continued_strain(x);
+  if (const auto* smooth = std::get_if<ChebyshevField>(&field_)) {
+    return x > -half_width_ ? smooth->continued_strain(x) : smooth->strain(x);
+  }
   return std::get<PolygonField>(field_).strain(x);
 }
 

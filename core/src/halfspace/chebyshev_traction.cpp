@@ -11,9 +11,7 @@ namespace microslip {
 using Eigen::Index;
 
 ChebyshevTraction::ChebyshevTraction(double begin, double end, Eigen::VectorXd coefficients)
-    : centre_((begin + end) / 2),
-      half_length_((end - begin) / 2),
-      coefficients_(std::move(coefficients)) {}
+    : begin_(begin), end_(end), coefficients_(std::move(coefficients)) {}
 
 double ChebyshevTraction::polynomial(double x) const {
   // Clenshaw's recurrence.
@@ -27,8 +25,7 @@ double ChebyshevTraction::polynomial(double x) const {
 }
 
 double ChebyshevTraction::operator()(double x) const {
-  const double t = position(x);
-  return std::sqrt(std::max(0.0, (1 - t) * (1 + t))) * polynomial(x);
+  return std::sqrt(std::max(0.0, (x - begin_) * (end_ - x))) / half_length() * polynomial(x);
 }
 
 double ChebyshevTraction::integral(double x) const {
@@ -39,11 +36,11 @@ double ChebyshevTraction::integral(double x) const {
     const auto k = static_cast<double>(n);
     above += coefficients_[n] * (std::sin(k * angle) / k - std::sin((k + 2) * angle) / (k + 2));
   }
-  return force() - half_length_ / 2 * above;
+  return force() - half_length() / 2 * above;
 }
 
 double ChebyshevTraction::force() const {
-  return std::numbers::pi / 2 * half_length_ * coefficients_[0];
+  return std::numbers::pi / 2 * half_length() * coefficients_[0];
 }
 
 }  // namespace microslip

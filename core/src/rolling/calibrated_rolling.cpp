@@ -78,36 +78,58 @@ CalibratedRolling::CalibratedRolling(const Kernel& kernel, const TractionBound& 
   edge_offset_ = offset_by(factors_, basis, elements);
 }
 
+namespace {
+
+/// What is left of values at the middles when their mean and slope are taken away.
+VectorXd bent_part(const VectorXd& values) {
+  const VectorXd x = middles(values.size() - 1);
+  return values.array() - values.mean() - x.array() * (x.dot(values) / x.squaredNorm());
+}
+
+/// How much of the second is in the first, but for mean and slope.
+double similarity(const VectorXd& first, const VectorXd& second) {
+  const VectorXd bent = bent_part(second);
+  const double size = bent.squaredNorm();
+  const bool straight = size <= 1e-20 * second.squaredNorm();
+  return straight ? 0 : bent.dot(bent_part(first)) / size;
+}
+
+}  // namespace
+
 StickLattice CalibratedRolling::lattice(double stick_edge) const {
   const Index n = elements_;
   const double a = half_width_of(bound_);
   const double stiffness = 1 / compliance(material_of(kernel_));
-  StickLattice lattice{
-      .stick_edge = stick_edge,
-      .spacing = (a - stick_edge) / (static_cast<double>(n - 1) + 2 * edge_offset_),
-      .x = {},
-      .removed = {},
-      .loads = {},
-      .creepage = 0};
-  const double h = lattice.spacing;
+  const double h = (a - stick_edge) / (static_cast<double>(n - 1) + 2 * edge_offset_);
   const double centre = (a + stick_edge) / 2;
-  const VectorXd strain =
-      middles(n).unaryExpr([&](double x) { return sliding_.strain(centre + h * x) * stiffness; });
+  const VectorXd nodes =
+      h * VectorXd::LinSpaced(n, -static_cast<double>(n - 1) / 2, static_cast<double>(n - 1) / 2);
+  const TractionBound known = stretched(bound_, (a - stick_edge) / 2);
+  const FullSliding known_field(kernel_, known);
+  const VectorXd places = h * middles(n);
+  const VectorXd known_strain = places.unaryExpr([&](double x) { return known_field.strain(x); });
+  VectorXd strain = places.unaryExpr([&](double x) { return sliding_.strain(centre + x); });
+  const double part = similarity(strain, known_strain);
+  strain = (strain - part * known_strain) * stiffness;
   const VectorXd unknowns =
       plane_ ? factors_.solve(strain).eval()
              : strain_system(kernel_, basis_, h, n).partialPivLu().solve(strain).eval();
-  lattice.x = centre + h * VectorXd::LinSpaced(n, -static_cast<double>(n - 1) / 2,
-                                               static_cast<double>(n - 1) / 2)
-                               .array();
-  lattice.removed = unknowns.head(n);
-  lattice.loads = basis_.weights(h, n).cwiseProduct(lattice.removed);
-  lattice.creepage = unknowns[n] / stiffness;
-  return lattice;
+  const VectorXd loads = basis_.weights(h, n).cwiseProduct(unknowns.head(n));
+  return {.stick_edge = stick_edge,
+          .spacing = h,
+          .x = centre + nodes.array(),
+          .elements = unknowns.head(n),
+          .loads = loads,
+          .part = part,
+          .stretched = known,
+          .field = known_field,
+          .force = loads.sum() + part * known_field.force(),
+          .creepage = unknowns[n] / stiffness};
 }
 
 CreepageForce CalibratedRolling::at(double stick_edge) const {
   const StickLattice found = lattice(stick_edge);
-  return {stick_edge, found.creepage, found.loads.sum() - sliding_.force()};
+  return {stick_edge, found.creepage, found.force - sliding_.force()};
 }
 
 CreepageForceCurve CalibratedRolling::curve() const {
@@ -135,16 +157,16 @@ CalibratedSolution::CalibratedSolution(const CalibratedRolling& rolling, const L
   const Index n = lattice_->x.size();
   const Index middle = n / 2;
   anchor_ = lattice_->x[middle];
-  double removed = 0;
+  double removed = lattice_->part * lattice_->field.displacement(anchor_ - lattice_->centre());
   for (Index j = 0; j < n; ++j) {
     const ShapeFunction& shape = rolling.basis().shapes()[rolling.basis().shape_of(j, n)];
-    removed += lattice_->removed[j] *
+    removed += lattice_->elements[j] *
                influence(kernel_, shape, lattice_->spacing, static_cast<double>(middle - j));
   }
   anchor_displacement_ = sliding_.displacement(anchor_) - removed;
 }
 
-/// The nodes' values without the square roots are interpolated linearly.
+/// The elements' values without the square roots are interpolated linearly.
 double CalibratedSolution::removed(double x) const {
   const double a = half_width_of(bound_);
   if (!sticks(x) || x >= a) return 0;
@@ -154,8 +176,10 @@ double CalibratedSolution::removed(double x) const {
       std::clamp((x - lattice_->x[0]) / lattice_->spacing, 0.0, static_cast<double>(last));
   const Index i = std::min(static_cast<Index>(place), last - 1);
   const double part = place - static_cast<double>(i);
-  const auto smooth = [&](Index k) { return lattice_->removed[k] / roots(lattice_->x[k]); };
-  return roots(x) * ((1 - part) * smooth(i) + part * smooth(i + 1));
+  const auto smooth = [&](Index k) { return lattice_->elements[k] / roots(lattice_->x[k]); };
+  const double stretched =
+      std::visit([&](const auto& g) { return g(x - lattice_->centre()); }, lattice_->stretched);
+  return lattice_->part * stretched + roots(x) * ((1 - part) * smooth(i) + part * smooth(i + 1));
 }
 
 double CalibratedSolution::traction(double x) const {
@@ -163,9 +187,9 @@ double CalibratedSolution::traction(double x) const {
   return -loaded_.direction * loaded_.part * (bound - removed(x));
 }
 
-double CalibratedSolution::strain_by_loads(double x) const {
+double CalibratedSolution::removed_strain(double x) const {
   const auto sum = [&](const auto& kernel) {
-    double strain = 0;
+    double strain = lattice_->part * lattice_->field.strain(x - lattice_->centre());
     for (Index j = 0; j < lattice_->x.size(); ++j) {
       strain -= lattice_->loads[j] * kernel.decay(lattice_->x[j] - x);
     }
@@ -174,9 +198,9 @@ double CalibratedSolution::strain_by_loads(double x) const {
   return std::visit(sum, kernel_);
 }
 
-double CalibratedSolution::displacement_by_loads(double x) const {
+double CalibratedSolution::removed_displacement(double x) const {
   const auto sum = [&](const auto& kernel) {
-    double displacement = 0;
+    double displacement = lattice_->part * lattice_->field.displacement(x - lattice_->centre());
     for (Index j = 0; j < lattice_->x.size(); ++j) {
       displacement += lattice_->loads[j] * kernel.displacement(lattice_->x[j] - x);
     }
@@ -190,8 +214,8 @@ double CalibratedSolution::slip_behind(double x) const {
   const double creepage = loaded_.state.creepage;
   if (!lattice_) return creepage - sliding_.strain(x);
   const double behind = stick_edge() - near_loads * lattice_->spacing;
-  const double from = std::min(x, behind);
-  const double slip = creepage - sliding_.strain(from) + strain_by_loads(from);
+  const double from = std::max(std::min(x, behind), -half_width_of(bound_));
+  const double slip = creepage - sliding_.strain(from) + removed_strain(from);
   return slip * std::sqrt((stick_edge() - x) / (stick_edge() - from));
 }
 
@@ -202,7 +226,7 @@ double CalibratedSolution::slip(double x) const {
 double CalibratedSolution::displacement(double x) const {
   if (!lattice_) return -loaded_.direction * sliding_.displacement(x);
   const double behind = stick_edge() - near_loads * lattice_->spacing;
-  const double u = x < behind ? sliding_.displacement(x) - displacement_by_loads(x)
+  const double u = x < behind ? sliding_.displacement(x) - removed_displacement(x)
                               : anchor_displacement_ - lattice_->creepage * (x - anchor_);
   return -loaded_.direction * loaded_.part * u;
 }
@@ -222,8 +246,8 @@ double CalibratedSolution::violation() const {
   }
   double worst_traction = 0;
   for (Index j = 0; lattice_ && j < lattice_->x.size(); ++j) {
-    const double removed = lattice_->removed[j];
-    worst_traction = std::max({worst_traction, -removed, removed - 2 * bound_at(lattice_->x[j])});
+    const double x = lattice_->x[j];
+    worst_traction = std::max({worst_traction, -removed(x), removed(x) - 2 * bound_at(x)});
   }
   const double creepage = loaded_.state.creepage;
   return std::max(worst_traction / peak, creepage > 0 ? worst_slip / creepage : worst_slip);

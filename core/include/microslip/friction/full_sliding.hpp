@@ -33,10 +33,10 @@ class FullSliding {
 
   double force() const { return force_; }  ///< [N/mm]
 
-  /// -du/dx inside the contact  [1]
+  /// -du/dx, inside and behind the contact, and continued before it  [1]
   double strain(double x) const;
 
-  /// u, inside and behind the contact, and continued before it  [mm]
+  /// u, likewise  [mm]
   double displacement(double x) const;
 
   /// u(x) - u(x + shift), likewise, without cancellation for small shifts  [mm]

@@ -45,6 +45,8 @@ class PolynomialBound {
 
   double half_width() const { return traction_.half_length(); }
 
+  explicit PolynomialBound(const ChebyshevTraction& traction) : traction_(traction) {}
+
   /// g(x)  [N/mm^2]
   double operator()(double x) const { return traction_(x); }
 
@@ -81,6 +83,9 @@ class TabulatedBound {
   /// The force of full sliding: its integral  [N/mm]
   double total() const { return integral(half_width_); }
 
+  /// Moves all positions in proportion to the half-width.
+  void stretch(double half_width);
+
   // Where its straight pieces end, the edges included, and the values there.
   const Eigen::VectorXd& x() const { return x_; }            ///< [mm]
   const Eigen::VectorXd& values() const { return values_; }  ///< [N/mm^2]
@@ -97,6 +102,9 @@ double half_width_of(const TractionBound& bound);
 
 /// The bound as a sum of Chebyshev's polynomials, if it is one.
 std::optional<ChebyshevTraction> chebyshev_traction(const TractionBound& bound);
+
+/// The same bound, stretched to another half-width; values are kept.
+TractionBound stretched(const TractionBound& bound, double half_width);
 
 /// g at each position  [N/mm^2]
 Eigen::VectorXd bound_at(const TractionBound& bound, const Eigen::VectorXd& x);

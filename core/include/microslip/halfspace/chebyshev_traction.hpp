@@ -14,10 +14,10 @@ class ChebyshevTraction {
   /// \param coefficients   c_n, at least one  [N/mm^2]
   ChebyshevTraction(double begin, double end, Eigen::VectorXd coefficients);
 
-  double begin() const { return centre_ - half_length_; }
-  double end() const { return centre_ + half_length_; }
-  double centre() const { return centre_; }
-  double half_length() const { return half_length_; }
+  double begin() const { return begin_; }
+  double end() const { return end_; }
+  double centre() const { return (begin_ + end_) / 2; }
+  double half_length() const { return (end_ - begin_) / 2; }
   const Eigen::VectorXd& coefficients() const { return coefficients_; }
 
   /// p(x), zero outside the interval  [N/mm^2]
@@ -33,10 +33,10 @@ class ChebyshevTraction {
   double polynomial(double x) const;
 
  private:
-  double position(double x) const { return (x - centre_) / half_length_; }
+  double position(double x) const { return (x - centre()) / half_length(); }
 
-  double centre_;
-  double half_length_;
+  double begin_;
+  double end_;
   Eigen::VectorXd coefficients_;
 };
 

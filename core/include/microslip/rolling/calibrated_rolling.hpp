@@ -19,15 +19,22 @@ namespace microslip {
 /// Cost: O(n^3)
 double edge_offset(const Basis& basis, Eigen::Index elements);
 
-/// What adhesion takes away from the tractions of full sliding, by n elements that fill the stick
-/// zone [b, a]: their outermost nodes lie edge_offset() elements inside its ends.
+/// What adhesion takes away from the tractions of full sliding, on the stick zone [b, a]: a part of
+/// the bound itself, stretched to the stick zone, and n elements that fill it: their outermost
+/// nodes lie edge_offset() elements inside its ends.
 struct StickLattice {
-  double stick_edge;        ///< b  [mm]
-  double spacing;           ///< h  [mm]
-  Eigen::VectorXd x;        ///< nodes  [mm]
-  Eigen::VectorXd removed;  ///< coefficients of the functions  [N/mm^2]
-  Eigen::VectorXd loads;    ///< the functions as line loads  [N/mm]
-  double creepage;          ///< that belongs to b  [1]
+  double stick_edge;         ///< b  [mm]
+  double spacing;            ///< h  [mm]
+  Eigen::VectorXd x;         ///< nodes  [mm]
+  Eigen::VectorXd elements;  ///< coefficients of the functions  [N/mm^2]
+  Eigen::VectorXd loads;     ///< the functions as line loads  [N/mm]
+  double part;               ///< of the stretched bound  [1]
+  TractionBound stretched;   ///< centred at x = 0
+  FullSliding field;         ///< of that
+  double force;              ///< of all that adhesion takes away  [N/mm]
+  double creepage;           ///< that belongs to b  [1]
+
+  double centre() const { return stick_edge + half_width_of(stretched); }
 };
 
 class CalibratedSolution;
@@ -36,7 +43,8 @@ class CalibratedSolution;
 /// sliding is exact, and only what adhesion takes away from it is made of elements: n of them, on
 /// the stick zone wherever that ends. So elements meet an edge of the contact or the stick-slip
 /// point only where the scheme feels one, and no element holds either inside. Differences are over
-/// one element; there is no step.
+/// one element; there is no step. The stretched bound is what makes the error vanish with the load:
+/// where all sticks, it is the solution.
 ///
 /// Accuracy: force and tractions are second order in 1/n for any adhesion and any bound that is
 /// smooth but for its square roots, tests/order/calibrated_order_test.cpp.
@@ -100,8 +108,8 @@ class CalibratedSolution {
 
  private:
   double removed(double x) const;
-  double strain_by_loads(double x) const;
-  double displacement_by_loads(double x) const;
+  double removed_strain(double x) const;
+  double removed_displacement(double x) const;
   double slip_behind(double x) const;
 
   Kernel kernel_;

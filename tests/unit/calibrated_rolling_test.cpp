@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/rolling/calibrated_rolling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "microslip/reference/carter.hpp"
+#include "microslip/rolling/chebyshev_rolling.hpp"
+#include "microslip/rolling/steady.hpp"
+
+namespace microslip {
+namespace {
+
+const Material material{1.44, 0.28};  // compliance 1
+
+// The limits are those of Wiener-Hopf theory, integrated independently of this project.
+TEST(EdgeOffset, TendsToThatOfTheUnboundedGrid) {
+  for (const auto& [basis, limit] :
+       {std::pair(constant_basis(), 0.825344), {linear_basis(), 0.884944}}) {
+    const double coarse = edge_offset(basis, 100) - limit;
+    const double fine = edge_offset(basis, 400) - limit;
+    EXPECT_LT(std::abs(fine), 2e-4);
+    EXPECT_NEAR(coarse / fine, 4, 0.1);  // first order
+  }
+}
+
+TEST(CalibratedRolling, HasCartersForceWithFewElements) {
+  const HertzBound bound(2, 3);
+  for (const Basis& basis : {constant_basis(), linear_basis(), quadratic_basis()}) {
+    const CalibratedRolling rolling(PlaneKernel(material, 1), bound, basis, 7);
+    for (const double stick_ratio : {0.05, 0.6, 0.98}) {
+      const Carter carter = Carter::from_stick_ratio(material, bound, stick_ratio);
+      const CalibratedSolution solution = rolling.solve(PrescribedCreepage{carter.creepage()});
+      EXPECT_NEAR(solution.force() / carter.force(), 1, 1e-12);
+      EXPECT_NEAR(solution.stick_edge(), 2 - 4 * stick_ratio, 1e-12);
+      EXPECT_LT(solution.violation(), 1e-12);
+    }
+  }
+}
+
+TEST(CalibratedRolling, AgreesWithChebyshevAtEveryPlace) {
+  const PolynomialBound bound(1, 1, (Eigen::VectorXd(3) << 1, 0.3, 0.2).finished());
+  for (const Kernel& kernel :
+       {Kernel(PlaneKernel(material, 7)), Kernel(StripKernel(material, 2))}) {
+    const CalibratedRolling rolling(kernel, bound, constant_basis(), 100);
+    const ChebyshevRolling reference(kernel, bound);
+    for (const Load& load : {Load(PrescribedForce{-1}), Load(PrescribedForce{1}),
+                             Load(PrescribedCreepage{0.4}), Load(PrescribedCreepage{2})}) {
+      const CalibratedSolution solution = rolling.solve(load);
+      const ChebyshevSolution exact = reference.solve(load);
+      EXPECT_NEAR(solution.force(), exact.force(), 1e-4);
+      EXPECT_NEAR(solution.creepage(), exact.creepage(), 1e-4);
+      EXPECT_NEAR(solution.dissipation(), exact.dissipation(), 1e-4);
+      for (int i = 0; i <= 60; ++i) {
+        const double x = -1 + i / 30.0;
+        const double near = std::abs(x - exact.stick_edge()) < 0.1 || x > 0.95 ? 10 : 1;
+        EXPECT_NEAR(solution.traction(x), exact.traction(x), near * 1e-3) << x;
+        EXPECT_NEAR(solution.slip(x), exact.slip(x), near * 3e-3) << x;
+        EXPECT_NEAR(solution.displacement(x), exact.displacement(x), 3e-4) << x;
+      }
+    }
+  }
+}
+
+SteadyProblem problem(const TractionBound& bound, Load load, Eigen::Index n = 100) {
+  return {.kernel = PlaneKernel(material, 7),
+          .bound = bound,
+          .grid = Grid({.half_width = 1, .elements = n}),
+          .load = load};
+}
+
+TEST(Calibrated, DoesNotDependOnTheGridsAlignment) {
+  const SteadyProblem half = problem(HertzBound(1, 1), PrescribedCreepage{0.4});
+  SteadyProblem other = half;
+  other.grid =
+      Grid({.half_width = 1, .elements = 100, .leading_offset = 0.05, .trailing_offset = 0.9});
+  EXPECT_EQ(solve_steady(half).force, solve_steady(other).force);
+}
+
+TEST(Calibrated, IsLinearInLoadsBelowAdhesionEverywhere) {
+  const PolynomialBound bound(1, 1, (Eigen::VectorXd(3) << 1, 0.3, 0.2).finished());
+  const SteadySolution s = solve_steady(problem(bound, PrescribedCreepage{1e-7}));
+  const SteadySolution t = solve_steady(problem(bound, PrescribedCreepage{2e-7}));
+  EXPECT_NEAR(t.force / s.force, 2, 1e-3);
+  EXPECT_LT(s.force, 0);
+  const SteadySolution rest = solve_steady(problem(bound, PrescribedForce{0}));
+  EXPECT_EQ(rest.creepage, 0);
+  EXPECT_EQ(rest.traction.lpNorm<Eigen::Infinity>(), 0);
+}
+
+// Many rows make a tabulated bound as good as smooth.
+TEST(Calibrated, TakesTabulatedBounds) {
+  const HertzBound hertz(1, 1);
+  const Eigen::VectorXd angles = Eigen::VectorXd::LinSpaced(401, -3.14159265358979312, 0);
+  const Eigen::VectorXd x = angles.array().cos();
+  const TabulatedBound table(1, x, bound_at(hertz, x));
+  const SteadySolution smooth = solve_steady(problem(hertz, PrescribedForce{-1}));
+  const SteadySolution tabulated = solve_steady(problem(table, PrescribedForce{-1}));
+  EXPECT_NEAR(tabulated.creepage, smooth.creepage, 2e-4);
+  EXPECT_NEAR((tabulated.traction - smooth.traction).lpNorm<Eigen::Infinity>(), 0, 5e-3);
+}
+
+// A bound with a dent slips there, too. The difference scheme knows nothing of zones.
+TEST(Calibrated, TakesSeveralStickZones) {
+  const PolynomialBound dented(1, 1, (Eigen::VectorXd(3) << 0.05, 0, 1).finished());
+  for (const double direction : {1, -1}) {
+    const Load load = PrescribedForce{direction * 0.5 * dented.total()};
+    const SteadySolution s = solve_steady(problem(dented, load, 400));
+    int zones = 0;
+    for (std::size_t i = 1; i < s.zones.size(); ++i) {
+      zones += s.zones[i] == Zone::adhesion && s.zones[i - 1] != Zone::adhesion;
+    }
+    EXPECT_EQ(zones, 2);
+    EXPECT_NEAR(s.force, direction * 0.5 * dented.total(), 1e-12);
+    SteadyProblem fine = problem(dented, load, 1600);
+    fine.method = Differences{};
+    const SteadySolution expected = solve_steady(fine);
+    EXPECT_NEAR(s.creepage / expected.creepage, 1, 3e-3);
+    EXPECT_NEAR(s.traction[100], (expected.traction[401] + expected.traction[402]) / 2, 3e-3);
+    EXPECT_NEAR(s.slip[200], (expected.slip[801] + expected.slip[802]) / 2, 2e-3);
+    EXPECT_NEAR(s.displacement[100], (expected.displacement[401] + expected.displacement[402]) / 2,
+                2e-3);
+  }
+}
+
+}  // namespace
+}  // namespace microslip
