@@ -50,18 +50,27 @@ VectorXd middles(Index n) {
   return VectorXd::LinSpaced(n + 1, -last, last);
 }
 
-double offset_by(const Eigen::PartialPivLU<MatrixXd>& factors, const Basis& basis, Index n) {
+/// Positions of the nodes, likewise.
+VectorXd places(Index n) {
+  const double last = static_cast<double>(n - 1) / 2;
+  return VectorXd::LinSpaced(n, -last, last);
+}
+
+EdgeCalibration calibration_by(const Eigen::PartialPivLU<MatrixXd>& factors, const Basis& basis,
+                               Index n) {
   // With sqrt(r^2 - x^2) the strain is x, and the force pi r^2/2.
-  const VectorXd tractions = factors.solve(middles(n)).head(n);
-  const double force = basis.weights(1, n).dot(tractions);
+  const VectorXd coefficients = factors.solve(middles(n)).head(n);
+  const double force = basis.weights(1, n).dot(coefficients);
   const double radius = std::sqrt(2 * force / std::numbers::pi);
-  return radius - static_cast<double>(n - 1) / 2;
+  const VectorXd exact = (radius * radius - places(n).array().square()).sqrt();
+  return {.offset = radius - static_cast<double>(n - 1) / 2,
+          .values = exact.cwiseQuotient(coefficients)};
 }
 
 }  // namespace
 
-double edge_offset(const Basis& basis, Index elements) {
-  return offset_by(plane_system(basis, elements).partialPivLu(), basis, elements);
+EdgeCalibration edge_calibration(const Basis& basis, Index elements) {
+  return calibration_by(plane_system(basis, elements).partialPivLu(), basis, elements);
 }
 
 CalibratedRolling::CalibratedRolling(const Kernel& kernel, const TractionBound& bound,
@@ -75,7 +84,7 @@ CalibratedRolling::CalibratedRolling(const Kernel& kernel, const TractionBound& 
   require(elements >= 2, "grid.elements", static_cast<double>(elements),
           "at least 2 for calibrated edges");
   factors_ = plane_system(basis, elements).partialPivLu();
-  edge_offset_ = offset_by(factors_, basis, elements);
+  calibration_ = calibration_by(factors_, basis, elements);
 }
 
 namespace {
@@ -100,15 +109,13 @@ StickLattice CalibratedRolling::lattice(double stick_edge) const {
   const Index n = elements_;
   const double a = half_width_of(bound_);
   const double stiffness = 1 / compliance(material_of(kernel_));
-  const double h = (a - stick_edge) / (static_cast<double>(n - 1) + 2 * edge_offset_);
+  const double h = (a - stick_edge) / (static_cast<double>(n - 1) + 2 * calibration_.offset);
   const double centre = (a + stick_edge) / 2;
-  const VectorXd nodes =
-      h * VectorXd::LinSpaced(n, -static_cast<double>(n - 1) / 2, static_cast<double>(n - 1) / 2);
   const TractionBound known = stretched(bound_, (a - stick_edge) / 2);
   const FullSliding known_field(kernel_, known);
-  const VectorXd places = h * middles(n);
-  const VectorXd known_strain = places.unaryExpr([&](double x) { return known_field.strain(x); });
-  VectorXd strain = places.unaryExpr([&](double x) { return sliding_.strain(centre + x); });
+  const VectorXd at = h * middles(n);
+  const VectorXd known_strain = at.unaryExpr([&](double x) { return known_field.strain(x); });
+  VectorXd strain = at.unaryExpr([&](double x) { return sliding_.strain(centre + x); });
   const double part = similarity(strain, known_strain);
   strain = (strain - part * known_strain) * stiffness;
   const VectorXd unknowns =
@@ -117,8 +124,9 @@ StickLattice CalibratedRolling::lattice(double stick_edge) const {
   const VectorXd loads = basis_.weights(h, n).cwiseProduct(unknowns.head(n));
   return {.stick_edge = stick_edge,
           .spacing = h,
-          .x = centre + nodes.array(),
+          .x = centre + h * places(n).array(),
           .elements = unknowns.head(n),
+          .values = unknowns.head(n).cwiseProduct(calibration_.values),
           .loads = loads,
           .part = part,
           .stretched = known,
@@ -166,7 +174,7 @@ CalibratedSolution::CalibratedSolution(const CalibratedRolling& rolling, const L
   anchor_displacement_ = sliding_.displacement(anchor_) - removed;
 }
 
-/// The elements' values without the square roots are interpolated linearly.
+/// The values at the nodes, without the square roots, are interpolated linearly.
 double CalibratedSolution::removed(double x) const {
   const double a = half_width_of(bound_);
   if (!sticks(x) || x >= a) return 0;
@@ -176,7 +184,7 @@ double CalibratedSolution::removed(double x) const {
       std::clamp((x - lattice_->x[0]) / lattice_->spacing, 0.0, static_cast<double>(last));
   const Index i = std::min(static_cast<Index>(place), last - 1);
   const double part = place - static_cast<double>(i);
-  const auto smooth = [&](Index k) { return lattice_->elements[k] / roots(lattice_->x[k]); };
+  const auto smooth = [&](Index k) { return lattice_->values[k] / roots(lattice_->x[k]); };
   const double stretched =
       std::visit([&](const auto& g) { return g(x - lattice_->centre()); }, lattice_->stretched);
   return lattice_->part * stretched + roots(x) * ((1 - part) * smooth(i) + part * smooth(i + 1));

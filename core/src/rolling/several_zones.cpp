@@ -39,7 +39,7 @@ struct Lattice {
 
 SteadySolution with_several_zones(const SteadyProblem& problem) {
   const Index n = problem.grid.size();
-  const Lattice lattice(problem.grid.half_width(), edge_offset(problem.basis, n), n);
+  const Lattice lattice(problem.grid.half_width(), edge_calibration(problem.basis, n).offset, n);
   const double h = lattice.spacing;
   const FullSliding sliding(problem.kernel, problem.bound);
   const auto* force = std::get_if<PrescribedForce>(&problem.load);

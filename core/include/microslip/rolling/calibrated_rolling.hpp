@@ -10,23 +10,31 @@
 
 namespace microslip {
 
-/// The distance, in elements, from the last of n equal elements to the edge at which a scheme of
-/// differences over one element feels its tractions vanish. It is found where the exact solution is
-/// known, for a strain that grows linearly (Carter's), from the force of the n elements; so
-/// Carter's force is met. For n -> inf it tends to 0.825344 for constant and to 0.884944 for linear
-/// functions, as Wiener-Hopf theory says, tests/unit/calibrated_rolling_test.cpp.
+/// What a scheme of differences over one element makes of n elements that fill a stick zone, found
+/// where the exact solution is known: for a strain that grows linearly (Carter's).
+struct EdgeCalibration {
+  /// Distance, in elements, from the outermost nodes to the edges at which the scheme feels its
+  /// tractions vanish: that for which the force is exact. For n -> inf it tends to 0.825344 for
+  /// constant and to 0.884944 for linear functions, as Wiener-Hopf theory says,
+  /// tests/unit/calibrated_rolling_test.cpp.
+  double offset;
+  /// Exact tractions at the nodes over the coefficients there: 1 but next to the edges.
+  Eigen::VectorXd values;
+};
+
 /// \param elements  n, >= 2; odd for quadratic functions
 /// Cost: O(n^3)
-double edge_offset(const Basis& basis, Eigen::Index elements);
+EdgeCalibration edge_calibration(const Basis& basis, Eigen::Index elements);
 
 /// What adhesion takes away from the tractions of full sliding, on the stick zone [b, a]: a part of
 /// the bound itself, stretched to the stick zone, and n elements that fill it: their outermost
-/// nodes lie edge_offset() elements inside its ends.
+/// nodes lie EdgeCalibration::offset elements inside its ends.
 struct StickLattice {
   double stick_edge;         ///< b  [mm]
   double spacing;            ///< h  [mm]
   Eigen::VectorXd x;         ///< nodes  [mm]
   Eigen::VectorXd elements;  ///< coefficients of the functions  [N/mm^2]
+  Eigen::VectorXd values;    ///< tractions at the nodes that they stand for  [N/mm^2]
   Eigen::VectorXd loads;     ///< the functions as line loads  [N/mm]
   double part;               ///< of the stretched bound  [1]
   TractionBound stretched;   ///< centred at x = 0
@@ -81,7 +89,7 @@ class CalibratedRolling {
   FullSliding sliding_;
   bool plane_;
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;  ///< in plane strain, the same for any spacing
-  double edge_offset_;
+  EdgeCalibration calibration_;
 };
 
 /// A steady state as functions of the position.

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/open_problems.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "microslip/experiments/claims.hpp"
+#include "microslip/scene/model.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
+#include "open_problems_steady.hpp"
+#include "open_problems_steps.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+double largest_of(const Table& table, const std::string& scheme, const std::string& column) {
+  double largest = 0;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (std::get<std::string>(table.at(i, "scheme")) != scheme) continue;
+    largest = std::max(largest, table.number(i, column));
+  }
+  return largest;
+}
+
+/// The most digits that a width has with the least unknowns.
+double fewest_unknowns(const Table& digits, double width, double wanted) {
+  for (std::size_t i = 0; i < digits.rows(); ++i) {
+    if (digits.number(i, "width") != width || digits.number(i, "digits") < wanted) continue;
+    return digits.number(i, "unknowns");
+  }
+  return not_given;
+}
+
+/// Which scheme for which need, with what was measured of it.
+Table schemes_table(const OpenProblemsParameters& p, const SteadyTables& steady,
+                    const StepTables& steps) {
+  Table table("schemes", "which scheme for which need",
+              {{"need", "1", "what is wanted"},
+               {"keys", "1", "of the scene"},
+               {"error", "1", "force, median over the cases at the largest N; or after rolling"},
+               {"order", "1", "of the force"},
+               {"limits", "1", "what it does not do"}});
+  const auto force_error = [&](const char* scheme) {
+    return steady.errors.latest({{"scheme", scheme}}, "force_median");
+  };
+  const auto order = [&](const char* scheme) {
+    return steady.orders.latest({{"scheme", scheme}}, "force_order");
+  };
+  const auto rolled = [&](const char* scheme, double c) {
+    return steps.steps.latest({{"scheme", scheme}, {"step_ratio", c}}, "error");
+  };
+  const double smallest = *std::min_element(p.motion_ratios.begin(), p.motion_ratios.end());
+  table.add({"steady, smooth bound: a reference, a creepage-force curve", "method chebyshev", 1e-13,
+             HUGE_VAL, "one stick zone, strips at least as wide as the half-width"});
+  table.add({"steady, any bound", "leading_edge calibrated", force_error("calibrated"),
+             order("calibrated"), "several stick zones: with noise from the stick-slip points"});
+  table.add({"steady, as CONTACT", "leading_edge standard", force_error("standard"),
+             order("standard"), "wiggles for small step ratios"});
+  table.add({"steady, as thesis 10.3", "leading_edge exact", force_error("exact"), order("exact"),
+             "smooth bounds"});
+  table.add({"transient, any step", "step.scheme material", rolled("material", smallest), not_given,
+             "constant functions"});
+  table.add({"transient, small steps as thesis 7.1", "step.scheme relaxed",
+             rolled("relaxed", smallest), not_given, "peaks are smoothed"});
+  table.add({"transient, c = 1, as CONTACT", "step.scheme direct", rolled("direct", 1), not_given,
+             "wiggles for small step ratios, smoothing unless c is whole"});
+  return table;
+}
+
+Table claims_of(const OpenProblemsParameters& p, const SteadyTables& steady,
+                const CurveTables& curve, const StepTables& steps) {
+  const double least = steady.orders.latest({{"scheme", "calibrated"}}, "force_reduction");
+  const double order = steady.orders.latest({{"scheme", "calibrated"}}, "force_order");
+  const double gain = steady.errors.latest({{"scheme", "standard"}}, "force_median") /
+                      steady.errors.latest({{"scheme", "calibrated"}}, "force_median");
+  const double between = largest_of(steps.steps, "material", "from_unit_step");
+  const double material = largest_of(steps.steps, "material", "error");
+  const double direct = largest_of(steps.steps, "direct", "error");
+  return claims_table(
+      {{"second order is expected in theory, but not observed", "11", 2, order, "1",
+        std::abs(order - 2) < 0.1 ? "corrected" : "reproduced",
+        "order of the force with calibrated elements; least reduction in a doubling of N, of all "
+        "cases: " +
+            format_short(std::round(100 * least) / 100)},
+       {"a better leading edge will decrease the cost of a given accuracy drastically", "11",
+        not_given, gain, "1", verdict_of(gain > 100),
+        "median error of the standard scheme over that of calibrated elements, N = " +
+            std::to_string(p.sizes.back())},
+       {"the time step matters in a world-fixed frame, too, and it is unknown why", "11", not_given,
+        between, "N/mm", between < 1e-3 ? "corrected" : "reproduced",
+        "largest integral of the difference to c = 1, over all c"},
+       {"smoothing can be stopped in a world-fixed frame", "11", not_given, direct / material, "1",
+        verdict_of(direct / material > 10),
+        "largest error of the direct scheme over that of the material scheme, over all c"},
+       {"there is a reference only where there is a closed form", "10", not_given,
+        fewest_unknowns(curve.digits, p.widths.front(), 11), "1", "corrected",
+        "unknowns for eleven digits of the whole creepage-force curve of the narrowest strip"}});
+}
+
+}  // namespace
+
+OpenProblemsParameters read_open_problems(Scene& scene) {
+  const Material material = read_material(scene);
+  const TractionBound bound = read_bound(scene);
+  const auto* polynomial = std::get_if<PolynomialBound>(&bound);
+  if (polynomial == nullptr) throw std::invalid_argument("missing key 'contact.bound_polynomial'");
+  const double length = scene.number("kernel.length");
+  const double a = polynomial->half_width();
+  const auto whole_numbers = [&](const char* key, double least, double most) {
+    std::vector<Eigen::Index> numbers;
+    for (const double value : scene.numbers(key)) {
+      require(value >= least && value <= most && std::floor(value) == value, key, value,
+              "whole numbers from " + format_short(least) + " to " + format_short(most));
+      numbers.push_back(static_cast<Eigen::Index>(value));
+    }
+    return numbers;
+  };
+  const std::vector<double> stick_ratios = scene.numbers("cases.stick_ratios");
+  require(stick_ratios.size() == 2, "cases.stick_ratios", static_cast<double>(stick_ratios.size()),
+          "two numbers");
+  require(stick_ratios[0] > 0 && stick_ratios[0] < stick_ratios[1] && stick_ratios[1] < 1,
+          "cases.stick_ratios", stick_ratios[0], "two rising numbers in (0, 1)");
+  OpenProblemsParameters p{
+      .material = material,
+      .length = length,
+      .bound = *polynomial,
+      .sizes = whole_numbers("grid.sizes", 3, 2000),
+      .cases = static_cast<int>(scene.whole("cases.number")),
+      .least_stick_ratio = stick_ratios[0],
+      .most_stick_ratio = stick_ratios[1],
+      .steady_elements = scene.whole("steady.elements"),
+      .steady_stick_ratio = scene.number("steady.stick_ratio"),
+      .steady_ratios = scene.numbers("steady.step_ratios"),
+      .motion = {.kernel = PlaneKernel(material, length),
+                 .bound = HertzBound(a, polynomial->total() / full_sliding_force(HertzBound(a, 1))),
+                 .grid = Grid({.half_width = a, .elements = scene.whole("motion.elements")}),
+                 .basis = constant_basis(),
+                 .force = scene.number("motion.force")},
+      .distance = scene.number("motion.distance"),
+      .refinement = scene.whole("motion.refinement"),
+      .motion_ratios = scene.numbers("motion.step_ratios"),
+      .widths = scene.numbers("curve.widths"),
+      .curve_points = static_cast<int>(scene.whole("curve.points")),
+      .unknowns = whole_numbers("curve.unknowns", 1, 63)};
+  require(p.sizes.size() >= 2, "grid.sizes", static_cast<double>(p.sizes.size()),
+          "at least two sizes");
+  for (std::size_t k = 1; k < p.sizes.size(); ++k) {
+    require(p.sizes[k] == 2 * p.sizes[k - 1], "grid.sizes", static_cast<double>(p.sizes[k]),
+            "sizes that are each twice the one before");
+  }
+  require(p.cases >= 1 && p.cases <= 1000, "cases.number", p.cases, "1 to 1000");
+  require(p.steady_stick_ratio > 0 && p.steady_stick_ratio < 1, "steady.stick_ratio",
+          p.steady_stick_ratio, "a number in (0, 1)");
+  require(p.curve_points >= 2 && p.curve_points <= 10000, "curve.points", p.curve_points,
+          "2 to 10000");
+  require(p.refinement >= 2 && p.refinement <= 32, "motion.refinement",
+          static_cast<double>(p.refinement), "2 to 32");
+  require(p.distance >= 1 && p.distance <= 1000 && std::floor(p.distance) == p.distance,
+          "motion.distance", p.distance, "a whole number from 1 to 1000");
+  for (const double c : p.motion_ratios) {
+    require(c >= 1e-4 && c <= 5, "motion.step_ratios", c, "numbers in [1e-4, 5]");
+  }
+  for (const double width : p.widths) require(width >= 1, "curve.widths", width, "numbers >= 1");
+  return p;
+}
+
+std::vector<Table> open_problems(const OpenProblemsParameters& p, const Progress& progress) {
+  const CurveTables curve = curve_tables(p);
+  const SteadyTables steady = steady_tables(p, progress);
+  const StepTables steps = step_tables(p, progress);
+  return {steady.cases,
+          steady.errors,
+          steady.orders,
+          steady.steps,
+          steps.steps,
+          steps.traction,
+          curve.curve,
+          curve.digits,
+          schemes_table(p, steady, steps),
+          claims_of(p, steady, curve, steps)};
+}
+
+}  // namespace microslip::experiments

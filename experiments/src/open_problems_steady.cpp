@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "open_problems_steady.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+
+#include "microslip/rolling/chebyshev_rolling.hpp"
+#include "microslip/rolling/steady.hpp"
+#include "microslip/support/convergence.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+struct Treatment {
+  const char* name;
+  std::function<SteadyMethod(double edge_displacement)> method;
+  std::function<Basis(double leading_offset)> basis;
+};
+
+std::vector<Treatment> treatments() {
+  const auto constant = [](double) { return constant_basis(); };
+  const auto differences = [](double) -> SteadyMethod { return Differences{}; };
+  return {{"standard", differences, constant},
+          {"trimmed", differences, [](double offset) { return trimmed_linear_basis(offset); }},
+          {"exact", [](double u) -> SteadyMethod { return Differences{.edge_displacement = u}; },
+           constant},
+          {"calibrated", [](double) -> SteadyMethod { return Calibrated{}; }, constant}};
+}
+
+/// Adhesion and alignment of one case, spread evenly by multiples of irrational numbers.
+struct Case {
+  double stick_ratio;
+  double leading_offset;   ///< in (0, 1]
+  double trailing_offset;  ///< in [0, 1)
+};
+
+std::vector<Case> cases_of(const OpenProblemsParameters& p) {
+  const auto fraction = [](int i, double irrational) { return std::fmod(i * irrational, 1.0); };
+  std::vector<Case> cases;
+  for (int i = 1; i <= p.cases; ++i) {
+    const double place = fraction(i, std::sqrt(2.0));
+    cases.push_back({(1 - place) * p.least_stick_ratio + place * p.most_stick_ratio,
+                     1 - fraction(i, std::sqrt(3.0)), fraction(i, std::sqrt(5.0))});
+  }
+  return cases;
+}
+
+struct Truth {
+  ChebyshevSolution solution;
+  PrescribedCreepage load;
+};
+
+Truth truth_of(const ChebyshevRolling& reference, const PolynomialBound& bound,
+               double stick_ratio) {
+  const double a = bound.half_width();
+  const PrescribedCreepage load{reference.at(a * (1 - 2 * stick_ratio)).creepage};
+  return {reference.solve(load), load};
+}
+
+struct Errors {
+  double force;     ///< relative
+  double traction;  ///< L1, over the length of the contact and the peak
+};
+
+Errors errors_of(const SteadySolution& solution, const Truth& truth) {
+  const Eigen::VectorXd exact =
+      solution.x.unaryExpr([&](double x) { return truth.solution.traction(x); });
+  const double scale = solution.bound.maxCoeff() * static_cast<double>(exact.size());
+  return {std::abs(solution.force / truth.solution.force() - 1),
+          (solution.traction - exact).lpNorm<1>() / scale};
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+}
+
+double largest(const std::vector<double>& values) {
+  return *std::max_element(values.begin(), values.end());
+}
+
+double smallest(const std::vector<double>& values) {
+  return *std::min_element(values.begin(), values.end());
+}
+
+/// Errors of one treatment: [size][case].
+struct Series {
+  std::vector<std::vector<double>> force;
+  std::vector<std::vector<double>> traction;
+};
+
+Series series_of(const OpenProblemsParameters& p, const Treatment& treatment, Table& table,
+                 const std::function<void()>& done) {
+  const PlaneKernel kernel(p.material, p.length);
+  const ChebyshevRolling reference(kernel, p.bound);
+  const std::vector<Case> cases = cases_of(p);
+  Series series;
+  for (const Eigen::Index n : p.sizes) {
+    series.force.emplace_back();
+    series.traction.emplace_back();
+    for (const auto& [stick_ratio, leading, trailing] : cases) {
+      const Truth truth = truth_of(reference, p.bound, stick_ratio);
+      const Grid grid({.half_width = p.bound.half_width(),
+                       .elements = n,
+                       .leading_offset = leading,
+                       .trailing_offset = trailing});
+      const SteadySolution solution = solve_steady(
+          {.kernel = kernel,
+           .bound = p.bound,
+           .grid = grid,
+           .basis = treatment.basis(leading),
+           .method = treatment.method(truth.solution.displacement(p.bound.half_width())),
+           .load = truth.load});
+      const Errors errors = errors_of(solution, truth);
+      series.force.back().push_back(errors.force);
+      series.traction.back().push_back(errors.traction);
+      table.add({treatment.name, static_cast<double>(n), stick_ratio, leading, trailing,
+                 errors.force, errors.traction});
+    }
+    done();
+  }
+  return series;
+}
+
+/// By how much the median falls with each doubling, and the least that any case does.
+struct Reductions {
+  double order;
+  double least;
+};
+
+Reductions reductions_of(const std::vector<Eigen::Index>& sizes,
+                         const std::vector<std::vector<double>>& errors) {
+  std::vector<double> n;
+  std::vector<double> medians;
+  std::vector<double> factors;
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    n.push_back(static_cast<double>(sizes[k]));
+    medians.push_back(median(errors[k]));
+    for (std::size_t i = 0; k > 0 && i < errors[k].size(); ++i) {
+      factors.push_back(errors[k - 1][i] / errors[k][i]);
+    }
+  }
+  return {fitted_order(n, medians), smallest(factors)};
+}
+
+Table steady_steps(const OpenProblemsParameters& p) {
+  const PlaneKernel kernel(p.material, p.length);
+  const Truth truth = truth_of(ChebyshevRolling(kernel, p.bound), p.bound, p.steady_stick_ratio);
+  const Grid grid({.half_width = p.bound.half_width(), .elements = p.steady_elements});
+  Table table(
+      "steady_steps", "steady rolling, error against the step ratio",
+      {{"scheme", "1", "leading_edge: standard or calibrated"},
+       {"step_ratio", "1", "c = dq/dx"},
+       {"force_error", "1", "|force / exact - 1|"},
+       {"mean_error", "1", "mean over the nodes of |p - exact|, over the peak of the bound"}});
+  for (const Treatment& treatment : treatments()) {
+    const std::string name = treatment.name;
+    if (name != "standard" && name != "calibrated") continue;
+    for (const double c : p.steady_ratios) {
+      const SteadyMethod method =
+          name == "standard" ? SteadyMethod(Differences{.step_ratio = c}) : Calibrated{};
+      const Errors errors = errors_of(solve_steady({.kernel = kernel,
+                                                    .bound = p.bound,
+                                                    .grid = grid,
+                                                    .method = method,
+                                                    .load = truth.load}),
+                                      truth);
+      table.add({name, c, errors.force, errors.traction});
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+SteadyTables steady_tables(const OpenProblemsParameters& p, const Progress& progress) {
+  SteadyTables tables{
+      .cases = {"cases",
+                "steady rolling, every case",
+                {{"scheme", "1", "leading_edge: standard, trimmed, exact or calibrated"},
+                 {"elements", "1", "number of nodes N"},
+                 {"stick_ratio", "1", "a', length in adhesion over that of the contact"},
+                 {"leading_offset", "1", "beta"},
+                 {"trailing_offset", "1", "alpha"},
+                 {"force_error", "1", "|force / exact - 1|"},
+                 {"mean_error", "1", "mean over the nodes of |p - exact|, over the peak"}}},
+      .errors = {"errors",
+                 "steady rolling, errors over all cases",
+                 {{"scheme", "1", "leading_edge: standard, trimmed, exact or calibrated"},
+                  {"elements", "1", "number of nodes N"},
+                  {"force_median", "1", "median of |force / exact - 1|"},
+                  {"force_least", "1", "least of them"},
+                  {"force_largest", "1", "largest of them"},
+                  {"mean_median", "1", "median of the mean errors of the tractions"},
+                  {"mean_largest", "1", "largest of them"}}},
+      .orders = {"orders",
+                 "steady rolling, orders of convergence",
+                 {{"scheme", "1", "leading_edge: standard, trimmed, exact or calibrated"},
+                  {"force_order", "1", "fitted to force_median"},
+                  {"force_reduction", "1", "least factor of a doubling of N in any case"},
+                  {"mean_order", "1", "fitted to mean_median"},
+                  {"mean_reduction", "1", "least factor of a doubling of N in any case"}}},
+      .steps = steady_steps(p)};
+  std::size_t done = 0;
+  const std::size_t total = treatments().size() * p.sizes.size();
+  for (const Treatment& treatment : treatments()) {
+    const Series series = series_of(p, treatment, tables.cases, [&] { progress(++done, total); });
+    for (std::size_t k = 0; k < p.sizes.size(); ++k) {
+      tables.errors.add({treatment.name, static_cast<double>(p.sizes[k]), median(series.force[k]),
+                         smallest(series.force[k]), largest(series.force[k]),
+                         median(series.traction[k]), largest(series.traction[k])});
+    }
+    const Reductions force = reductions_of(p.sizes, series.force);
+    const Reductions traction = reductions_of(p.sizes, series.traction);
+    tables.orders.add({treatment.name, force.order, force.least, traction.order, traction.least});
+  }
+  return tables;
+}
+
+CurveTables curve_tables(const OpenProblemsParameters& p) {
+  constexpr Eigen::Index all_unknowns = 64;
+  const double a = p.bound.half_width();
+  CurveTables tables{
+      .curve = {"curve",
+                "creepage and force by Chebyshev collocation",
+                {{"width", "half-widths", "strip width Dy; inf in plane strain"},
+                 {"stick_ratio", "1", "length in adhesion over that of the contact"},
+                 {"creepage", "1", "relative rigid slip w"},
+                 {"force", "N/mm", "F"},
+                 {"force_ratio", "1", "F over full sliding"}}},
+      .digits = {"digits",
+                 "creepage and force by Chebyshev collocation, against 64 unknowns",
+                 {{"width", "half-widths", "strip width Dy; inf in plane strain"},
+                  {"unknowns", "1", "n"},
+                  {"largest_error", "1", "of creepage and force, relative, over the curve"},
+                  {"digits", "1", "-log10 of that, 16 at most"}}}};
+  std::vector<std::pair<double, Kernel>> kernels;
+  for (const double width : p.widths)
+    kernels.emplace_back(width, StripKernel(p.material, width * a));
+  kernels.emplace_back(HUGE_VAL, PlaneKernel(p.material, p.length));
+  for (const auto& [width, kernel] : kernels) {
+    const ChebyshevRolling reference(kernel, p.bound, all_unknowns);
+    std::vector<CreepageForce> curve;
+    for (int i = 0; i < p.curve_points; ++i) {
+      const double stick_ratio = 1 - (i + 0.5) / p.curve_points;
+      curve.push_back(reference.at(a * (1 - 2 * stick_ratio)));
+      tables.curve.add({width, stick_ratio, curve.back().creepage, curve.back().force,
+                        curve.back().force / p.bound.total()});
+    }
+    for (const Eigen::Index n : p.unknowns) {
+      const ChebyshevRolling rolling(kernel, p.bound, n);
+      double worst = 0;
+      for (const CreepageForce& exact : curve) {
+        const CreepageForce point = rolling.at(exact.stick_edge);
+        worst = std::max({worst, std::abs(point.creepage / exact.creepage - 1),
+                          std::abs(point.force / exact.force - 1)});
+      }
+      tables.digits.add({width, static_cast<double>(n), worst,
+                         std::min(16.0, -std::log10(std::max(worst, 1e-300)))});
+    }
+  }
+  return tables;
+}
+
+}  // namespace microslip::experiments

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "open_problems_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "microslip/experiments/profile.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+struct Rolled {
+  VectorXd x;
+  VectorXd traction;  ///< absolute values
+  double creep;       ///< integral of |w| over the distance  [mm]
+};
+
+Rolled roll(const CattaneoToCarter& motion, const AdvectionScheme& scheme, double step_ratio,
+            double elements) {
+  TransientRolling rolling(motion.problem(scheme), CattaneoShift{motion.force});
+  const double dx = motion.grid.spacing();
+  double creep = 0;
+  double before = 0;
+  rolling.roll(elements * dx, {step_ratio * dx}, PrescribedForce{motion.force},
+               [&](const TransientState& state) {
+                 creep += std::abs(state.creepage) * (state.distance - before);
+                 before = state.distance;
+               });
+  return {rolling.x(), rolling.state().traction.cwiseAbs(), creep};
+}
+
+struct Named {
+  const char* name;
+  AdvectionScheme scheme;
+  double largest_ratio;
+};
+
+std::vector<Named> schemes() {
+  return {{"direct", Direct{}, HUGE_VAL},
+          {"relaxed", Relaxed{1}, 1},
+          {"material", MaterialFixed{}, HUGE_VAL}};
+}
+
+}  // namespace
+
+StepTables step_tables(const OpenProblemsParameters& p, const Progress& progress) {
+  StepTables tables{
+      .steps = {"steps",
+                "from a Cattaneo shift to Carter's solution, against the step ratio",
+                {{"scheme", "1", "step.scheme: direct, relaxed (with c* = 1) or material"},
+                 {"step_ratio", "1", "c = dq/dx"},
+                 {"error", "N/mm", "sum of |p - reference| dx over the nodes"},
+                 {"from_unit_step", "N/mm", "sum of |p - p(c = 1)| dx over the nodes"},
+                 {"peak", "1", "largest |p| of the travelling peak, over that of the reference"},
+                 {"total_variation", "N/mm^2", "sum of rises and falls of the traction"},
+                 {"turning_points", "1", "local extrema above 1e-6 of the peak bound"},
+                 {"creep_error", "mm", "|cumulative creep - that of the reference|"}}},
+      .traction = {"traction",
+                   "from a Cattaneo shift to Carter's solution",
+                   {{"scheme", "1", "step.scheme, or reference: material on a finer grid"},
+                    {"step_ratio", "1", "c = dq/dx"},
+                    {"x", "mm", "position; the leading edge is at x = +half_width"},
+                    {"traction", "N/mm^2", "|p|"}}}};
+  CattaneoToCarter fine = p.motion;
+  fine.grid = Grid(
+      {.half_width = p.motion.grid.half_width(), .elements = p.refinement * p.motion.grid.size()});
+  const Rolled reference =
+      roll(fine, MaterialFixed{}, 1, p.distance * static_cast<double>(p.refinement));
+  const double dx = p.motion.grid.spacing();
+  const auto add_traction = [&](const char* name, double c, const Rolled& rolled) {
+    for (Index i = 0; i < rolled.x.size(); ++i) {
+      if (std::abs(rolled.x[i]) > p.motion.grid.half_width() && rolled.traction[i] == 0) continue;
+      tables.traction.add({name, c, rolled.x[i], rolled.traction[i]});
+    }
+  };
+  add_traction("reference", 1, reference);
+  std::size_t done = 0;
+  for (const auto& [name, scheme, largest_ratio] : schemes()) {
+    const Rolled unit = roll(p.motion, scheme, 1, p.distance);
+    for (const double c : p.motion_ratios) {
+      ++done;
+      if (c > largest_ratio) continue;
+      const Rolled rolled = roll(p.motion, scheme, c, p.distance);
+      add_traction(name, c, rolled);
+      const VectorXd exact = interpolated(reference.x, reference.traction, rolled.x);
+      const VectorXd same = interpolated(unit.x, unit.traction, rolled.x);
+      const double threshold = 1e-6 * p.motion.bound.peak();
+      tables.steps.add({name, c, dx * (rolled.traction - exact).lpNorm<1>(),
+                        dx * (rolled.traction - same).lpNorm<1>(),
+                        rolled.traction.maxCoeff() / reference.traction.maxCoeff(),
+                        total_variation(rolled.traction),
+                        static_cast<double>(turning_points(rolled.traction, threshold)),
+                        std::abs(rolled.creep - reference.creep)});
+      progress(done, schemes().size() * p.motion_ratios.size());
+    }
+  }
+  return tables;
+}
+
+}  // namespace microslip::experiments
