@@ -136,6 +136,40 @@ TEST_F(BadScenes, UnknownWords) {
   expect_rejected(good_scene, "--set basis=cubic", "basis = 'cubic'");
 }
 
+TEST_F(BadScenes, MethodsOfSteadyRolling) {
+  expect_rejected(good_scene, "--set method=spectral", "method = 'spectral': expected collocation");
+  expect_rejected(good_scene, "--set leading_edge=sharp", "leading_edge = 'sharp': expected cal");
+  expect_rejected(good_scene, "--set method=chebyshev --set leading_edge=standard",
+                  "unknown key 'leading_edge'");
+  expect_rejected(good_scene, "--set method=chebyshev --set basis=linear", "unknown key 'basis'");
+  expect_rejected(good_scene, "--set leading_edge=trimmed",
+                  "basis = 'constant': expected linear where the last function is trimmed");
+  expect_rejected(good_scene, "--set kernel.width=0.01",
+                  "kernel.width = 0.01: expected at least 0.02 half-widths");
+  expect_rejected(good_scene, "--set grid.elements=1", "grid.elements = 1: expected at least 2");
+  for (const char* method : {"leading_edge=standard", "leading_edge=exact", "method=chebyshev",
+                             "leading_edge=trimmed --set basis=linear"}) {
+    EXPECT_EQ(run(good_scene, "--set " + std::string(method)).error, "") << method;
+  }
+  const Outcome outcome = run(good_scene, "--set method=chebyshev --set kernel.width=0.1");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.error.find("64 unknowns do not suffice"), std::string::npos) << outcome.error;
+}
+
+TEST_F(BadScenes, BoundPolynomials) {
+  expect_rejected(good_scene, "--set 'contact.bound_polynomial=1 -1.1'",
+                  "least value of contact.bound_polynomial = -0.1");
+  expect_rejected(good_scene, "--set 'contact.bound_polynomial=0 0'",
+                  "contact.bound_polynomial = 0: expected coefficients that are not all zero");
+  expect_rejected(good_scene, "--set 'contact.bound_polynomial=1 x'",
+                  "contact.bound_polynomial = '1 x': expected finite numbers");
+  expect_rejected(good_scene, "--set contact.bound_polynomial=1 --set contact.bound_file=b.tsv",
+                  "unknown key 'contact.bound_file'");
+  EXPECT_EQ(run(good_scene, "--set 'contact.bound_polynomial=1 0.3 0.2'").error, "");
+  EXPECT_EQ(run(good_scene, "--set contact.peak_traction= --set contact.bound_polynomial=1").error,
+            "");
+}
+
 TEST_F(BadScenes, BothLoadsOrNeither) {
   expect_rejected(good_scene, "--set load.force=-0.5",
                   "expected only one of 'load.creepage' and 'load.force'");
@@ -159,6 +193,13 @@ TEST_F(BadScenes, BoundFiles) {
   rejected("x\tbound\n2\t1\n", "x = 2: expected positions from -half_width to half_width");
   rejected("x\tbound\n0\t-1\n", "bound = -1: expected a number >= 0");
   rejected("x\tbound\n0\t0\n", "bound = 0: expected a bound that is not");
+  std::ofstream(folder_ / "bound.tsv") << "x\tbound\n0\t1\n";
+  for (const char* method : {"method=chebyshev", "leading_edge=exact"}) {
+    std::string scene = good_scene;
+    scene.replace(scene.find("peak_traction 1"), 15, "bound_file bound.tsv");
+    expect_rejected(scene, "--set " + std::string(method),
+                    "contact.bound_file: expected contact.peak_traction or contact.bound_poly");
+  }
   expect_rejected(good_scene, "--set contact.bound_file=b.tsv",
                   "only one of 'contact.peak_traction' and 'contact.bound_file'");
   expect_rejected(good_scene, "--set contact.peak_traction= --set contact.bound_file=none.tsv",

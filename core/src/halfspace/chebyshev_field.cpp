@@ -69,7 +69,7 @@ ChebyshevField::ChebyshevField(const Kernel& kernel, const ChebyshevTraction& tr
   const double clear = clear_distance(kernel) / traction.half_length();
   if (std::isinf(clear)) return;
   require(2 * clear >= narrowest, "kernel.width", 2 * clear_distance(kernel),
-          "at least 0.02 half-widths of the contact for exact strains");
+          "at least 0.02 half-widths of the contact, or leading_edge standard");
   const auto count = static_cast<Index>(20 + 20 / clear) + traction.coefficients().size();
   points_.resize(count);
   line_loads_.resize(count);

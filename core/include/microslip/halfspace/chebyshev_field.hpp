@@ -11,7 +11,8 @@ namespace microslip {
 /// What a ChebyshevTraction does to the half-space. The logarithm of the kernel is integrated in
 /// closed form, its regular part by Gauss-Chebyshev quadrature with as many points as its distance
 /// to the nearest singularity asks for.
-/// Accuracy: 1e-13 of the largest value, for strips of at least 0.02 half-lengths,
+/// Accuracy: 2e-10, that of the quadrature it is held against, for strips of at least 0.02
+/// half-lengths,
 /// tests/unit/chebyshev_field_test.cpp
 class ChebyshevField {
  public:

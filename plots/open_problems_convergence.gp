@@ -1,0 +1,28 @@
+# The headline: error of the force against N, median and spread over all parts of adhesion and
+# alignments of the grid.
+errors = tables."/errors.tsv"
+orders = tables."/orders.tsv"
+names = "standard exact calibrated"
+titles = "'thesis and CONTACT' 'thesis, displacement at the edge known' 'calibrated elements'"
+of(scheme) = strcol("scheme") eq scheme ? column("elements") : NaN
+order_of = ""
+set table $orders
+plot orders using (order_of = order_of.sprintf(" %s %.2f", strcol("scheme"), column("force_order")), 0) with table
+unset table
+order(scheme) = word(order_of, 1 + int(sum [i=1:words(order_of)] (word(order_of, i) eq scheme ? i : 0)))
+
+set terminal svg size 720,460
+set logscale xy
+set format y "10^{%T}"
+set xtics (15, 30, 60, 120, 240, 480)
+set xrange [13:560]
+set xlabel "elements N [1]"
+set ylabel "error of the force [1]"
+set key bottom left invert
+set style fill solid 0.15 noborder
+slope(n, order, from) = from * (15 / n)**order
+plot for [k=1:3] errors using (of(word(names, k))):"force_least":"force_largest" with filledcurves linetype k notitle, \
+     for [k=1:3] errors using (of(word(names, k))):"force_median" with linespoints linetype k pointtype 7 pointsize 0.6 \
+       title sprintf("%s, order %s", word(titles, k), order(word(names, k))), \
+     slope(x, 1, 0.1) with lines linecolor "gray50" dashtype 3 title "orders 1 and 2", \
+     slope(x, 2, 2e-5) with lines linecolor "gray50" dashtype 3 notitle

@@ -1,0 +1,29 @@
+# The travelling peak after rolling: its height against the step ratio, and its shape at a small one.
+steps = tables."/steps.tsv"
+traction = tables."/traction.tsv"
+of(scheme) = strcol("scheme") eq scheme ? column("step_ratio") : NaN
+small = 0.1
+at(scheme, c) = strcol("scheme") eq scheme && same(column("step_ratio"), c) ? column("x") : NaN
+
+set terminal svg size 860,400
+set multiplot layout 1,2 margins 0.09,0.98,0.14,0.9 spacing 0.1
+set logscale x
+set xlabel "step ratio c = dq/dx [1]"
+set ylabel "height of the peak over the reference's [1]"
+set title "peak"
+set key bottom left
+plot steps using (of("direct")):"peak" with linespoints linetype 1 pointtype 7 pointsize 0.5 title "direct", \
+     steps using (of("relaxed")):"peak" with linespoints linetype 2 pointtype 7 pointsize 0.5 title "relaxed, c* = 1", \
+     steps using (of("material")):"peak" with linespoints linetype 3 pointtype 7 pointsize 0.5 title "material"
+unset logscale x
+set xlabel "x [mm], rolling to the right"
+set ylabel "traction p [N/mm^2]"
+set title sprintf("c = %g", small)
+set key top right
+set xrange [-1:1]
+set yrange [0:*]
+plot traction using (at("reference", 1)):"traction" with @exact_line title "reference", \
+     traction using (at("direct", small)):"traction" with lines linetype 1 title "direct", \
+     traction using (at("relaxed", small)):"traction" with lines linetype 2 title "relaxed", \
+     traction using (at("material", small)):"traction" with linespoints linetype 3 pointtype 7 pointsize 0.3 title "material"
+unset multiplot

@@ -1,0 +1,25 @@
+# Any step: errors against the step ratio, in steady rolling and after rolling from a shift.
+steady = tables."/steady_steps.tsv"
+steps = tables."/steps.tsv"
+of(scheme) = strcol("scheme") eq scheme ? column("step_ratio") : NaN
+
+set terminal svg size 860,400
+set multiplot layout 1,2 margins 0.09,0.98,0.14,0.9 spacing 0.1
+set logscale xy
+set format "10^{%T}"
+set xlabel "step ratio c = dq/dx [1]"
+set ylabel "error of the force [1]"
+set title "steady rolling"
+set key at graph 0.62, 0.36
+set xtics 1e-12, 1000
+plot steady using (of("standard")):"force_error" with linespoints linetype 1 pointtype 7 pointsize 0.5 title "standard", \
+     steady using (of("calibrated")):"force_error" with linespoints linetype 3 pointtype 7 pointsize 0.5 title "calibrated"
+set xtics auto
+set title "from a Cattaneo shift"
+set ylabel "integral of |p - reference| [N/mm]"
+set key at graph 0.5, 0.5
+set format x "%g"
+plot steps using (of("direct")):"error" with linespoints linetype 1 pointtype 7 pointsize 0.5 title "direct", \
+     steps using (of("relaxed")):"error" with linespoints linetype 2 pointtype 7 pointsize 0.5 title "relaxed, c* = 1", \
+     steps using (of("material")):"error" with linespoints linetype 3 pointtype 7 pointsize 0.5 title "material"
+unset multiplot

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/open_problems.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "study_tables.hpp"
+
+namespace microslip::experiments {
+namespace {
+
+const std::vector<Table>& tables() {
+  static const std::vector<Table> all = [] {
+    const Material material{1, 0.28};
+    const PolynomialBound bound(1, 1, (Eigen::VectorXd(3) << 1, 0.3, 0.2).finished());
+    return open_problems({.material = material,
+                          .length = 200,
+                          .bound = bound,
+                          .sizes = {15, 30, 60, 120, 240},
+                          .cases = 12,
+                          .least_stick_ratio = 0.05,
+                          .most_stick_ratio = 0.98,
+                          .steady_elements = 60,
+                          .steady_stick_ratio = 0.6,
+                          .steady_ratios = {1e-12, 1e-3, 0.1, 1, 1000},
+                          .motion = {.kernel = PlaneKernel(material, 200),
+                                     .bound = HertzBound(1, 1),
+                                     .grid = Grid({.half_width = 1, .elements = 100}),
+                                     .basis = constant_basis(),
+                                     .force = 0.64 * HertzBound(1, 1).total()},
+                          .distance = 50,
+                          .refinement = 4,
+                          .motion_ratios = {2.5, 1, 0.9, 0.75, 0.5, 0.31, 0.1, 0.01},
+                          .widths = {1, 5},
+                          .curve_points = 20,
+                          .unknowns = {4, 8, 16, 28, 40}},
+                         [](std::size_t, std::size_t) {});
+  }();
+  return all;
+}
+
+double of(const char* table, const char* scheme, const char* column) {
+  return table_named(tables(), table).latest({{"scheme", scheme}}, column);
+}
+
+TEST(OpenProblemsStudy, OrdersAreThoseOfTheLeadingEdge) {
+  EXPECT_NEAR(of("orders", "standard", "force_order"), 1, 0.05);
+  EXPECT_NEAR(of("orders", "exact", "force_order"), 1.5, 0.1);
+  EXPECT_NEAR(of("orders", "calibrated", "force_order"), 2, 0.1);
+  EXPECT_NEAR(of("orders", "calibrated", "mean_order"), 2, 0.15);
+  EXPECT_GT(of("orders", "calibrated", "force_reduction"), 3);
+  EXPECT_LT(of("orders", "exact", "force_reduction"), 1.5);
+}
+
+TEST(OpenProblemsStudy, CalibratedForcesAreWithin1e5At240Elements) {
+  EXPECT_LT(of("errors", "calibrated", "force_largest"), 1e-5);
+  EXPECT_GT(of("errors", "standard", "force_median"), 1e-3);
+  EXPECT_GT(of("errors", "exact", "force_largest"), 3e-5);
+}
+
+TEST(OpenProblemsStudy, SteadyRollingHasNoStep) {
+  const Table& steps = table_named(tables(), "steady_steps");
+  double first = 0;
+  for (std::size_t i = 0; i < steps.rows(); ++i) {
+    if (std::get<std::string>(steps.at(i, "scheme")) != "calibrated") continue;
+    if (first == 0) first = steps.number(i, "force_error");
+    EXPECT_EQ(steps.number(i, "force_error"), first);
+  }
+  EXPECT_GT(first, 0);
+}
+
+// 50 elements rolled on 100 elements.
+TEST(OpenProblemsStudy, MaterialStepsOfAnyLengthGiveTheSame) {
+  const Table& steps = table_named(tables(), "steps");
+  const auto value = [&](const char* scheme, double c, const char* column) {
+    return steps.latest({{"scheme", scheme}, {"step_ratio", c}}, column);
+  };
+  for (const double c : {2.5, 0.9, 0.75, 0.5, 0.31, 0.1, 0.01}) {
+    EXPECT_LT(value("material", c, "from_unit_step"), 1e-3) << c;
+    EXPECT_LE(value("material", c, "turning_points"), value("material", 1, "turning_points")) << c;
+    EXPECT_LE(value("material", c, "total_variation"),
+              value("material", 1, "total_variation") + 1e-9)
+        << c;
+  }
+  for (const double c : {0.9, 0.75, 0.31, 0.1, 0.01}) {
+    EXPECT_GT(value("direct", c, "error"), 3 * value("material", c, "error")) << c;
+    EXPECT_LT(value("relaxed", c, "peak"), value("material", c, "peak")) << c;
+  }
+}
+
+TEST(OpenProblemsStudy, FortyUnknownsGiveElevenDigits) {
+  const Table& digits = table_named(tables(), "digits");
+  for (const double width : {1.0, 5.0, HUGE_VAL}) {
+    EXPECT_GT(digits.latest({{"width", width}, {"unknowns", 40.0}}, "digits"), 11) << width;
+  }
+  EXPECT_LT(digits.latest({{"width", 1.0}, {"unknowns", 8.0}}, "digits"), 4);
+}
+
+TEST(OpenProblemsStudy, Verdicts) {
+  EXPECT_EQ(verdicts(tables()), (std::vector<std::string>{"corrected", "reproduced", "corrected",
+                                                          "reproduced", "corrected"}));
+}
+
+}  // namespace
+}  // namespace microslip::experiments
