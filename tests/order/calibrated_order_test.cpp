@@ -28,13 +28,13 @@ struct Errors {
   std::vector<double> traction;  ///< largest, away from the ends of the stick zone
 };
 
-Errors errors_of(const ChebyshevRolling& reference, const std::vector<CalibratedRolling>& rolling,
+Errors errors_of(const ChebyshevRolling& reference, std::vector<CalibratedRolling>& rolling,
                  double stick_ratio) {
   const double stick_edge = 1 - 2 * stick_ratio;
   const PrescribedCreepage load{reference.at(stick_edge).creepage};
   const ChebyshevSolution exact = reference.solve(load);
   Errors errors;
-  for (const CalibratedRolling& one : rolling) {
+  for (CalibratedRolling& one : rolling) {
     const CalibratedSolution solution = one.solve(load);
     errors.force.push_back(std::abs(solution.force() / exact.force() - 1));
     double worst = 0;
@@ -62,7 +62,7 @@ TEST(CalibratedOrder, ForceIsSecondOrderForAnyAdhesion) {
   for (const PolynomialBound& bound : {bound_of({1, 0.3, 0.2}), bound_of({1, -0.5, 0.3, 0.2})}) {
     const PlaneKernel kernel(material, 1);
     const ChebyshevRolling reference(kernel, bound);
-    const auto rolling = for_all_sizes(kernel, bound, constant_basis());
+    auto rolling = for_all_sizes(kernel, bound, constant_basis());
     std::mt19937 random(1);
     std::uniform_real_distribution<double> stick_ratios(0.05, 0.98);
     for (int i = 0; i < 50; ++i) {
@@ -81,7 +81,7 @@ TEST(CalibratedOrder, TractionIsSecondOrderInAdhesion) {
   const PolynomialBound bound = bound_of({1, 0.3, 0.2});
   const PlaneKernel kernel(material, 1);
   const ChebyshevRolling reference(kernel, bound);
-  const auto rolling = for_all_sizes(kernel, bound, constant_basis());
+  auto rolling = for_all_sizes(kernel, bound, constant_basis());
   for (const double stick_ratio : {0.05, 0.2, 0.4, 0.6, 0.8, 0.98}) {
     const Errors errors = errors_of(reference, rolling, stick_ratio);
     EXPECT_NEAR(fitted_order(sizes, errors.traction), 2, 0.1) << stick_ratio;
@@ -94,7 +94,7 @@ TEST(CalibratedOrder, SoItIsForOtherFunctionsAndStrips) {
        {Kernel(PlaneKernel(material, 1)), Kernel(StripKernel(material, 1.5))}) {
     const ChebyshevRolling reference(kernel, bound);
     for (const Basis& basis : {constant_basis(), linear_basis(), quadratic_basis()}) {
-      const auto rolling = for_all_sizes(kernel, bound, basis);
+      auto rolling = for_all_sizes(kernel, bound, basis);
       for (const double stick_ratio : {0.1, 0.6, 0.95}) {
         const Errors errors = errors_of(reference, rolling, stick_ratio);
         EXPECT_NEAR(fitted_order(sizes, errors.force), 2, 0.1) << basis.name() << stick_ratio;
@@ -108,7 +108,7 @@ TEST(CalibratedOrder, SoItIsForHertzOnAStrip) {
   const HertzBound bound(1, 1);
   const StripKernel kernel(material, 1);
   const ChebyshevRolling reference(kernel, bound);
-  const auto rolling = for_all_sizes(kernel, bound, constant_basis());
+  auto rolling = for_all_sizes(kernel, bound, constant_basis());
   for (const double stick_ratio : {0.2, 0.6, 0.9}) {
     const Errors errors = errors_of(reference, rolling, stick_ratio);
     EXPECT_NEAR(fitted_order(sizes, errors.force), 2, 0.1) << stick_ratio;

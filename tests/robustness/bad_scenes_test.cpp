@@ -157,8 +157,8 @@ TEST_F(BadScenes, MethodsOfSteadyRolling) {
 }
 
 TEST_F(BadScenes, BoundPolynomials) {
-  expect_rejected(good_scene, "--set 'contact.bound_polynomial=1 -1.1'",
-                  "least value of contact.bound_polynomial = -0.1");
+  expect_rejected(good_scene, "--set 'contact.bound_polynomial=1 -1.05'",
+                  "least value of contact.bound_polynomial = -0.0");
   expect_rejected(good_scene, "--set 'contact.bound_polynomial=0 0'",
                   "contact.bound_polynomial = 0: expected coefficients that are not all zero");
   expect_rejected(good_scene, "--set 'contact.bound_polynomial=1 x'",

@@ -28,7 +28,7 @@ TEST(EdgeCalibration, TendsToThatOfTheUnboundedGrid) {
 TEST(CalibratedRolling, HasCartersForceAndTractionsWithFewElements) {
   const HertzBound bound(2, 3);
   for (const Basis& basis : {constant_basis(), linear_basis(), quadratic_basis()}) {
-    const CalibratedRolling rolling(PlaneKernel(material, 1), bound, basis, 7);
+    CalibratedRolling rolling(PlaneKernel(material, 1), bound, basis, 7);
     for (const double stick_ratio : {0.05, 0.6, 0.98}) {
       const Carter carter = Carter::from_stick_ratio(material, bound, stick_ratio);
       const CalibratedSolution solution = rolling.solve(PrescribedCreepage{carter.creepage()});
@@ -46,7 +46,7 @@ TEST(CalibratedRolling, AgreesWithChebyshevAtEveryPlace) {
   const PolynomialBound bound(1, 1, (Eigen::VectorXd(3) << 1, 0.3, 0.2).finished());
   for (const Kernel& kernel :
        {Kernel(PlaneKernel(material, 7)), Kernel(StripKernel(material, 2))}) {
-    const CalibratedRolling rolling(kernel, bound, constant_basis(), 100);
+    CalibratedRolling rolling(kernel, bound, constant_basis(), 100);
     const ChebyshevRolling reference(kernel, bound);
     for (const Load& load : {Load(PrescribedForce{-1}), Load(PrescribedForce{1}),
                              Load(PrescribedCreepage{0.4}), Load(PrescribedCreepage{2})}) {

@@ -105,7 +105,30 @@ double similarity(const VectorXd& first, const VectorXd& second) {
 
 }  // namespace
 
-StickLattice CalibratedRolling::lattice(double stick_edge) const {
+VectorXd CalibratedRolling::solve_system(double spacing, const VectorXd& strain) {
+  if (plane_) return factors_.solve(strain);
+  constexpr double nearby = 0.1;
+  constexpr int most_refinements = 30;
+  const MatrixXd system = strain_system(kernel_, basis_, spacing, elements_);
+  const double enough = 1e-15 * strain.norm();
+  if (std::abs(spacing / factored_spacing_ - 1) < nearby) {
+    VectorXd unknowns = factors_.solve(strain);
+    double before = HUGE_VAL;
+    for (int i = 0; i < most_refinements; ++i) {
+      const VectorXd residual = strain - system * unknowns;
+      const double size = residual.norm();
+      if (size <= enough || (size > before / 2 && before < 10 * enough)) return unknowns;
+      if (size > before / 2) break;
+      unknowns += factors_.solve(residual);
+      before = size;
+    }
+  }
+  factors_.compute(system);
+  factored_spacing_ = spacing;
+  return factors_.solve(strain);
+}
+
+StickLattice CalibratedRolling::lattice(double stick_edge) {
   const Index n = elements_;
   const double a = half_width_of(bound_);
   const double stiffness = 1 / compliance(material_of(kernel_));
@@ -118,9 +141,7 @@ StickLattice CalibratedRolling::lattice(double stick_edge) const {
   VectorXd strain = at.unaryExpr([&](double x) { return sliding_.strain(centre + x); });
   const double part = similarity(strain, known_strain);
   strain = (strain - part * known_strain) * stiffness;
-  const VectorXd unknowns =
-      plane_ ? factors_.solve(strain).eval()
-             : strain_system(kernel_, basis_, h, n).partialPivLu().solve(strain).eval();
+  const VectorXd unknowns = solve_system(h, strain);
   const VectorXd loads = basis_.weights(h, n).cwiseProduct(unknowns.head(n));
   return {.stick_edge = stick_edge,
           .spacing = h,
@@ -135,12 +156,12 @@ StickLattice CalibratedRolling::lattice(double stick_edge) const {
           .creepage = unknowns[n] / stiffness};
 }
 
-CreepageForce CalibratedRolling::at(double stick_edge) const {
+CreepageForce CalibratedRolling::at(double stick_edge) {
   const StickLattice found = lattice(stick_edge);
   return {stick_edge, found.creepage, found.force - sliding_.force()};
 }
 
-CreepageForceCurve CalibratedRolling::curve() const {
+CreepageForceCurve CalibratedRolling::curve() {
   const double a = half_width_of(bound_);
   return {.at = [this](double b) { return at(b); },
           .half_width = a,
@@ -148,14 +169,16 @@ CreepageForceCurve CalibratedRolling::curve() const {
           .full_sliding_force = sliding_.force()};
 }
 
-CalibratedSolution CalibratedRolling::solve(const Load& load) const {
-  if (plane_ || elements_ < 2 * coarse_elements) return {*this, meet_load(curve(), load)};
-  const CalibratedRolling coarse(kernel_, bound_, basis_, coarse_elements);
-  const double near = coarse.solve(load).stick_edge();
-  return {*this, meet_load(curve(), load, near, 0.02 * (half_width_of(bound_) - near))};
+LoadedState CalibratedRolling::meet(const Load& load) {
+  if (plane_ || elements_ < 2 * coarse_elements) return meet_load(curve(), load);
+  CalibratedRolling coarse(kernel_, bound_, basis_, coarse_elements);
+  const double near = coarse.meet(load).state.stick_edge;
+  return meet_load(curve(), load, near, 0.005 * (half_width_of(bound_) - near));
 }
 
-CalibratedSolution::CalibratedSolution(const CalibratedRolling& rolling, const LoadedState& loaded)
+CalibratedSolution CalibratedRolling::solve(const Load& load) { return {*this, meet(load)}; }
+
+CalibratedSolution::CalibratedSolution(CalibratedRolling& rolling, const LoadedState& loaded)
     : kernel_(rolling.kernel()),
       bound_(rolling.bound()),
       sliding_(rolling.sliding()),

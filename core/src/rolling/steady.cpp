@@ -89,8 +89,7 @@ SteadySolution solve_steady(const SteadyProblem& problem) {
     const ChebyshevSolution solution = rolling.solve(problem.load);
     return sampled(problem, solution, solution.evaluations());
   }
-  const CalibratedRolling rolling(problem.kernel, problem.bound, problem.basis,
-                                  problem.grid.size());
+  CalibratedRolling rolling(problem.kernel, problem.bound, problem.basis, problem.grid.size());
   const CalibratedSolution solution = rolling.solve(problem.load);
   if (solution.violation() > another_zone) return with_several_zones(problem);
   return sampled(problem, solution, solution.evaluations());

@@ -56,7 +56,8 @@ class CalibratedSolution;
 ///
 /// Accuracy: force and tractions are second order in 1/n for any adhesion and any bound that is
 /// smooth but for its square roots, tests/order/calibrated_order_test.cpp.
-/// Cost: O(n^3), once in plane strain, and five times or so for strips; memory n^2.
+/// Cost: O(n^3) twice at most: in plane strain the factors are those of any stick zone, and for
+/// strips those of a stick zone nearby are refined; memory n^2.
 class CalibratedRolling {
  public:
   /// \param basis     constant, linear or quadratic
@@ -71,16 +72,18 @@ class CalibratedRolling {
   const FullSliding& sliding() const { return sliding_; }
 
   /// \param stick_edge  b, in [-a, a)  [mm]
-  StickLattice lattice(double stick_edge) const;
+  StickLattice lattice(double stick_edge);
 
   /// A point of the creepage-force curve.
-  CreepageForce at(double stick_edge) const;
+  CreepageForce at(double stick_edge);
 
   /// \throws as meet_load
-  CalibratedSolution solve(const Load& load) const;
+  CalibratedSolution solve(const Load& load);
 
  private:
-  CreepageForceCurve curve() const;
+  CreepageForceCurve curve();
+  Eigen::VectorXd solve_system(double spacing, const Eigen::VectorXd& strain);
+  LoadedState meet(const Load& load);
 
   Kernel kernel_;
   TractionBound bound_;
@@ -88,14 +91,15 @@ class CalibratedRolling {
   Eigen::Index elements_;
   FullSliding sliding_;
   bool plane_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;  ///< in plane strain, the same for any spacing
+  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;  ///< of factored_spacing_; in plane strain any
+  double factored_spacing_ = 0;
   EdgeCalibration calibration_;
 };
 
 /// A steady state as functions of the position.
 class CalibratedSolution {
  public:
-  CalibratedSolution(const CalibratedRolling& rolling, const LoadedState& loaded);
+  CalibratedSolution(CalibratedRolling& rolling, const LoadedState& loaded);
 
   double creepage() const { return loaded_.direction * loaded_.state.creepage; }  ///< w  [1]
   double force() const { return loaded_.direction * loaded_.state.force; }        ///< F  [N/mm]
