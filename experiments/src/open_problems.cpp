@@ -24,15 +24,6 @@ double largest_of(const Table& table, const std::string& scheme, const std::stri
   return largest;
 }
 
-/// The most digits that a width has with the least unknowns.
-double fewest_unknowns(const Table& digits, double width, double wanted) {
-  for (std::size_t i = 0; i < digits.rows(); ++i) {
-    if (digits.number(i, "width") != width || digits.number(i, "digits") < wanted) continue;
-    return digits.number(i, "unknowns");
-  }
-  return not_given;
-}
-
 /// Which scheme for which need, with what was measured of it.
 Table schemes_table(const OpenProblemsParameters& p, const SteadyTables& steady,
                     const StepTables& steps) {
@@ -70,7 +61,7 @@ Table schemes_table(const OpenProblemsParameters& p, const SteadyTables& steady,
 }
 
 Table claims_of(const OpenProblemsParameters& p, const SteadyTables& steady,
-                const CurveTables& curve, const StepTables& steps) {
+                const StepTables& steps) {
   const double least = steady.orders.latest({{"scheme", "calibrated"}}, "force_reduction");
   const double order = steady.orders.latest({{"scheme", "calibrated"}}, "force_order");
   const double gain = steady.errors.latest({{"scheme", "standard"}}, "force_median") /
@@ -88,15 +79,12 @@ Table claims_of(const OpenProblemsParameters& p, const SteadyTables& steady,
         not_given, gain, "1", verdict_of(gain > 100),
         "median error of the standard scheme over that of calibrated elements, N = " +
             std::to_string(p.sizes.back())},
-       {"the time step matters in a world-fixed frame, too, and it is unknown why", "11", not_given,
+       {"further tests show odd behaviour in a world-fixed frame in certain cases", "11", not_given,
         between, "N/mm", between < 1e-3 ? "corrected" : "reproduced",
         "largest integral of the difference to c = 1, over all c"},
        {"smoothing can be stopped in a world-fixed frame", "11", not_given, direct / material, "1",
         verdict_of(direct / material > 10),
-        "largest error of the direct scheme over that of the material scheme, over all c"},
-       {"there is a reference only where there is a closed form", "10", not_given,
-        fewest_unknowns(curve.digits, p.widths.front(), 11), "1", "corrected",
-        "unknowns for eleven digits of the whole creepage-force curve of the narrowest strip"}});
+        "largest error of the direct scheme over that of the material scheme, over all c"}});
 }
 
 }  // namespace
@@ -179,7 +167,7 @@ std::vector<Table> open_problems(const OpenProblemsParameters& p, const Progress
           curve.curve,
           curve.digits,
           schemes_table(p, steady, steps),
-          claims_of(p, steady, curve, steps)};
+          claims_of(p, steady, steps)};
 }
 
 }  // namespace microslip::experiments

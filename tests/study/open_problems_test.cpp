@@ -98,8 +98,8 @@ TEST(OpenProblemsStudy, FortyUnknownsGiveElevenDigits) {
 }
 
 TEST(OpenProblemsStudy, Verdicts) {
-  EXPECT_EQ(verdicts(tables()), (std::vector<std::string>{"corrected", "reproduced", "corrected",
-                                                          "reproduced", "corrected"}));
+  EXPECT_EQ(verdicts(tables()),
+            (std::vector<std::string>{"corrected", "reproduced", "corrected", "reproduced"}));
 }
 
 }  // namespace
