@@ -11,7 +11,7 @@ set logscale x
 set xlabel "step ratio c = dq/dx [1]"
 set ylabel "height of the peak over the reference's [1]"
 set title "peak"
-set key bottom left
+set key bottom right
 plot steps using (of("direct")):"peak" with linespoints linetype 1 pointtype 7 pointsize 0.5 title "direct", \
      steps using (of("relaxed")):"peak" with linespoints linetype 2 pointtype 7 pointsize 0.5 title "relaxed, c* = 1", \
      steps using (of("material")):"peak" with linespoints linetype 3 pointtype 7 pointsize 0.5 title "material"
