@@ -13,6 +13,7 @@ std::vector<Table> steady_scene(const SteadyProblem& problem) {
   summary.add({"creepage", solution.creepage, "1"});
   summary.add({"force_ratio", solution.force / full_sliding, "1"});
   summary.add({"full_sliding_force", full_sliding, "N/mm"});
+  if (solution.stick_edge) summary.add({"stick_edge", *solution.stick_edge, "mm"});
   summary.add({"adhesion_elements", static_cast<double>(solution.adhesion_elements()), "1"});
   summary.add({"slip_elements", static_cast<double>(solution.slip_elements()), "1"});
   summary.add({"iterations", static_cast<double>(solution.iterations), "1"});

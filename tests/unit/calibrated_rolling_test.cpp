@@ -73,6 +73,17 @@ SteadyProblem problem(const TractionBound& bound, Load load, Eigen::Index n = 10
           .load = load};
 }
 
+TEST(Calibrated, TellsWhereItSticks) {
+  const SteadySolution s = solve_steady(problem(HertzBound(1, 1), PrescribedCreepage{0.4}));
+  EXPECT_NEAR(s.stick_edge.value(), -0.2, 1e-12);
+  for (Eigen::Index i = 0; i < 100; ++i) {
+    EXPECT_EQ(s.zones[static_cast<std::size_t>(i)] == Zone::adhesion, s.x[i] >= *s.stick_edge);
+  }
+  SteadyProblem differences = problem(HertzBound(1, 1), PrescribedCreepage{0.4});
+  differences.method = Differences{};
+  EXPECT_FALSE(solve_steady(differences).stick_edge.has_value());
+}
+
 TEST(Calibrated, DoesNotDependOnTheGridsAlignment) {
   const SteadyProblem half = problem(HertzBound(1, 1), PrescribedCreepage{0.4});
   SteadyProblem other = half;

@@ -72,7 +72,8 @@ SteadySolution sampled(const SteadyProblem& problem, const Solution& solution, i
       .force = solution.force(),
       .creepage = solution.creepage(),
       .dissipation = solution.dissipation(),
-      .iterations = iterations};
+      .iterations = iterations,
+      .stick_edge = solution.stick_edge()};
   const Zone slipping = solution.creepage() < 0 ? Zone::slip_positive : Zone::slip_negative;
   for (const double xi : x) state.zones.push_back(solution.sticks(xi) ? Zone::adhesion : slipping);
   return state;

@@ -59,6 +59,8 @@ struct SteadySolution {
   double creepage;     ///< w  [1]
   double dissipation;  ///< -integral of p s over x: energy per mm rolled and mm width  [N/mm]
   int iterations;      ///< partitions tried, or systems solved
+  /// The stick-slip point b, where a method finds it between nodes; a in full sliding  [mm]
+  std::optional<double> stick_edge = std::nullopt;
 
   Eigen::Index adhesion_elements() const;
   Eigen::Index slip_elements() const;
