@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/spectrum/leading_edge.hpp"
+
+#include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/special_functions/polygamma.hpp>
+#include <boost/math/special_functions/trigamma.hpp>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <stdexcept>
+
+namespace microslip {
+
+namespace {
+
+using std::numbers::pi;
+
+/// sin(x)/x - 1
+double sinc_less_one(double x) {
+  if (x > 0.5) return std::sin(x) / x - 1;
+  double term = 1;
+  double sum = 0;
+  for (int k = 1; k < 10; ++k) {
+    term *= -x * x / (2 * k * (2 * k + 1));
+    sum += term;
+  }
+  return sum;
+}
+
+/// (1 + y)^n - 1
+double power_less_one(double y, int n) { return std::expm1(n * std::log1p(y)); }
+
+// b(theta) - 1: at small theta the term m = 0 of the lattice sum is 1 to second order, and the
+// others vanish as fast. They are tri- and tetragamma functions of z = theta/(2 pi).
+
+double constant_less_one(double theta) {
+  using boost::math::trigamma;
+  const double z = theta / (2 * pi);
+  const double s = std::sin(theta / 2);
+  const double others =
+      trigamma(z / 2 + 1) - trigamma((z + 1) / 2) + trigamma((1 - z) / 2) - trigamma(1 - z / 2);
+  return power_less_one(sinc_less_one(theta / 2), 2) + s * s / (4 * pi * pi) * others;
+}
+
+double linear_less_one(double theta) {
+  const auto tetragamma = [](double x) { return boost::math::polygamma(2, x); };
+  const double z = theta / (2 * pi);
+  const double s = std::sin(theta / 2) / pi;
+  const double others = -(tetragamma(1 + z) + tetragamma(1 - z)) / 2;
+  return power_less_one(sinc_less_one(theta / 2), 3) + s * s * s * others;
+}
+
+LeadingEdgeConstants integrated(const std::function<double(double)>& b_less_one) {
+  using boost::math::quadrature::gauss;
+  const auto mean = [&](const std::function<double(double)>& factor) {
+    const auto integrand = [&](double theta) {
+      return std::log1p(b_less_one(theta)) * factor(theta);
+    };
+    return gauss<double, 60>::integrate(integrand, 0.0, pi) / pi;
+  };
+  return {.offset = 0.75 - mean([](double theta) { return std::pow(std::sin(theta / 2), -2); }) / 4,
+          .compliance = std::exp(mean([](double) { return 1.0; }))};
+}
+
+}  // namespace
+
+LeadingEdgeConstants leading_edge_constants(const Basis& basis) {
+  if (basis.name() == "constant") return integrated(constant_less_one);
+  if (basis.name() == "linear") return integrated(linear_less_one);
+  throw std::invalid_argument("basis = '" + basis.name() + "': expected constant or linear");
+}
+
+}  // namespace microslip
