@@ -174,5 +174,56 @@ TEST(ActiveSet, ThrowsWhereASystemIsSingular) {
   EXPECT_THROW(solve_active_set(equations, PrescribedCreepage{2}), NotConverged);
 }
 
+// The same as on the diagonal of the response, while the factors stay.
+TEST(ActiveSet, SoftElementsAreEntriesOfTheDiagonal) {
+  const Eigen::Index n = 40, soft = 37;
+  const SlipEquations equations = steady_equations(n, constant_basis(), 1);
+  const double stiff = equations.response.diagonal().maxCoeff();
+  ActiveSet kept(equations.response, equations.weights);
+  std::vector<Zone> zones(static_cast<std::size_t>(n), Zone::adhesion);
+  Eigen::VectorXd reference = -0.1 * equations.bound;
+  reference[soft] = 0;
+  int stuck = 0;
+  for (const double compliance : {1e12, 30.0, 3.0, 1.0, 0.2, 0.0, 1.0, 1e15}) {
+    for (const Load load : {Load(PrescribedForce{-0.8}), Load(PrescribedCreepage{0.4})}) {
+      const double value = compliance * stiff;
+      const ContactState state = kept.solve({.bound = equations.bound,
+                                             .offset = equations.offset,
+                                             .reference = reference,
+                                             .soft = SoftElement{soft, value}},
+                                            load, zones);
+      zones = state.zones;
+      SlipEquations same = equations;
+      same.response(soft, soft) += value;
+      same.offset -= equations.response * reference;
+      const ContactState expected = solve_active_set(same, load);
+      EXPECT_EQ(state.zones, expected.zones);
+      EXPECT_LT((state.traction - expected.traction).lpNorm<Eigen::Infinity>(), 1e-12);
+      EXPECT_NEAR(state.creepage, expected.creepage, 1e-12);
+      EXPECT_NEAR(state.traction[soft] / expected.traction[soft], 1, 1e-9) << compliance;
+      stuck += zones[soft] == Zone::adhesion ? 1 : 0;
+    }
+  }
+  EXPECT_GT(stuck, 8);
+}
+
+// Nothing is known there: such elements are not exchanged, and cost no iterations.
+TEST(ActiveSet, ElementsWithoutABoundAreLeftAlone) {
+  SlipEquations equations = steady_equations(40, constant_basis(), 1);
+  ActiveSet solver(equations.response, equations.weights);
+  equations.bound.tail(3).setZero();
+  for (const Zone zone : {Zone::slip_negative, Zone::slip_positive}) {
+    std::vector<Zone> zones(40, Zone::adhesion);
+    std::fill(zones.end() - 3, zones.end(), zone);
+    const ContactState state = solver.solve({.bound = equations.bound,
+                                             .offset = equations.offset,
+                                             .reference = Eigen::VectorXd::Zero(40)},
+                                            PrescribedForce{-0.8}, zones);
+    EXPECT_EQ(state.traction.tail(3).norm(), 0);
+    EXPECT_EQ(state.zones.back(), zone);
+    EXPECT_LT(state.iterations, 10);
+  }
+}
+
 }  // namespace
 }  // namespace microslip

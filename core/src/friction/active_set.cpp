@@ -53,6 +53,7 @@ class Search {
         bound_scale_(conditions.bound.maxCoeff()),
         zones_(first) {
     system_.prescribe_force(force_prescribed_);
+    system_.soften(conditions.soft);
   }
 
   ContactState run() {
@@ -79,6 +80,10 @@ class Search {
       increment[i] = static_cast<double>(zone(i)) * conditions.bound[i] - conditions.reference[i];
     }
     VectorXd slip = conditions.offset;
+    if (const auto& soft = conditions_.soft) {
+      const Index i = soft->element;
+      slip[i] += soft->compliance * (conditions.reference[i] + increment[i]);
+    }
     if (!increment.isZero(0)) slip += system_.response() * increment;
     const double other =
         force_prescribed_ ? system_.weights().dot(conditions.reference + increment) : 0;
@@ -109,7 +114,8 @@ class Search {
   }
 
   bool slips_wrongly(Index i) const {
-    return wrong_slip(zone(i), response_.slip[i]) > tolerance * slip_scale_;
+    return conditions_.bound[i] > 0 &&
+           wrong_slip(zone(i), response_.slip[i]) > tolerance * slip_scale_;
   }
 
   /// Thesis 3.1.1; false if the partitions do not settle.

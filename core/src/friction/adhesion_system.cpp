@@ -45,6 +45,19 @@ void AdhesionSystem::prescribe_force(bool force) {
   base_.clear();
 }
 
+void AdhesionSystem::soften(const std::optional<SoftElement>& soft) {
+  if (!soft && !soft_) return;
+  soft_ = soft;
+  if (soft && in_base(soft->element)) base_.clear();
+  if (!changes_.empty()) factorise_schur();
+}
+
+/// Changes but for a soft element, which always is one.
+std::size_t AdhesionSystem::exchanges() const {
+  const auto is_exchange = [&](Index i) { return !is_soft(i); };
+  return static_cast<std::size_t>(std::count_if(changes_.begin(), changes_.end(), is_exchange));
+}
+
 void AdhesionSystem::follow(const std::vector<Zone>& zones) {
   std::vector<Index> arrivals;
   bool moved = base_.empty();
@@ -62,7 +75,7 @@ void AdhesionSystem::follow(const std::vector<Zone>& zones) {
   }
   if (!moved) {
     // Solves with a border cost as much again as without: in the end, new factors are cheaper.
-    if (!changes_.empty() && ++quiet_rounds_ > base_.size() / 3) factorise();
+    if (exchanges() > 0 && ++quiet_rounds_ > base_.size() / 3) factorise();
     return;
   }
   quiet_rounds_ = 0;
@@ -76,8 +89,13 @@ void AdhesionSystem::factorise() {
   changes_.clear();
   base_.clear();
   std::fill(position_.begin(), position_.end(), -1);
+  std::vector<Index> border_elements;
   for (std::size_t i = 0; i < stuck_.size(); ++i) {
     if (stuck_[i] == 0) continue;
+    if (is_soft(static_cast<Index>(i))) {
+      border_elements.push_back(static_cast<Index>(i));
+      continue;
+    }
     position_[i] = static_cast<Index>(base_.size());
     base_.push_back(static_cast<Index>(i));
   }
@@ -85,6 +103,18 @@ void AdhesionSystem::factorise() {
   factors_rcond_ = factors_.rcond();
   columns_.resize(static_cast<Index>(base_.size()), 0);
   schur_.resize(0, 0);
+  border(border_elements);
+}
+
+/// With the compliance of a soft element; its column is divided, or it would spoil the condition.
+void AdhesionSystem::factorise_schur() {
+  MatrixXd schur = schur_;
+  for (std::size_t k = 0; k < changes_.size(); ++k) {
+    const auto at = static_cast<Index>(k);
+    schur(at, at) += softness(changes_[k]);
+    schur.col(at) /= border_scale(changes_[k]);
+  }
+  schur_factors_.compute(schur);
 }
 
 /// What the row of a change does to values of the base: all entries of a new element's row, and the
@@ -119,7 +149,7 @@ void AdhesionSystem::border(const std::vector<Index>& arrivals) {
       schur_(k, l) = corner - row_of_change(to_size(k), columns_.col(l));
     }
   }
-  if (after > 0) schur_factors_.compute(schur_);
+  if (after > 0) factorise_schur();
 }
 
 /// An element that came or left has gone back.
@@ -154,6 +184,9 @@ VectorXd AdhesionSystem::solve_bordered(const VectorXd& rhs) const {
     border[static_cast<Index>(k)] = known - row_of_change(k, values);
   }
   border = schur_factors_.solve(border).eval();
+  for (std::size_t k = 0; k < changes_.size(); ++k) {
+    border[static_cast<Index>(k)] /= border_scale(changes_[k]);
+  }
   values -= columns_ * border;
   all(base_) = values;
   for (std::size_t k = 0; k < changes_.size(); ++k) {
@@ -167,7 +200,11 @@ AdhesionSystem::Unknowns AdhesionSystem::solve(const VectorXd& slip, double pres
   VectorXd rhs(size() + 1);
   rhs << slip, prescribed * (force_prescribed_ ? force_scale_ : 1);
   VectorXd all = solve_bordered(rhs);
-  if (!changes_.empty()) all += solve_bordered(rhs - matrix_ * all);
+  if (exchanges() > 0) {
+    VectorXd rest = rhs - matrix_ * all;
+    if (soft_) rest[soft_->element] -= soft_->compliance * all[soft_->element];
+    all += solve_bordered(rest);
+  }
   return {.increment = all.head(size()), .creepage = scale_ * all[size()]};
 }
 

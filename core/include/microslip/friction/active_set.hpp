@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -21,12 +22,20 @@ using Load = std::variant<PrescribedCreepage, PrescribedForce>;
 /// In slip, the sign is that of the traction.
 enum class Zone : signed char { slip_negative = -1, adhesion = 0, slip_positive = 1 };
 
+/// An element that yields: a compliance times its traction adds to its slip.
+struct SoftElement {
+  Eigen::Index element;
+  double compliance;  ///< >= 0, in the unit of the response
+};
+
 /// What the slip of n traction coefficients p starts from, and the bound they must keep:
-/// s = w + offset + response (p - reference), |p_i| <= bound_i.
+/// s = w + offset + response (p - reference), |p_i| <= bound_i. Where the bound is zero, so is p,
+/// whatever the slip.
 struct SlipConditions {
   Eigen::VectorXd bound;      ///< n, >= 0  [N/mm^2]
   Eigen::VectorXd offset;     ///< n, in the unit of the slip
   Eigen::VectorXd reference;  ///< n  [N/mm^2]
+  std::optional<SoftElement> soft = std::nullopt;
 };
 
 struct ContactState {
@@ -54,7 +63,8 @@ struct ContactState {
 /// Otherwise the path is given up after 20 n + 100 exchanges.
 ///
 /// Cost: n^2 numbers, and O(n^3) for the first factorisation. It is kept from solve to solve: a
-/// round with few exchanges costs O(n^2), as does a solve whose partition stays.
+/// round with few exchanges costs O(n^2), as does a solve whose partition stays. The compliance of
+/// a soft element may change from solve to solve at no cost.
 class ActiveSet {
  public:
   /// \param response  n x n, of the slip to the traction
