@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "microslip/experiments/cut_elements.hpp"
+#include "microslip/experiments/whole_elements.hpp"
 
 namespace microslip::experiments {
 
@@ -22,11 +23,11 @@ constexpr double approach = 0.1;
 /// Steps that end this close to a distance have reached it  [dx]
 constexpr double rounding = 1e-6;
 
-AdvectionScheme scheme_of(const std::string& treatment) {
-  if (treatment == "at_node") return MaterialFixed{MovingBound::at_node};
-  if (treatment == "cell_mean") return MaterialFixed{MovingBound::cell_mean};
-  if (treatment == "direct") return Direct{};
-  throw std::logic_error("no such treatment: " + treatment);
+EdgeElements treatment_of(const std::string& name) {
+  if (name == "at_node") return EdgeElements::at_node;
+  if (name == "cell_mean") return EdgeElements::cell_mean;
+  if (name == "cut") return EdgeElements::cut;
+  throw std::logic_error("no such treatment: " + name);
 }
 
 /// Generalised zeta function at s = -1/2: what is left of the sum of sqrt(k + t), k >= 0, when its
@@ -100,8 +101,18 @@ Noise creepage_noise(const CattaneoToCarter& rolling, const std::string& treatme
     });
     const auto& zones = contact.zones();
     noise.adhesion = static_cast<double>(std::count(zones.begin(), zones.end(), Zone::adhesion));
+  } else if (treatment != "direct") {
+    WholeElementRolling contact(rolling, treatment_of(treatment));
+    noise = roll(distance, step_ratio, [&](double length) {
+      contact.step(length);
+      return contact.creepage();
+    });
+    for (Index i = 0; i < contact.bound().size(); ++i) {
+      const bool sticks = contact.zones()[static_cast<std::size_t>(i)] == Zone::adhesion;
+      noise.adhesion += contact.bound()[i] > 0 && sticks ? 1 : 0;
+    }
   } else {
-    TransientRolling contact(rolling.problem(scheme_of(treatment)), CattaneoShift{rolling.force});
+    TransientRolling contact(rolling.problem(Direct{}), CattaneoShift{rolling.force});
     noise = roll(distance, step_ratio, [&](double length) {
       contact.step(length * rolling.grid.spacing(), PrescribedForce{rolling.force});
       return contact.state().creepage;
@@ -139,14 +150,19 @@ VectorXd rolled_traction(const CattaneoToCarter& rolling, const std::string& tre
                          Index distance, double step_ratio) {
   const Index n = rolling.grid.size();
   const auto elements = static_cast<double>(distance);
-  if (treatment != "cut") {
-    return rolling.rolled(scheme_of(treatment), step_ratio, elements).state().traction.tail(n);
-  }
-  CutElementRolling contact(rolling, EdgeElements::cut, static_cast<double>(n));
-  while (contact.distance() < elements - rounding) {
-    contact.step(std::min(step_ratio, elements - contact.distance()));
-  }
-  return contact.traction();
+  const auto roll = [&](auto contact) -> VectorXd {
+    for (double rolled = 0; rolled < elements - rounding;) {
+      const double length = std::min(step_ratio, elements - rolled);
+      contact.step(length);
+      rolled += length;
+    }
+    return contact.traction().tail(n);
+  };
+  if (treatment == "direct") return rolling.rolled(Direct{}, step_ratio, elements).state().traction;
+  const EdgeElements edges = treatment_of(treatment);
+  if (edges == EdgeElements::cut)
+    return roll(CutElementRolling(rolling, edges, static_cast<double>(n)));
+  return roll(WholeElementRolling(rolling, edges));
 }
 
 }  // namespace microslip::experiments

@@ -9,6 +9,7 @@
 
 #include "microslip/experiments/creepage_noise.hpp"
 #include "microslip/experiments/cut_elements.hpp"
+#include "microslip/experiments/whole_elements.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "study_tables.hpp"
 
@@ -75,28 +76,25 @@ double order(const std::string& treatment) {
   return value("orders", treatment, 200.0, "deviation_order");
 }
 
-// Whole elements are what the scheme MaterialFixed has, which keeps some behind the contact
-// besides.
-TEST(CutElements, WholeOnesAreTheMaterialScheme) {
+// Two programs for whole elements; the one keeps some behind the contact besides.
+TEST(CutElements, WholeOnesAreWholeElements) {
   for (const EdgeElements treatment : {EdgeElements::at_node, EdgeElements::cell_mean}) {
     const CattaneoToCarter rolling = rolling_on(20);
-    const MaterialFixed scheme{treatment == EdgeElements::at_node ? MovingBound::at_node
-                                                                  : MovingBound::cell_mean};
-    TransientRolling known(rolling.problem(scheme), CattaneoShift{rolling.force});
+    WholeElementRolling known(rolling, treatment);
     CutElementRolling contact(rolling, treatment, 20);
     std::mt19937 random(7);
     std::uniform_real_distribution<double> ratio(0.01, 1.5);
     for (int k = 0; k < 40; ++k) {
       const double c = ratio(random);
-      known.step(c * rolling.grid.spacing(), PrescribedForce{rolling.force});
+      known.step(c);
       contact.step(c);
-      EXPECT_NEAR(contact.creepage(), known.state().creepage, 1e-9);
-      const VectorXd x = contact.x();
+      EXPECT_NEAR(contact.creepage(), known.creepage(), 1e-9);
+      const VectorXd x = contact.x(), at_known = known.x();
       for (Eigen::Index i = 0; i < x.size(); ++i) {
-        const auto at = std::find_if(known.x().begin(), known.x().end(),
+        const auto at = std::find_if(at_known.begin(), at_known.end(),
                                      [&](double xi) { return std::abs(xi - x[i]) < 1e-9; });
-        ASSERT_NE(at, known.x().end());
-        EXPECT_NEAR(contact.traction()[i], known.state().traction[at - known.x().begin()], 1e-10);
+        ASSERT_NE(at, at_known.end());
+        EXPECT_NEAR(contact.traction()[i], known.traction()[at - at_known.begin()], 1e-10);
       }
     }
   }

@@ -73,14 +73,12 @@ TEST_P(EveryIntegrator, StartsFromRestInStepsOfAboutAnElement) {
 
 TEST(RollingCylinder, MidpointBalancesEnergyToRounding) {
   for (const double step_ratio : {1.0, 0.37, 2.5}) {
-    for (const MovingBound bound : {MovingBound::cell_mean, MovingBound::at_node}) {
-      RollingCylinder body = rolling(Integrator::midpoint, MaterialFixed{bound}, step_ratio);
-      roll_to(body, 10);
-      const EnergyLedger ledger = body.ledger();
-      EXPECT_GT(ledger.mean_dissipated, 0.01);
-      EXPECT_LT(std::abs(ledger.mean_total()), 1e-13 * -ledger.potential) << step_ratio;
-      EXPECT_GT(std::abs(ledger.total()), 1e-3 * -ledger.potential);
-    }
+    RollingCylinder body = rolling(Integrator::midpoint, MaterialFixed{}, step_ratio);
+    roll_to(body, 10);
+    const EnergyLedger ledger = body.ledger();
+    EXPECT_GT(ledger.mean_dissipated, 0.01);
+    EXPECT_LT(std::abs(ledger.mean_total()), 1e-13 * -ledger.potential) << step_ratio;
+    EXPECT_GT(std::abs(ledger.total()), 1e-3 * -ledger.potential);
   }
 }
 

@@ -97,7 +97,6 @@ void RollingCylinder::step_leapfrog() {
 /// force at the end smaller: the equation has one solution, found by secants from the last force.
 void RollingCylinder::step_midpoint() {
   const double time = time_step(state_.velocity);
-  const double force = state_.force;
   const auto velocity = [&](double mean_force) {
     return state_.velocity + time * (cylinder_.slope_force + mean_force) / (2 * cylinder_.mass);
   };
@@ -108,8 +107,7 @@ void RollingCylinder::step_midpoint() {
     const double v = velocity(mean_force);
     require_rolling(v, state_);
     const double creepage = 1 - angular_velocity(mean_force) * cylinder_.radius / v;
-    return mean_force -
-           (force + contact_.attempt(v * time, PrescribedCreepage{creepage}).force) / 2;
+    return mean_force - contact_.attempt(v * time, PrescribedCreepage{creepage}).mean_force;
   };
   // A secant may ask for so much braking that the cylinder would roll backwards.
   const auto towards = [&](double from, double to) {
@@ -120,7 +118,7 @@ void RollingCylinder::step_midpoint() {
   constexpr int most_secants = 100;
   const double rounding = 1e-15 * force_scale_;
   const double accepted = 1e-11 * force_scale_;
-  double before = force;
+  double before = state_.force;
   double at_before = excess(before);
   double mean_force = towards(before, before - at_before / slope_);
   for (int k = 0;; ++k) {

@@ -157,7 +157,7 @@ class Search {
       if (!next || violation > slope * next->height) next = {violation / slope, i, to};
     };
     for (Index i = 0; i < size(); ++i) {
-      if (i == last) continue;
+      if (i == last || conditions_.bound[i] <= 0) continue;
       if (zone(i) != Zone::adhesion) {
         consider(wrong_slip(zone(i), response_.slip[i]), -wrong_slip(zone(i), rise.slip[i]),
                  slip_scale_, i, Zone::adhesion);
@@ -173,9 +173,17 @@ class Search {
   }
 
   void follow_path() {
-    std::fill(zones_.begin(), zones_.end(), Zone::adhesion);
-    const SlipConditions higher{VectorXd::Ones(size()), VectorXd::Zero(size()),
-                                VectorXd::Zero(size())};
+    SlipConditions higher{.bound = VectorXd::Ones(size()),
+                          .offset = VectorXd::Zero(size()),
+                          .reference = VectorXd::Zero(size())};
+    for (Index i = 0; i < size(); ++i) {
+      if (conditions_.bound[i] > 0) {
+        zone(i) = Zone::adhesion;
+      } else {
+        if (zone(i) == Zone::adhesion) zone(i) = Zone::slip_positive;
+        higher.bound[i] = 0;
+      }
+    }
     const Index limit = iterations_ + 20 * size() + 100;
     for (Index last = -1; iterations_ < limit && carries_load();) {
       respond();

@@ -31,6 +31,25 @@ Load over(const Load& load, double length) {
   return creepage == nullptr ? load : PrescribedCreepage{creepage->value * length};
 }
 
+ContactState at_rest(const VectorXd& traction, const std::vector<Zone>& zones) {
+  return {.traction = traction,
+          .slip = VectorXd::Zero(traction.size()),
+          .zones = zones,
+          .creepage = 0,
+          .iterations = 0};
+}
+
+/// Linear between equidistant nodes, and constant beyond them.
+double interpolated(const VectorXd& nodes, const VectorXd& values, double x) {
+  const Index last = nodes.size() - 1;
+  if (x <= nodes[0]) return values[0];
+  if (x >= nodes[last]) return values[last];
+  const double place = (x - nodes[0]) / (nodes[last] - nodes[0]) * static_cast<double>(last);
+  const Index i = std::min(static_cast<Index>(place), last - 1);
+  const double part = place - static_cast<double>(i);
+  return (1 - part) * values[i] + part * values[i + 1];
+}
+
 /// Steps of given lengths, in turn, the last of which ends at a distance.
 class Schedule {
  public:
@@ -92,12 +111,10 @@ TransientRolling::TransientRolling(const TransientProblem& problem, const Start&
       throw std::invalid_argument("basis = '" + problem.basis.name() +
                                   "': expected constant on a grid that is fixed to the material");
     }
-    make_window(1);
+    material_.emplace(problem.kernel, problem.bound, problem.grid);
+    weights_ = VectorXd::Constant(material_->window().size(), spacing_);
   } else {
-    x_ = problem.grid.nodes();
-    bound_ = bound_at(problem.bound, x_);
-    make_system(x_.size());
-    advection_.emplace(problem.kernel, problem.basis, spacing_, x_.size(), problem.scheme);
+    make_system();
   }
   if (const auto* shift = std::get_if<CattaneoShift>(&start)) {
     start_from_shift({shift->force});
@@ -107,56 +124,54 @@ TransientRolling::TransientRolling(const TransientProblem& problem, const Start&
   }
 }
 
-void TransientRolling::make_system(Index size) {
-  weights_ = problem_.basis.weights(spacing_, size);
-  active_set_.emplace(influence_matrix(problem_.kernel, problem_.basis, spacing_, size), weights_);
+void TransientRolling::make_system() {
+  x_ = problem_.grid.nodes();
+  bound_ = bound_at(problem_.bound, x_);
+  weights_ = problem_.basis.weights(spacing_, x_.size());
+  active_set_.emplace(influence_matrix(problem_.kernel, problem_.basis, spacing_, x_.size()),
+                      weights_);
+  advection_.emplace(problem_.kernel, problem_.basis, spacing_, x_.size(), problem_.scheme);
 }
 
-/// A window with room for steps over so many elements.
-void TransientRolling::make_window(Index kept) {
-  const auto& scheme = std::get<MaterialFixed>(problem_.scheme);
-  window_.emplace(problem_.bound, problem_.grid, scheme.moving_bound, kept);
-  make_system(window_->size());
-  const Index added = window_->size() - state_.traction.size();
-  VectorXd traction = VectorXd::Zero(window_->size());
-  traction.tail(state_.traction.size()) = state_.traction;
-  state_.traction = std::move(traction);
-  state_.zones.insert(state_.zones.begin(), static_cast<std::size_t>(added), Zone::adhesion);
-}
-
-void TransientRolling::return_to_start() {
-  if (!window_) return;
-  x_ = window_->x(0);
-  bound_ = window_->bound(0);
+void TransientRolling::start_material(const MaterialState& start) {
+  x_ = material_->window().x(0);
+  bound_ = material_->window().bound(0);
+  material_state_ = start;
+  state_ = state_of(0, at_rest(start.traction, start.zones), 1, bound_);
 }
 
 void TransientRolling::start_from(const VectorXd& traction) {
-  return_to_start();
-  VectorXd padded = VectorXd::Zero(x_.size());
-  padded.tail(traction.size()) = traction;
-  require_within_bound(x_, bound_, padded);
-  ContactState contact{.traction = padded,
-                       .slip = VectorXd::Zero(x_.size()),
-                       .zones = {},
-                       .creepage = 0,
-                       .iterations = 0};
-  for (Index i = 0; i < x_.size(); ++i) {
-    const bool slips = bound_[i] > 0 && std::abs(padded[i]) >= bound_[i];
-    contact.zones.push_back(!slips ? Zone::adhesion
-                                   : (padded[i] > 0 ? Zone::slip_positive : Zone::slip_negative));
+  const VectorXd nodes = problem_.grid.nodes();
+  const VectorXd bound = bound_at(problem_.bound, nodes);
+  require_within_bound(nodes, bound, traction);
+  if (material_) {
+    const VectorXd at = material_->window().x(0);
+    const VectorXd ratio =
+        (bound.array() > 0).select(traction.array() / bound.array(), 0).cwiseMax(-1).cwiseMin(1);
+    start_material(material_->start(material_->window().bound(0).cwiseProduct(
+        at.unaryExpr([&](double x) { return interpolated(nodes, ratio, x); }))));
+    return;
   }
-  state_ = state_of(0, contact, 1, bound_);
+  std::vector<Zone> zones;
+  for (Index i = 0; i < x_.size(); ++i) {
+    const bool slips = bound_[i] > 0 && std::abs(traction[i]) >= bound_[i];
+    zones.push_back(!slips ? Zone::adhesion
+                           : (traction[i] > 0 ? Zone::slip_positive : Zone::slip_negative));
+  }
+  state_ = state_of(0, at_rest(traction, zones), 1, bound_);
 }
 
 double TransientRolling::start_from_shift(const PrescribedForce& force) {
-  return_to_start();
+  if (material_) {
+    const auto [start, shift] = material_->shift(force);
+    start_material(start);
+    return shift;
+  }
   const VectorXd zeros = VectorXd::Zero(x_.size());
-  ContactState contact =
+  const ContactState contact =
       active_set_->solve({.bound = bound_, .offset = zeros, .reference = zeros}, force);
-  const double shift = std::exchange(contact.creepage, 0);
-  contact.slip.setZero();
-  state_ = state_of(0, contact, 1, bound_);
-  return shift;
+  state_ = state_of(0, at_rest(contact.traction, contact.zones), 1, bound_);
+  return contact.creepage;
 }
 
 /// \param contact  with slip displacements, over the length
@@ -170,6 +185,7 @@ TransientState TransientRolling::state_of(double distance, const ContactState& c
                        .creepage = contact.creepage / length,
                        .dissipation = 0,
                        .mean_dissipation = std::numeric_limits<double>::quiet_NaN(),
+                       .mean_force = weights_.dot(contact.traction),
                        .iterations = contact.iterations,
                        .adhesion_elements = 0,
                        .slip_elements = 0};
@@ -191,43 +207,55 @@ TransientState TransientRolling::attempt_with_contact(double length, const Load&
       over(load, solved_length), state_.zones);
   const double fraction = advection_->fraction(step_ratio);
   contact.traction = (1 - fraction) * state_.traction + fraction * contact.traction;
-  return state_of(state_.distance + length, contact, solved_length, bound_);
+  TransientState state = state_of(state_.distance + length, contact, solved_length, bound_);
+  state.mean_force = (state_.force + state.force) / 2;
+  return state;
 }
 
-/// \param bound  becomes that at the end of the step
-TransientState TransientRolling::attempt_with_material(double length, const Load& load,
-                                                       VectorXd& bound) {
+MaterialStep TransientRolling::attempt_with_material(double length, const Load& load) {
   const double step_ratio = length / spacing_;
   require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
-  const double distance = state_.distance + length;
-  const Index elements = window_->elements_between(state_.distance, distance);
-  if (elements > window_->kept()) make_window(elements);
-  SlipConditions conditions{.bound = window_->bound(distance),
-                            .offset = VectorXd::Zero(window_->size()),
-                            .reference = moved_on(state_.traction, elements, 0.0)};
-  const ContactState contact = active_set_->solve(conditions, over(load, length),
-                                                  moved_on(state_.zones, elements, Zone::adhesion));
-  TransientState state = state_of(distance, contact, length, conditions.bound);
-  const VectorXd mean = (state.traction + conditions.reference) / 2;
-  state.mean_dissipation = -weights_.cwiseProduct(mean).dot(state.slip);
-  bound = std::move(conditions.bound);
+  return material_->step(*material_state_, length, load);
+}
+
+TransientState TransientRolling::state_of(const MaterialStep& step, double length) const {
+  const ContactState contact{.traction = step.end.traction,
+                             .slip = step.slip,
+                             .zones = step.end.zones,
+                             .creepage = step.creepage,
+                             .iterations = step.iterations};
+  TransientState state = state_of(step.end.distance, contact, length, step.bound);
+  state.dissipation = step.dissipation / length;
+  state.mean_dissipation = step.mean_dissipation / length;
+  state.mean_force = step.mean_force;
   return state;
 }
 
 TransientState TransientRolling::attempt(double length, const Load& load) {
-  VectorXd bound;
-  return window_ ? attempt_with_material(length, load, bound) : attempt_with_contact(length, load);
+  return material_ ? state_of(attempt_with_material(length, load), length)
+                   : attempt_with_contact(length, load);
 }
 
 void TransientRolling::step(double length, const Load& load) {
-  if (!window_) {
+  if (!material_) {
     state_ = attempt_with_contact(length, load);
     return;
   }
-  VectorXd bound;
-  state_ = attempt_with_material(length, load, bound);
-  x_ = window_->x(state_.distance);
-  bound_ = std::move(bound);
+  MaterialStep step = attempt_with_material(length, load);
+  state_ = state_of(step, length);
+  material_state_ = std::move(step.end);
+  x_ = material_->window().x(material_->phase(*material_state_));
+  bound_ = std::move(step.bound);
+}
+
+VectorXd TransientRolling::displacement() const {
+  return material_ ? material_->respond(state_.traction) : active_set_->respond(state_.traction);
+}
+
+/// The same place, with fewer rounding errors.
+void TransientRolling::move_to(double distance) {
+  state_.distance = distance;
+  if (material_state_) material_state_->distance = distance;
 }
 
 double TransientRolling::elastic_energy() const {
@@ -240,7 +268,7 @@ void TransientRolling::roll(double distance, const std::vector<double>& lengths,
   const double start = state_.distance;
   for (std::size_t k = 0;; ++k) {
     step(schedule.length(k), load);
-    state_.distance = start + schedule.end(k);
+    move_to(start + schedule.end(k));
     after_step(state_);
     if (schedule.is_last(k)) return;
   }

@@ -8,7 +8,6 @@
 #include "microslip/halfspace/basis.hpp"
 #include "microslip/halfspace/kernel.hpp"
 #include "microslip/rolling/fractional_shift.hpp"
-#include "microslip/rolling/material_window.hpp"
 
 namespace microslip {
 
@@ -32,11 +31,9 @@ struct RelaxedTraction {
 /// A' = A (A^-1 A'(1))^c: thesis (8.4). For equal functions on an odd number of nodes.
 struct Fractional {};
 
-/// A' = A on a grid that is fixed to the material, see MaterialWindow: u' needs no interpolation,
+/// A' = A on a grid that is fixed to the material, see MaterialRolling: u' needs no interpolation,
 /// and the results do not depend on c. For constant functions that fill the contact.
-struct MaterialFixed {
-  MovingBound moving_bound = MovingBound::cell_mean;
-};
+struct MaterialFixed {};
 
 using AdvectionScheme = std::variant<Direct, Relaxed, RelaxedTraction, Fractional, MaterialFixed>;
 

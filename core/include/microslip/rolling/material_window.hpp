@@ -8,48 +8,49 @@
 
 namespace microslip {
 
-/// How the bound of an element follows the contact.
-enum class MovingBound {
-  at_node,   ///< that of its node: elements enter and leave at once
-  cell_mean  ///< the mean over the element: they enter and leave by and by
-};
-
-/// A grid that is fixed to the material, and of which only the part near the contact is kept: it
-/// moves along by whole elements, so that no traction is ever interpolated. Its leading element is
-/// the one that holds the leading edge. Behind the contact it keeps those that a step may just have
-/// left, because the displacement before the step still feels their tractions.
+/// Nodes that are fixed to the material, of which only those near the contact are kept. A node
+/// enters the contact when the leading edge has passed it by the offset that the scheme feels, see
+/// LeadingEdgeConstants; the window then is aligned, and moves on by one node.
 ///
-/// It is a function of the distance rolled; at none the elements fill the contact.
+/// From the trailing edge on it holds one node behind the contact, because the displacement before
+/// a step still feels a traction that has just left, N nodes in contact, the node that comes next,
+/// and the one after that.
+///
+/// Everything is a function of the phase: distance rolled since it was last aligned, in [0, 1) [dx]
 class MaterialWindow {
  public:
-  /// \param grid        with offsets 1/2
-  /// \param kept        elements behind the contact, at least the largest step ratio
-  /// \throws std::invalid_argument for other offsets
-  MaterialWindow(const TractionBound& bound, const Grid& grid, MovingBound moving_bound,
-                 Eigen::Index kept);
+  /// A phase this close to 0 or 1 is there: distances are sums.
+  static constexpr double rounding = 1e-9;
 
-  Eigen::Index size() const { return elements_ + 1 + kept_; }
-  Eigen::Index kept() const { return kept_; }
+  /// \param grid            with offsets 1/2
+  /// \param leading_offset  of the nodes from the leading edge when aligned, > 1/2  [dx]
+  /// \throws std::invalid_argument for other offsets of the grid
+  MaterialWindow(const TractionBound& bound, const Grid& grid, double leading_offset);
 
-  /// Element centres in the contact's frame, where its centre is x = 0  [mm]
-  /// \param distance  q, >= 0  [mm]
-  Eigen::VectorXd x(double distance) const;
+  Eigen::Index size() const { return elements_ + 3; }
+  double spacing() const { return spacing_; }
 
-  /// [N/mm^2]
-  Eigen::VectorXd bound(double distance) const;
+  // Indices of the node that entered last, of the next one, and of the one after that.
+  Eigen::Index leading() const { return size() - 3; }
+  Eigen::Index coming() const { return size() - 2; }
+  Eigen::Index ahead() const { return size() - 1; }
 
-  /// By how many elements the window moves between two distances.
-  Eigen::Index elements_between(double before, double after) const;
+  /// Nodes in the contact's frame, where its centre is x = 0  [mm]
+  Eigen::VectorXd x(double phase) const;
+
+  /// Means over the elements around the nodes, but that the leading one also takes what lies before
+  /// its element, less what the coming one has: in proportion to the phase, up to what it has when
+  /// it enters. So the bound sums up to full sliding.  [N/mm^2]
+  Eigen::VectorXd bound(double phase) const;
 
  private:
-  double leading_element(double distance) const;
+  double leading_force(double phase) const;
 
   TractionBound bound_;
-  MovingBound moving_bound_;
   double half_width_;
   double spacing_;
+  double leading_offset_;
   Eigen::Index elements_;
-  Eigen::Index kept_;
 };
 
 /// Values of a window that has moved on by some elements; `entering` for those that are new.

@@ -11,6 +11,7 @@
 #include "microslip/friction/traction_bound.hpp"
 #include "microslip/halfspace/grid.hpp"
 #include "microslip/rolling/advection.hpp"
+#include "microslip/rolling/material_rolling.hpp"
 
 namespace microslip {
 
@@ -50,9 +51,11 @@ struct TransientState {
   double force;        ///< integral of the traction  [N/mm]
   double creepage;     ///< w of the step; zero before the first  [1]
   double dissipation;  ///< -integral of p s over x: energy per mm rolled and mm width  [N/mm]
-  /// The same with (p + p')/2 at each material point, those that have just left included; only on a
-  /// grid fixed to the material, and nan on others  [N/mm]
+  /// The same with (p + p')/2 at each material point, those that have just left included, and with
+  /// the slip by A p alone. Under a prescribed creepage it is -mean_force w less the change of
+  /// elastic_energy() per dq, to rounding. Only on a grid fixed to the material, else nan  [N/mm]
   double mean_dissipation;
+  double mean_force;               ///< over the step, linear in it or in each of its parts  [N/mm]
   int iterations;                  ///< stick/slip partitions tried
   Eigen::Index adhesion_elements;  ///< of those with a bound above zero
   Eigen::Index slip_elements;      ///< likewise
@@ -62,26 +65,28 @@ struct TransientState {
 ///
 /// A step whose partition is that of the step before costs O(N^2); see ActiveSet for others.
 /// Memory: N^2 numbers three to four times.
-/// Accuracy: first order in dx at the leading edge, as steady rolling; the cumulative creep of a
-/// Cattaneo shift that turns to Carter's solution, tests/order/transient_order_test.cpp.
+/// Accuracy: the cumulative creep of a Cattaneo shift that turns to Carter's solution is of second
+/// order in dx on a grid fixed to the material, whatever the steps; else of first order, as in
+/// steady rolling, because of the leading edge. tests/order/transient_order_test.cpp
 class TransientRolling {
  public:
   /// \throws as start_from_shift, if that is how it starts; as require_within_bound for tractions
   explicit TransientRolling(const TransientProblem& problem, const Start& start = Rest{});
 
-  // Nodes, and values at them, now. On a grid fixed to the material there are some behind the
-  // contact, where the bound is zero, and all have other positions after each step.
+  // Nodes, and values at them, now. On a grid fixed to the material there are some besides behind
+  // and before the contact, where the bound is zero, and all have other positions after each step.
   const Eigen::VectorXd& x() const { return x_; }          ///< in the contact's frame  [mm]
   const Eigen::VectorXd& bound() const { return bound_; }  ///< [N/mm^2]
   const TransientState& state() const { return state_; }
 
   /// A p, the displacement at the nodes  [mm]. N^2 operations.
-  Eigen::VectorXd displacement() const { return active_set_->respond(state_.traction); }
+  Eigen::VectorXd displacement() const;
 
   /// Half the integral of p u  [N]. N^2 operations.
   double elastic_energy() const;
 
-  /// Makes these the tractions, with nothing rolled.
+  /// Makes these the tractions, with nothing rolled. On a grid fixed to the material their ratio to
+  /// the bound is interpolated.
   /// \param traction  at the nodes of the problem's grid
   /// \throws as require_within_bound
   void start_from(const Eigen::VectorXd& traction);
@@ -92,7 +97,9 @@ class TransientRolling {
   double start_from_shift(const PrescribedForce& force);
 
   /// Rolls on.
-  /// \param length  dq; dq/dx in the range of Advection::advect  [mm]
+  /// \param length  dq; dq/dx in the range of Advection::advect, or >= min_step_ratio on a grid
+  /// fixed
+  ///                to the material  [mm]
   /// \throws std::invalid_argument outside the range, and as ActiveSet::solve
   void step(double length, const Load& load);
 
@@ -107,22 +114,24 @@ class TransientRolling {
             const std::function<void(const TransientState&)>& after_step);
 
  private:
-  void make_window(Eigen::Index kept);
-  void make_system(Eigen::Index size);
-  void return_to_start();
+  void make_system();
+  void start_material(const MaterialState& start);
+  void move_to(double distance);
   TransientState state_of(double distance, const ContactState& contact, double length,
                           const Eigen::VectorXd& bound) const;
+  TransientState state_of(const MaterialStep& step, double length) const;
   TransientState attempt_with_contact(double length, const Load& load);
-  TransientState attempt_with_material(double length, const Load& load, Eigen::VectorXd& bound);
+  MaterialStep attempt_with_material(double length, const Load& load);
 
   TransientProblem problem_;
   Eigen::VectorXd x_;
   Eigen::VectorXd bound_;
   Eigen::VectorXd weights_;
   double spacing_;
-  std::optional<ActiveSet> active_set_;
-  std::optional<Advection> advection_;    ///< on a grid that moves with the contact
-  std::optional<MaterialWindow> window_;  ///< on the other
+  std::optional<ActiveSet> active_set_;      ///< on a grid that moves with the contact
+  std::optional<Advection> advection_;       ///< likewise
+  std::optional<MaterialRolling> material_;  ///< on the other
+  std::optional<MaterialState> material_state_;
   TransientState state_;
 };
 

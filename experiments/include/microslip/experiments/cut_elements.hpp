@@ -17,7 +17,7 @@ enum class EdgeElements {
 
 /// Cattaneo to Carter on a grid fixed to the material, with elements that may be cut. Those at the
 /// edges change in each step, so that their rows and columns of the response do: a step costs
-/// O(N^3). With whole elements it is the scheme MaterialFixed.
+/// O(N^3). With whole elements it is WholeElementRolling.
 ///
 /// The slip displacement is that of the material in the middle of each (part of an) element:
 /// S = W + u(x) - u'(x), u' by the previous tractions on the previous parts.

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "microslip/friction/active_set.hpp"
+#include "microslip/rolling/bound_defect.hpp"
+#include "microslip/rolling/material_window.hpp"
+#include "microslip/spectrum/leading_edge.hpp"
+
+namespace microslip {
+
+/// Slip displacements of the two nodes before the leading edge. Both are followed from when the
+/// window was aligned; the later one becomes the earlier when it is so again.
+class Approach {
+ public:
+  /// \param phase  at the end of the step, up to 1, and there in the last one before enter()
+  void advance(double phase, double coming_slip, double ahead_slip);
+
+  /// The coming node has entered; the one ahead of it is the next to come.
+  void enter();
+
+  /// Slip displacement of the coming node from one element's travel before a phase up to now [mm].
+  /// In between steps it is taken as linear.
+  double since_one_element_before(double phase) const;
+
+ private:
+  struct Point {
+    double phase;
+    double slip;
+  };
+
+  std::vector<Point> before_;  ///< of the coming node, in the element's travel before
+  std::vector<Point> ahead_;   ///< of the one ahead, since
+  double coming_ = 0;          ///< of the coming node up to now, from where before_ starts
+};
+
+/// What a step on a grid that is fixed to the material starts from.
+struct MaterialState {
+  double distance;           ///< rolled  [mm]
+  double entered;            ///< nodes, since the start
+  Eigen::VectorXd traction;  ///< at the nodes of the window  [N/mm^2]
+  std::vector<Zone> zones;   ///< slip where there is no bound
+  double sliding_direction;  ///< of the traction at the trailing edge when aligned; 0 in adhesion
+  Approach approach;
+};
+
+/// A step on such a grid. Slip and creepage are displacements, summed over the parts of the step.
+struct MaterialStep {
+  MaterialState end;
+  Eigen::VectorXd bound;    ///< at its end  [N/mm^2]
+  Eigen::VectorXd slip;     ///< of material points, [mm]
+  double creepage;          ///< [mm]
+  double dissipation;       ///< with tractions at the end of each part  [N]
+  double mean_dissipation;  ///< with mean tractions of each part, and slip by A alone  [N]
+  double mean_force;        ///< over the distance, linear in each part  [N/mm]
+  int iterations;           ///< stick/slip partitions tried
+};
+
+/// Transient rolling on a grid that is fixed to the material, constant functions: S = W + A (p -
+/// p') needs no interpolation.
+///
+/// - The leading edge is where the scheme feels it. A step that passes by a node there is split, so
+///   that the scheme behaves as with c = 1 however short the steps are.
+/// - In between, the coming node is softened by t/(1 - t) e0 2 (1 - nu)/G dx, where t is the part
+/// of
+///   an element that is missing. In adhesion its slip is that of the last element travelled. To
+///   first order this is the mean of the solutions with and without it, and the edge moves along
+///   evenly.
+/// - Where the trailing edge slides, p is plus or minus the bound but for what adhesion adds. The
+///   displacement by the former is known exactly: elements represent the latter, BoundDefect.
+class MaterialRolling {
+ public:
+  /// \throws std::invalid_argument as MaterialWindow and BoundDefect
+  MaterialRolling(const Kernel& kernel, const TractionBound& bound, const Grid& grid);
+
+  const MaterialWindow& window() const { return window_; }
+  double phase(const MaterialState& state) const;
+
+  /// Nothing rolled.
+  /// \param traction  at the nodes of the window, within its bound
+  MaterialState start(const Eigen::VectorXd& traction) const;
+
+  struct Shifted {
+    MaterialState state;
+    double shift;  ///< [mm]
+  };
+
+  /// From no tractions until the bodies carry the force.
+  /// \throws as ActiveSet::solve
+  Shifted shift(const PrescribedForce& force);
+
+  /// \param length  (0, inf)  [mm]
+  /// \throws as ActiveSet::solve
+  MaterialStep step(const MaterialState& from, double length, const Load& load);
+
+  /// A times tractions at the nodes of the window  [mm]
+  Eigen::VectorXd respond(const Eigen::VectorXd& traction) const;
+
+ private:
+  MaterialRolling(const Kernel& kernel, const TractionBound& bound, const Grid& grid,
+                  const LeadingEdgeConstants& edge);
+
+  void roll_part(MaterialStep& step, double length, double end, const Load& load);
+  std::optional<SoftElement> soft_element(double phase) const;
+  double trailing_direction(const Eigen::VectorXd& bound, const std::vector<Zone>& zones) const;
+
+  MaterialWindow window_;
+  double compliance_;  ///< e0 2 (1 - nu)/G dx  [mm^3/N]
+  ActiveSet active_set_;
+  BoundDefect defect_;
+};
+
+}  // namespace microslip

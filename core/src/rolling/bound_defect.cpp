@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/rolling/bound_defect.hpp"
+
+#include <cmath>
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Phases repeat if the steps are equal, but for rounding  [dx]
+constexpr double resolution = 1e-12;
+
+/// Steps down to 1/1000 of an element find all their phases again.
+constexpr std::size_t most_known = 1100;
+
+/// Below this the difference of two values would lose too many digits  [dx]
+constexpr double short_step = 1e-4;
+
+}  // namespace
+
+BoundDefect::BoundDefect(const Kernel& kernel, const TractionBound& bound,
+                         const MaterialWindow& window)
+    : sliding_(kernel, bound), window_(window) {}
+
+const VectorXd& BoundDefect::at(double phase, const Respond& respond) {
+  const long long key = std::llround(phase / resolution);
+  if (const auto known = known_.find(key); known != known_.end()) return known->second;
+  if (known_.size() == most_known) known_.clear();
+  // Of the rounded phase, so that it does not matter which one came first.
+  const double rounded = static_cast<double>(key) * resolution;
+  const VectorXd exact =
+      window_.x(rounded).unaryExpr([&](double x) { return sliding_.displacement(x); });
+  return known_[key] = exact - respond(window_.bound(rounded));
+}
+
+VectorXd BoundDefect::change(double before, double after, Index moved, double length,
+                             const Respond& respond) {
+  VectorXd change;
+  if (length >= short_step * window_.spacing()) {
+    const VectorXd first = moved_on(at(before, respond), moved, 0.0);
+    change = at(after, respond) - first;
+  } else {
+    change = window_.x(after).unaryExpr([&](double x) { return sliding_.difference(x, length); });
+    change -= respond(window_.bound(after) - moved_on(window_.bound(before), moved, 0.0));
+  }
+  change.tail(moved).setZero();
+  return change;
+}
+
+}  // namespace microslip
