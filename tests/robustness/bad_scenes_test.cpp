@@ -209,11 +209,18 @@ TEST_F(BadScenes, BoundFiles) {
 }
 
 TEST_F(BadScenes, TheGoodTransientIsSolvedAndStartsTheNext) {
-  EXPECT_EQ(run(good_transient, "").error, "");
-  EXPECT_TRUE(fs::exists(out() / "history.tsv"));
-  const Outcome next = run(good_transient, "--set start.type=file --set start.file='" +
-                                               (out() / "traction.tsv").string() + "'");
-  EXPECT_EQ(next.error, "");
+  for (const std::string load : {"", " --set load.force=1.5", " --set step.scheme=direct",
+                                 " --set load.force= --set start.force=1 --set load.creepage=-9"}) {
+    EXPECT_EQ(run(good_transient, load).error, "");
+    EXPECT_TRUE(fs::exists(out() / "history.tsv"));
+    const std::string start =
+        " --set start.type=file --set start.file='" + (out() / "traction.tsv").string() + "'";
+    const bool has_force = load.find("start.force") != std::string::npos;
+    EXPECT_EQ(run(good_transient,
+                  (has_force ? " --set load.force= --set load.creepage=-9" : load) + start)
+                  .error,
+              "");
+  }
 }
 
 TEST_F(BadScenes, Transients) {
@@ -237,6 +244,10 @@ TEST_F(BadScenes, Transients) {
   expect_rejected(good_transient,
                   "--set step.scheme=fractional --set basis=quadratic --set grid.elements=21",
                   "basis = 'quadratic': expected equal functions");
+  expect_rejected(good_transient, "--set basis=linear", "basis = 'linear': expected constant");
+  expect_rejected(good_transient, "--set grid.leading_offset=1",
+                  "grid.leading_offset = 1: expected 0.5");
+  expect_rejected(good_transient, "--set kernel.width=0.01", "kernel.width = 0.01: expected");
   expect_rejected(good_transient, "--set motion.distance=0", "motion.distance = 0: expected");
   expect_rejected(good_transient, "--set step.ratio=1e-12",
                   "motion.distance = 0.33: expected at most");
@@ -275,16 +286,21 @@ motion { distance 0.33 }
 }
 
 TEST_F(BadScenes, StartFiles) {
-  const auto rejected = [&](const std::string& text, const std::string& named) {
+  const auto rejected = [&](const std::string& scheme, const std::string& text,
+                            const std::string& named) {
     std::ofstream(folder_ / "start.tsv") << "x\ttraction\n" + text;
     expect_rejected(good_transient,
                     "--set grid.elements=2 --set start.type=file --set start.file='" +
-                        (folder_ / "start.tsv").string() + "'",
+                        (folder_ / "start.tsv").string() + "' --set step.scheme=" + scheme,
                     "start.tsv': " + named);
   };
-  rejected("-0.5\t0\n", "number of rows = 1: expected one a node, 2");
-  rejected("-0.5\t0\n0.4\t0\n", "x = 0.4: expected the node at 0.5");
-  rejected("-0.5\t0\n0.5\t1\n", "traction = 1: expected at most the bound, 0.866");
+  rejected("direct", "-0.5\t0\n", "number of rows = 1: expected one a node, 2");
+  rejected("direct", "-0.5\t0\n0.4\t0\n", "x = 0.4: expected the node at 0.5");
+  rejected("direct", "-0.5\t0\n0.5\t1\n", "traction = 1: expected at most the bound, 0.866");
+  rejected("material", "-0.5\t0\n0.5\t1\n", "traction = 1: expected at most the bound, 0.866");
+  rejected("material", "-0.5\t0\n0.6\t1.01\n", "traction = 1.01: expected at most the bound, 0.99");
+  rejected("material", "0.5\t0\n0.4\t0\n", "x = 0.4: expected ascending positions");
+  rejected("material", "1.5\t0\n2\t0\n", "number of rows = 0: expected at least one where");
 }
 
 TEST_F(BadScenes, BrokenFilesAndOptions) {

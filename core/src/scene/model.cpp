@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/scene/model.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -90,15 +91,56 @@ ContactModel read_contact(Scene& scene) {
   return {kernel, bound, grid, read_basis(scene, grid)};
 }
 
+/// A start file may have been printed with few digits  [dx]
+constexpr double printed = 1e-3;
+
+bool are_nodes(const Eigen::VectorXd& x, const Eigen::VectorXd& nodes, double tolerance) {
+  return x.size() == nodes.size() && (x - nodes).lpNorm<Eigen::Infinity>() <= tolerance;
+}
+
+/// Tractions known at other positions: their ratio to the bound is interpolated. A bound may have
+/// been the mean over an element, so that only more than the largest one therein is too much.
+Eigen::VectorXd interpolated_at_nodes(const Eigen::VectorXd& x, const Eigen::VectorXd& traction,
+                                      const TransientProblem& problem) {
+  const double half = problem.grid.spacing() / 2;
+  const auto at = [&](double shift) {
+    return bound_at(problem.bound, x + Eigen::VectorXd::Constant(x.size(), shift));
+  };
+  require_within_bound(x, at(-half).cwiseMax(at(0)).cwiseMax(at(half)), traction);
+  const Eigen::VectorXd bound = at(0);
+  std::vector<double> places, ratios;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    require(i == 0 || x[i] > x[i - 1], "x", x[i], "ascending positions");
+    if (bound[i] <= 0) continue;
+    places.push_back(x[i]);
+    ratios.push_back(std::clamp(traction[i] / bound[i], -1.0, 1.0));
+  }
+  require(!places.empty(), "number of rows", 0, "at least one where the bound is not zero");
+  const Eigen::VectorXd nodes = problem.grid.nodes();
+  const auto ratio_at = [&](double node) {
+    const auto after = std::upper_bound(places.begin(), places.end(), node) - places.begin();
+    const auto i = static_cast<std::size_t>(after);
+    if (i == 0) return ratios.front();
+    if (i == places.size()) return ratios.back();
+    const double part = (node - places[i - 1]) / (places[i] - places[i - 1]);
+    return (1 - part) * ratios[i - 1] + part * ratios[i];
+  };
+  return bound_at(problem.bound, nodes).cwiseProduct(nodes.unaryExpr(ratio_at));
+}
+
+/// On a grid that is fixed to the material, a result is not known at the nodes of the next start.
 Eigen::VectorXd traction_at_nodes(const std::vector<Eigen::VectorXd>& columns,
                                   const TransientProblem& problem) {
-  constexpr double printed = 1e-3;  // of dx: positions may have few digits
+  const double tolerance = printed * problem.grid.spacing();
   const Eigen::VectorXd nodes = problem.grid.nodes();
   const Eigen::VectorXd& x = columns[0];
+  if (std::holds_alternative<MaterialFixed>(problem.scheme) && !are_nodes(x, nodes, tolerance)) {
+    return interpolated_at_nodes(x, columns[1], problem);
+  }
   require(x.size() == nodes.size(), "number of rows", static_cast<double>(x.size()),
           "one a node, " + std::to_string(nodes.size()));
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    require(std::abs(x[i] - nodes[i]) <= printed * problem.grid.spacing(), "x", x[i],
+    require(std::abs(x[i] - nodes[i]) <= tolerance, "x", x[i],
             "the node at " + format_short(nodes[i]));
   }
   require_within_bound(nodes, bound_at(problem.bound, nodes), columns[1]);
@@ -192,13 +234,12 @@ SteadyProblem read_steady(Scene& scene, const SteadyMethod& method) {
 
 TransientScene read_transient(Scene& scene) {
   const ContactModel model = read_contact(scene);
-  const TransientProblem problem{
-      .kernel = model.kernel,
-      .bound = model.bound,
-      .grid = model.grid,
-      .basis = model.basis,
-      .scheme =
-          read_scheme(scene, {"direct", "relaxed", "relaxed_traction", "fractional", "material"})};
+  const TransientProblem problem{.kernel = model.kernel,
+                                 .bound = model.bound,
+                                 .grid = model.grid,
+                                 .basis = model.basis,
+                                 .scheme = read_scheme(scene, {"material", "direct", "relaxed",
+                                                               "relaxed_traction", "fractional"})};
   const std::vector<double> step_ratios = scene.numbers("step.ratio");
   for (const double ratio : step_ratios) {
     require(ratio >= min_step_ratio, "step.ratio", ratio, "numbers >= 1e-15");

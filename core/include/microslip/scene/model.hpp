@@ -58,9 +58,10 @@ struct TransientScene {
 };
 
 /// All of a steady scene but step.ratio, and: step.ratio (one or more numbers), step.scheme
-/// direct|relaxed|relaxed_traction|fractional|material (direct), step.relaxation (1) of the second
-/// and third, motion.distance, start.type rest|cattaneo|file; start.force (load.force) of the
-/// second, start.file (columns x traction, at the nodes) of the third.
+/// material|direct|relaxed|relaxed_traction|fractional (material), step.relaxation (1) of the third
+/// and fourth, motion.distance, start.type rest|cattaneo|file; start.force (load.force) of the
+/// second, start.file of the third: columns x traction, at the nodes, or at any positions for
+/// `material`.
 TransientScene read_transient(Scene& scene);
 
 /// A cylinder that rolls down a slope from rest.
