@@ -30,7 +30,7 @@ Rolled roll(const CattaneoToCarter& motion, const AdvectionScheme& scheme, doubl
                  creep += std::abs(state.creepage) * (state.distance - before);
                  before = state.distance;
                });
-  return {rolling.x(), rolling.state().traction.cwiseAbs(), creep};
+  return {rolling.x(), rolling.traction_at_nodes().cwiseAbs(), creep};
 }
 
 struct Named {

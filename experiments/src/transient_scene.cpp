@@ -66,8 +66,8 @@ std::vector<Table> transient_scene(const TransientScene& scene, const Progress& 
   summary.add({"dissipation", last.dissipation, "N/mm"});
   summary.add({"dissipated_energy", dissipated, "N"});
   return {traction_table("transient rolling, values at the nodes at the end",
-                         {rolling.x(), rolling.bound(), last.traction, last.slip,
-                          rolling.displacement(), last.zones}),
+                         {rolling.x(), rolling.bound_at_nodes(), rolling.traction_at_nodes(),
+                          last.slip, rolling.displacement(), last.zones}),
           history, summary};
 }
 

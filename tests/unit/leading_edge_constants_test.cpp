@@ -59,6 +59,29 @@ TEST(LeadingEdgeConstants, TheNextNodeSlipsByTheCompliance) {
   EXPECT_NEAR(slip / (-traction[n - 1] * compliance(material_of(Kernel(kernel)))), e0, 5e-3 * e0);
 }
 
+// Of the same long row: next to the edge the scheme does not give the square root itself.
+TEST(LeadingEdgeConstants, LayersAreThoseOfALongRow) {
+  for (const Basis& basis : {constant_basis(), linear_basis()}) {
+    const auto edge = leading_edge_constants(basis);
+    const PlaneKernel kernel({1, 0}, 1);
+    const Eigen::Index n = 800;
+    const Eigen::MatrixXd strain = influence_difference_matrix(kernel, basis, 1, n, 1);
+    const Eigen::VectorXd traction = strain.lu().solve(Eigen::VectorXd::Constant(n, -1));
+    // Exact: sqrt((1 - x)/(1 + x)), of a contact from the trailing edge on.
+    const auto over_exact = [&](Eigen::Index j) {
+      const double d = static_cast<double>(j) + edge.offset;
+      const double length = static_cast<double>(n) - 0.5 + edge.offset;
+      return -traction[n - 1 - j] / std::sqrt(d / (length - d));
+    };
+    for (Eigen::Index j = 0; j < 7; ++j) {
+      EXPECT_NEAR(over_exact(j) / over_exact(40), edge.value(j, 0), 2e-3) << j;
+      EXPECT_NEAR(edge.value(j - 1, 1 - 1e-12), edge.value(j, 0), j == 0 ? 1e-5 : 1e-11) << j;
+    }
+    EXPECT_GT(edge.value(0, 0), 1.02);
+    EXPECT_EQ(edge.value(7, 0.3), 1);
+  }
+}
+
 TEST(LeadingEdgeConstants, WantConstantOrLinearFunctions) {
   EXPECT_THROW(leading_edge_constants(quadratic_basis()), std::invalid_argument);
 }

@@ -60,7 +60,9 @@ MaterialRolling::MaterialRolling(const Kernel& kernel, const TractionBound& boun
 
 MaterialRolling::MaterialRolling(const Kernel& kernel, const TractionBound& bound, const Grid& grid,
                                  const LeadingEdgeConstants& edge)
-    : window_(bound, grid, edge.offset),
+    : bound_(bound),
+      window_(bound, grid, edge.offset),
+      edge_(edge),
       compliance_(edge.compliance * compliance(material_of(kernel)) * window_.spacing()),
       active_set_(influence_matrix(kernel, constant_basis(), window_.spacing(), window_.size()),
                   VectorXd::Constant(window_.size(), window_.spacing())),
@@ -72,6 +74,22 @@ double MaterialRolling::phase(const MaterialState& state) const {
 
 VectorXd MaterialRolling::respond(const VectorXd& traction) const {
   return active_set_.respond(traction);
+}
+
+VectorXd MaterialRolling::values(const MaterialState& state) const {
+  const double part = std::max(0.0, phase(state));
+  const VectorXd mean = window_.bound(part);
+  const VectorXd at_nodes = bound_at(bound_, window_.x(part));
+  VectorXd values = VectorXd::Zero(window_.size());
+  for (Index i = 0; i <= window_.coming(); ++i) {
+    if (at_nodes[i] <= 0) continue;
+    const Zone zone = state.zones[static_cast<std::size_t>(i)];
+    const double sliding = direction(zone) != 0 ? direction(zone) : state.sliding_direction;
+    const double adhesion = state.traction[i] - sliding * mean[i];
+    values[i] = sliding * at_nodes[i];
+    if (zone == Zone::adhesion) values[i] += adhesion / edge_.value(window_.leading() - i, part);
+  }
+  return values;
 }
 
 std::optional<SoftElement> MaterialRolling::soft_element(double phase) const {

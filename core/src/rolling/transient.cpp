@@ -248,6 +248,12 @@ void TransientRolling::step(double length, const Load& load) {
   bound_ = std::move(step.bound);
 }
 
+VectorXd TransientRolling::traction_at_nodes() const {
+  return material_ ? material_->values(*material_state_) : state_.traction;
+}
+
+VectorXd TransientRolling::bound_at_nodes() const { return bound_at(problem_.bound, x_); }
+
 VectorXd TransientRolling::displacement() const {
   return material_ ? material_->respond(state_.traction) : active_set_->respond(state_.traction);
 }

@@ -58,11 +58,43 @@ LeadingEdgeConstants integrated(const std::function<double(double)>& b_less_one)
     };
     return gauss<double, 60>::integrate(integrand, 0.0, pi) / pi;
   };
-  return {.offset = 0.75 - mean([](double theta) { return std::pow(std::sin(theta / 2), -2); }) / 4,
-          .compliance = std::exp(mean([](double) { return 1.0; }))};
+  LeadingEdgeConstants edge{
+      .offset = 0.75 - mean([](double theta) { return std::pow(std::sin(theta / 2), -2); }) / 4,
+      .compliance = std::exp(mean([](double) { return 1.0; })),
+      .layer = {}};
+  // The generating function of the nodes' values is (1 - z)^(-3/2) / b+(z), where ln b+ has the
+  // Fourier coefficients of ln b; they grow as 2/sqrt(pi) sqrt(e0) sqrt(j).
+  std::array<double, edge.layer.size()> fourier{};
+  std::array<double, edge.layer.size()> reciprocal{1};
+  std::array<double, edge.layer.size()> growth{1};
+  for (std::size_t k = 1; k < edge.layer.size(); ++k) {
+    const auto order = static_cast<double>(k);
+    fourier[k] = mean([&](double theta) { return std::cos(order * theta); });
+    for (std::size_t i = 1; i <= k; ++i) {
+      reciprocal[k] -= static_cast<double>(i) / order * fourier[i] * reciprocal[k - i];
+    }
+    growth[k] = growth[k - 1] * (order + 0.5) / order;
+  }
+  for (std::size_t k = 0; k < edge.layer.size(); ++k) {
+    double value = 0;
+    for (std::size_t i = 0; i <= k; ++i) value += growth[i] * reciprocal[k - i];
+    edge.layer[k] = value / (2 / std::sqrt(pi) * std::sqrt(edge.compliance) *
+                             std::sqrt(static_cast<double>(k) + edge.offset));
+  }
+  return edge;
 }
 
 }  // namespace
+
+double LeadingEdgeConstants::value(Eigen::Index j, double part) const {
+  if (j + 1 >= static_cast<Eigen::Index>(layer.size())) return 1;
+  const auto node = static_cast<double>(j);
+  const auto value = [&](Eigen::Index i) {
+    return i < 0 ? 0
+                 : layer[static_cast<std::size_t>(i)] * std::sqrt(static_cast<double>(i) + offset);
+  };
+  return ((1 - part) * value(j) + part * value(j + 1)) / std::sqrt(node + offset + part);
+}
 
 LeadingEdgeConstants leading_edge_constants(const Basis& basis) {
   if (basis.name() == "constant") return integrated(constant_less_one);

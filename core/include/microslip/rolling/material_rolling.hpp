@@ -95,6 +95,10 @@ class MaterialRolling {
   /// \throws as ActiveSet::solve
   MaterialStep step(const MaterialState& from, double length, const Load& load);
 
+  /// Tractions at the nodes, where those of a state are what elements balance: means over them, and
+  /// next to the leading edge coefficients. Zero outside the contact  [N/mm^2]
+  Eigen::VectorXd values(const MaterialState& state) const;
+
   /// A times tractions at the nodes of the window  [mm]
   Eigen::VectorXd respond(const Eigen::VectorXd& traction) const;
 
@@ -106,7 +110,9 @@ class MaterialRolling {
   std::optional<SoftElement> soft_element(double phase) const;
   double trailing_direction(const Eigen::VectorXd& bound, const std::vector<Zone>& zones) const;
 
+  TractionBound bound_;
   MaterialWindow window_;
+  LeadingEdgeConstants edge_;
   double compliance_;  ///< e0 2 (1 - nu)/G dx  [mm^3/N]
   ActiveSet active_set_;
   BoundDefect defect_;

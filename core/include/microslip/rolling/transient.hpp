@@ -79,6 +79,12 @@ class TransientRolling {
   const Eigen::VectorXd& bound() const { return bound_; }  ///< [N/mm^2]
   const TransientState& state() const { return state_; }
 
+  // Tractions and bound as values at the nodes: the same, but on a grid that is fixed to the
+  // material, where those above are means over elements and, next to the leading edge, coefficients
+  // that make up for the square root there.
+  Eigen::VectorXd traction_at_nodes() const;  ///< zero outside the contact  [N/mm^2]
+  Eigen::VectorXd bound_at_nodes() const;     ///< [N/mm^2]
+
   /// A p, the displacement at the nodes  [mm]. N^2 operations.
   Eigen::VectorXd displacement() const;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "microslip/halfspace/basis.hpp"
 
 namespace microslip {
@@ -17,6 +19,15 @@ struct LeadingEdgeConstants {
   /// e0: how far the next node slips while the edge passes over an element, over 2 (1 - nu)/G dx
   /// times the traction that the scheme gives it in adhesion at the end  [1]
   double compliance;
+
+  /// What the scheme gives to the last, last but one, ... node when the traction grows as a square
+  /// root from the edge, over sqrt(j + offset); 1 far from it  [1]
+  std::array<double, 8> layer;
+
+  /// The same where a part of the next element has been travelled, in [0, 1): the mean of the
+  /// solutions with and without its node, over sqrt(j + offset + part); j = -1 for that node.
+  /// \return 1 from j = 7 on
+  double value(Eigen::Index j, double part) const;
 };
 
 /// offset = 3/4 - 1/(4 pi) int_0^pi ln b / sin^2(theta/2) dtheta,
