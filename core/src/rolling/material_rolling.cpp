@@ -157,58 +157,75 @@ MaterialStep MaterialRolling::step(const MaterialState& from, double length, con
   return step;
 }
 
+/// Those of before, moved; a node that comes or enters is taken to stick.
+std::vector<Zone> MaterialRolling::first_zones(const MaterialState& from, const Part& part) const {
+  std::vector<Zone> zones = moved_on(from.zones, part.moved, Zone::slip_negative);
+  const bool was_out = part.before <= MaterialWindow::rounding;
+  if (was_out && part.edge_is_new) at(zones, part.edge) = Zone::adhesion;
+  return zones;
+}
+
+/// \param added  becomes what is added at the edge: its condition is about the last element
+///               travelled, and about what adhesion adds to the sliding bound
+SlipConditions MaterialRolling::conditions_of(const MaterialState& from, const Part& part,
+                                              double& added) {
+  SlipConditions conditions{.bound = window_.bound(part.now),
+                            .offset = VectorXd::Zero(window_.size()),
+                            .reference = moved_on(from.traction, part.moved, 0.0),
+                            .soft = soft_element(part.now)};
+  if (from.sliding_direction != 0) {
+    const auto respond_to = [&](const VectorXd& traction) { return respond(traction); };
+    conditions.offset = from.sliding_direction *
+                        defect_.change(part.before, part.now, part.moved, part.length, respond_to);
+  }
+  added = 0;
+  if (part.edge_is_new) {
+    added = from.approach.since_one_element_before(part.moved == 1 ? 1 : part.now);
+  }
+  if (conditions.soft) {
+    added -= conditions.soft->compliance * from.sliding_direction * conditions.bound[part.edge];
+  }
+  conditions.offset[part.edge] += added;
+  return conditions;
+}
+
 /// Up to the next node's entrance at most.
 void MaterialRolling::roll_part(MaterialStep& step, double length, double end, const Load& load) {
   MaterialState& state = step.end;
-  const double phase_before = phase(state);
   const bool enters = end / window_.spacing() - state.entered >= 1 - MaterialWindow::rounding;
-  const Index moved = enters ? 1 : 0;
-  state.distance = end;
-  state.entered += enters ? 1 : 0;
-  const double phase_now = phase(state);
-
-  const VectorXd before = moved_on(state.traction, moved, 0.0);
-  std::vector<Zone> zones = moved_on(state.zones, moved, Zone::slip_negative);
-  const auto soft = soft_element(phase_now);
-  const bool was_out = phase_before <= MaterialWindow::rounding;
-  if (enters && was_out) at(zones, window_.leading()) = Zone::adhesion;
-  if (soft && was_out) at(zones, window_.coming()) = Zone::adhesion;
-
-  const auto respond_to = [&](const VectorXd& traction) { return respond(traction); };
-  SlipConditions conditions{.bound = window_.bound(phase_now),
-                            .offset = VectorXd::Zero(window_.size()),
-                            .reference = before,
-                            .soft = soft};
-  if (state.sliding_direction != 0) {
-    conditions.offset = state.sliding_direction *
-                        defect_.change(phase_before, phase_now, moved, length, respond_to);
-  }
-  // The condition of a node that comes or enters is about the last element travelled.
-  const Index edge = enters ? window_.leading() : window_.coming();
+  const double now = end / window_.spacing() - state.entered - (enters ? 1 : 0);
+  const Part part{.before = phase(state),
+                  .now = now,
+                  .length = length,
+                  .moved = enters ? 1 : 0,
+                  .edge = enters ? window_.leading() : window_.coming(),
+                  .edge_is_new = enters || now > MaterialWindow::rounding};
   double added = 0;
-  if (enters || soft) added = state.approach.since_one_element_before(enters ? 1 : phase_now);
-  if (soft) added -= soft->compliance * state.sliding_direction * conditions.bound[edge];
-  conditions.offset[edge] += added;
-
-  ContactState contact = active_set_.solve(conditions, over(load, length), zones);
-  state.traction = contact.traction;
-  state.zones = contact.zones;
+  const SlipConditions conditions = conditions_of(state, part, added);
+  ContactState contact =
+      active_set_.solve(conditions, over(load, length), first_zones(state, part));
 
   VectorXd& slip = contact.slip;
-  if (soft) slip[edge] -= soft->compliance * state.traction[edge];
-  const VectorXd mean = (state.traction + before) / 2;
+  if (conditions.soft) slip[part.edge] -= conditions.soft->compliance * contact.traction[part.edge];
+  const VectorXd mean = (contact.traction + conditions.reference) / 2;
   step.mean_dissipation -= window_.spacing() * mean.dot(slip - conditions.offset);
-  slip[edge] -= added;
-  state.approach.advance(enters ? 1 : phase_now, enters ? 0 : slip[window_.coming()],
-                         slip[enters ? window_.coming() : window_.ahead()]);
+  slip[part.edge] -= added;
+
+  state.distance = end;
+  state.traction = contact.traction;
+  state.zones = contact.zones;
   if (enters) {
+    state.approach.advance(1, 0, slip[window_.coming()]);
     state.approach.enter();
+    state.entered += 1;
     state.sliding_direction = trailing_direction(conditions.bound, state.zones);
+  } else {
+    state.approach.advance(part.now, slip[window_.coming()], slip[window_.ahead()]);
   }
-  if (at(state.zones, edge) == Zone::adhesion) slip[edge] = 0;
+  if (at(state.zones, part.edge) == Zone::adhesion) slip[part.edge] = 0;
 
   step.bound = conditions.bound;
-  step.slip = moved_on(step.slip, moved, 0.0) + slip;
+  step.slip = moved_on(step.slip, part.moved, 0.0) + slip;
   step.creepage += contact.creepage;
   step.dissipation -= window_.spacing() * state.traction.dot(slip);
   step.mean_force += mean.sum() * window_.spacing() * length;

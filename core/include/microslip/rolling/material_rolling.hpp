@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
@@ -50,7 +51,7 @@ struct MaterialState {
 struct MaterialStep {
   MaterialState end;
   Eigen::VectorXd bound;    ///< at its end  [N/mm^2]
-  Eigen::VectorXd slip;     ///< of material points, [mm]
+  Eigen::VectorXd slip;     ///< of material points; of the coming one 0 in adhesion  [mm]
   double creepage;          ///< [mm]
   double dissipation;       ///< with tractions at the end of each part  [N]
   double mean_dissipation;  ///< with mean tractions of each part, and slip by A alone  [N]
@@ -63,13 +64,17 @@ struct MaterialStep {
 ///
 /// - The leading edge is where the scheme feels it. A step that passes by a node there is split, so
 ///   that the scheme behaves as with c = 1 however short the steps are.
-/// - In between, the coming node is softened by t/(1 - t) e0 2 (1 - nu)/G dx, where t is the part
-/// of
-///   an element that is missing. In adhesion its slip is that of the last element travelled. To
-///   first order this is the mean of the solutions with and without it, and the edge moves along
-///   evenly.
+/// - In between, the coming node takes part, but what adhesion adds to its sliding bound makes it
+///   yield by t/(1 - t) e0 2 (1 - nu)/G dx times that, where t is the part of an element that is
+///   missing. In adhesion its slip is that of the last element travelled. To first order this is
+///   the mean of the solutions with and without it: the edge moves along evenly.
 /// - Where the trailing edge slides, p is plus or minus the bound but for what adhesion adds. The
 ///   displacement by the former is known exactly: elements represent the latter, BoundDefect.
+///
+/// Cost: a part of a step is a solve of ActiveSet, and if its phase is not among the known ones of
+/// BoundDefect, a product more. Accuracy: second order, tests/order/transient_order_test.cpp; where
+/// all parts stick or slip alike, tractions do not depend on the steps but for rounding,
+/// tests/unit/material_rolling_test.cpp
 class MaterialRolling {
  public:
   /// \throws std::invalid_argument as MaterialWindow and BoundDefect
@@ -106,6 +111,18 @@ class MaterialRolling {
   MaterialRolling(const Kernel& kernel, const TractionBound& bound, const Grid& grid,
                   const LeadingEdgeConstants& edge);
 
+  /// Of a step, between two entrances of nodes.
+  struct Part {
+    double before;       ///< phase  [dx]
+    double now;          ///< likewise, at its end
+    double length;       ///< [mm]
+    Eigen::Index moved;  ///< 1 if a node enters at its end, else 0
+    Eigen::Index edge;   ///< the node that enters or comes
+    bool edge_is_new;    ///< so that its condition is about the last element travelled
+  };
+
+  std::vector<Zone> first_zones(const MaterialState& from, const Part& part) const;
+  SlipConditions conditions_of(const MaterialState& from, const Part& part, double& added);
   void roll_part(MaterialStep& step, double length, double end, const Load& load);
   std::optional<SoftElement> soft_element(double phase) const;
   double trailing_direction(const Eigen::VectorXd& bound, const std::vector<Zone>& zones) const;

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Transient rolling on a grid that is fixed to the material.
+#include "microslip/rolling/material_rolling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/rolling/transient.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr Material material{1, 0.28};
+const double full_sliding = HertzBound(1, 1).total();
+
+TransientProblem problem(Eigen::Index n = 41) {
+  return {.kernel = PlaneKernel(material, 200),
+          .bound = HertzBound(1, 1),
+          .grid = Grid({.half_width = 1, .elements = n}),
+          .basis = constant_basis(),
+          .scheme = MaterialFixed{}};
+}
+
+void roll_quietly(TransientRolling& rolling, double distance, const std::vector<double>& lengths,
+                  const Load& load) {
+  rolling.roll(distance, lengths, load, [](const TransientState&) {});
+}
+
+double largest_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  return (a - b).lpNorm<Eigen::Infinity>();
+}
+
+TransientRolling rolled_from_shift(double step_ratio, double elements, Eigen::Index n = 100) {
+  TransientRolling rolling(problem(n), CattaneoShift{-0.64 * full_sliding});
+  const double dx = 2 / static_cast<double>(n);
+  roll_quietly(rolling, elements * dx, {step_ratio * dx}, PrescribedForce{-0.64 * full_sliding});
+  return rolling;
+}
+
+double total_variation(const Eigen::VectorXd& values) {
+  return (values.tail(values.size() - 1) - values.head(values.size() - 1)).lpNorm<1>();
+}
+
+int local_extrema(const Eigen::VectorXd& values) {
+  int count = 0;
+  for (Eigen::Index i = 1; i + 1 < values.size(); ++i) {
+    count += (values[i] - values[i - 1]) * (values[i + 1] - values[i]) < 0 ? 1 : 0;
+  }
+  return count;
+}
+
+// The direct scheme: 3e-2 at c = 0.1. Where a step ends within an element, what is taken as linear
+// is how the nodes before the edge have slipped.
+TEST(MaterialFixed, TractionsDoNotDependOnTheStep) {
+  for (const double elements : {25.0, 50.0, 50.3}) {
+    const TransientRolling whole = rolled_from_shift(1, elements);
+    for (const double c : {0.9, 0.75, 0.5, 0.31, 0.1, 0.01, 2.0, 2.5}) {
+      const TransientRolling part = rolled_from_shift(c, elements);
+      EXPECT_LT(largest_difference(part.x(), whole.x()), 1e-12);
+      const Eigen::VectorXd difference = part.state().traction - whole.state().traction;
+      EXPECT_LT(difference.lpNorm<1>() * 0.02, elements == 50.3 ? 5e-6 : 1e-12) << c;
+      EXPECT_LT(total_variation(part.state().traction),
+                total_variation(whole.state().traction) + 1e-4);
+      EXPECT_EQ(local_extrema(part.state().traction), local_extrema(whole.state().traction));
+    }
+  }
+}
+
+// What a step finds has not changed where none of the steps is a part of another.
+TEST(MaterialFixed, RandomStepsLeadToTheSameTractions) {
+  const TransientRolling whole = rolled_from_shift(1, 60, 40);
+  TransientRolling rolling(problem(40), CattaneoShift{-0.64 * full_sliding});
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> exponent(-7, 0.5);
+  std::vector<double> lengths(30);
+  for (double& length : lengths) length = 0.05 * std::pow(10, exponent(random));
+  roll_quietly(rolling, 3, lengths, PrescribedForce{-0.64 * full_sliding});
+  EXPECT_LT(largest_difference(rolling.state().traction, whole.state().traction), 1e-9);
+}
+
+// Nodes enter and leave while their tractions change evenly; so does the creepage.
+TEST(MaterialFixed, TheCreepageIsSmoothForSmallSteps) {
+  const auto largest_jump = [](Eigen::Index n, double step_ratio) {
+    const double dx = 2 / static_cast<double>(n);
+    TransientRolling rolling = rolled_from_shift(1, 0.75 * static_cast<double>(n), n);
+    double jump = 0, before = 0;
+    for (int k = 0; k < 4 / step_ratio; ++k) {
+      rolling.step(step_ratio * dx, PrescribedForce{-0.64 * full_sliding});
+      const double creepage = rolling.state().creepage;
+      if (before != 0) jump = std::max(jump, std::abs(creepage / before - 1));
+      before = creepage;
+    }
+    return jump;
+  };
+  EXPECT_LT(largest_jump(200, 0.1), 0.025);
+  EXPECT_LT(largest_jump(200, 0.01), 0.03);
+  EXPECT_LT(largest_jump(400, 0.1), 0.0125);
+}
+
+// Slip displacement of a material point: the shift of the bodies, what its displacement by elements
+// has changed, those that have left included, and what these miss of that by the bound.
+TEST(MaterialFixed, SlipIsThatOfMaterialPoints) {
+  const TransientProblem p = problem(20);
+  TransientRolling rolling(p, CattaneoShift{-0.5 * full_sliding});
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> ratio(0, 3);
+  const double dx = 0.1;
+  const FullSliding sliding(p.kernel, p.bound);
+  const auto displacement = [&](const Eigen::VectorXd& at, const Eigen::VectorXd& x,
+                                const Eigen::VectorXd& traction, const Eigen::VectorXd& bound) {
+    return Eigen::VectorXd(at.unaryExpr([&](double xi) {
+      double sum = -sliding.displacement(xi);
+      for (Eigen::Index j = 0; j < x.size(); ++j) {
+        sum += (traction[j] + bound[j]) *
+               influence(p.kernel, constant_shape(), dx, std::round((xi - x[j]) / dx));
+      }
+      return sum;
+    }));
+  };
+  int compared = 0;
+  for (int k = 0; k < 60; ++k) {
+    const double length = ratio(random) * dx;
+    const Eigen::VectorXd x = rolling.x(), bound = rolling.bound();
+    const Eigen::VectorXd traction = rolling.state().traction;
+    rolling.step(length, PrescribedForce{-0.7 * full_sliding});
+    const TransientState& state = rolling.state();
+    EXPECT_NEAR(state.force, -0.7 * full_sliding, 1e-12);
+    const Eigen::VectorXd then =
+        rolling.x() + Eigen::VectorXd::Constant(rolling.x().size(), length);
+    const Eigen::VectorXd slip =
+        displacement(rolling.x(), rolling.x(), state.traction, rolling.bound()) -
+        displacement(then, x, traction, bound);
+    for (Eigen::Index i = 0; i < slip.size(); ++i) {
+      EXPECT_LE(std::abs(state.traction[i]), rolling.bound()[i] + 1e-12);
+      if (rolling.bound()[i] == 0 || then[i] > 1 - 0.8 * dx) continue;
+      EXPECT_NEAR(length * state.slip[i], length * state.creepage + slip[i], 1e-11);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 60 * 15);
+}
+
+// Of either sign and with reversals, force or creepage, strips and tables: the conditions of
+// contact, and energy that is not made.
+TEST(MaterialFixed, AnySequenceOfStepsMeetsTheContactConditions) {
+  Eigen::VectorXd at(4), values(4);
+  at << -1, -0.2, 0.5, 0.9;
+  values << 0, 1, 0.7, 0.5;
+  const std::vector<TractionBound> bounds = {HertzBound(1, 1), TabulatedBound(1, at, values)};
+  for (const Kernel& kernel :
+       {Kernel(PlaneKernel(material, 200)), Kernel(StripKernel(material, 2))}) {
+    for (const TractionBound& bound : bounds) {
+      TransientProblem p = problem(30);
+      p.kernel = kernel;
+      p.bound = bound;
+      const double most = full_sliding_force(bound);
+      TransientRolling rolling(p, Eigen::VectorXd(0.3 * bound_at(p.bound, p.grid.nodes())));
+      std::mt19937 random(7);
+      std::uniform_real_distribution<double> unit(-1, 1);
+      for (int k = 0; k < 200; ++k) {
+        const double length = std::pow(10.0, 1.5 * unit(random) - 1.1) * p.grid.spacing();
+        const Load load = k % 2 == 0 ? Load(PrescribedForce{0.99 * unit(random) * most})
+                                     : Load(PrescribedCreepage{unit(random)});
+        const double energy = rolling.elastic_energy();
+        rolling.step(length, load);
+        const TransientState& state = rolling.state();
+        EXPECT_NEAR(rolling.bound().sum() * p.grid.spacing(), most, 1e-12);
+        if (const auto* force = std::get_if<PrescribedForce>(&load)) {
+          EXPECT_NEAR(state.force, force->value, 1e-11);
+        } else {
+          const double balance = state.mean_force * state.creepage + state.mean_dissipation;
+          EXPECT_NEAR(length * balance, energy - rolling.elastic_energy(), 1e-11);
+        }
+        for (Eigen::Index i = 0; i < rolling.x().size(); ++i) {
+          const double g = rolling.bound()[i];
+          const Zone zone = state.zones[static_cast<std::size_t>(i)];
+          EXPECT_LE(std::abs(state.traction[i]), g + 1e-11);
+          if (zone != Zone::adhesion) {
+            EXPECT_NEAR(state.traction[i], static_cast<double>(zone) * g, 1e-14);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(MaterialFixed, AnAttemptChangesNothing) {
+  TransientRolling rolling = rolled_from_shift(0.37, 10, 40);
+  const TransientState tried = rolling.attempt(0.11, PrescribedCreepage{0.3});
+  rolling.attempt(0.04, PrescribedCreepage{-0.3});
+  rolling.step(0.11, PrescribedCreepage{0.3});
+  EXPECT_EQ(rolling.state().traction, tried.traction);
+  EXPECT_EQ(rolling.state().force, tried.force);
+  EXPECT_EQ(rolling.state().zones, tried.zones);
+}
+
+// Tractions on the grid are taken for a part of the bound.
+TEST(MaterialFixed, StartsFromTractionsOnTheGrid) {
+  TransientRolling rolling(problem(40));
+  const Eigen::VectorXd nodes = problem(40).grid.nodes();
+  const Eigen::VectorXd bound = bound_at(HertzBound(1, 1), nodes);
+  rolling.start_from(-bound);
+  EXPECT_NEAR(rolling.state().force, -full_sliding, 1e-12);
+  EXPECT_EQ(rolling.state().adhesion_elements, 0);
+  rolling.start_from(Eigen::VectorXd(0.4 * bound.cwiseProduct(nodes)));
+  for (Eigen::Index i = 2; i < 40; ++i) {
+    EXPECT_NEAR(rolling.state().traction[i], 0.4 * rolling.bound()[i] * rolling.x()[i], 1e-12);
+  }
+  EXPECT_THROW(rolling.start_from(1.1 * bound), std::invalid_argument);
+}
+
+// Means of the bound are differences of its integral: 1e-12 dx would leave one digit.
+TEST(MaterialFixed, TinyStepsKeepTheirDigits) {
+  double first = 0;
+  for (const double step_ratio : {1e-3, 1e-6, 1e-9}) {
+    TransientRolling rolling(problem(), CattaneoShift{-0.64 * full_sliding});
+    rolling.step(step_ratio * 2 / 41, PrescribedForce{-0.64 * full_sliding});
+    if (first == 0) first = rolling.state().creepage;
+    EXPECT_NEAR(rolling.state().creepage / first, 1, 0.02) << step_ratio;
+  }
+}
+
+TEST(MaterialFixed, TheWindowStaysAsLargeAsTheContact) {
+  TransientRolling rolling(problem(20), CattaneoShift{-0.64 * full_sliding});
+  for (const double length : {0.037, 1.0, 0.31}) {
+    roll_quietly(rolling, 3, {length}, PrescribedForce{-0.64 * full_sliding});
+    EXPECT_EQ(rolling.x().size(), 23);
+    EXPECT_GE(rolling.state().adhesion_elements + rolling.state().slip_elements, 20);
+    EXPECT_LE(rolling.state().adhesion_elements + rolling.state().slip_elements, 21);
+  }
+}
+
+TEST(MaterialFixed, WantsConstantFunctionsThatFillTheContact) {
+  TransientProblem p = problem();
+  p.basis = linear_basis();
+  EXPECT_THROW(TransientRolling{p}, std::invalid_argument);
+  p = problem();
+  p.grid = Grid({.half_width = 1, .elements = 41, .leading_offset = 1});
+  EXPECT_THROW(TransientRolling{p}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace microslip
