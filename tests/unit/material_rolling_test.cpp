@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/reference/carter.hpp"
 #include "microslip/rolling/transient.hpp"
 
 namespace microslip {
@@ -242,6 +243,33 @@ TEST(MaterialFixed, WantsConstantFunctionsThatFillTheContact) {
   p = problem();
   p.grid = Grid({.half_width = 1, .elements = 41, .leading_offset = 1});
   EXPECT_THROW(TransientRolling{p}, std::invalid_argument);
+}
+
+// After four contact widths Carter's solution is there, up to the last node, at any phase.
+TEST(MaterialRolling, ValuesAtTheNodesAreThoseOfTheTraction) {
+  const HertzBound bound(1, 1);
+  const Carter exact = Carter::from_stick_ratio(material, bound, 0.6);
+  const double dx = 0.02;
+  for (const double part : {0.0, 0.2, 0.5, 0.9}) {
+    TransientRolling rolling({.kernel = PlaneKernel(material, 200),
+                              .bound = bound,
+                              .grid = Grid({.half_width = 1, .elements = 100}),
+                              .basis = constant_basis(),
+                              .scheme = MaterialFixed{}},
+                             CattaneoShift{exact.force()});
+    rolling.roll((400 + part) * dx, {dx}, PrescribedForce{exact.force()},
+                 [](const TransientState&) {});
+    const Eigen::VectorXd values = rolling.traction_at_nodes();
+    EXPECT_LE((values.cwiseAbs() - rolling.bound_at_nodes()).maxCoeff(), 1e-12);
+    double off = 0;
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      const double x = rolling.x()[i];
+      if (x < 0.9) continue;
+      EXPECT_NEAR(values[i], exact.traction(x), 0.02 * std::abs(exact.traction(x))) << x;
+      off = std::max(off, std::abs(rolling.state().traction[i] - exact.traction(x)));
+    }
+    EXPECT_GT(off, 3e-3);  // the coefficients are not
+  }
 }
 
 }  // namespace
