@@ -5,6 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -205,6 +206,35 @@ TEST(ActiveSet, SoftElementsAreEntriesOfTheDiagonal) {
     }
   }
   EXPECT_GT(stuck, 8);
+}
+
+// It carries what the others cannot, and then they help again.
+TEST(ActiveSet, ASoftElementMayBeTheOnlyOneThatSticks) {
+  const Eigen::Index n = 6, soft = 5;
+  SlipEquations equations = steady_equations(n, constant_basis(), 1);
+  equations.bound[soft] = 1;
+  ActiveSet kept(equations.response, equations.weights);
+  std::vector<Zone> zones(static_cast<std::size_t>(n), Zone::adhesion);
+  const double all_slip = equations.weights.dot(equations.bound);
+  int alone = 0;
+  for (const double force : {-0.5, -0.999, -0.99, -0.3, 0.999}) {
+    for (const double compliance : {1e12, 30.0, 1.0, 0.0}) {
+      SlipEquations same = equations;
+      same.response(soft, soft) += compliance;
+      const Load load = PrescribedForce{force * all_slip};
+      const ContactState state = kept.solve({.bound = equations.bound,
+                                             .offset = equations.offset,
+                                             .reference = Eigen::VectorXd::Zero(n),
+                                             .soft = SoftElement{soft, compliance}},
+                                            load, zones);
+      zones = state.zones;
+      expect_contact_conditions(same, state);
+      EXPECT_NEAR(equations.weights.dot(state.traction), force * all_slip, 1e-12);
+      const auto stuck = std::count(zones.begin(), zones.end(), Zone::adhesion);
+      alone += stuck == 1 && zones.back() == Zone::adhesion ? 1 : 0;
+    }
+  }
+  EXPECT_GT(alone, 0);
 }
 
 // Nothing is known there: such elements are not exchanged, and cost no iterations.

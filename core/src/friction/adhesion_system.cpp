@@ -47,14 +47,15 @@ void AdhesionSystem::prescribe_force(bool force) {
 
 void AdhesionSystem::soften(const std::optional<SoftElement>& soft) {
   if (!soft && !soft_) return;
+  const bool was_in_base = soft_ && in_base(soft_->element);
   soft_ = soft;
-  if (soft && in_base(soft->element)) base_.clear();
+  if (was_in_base || (soft && in_base(soft->element))) base_.clear();
   if (!changes_.empty()) factorise_schur();
 }
 
-/// Changes but for a soft element, which always is one.
+/// Changes but for a soft element, which nearly always is one.
 std::size_t AdhesionSystem::exchanges() const {
-  const auto is_exchange = [&](Index i) { return !is_soft(i); };
+  const auto is_exchange = [&](Index i) { return !is_soft(i) || in_base(i); };
   return static_cast<std::size_t>(std::count_if(changes_.begin(), changes_.end(), is_exchange));
 }
 
@@ -85,25 +86,35 @@ void AdhesionSystem::follow(const std::vector<Zone>& zones) {
   if (!changes_.empty() && !(factors_rcond_ * schur_factors_.rcond() > least_rcond)) factorise();
 }
 
+/// A soft element is left to the border, unless the others would be singular without it: a force
+/// needs an element that sticks.
 void AdhesionSystem::factorise() {
   changes_.clear();
   base_.clear();
   std::fill(position_.begin(), position_.end(), -1);
-  std::vector<Index> border_elements;
+  const auto stuck = std::count(stuck_.begin(), stuck_.end(), 1);
+  const auto stuck_soft = soft_ ? stuck_[to_size(soft_->element)] : 0;
+  const bool leave_out = stuck - 1 > stuck_soft;
+  std::vector<Index> left_out;
   for (std::size_t i = 0; i < stuck_.size(); ++i) {
     if (stuck_[i] == 0) continue;
-    if (is_soft(static_cast<Index>(i))) {
-      border_elements.push_back(static_cast<Index>(i));
+    if (leave_out && is_soft(static_cast<Index>(i))) {
+      left_out.push_back(static_cast<Index>(i));
       continue;
     }
     position_[i] = static_cast<Index>(base_.size());
     base_.push_back(static_cast<Index>(i));
   }
-  factors_.compute(matrix_(base_, base_));
+  MatrixXd matrix = matrix_(base_, base_);
+  if (soft_ && in_base(soft_->element)) {
+    const Index at = position(soft_->element);
+    matrix(at, at) += soft_->compliance;
+  }
+  factors_.compute(matrix);
   factors_rcond_ = factors_.rcond();
   columns_.resize(static_cast<Index>(base_.size()), 0);
   schur_.resize(0, 0);
-  border(border_elements);
+  border(left_out);
 }
 
 /// With the compliance of a soft element; its column is divided, or it would spoil the condition.
@@ -111,7 +122,7 @@ void AdhesionSystem::factorise_schur() {
   MatrixXd schur = schur_;
   for (std::size_t k = 0; k < changes_.size(); ++k) {
     const auto at = static_cast<Index>(k);
-    schur(at, at) += softness(changes_[k]);
+    schur(at, at) += border_softness(changes_[k]);
     schur.col(at) /= border_scale(changes_[k]);
   }
   schur_factors_.compute(schur);

@@ -15,8 +15,8 @@ namespace microslip {
 /// Its factorisation follows the partition. That of some earlier adhesion area stays; elements that
 /// came or left since then border it, and only the Schur complement of the border is new. An
 /// exchange so costs O(n^2). After n/16 + 8 of them, when the border is badly conditioned, or when
-/// it has served long enough, the factors are made anew. A soft element always is in the border,
-/// where its diagonal entry may change from solve to solve.
+/// it has served long enough, the factors are made anew. A soft element is in the border,
+/// where its diagonal entry may change from solve to solve, if any other one sticks.
 class AdhesionSystem {
  public:
   AdhesionSystem(const Eigen::MatrixXd& response, Eigen::VectorXd weights);
@@ -50,8 +50,10 @@ class AdhesionSystem {
   Index position(Index i) const { return position_[static_cast<std::size_t>(i)]; }
   bool is_soft(Index i) const { return soft_ && soft_->element == i; }
   std::size_t exchanges() const;
-  double softness(Index i) const { return is_soft(i) ? soft_->compliance : 0; }
-  double border_scale(Index i) const { return 1 + softness(i) / scale_; }
+  double border_softness(Index i) const {
+    return is_soft(i) && !in_base(i) ? soft_->compliance : 0;
+  }
+  double border_scale(Index i) const { return 1 + border_softness(i) / scale_; }
 
   void factorise();
   void border(const std::vector<Index>& arrivals);
