@@ -14,8 +14,8 @@ namespace microslip {
 /// where the exact solution is known: for a strain that grows linearly (Carter's).
 struct EdgeCalibration {
   /// Distance, in elements, from the outermost nodes to the edges at which the scheme feels its
-  /// tractions vanish: that for which the force is exact. For n -> inf it tends to 0.825344 for
-  /// constant and to 0.884944 for linear functions, as Wiener-Hopf theory says,
+  /// tractions vanish: that for which the force is exact. For n -> inf it tends to 0.825347 for
+  /// constant and to 0.884948 for linear functions, as Wiener-Hopf theory says,
   /// tests/unit/calibrated_rolling_test.cpp.
   double offset;
   /// Exact tractions at the nodes over the coefficients there: 1 but next to the edges.
