@@ -67,10 +67,12 @@ VectorXd chebyshev_values(double t, Index size) {
 ChebyshevField::ChebyshevField(const Kernel& kernel, const ChebyshevTraction& traction)
     : kernel_(kernel), traction_(traction), log_strain_(log_factor(kernel) * std::numbers::pi) {
   const double clear = clear_distance(kernel) / traction.half_length();
-  if (std::isinf(clear)) return;
-  require(2 * clear >= narrowest, "kernel.width", 2 * clear_distance(kernel),
-          "at least 0.02 half-widths of the contact, or leading_edge standard");
-  const auto count = static_cast<Index>(20 + 20 / clear) + traction.coefficients().size();
+  Index count = traction.coefficients().size();
+  if (std::isfinite(clear)) {
+    require(2 * clear >= narrowest, "kernel.width", 2 * clear_distance(kernel),
+            "at least 0.02 half-widths of the contact, or leading_edge standard");
+    count += static_cast<Index>(20 + 20 / clear);
+  }
   points_.resize(count);
   line_loads_.resize(count);
   const double step = std::numbers::pi / static_cast<double>(count + 1);
@@ -82,27 +84,25 @@ ChebyshevField::ChebyshevField(const Kernel& kernel, const ChebyshevTraction& tr
   }
 }
 
-double ChebyshevField::regular_strain(double x) const {
+/// \param part  of the kernel at a distance
+template <class Part>
+double ChebyshevField::integrate(double x, const Part& part) const {
   const auto sum = [&](const auto& kernel) {
-    double strain = 0;
+    double integral = 0;
     for (Index j = 0; j < points_.size(); ++j) {
-      strain += line_loads_[j] * kernel.regular_decay(x - points_[j]);
+      integral += line_loads_[j] * part(kernel, x - points_[j]);
     }
-    return strain;
+    return integral;
   };
   return std::visit(sum, kernel_);
 }
 
+double ChebyshevField::regular_strain(double x) const {
+  return integrate(x, [](const auto& kernel, double z) { return kernel.regular_decay(z); });
+}
+
 double ChebyshevField::regular_displacement(double x) const {
-  const auto sum = [&](const auto& kernel) {
-    if (points_.size() == 0) return traction_.force() * kernel.regular_displacement(x);
-    double displacement = 0;
-    for (Index j = 0; j < points_.size(); ++j) {
-      displacement += line_loads_[j] * kernel.regular_displacement(x - points_[j]);
-    }
-    return displacement;
-  };
-  return std::visit(sum, kernel_);
+  return integrate(x, [](const auto& kernel, double z) { return kernel.regular_displacement(z); });
 }
 
 double ChebyshevField::continued_strain(double x) const {

@@ -28,12 +28,12 @@ double StripKernel::decay(double z) const {
 }
 
 double StripKernel::regular_displacement(double z) const {
-  const double radius = std::hypot(z, half_width_);
+  const double radius = std::sqrt(z * z + half_width_ * half_width_);
   return log_factor_ * std::log(half_width_ + radius) + plain_factor_ * half_width_ / radius;
 }
 
 double StripKernel::regular_decay(double z) const {
-  const double radius = std::hypot(z, half_width_);
+  const double radius = std::sqrt(z * z + half_width_ * half_width_);
   return z / radius *
          (plain_factor_ * half_width_ / (radius * radius) - log_factor_ / (half_width_ + radius));
 }

@@ -86,6 +86,7 @@ ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bo
     : kernel_(kernel), sliding_(field_of(kernel, bound)), unknowns_(unknowns) {
   require(unknowns >= 1 && unknowns <= most_unknowns, "unknowns", static_cast<double>(unknowns),
           "1 to 64");
+  tabulate();
 }
 
 ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bound)
@@ -93,48 +94,55 @@ ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bo
   // Large stick zones need most; but if all sticks, the answer is the bound itself.
   const double a = sliding_.traction().half_length();
   const auto tail = [&] {
-    return std::max(tail_of(zone(-0.9 * a, unknowns_).coefficients),
-                    tail_of(zone(-0.3 * a, unknowns_).coefficients));
+    return std::max(tail_of(zone(-0.9 * a).coefficients), tail_of(zone(-0.3 * a).coefficients));
   };
   while (tail() > resolved) {
     if (unknowns_ == most_unknowns) {
       throw NotConverged("Chebyshev collocation: 64 unknowns do not suffice", 1, tail());
     }
     unknowns_ = std::min(most_unknowns, unknowns_ < 16 ? unknowns_ + 4 : unknowns_ + 8);
+    tabulate();
   }
 }
 
-ChebyshevRolling::Zone ChebyshevRolling::zone(double stick_edge, Index n) const {
+/// All that does not depend on the stick zone.
+void ChebyshevRolling::tabulate() {
+  const Index n = unknowns_;
+  const double step = pi / static_cast<double>(n + 1);
+  const VectorXd whole = VectorXd::LinSpaced(n + 1, 0, static_cast<double>(n));
+  const VectorXd angles = step * (whole.array() + 0.5);
+  collocation_ = angles.array().cos();
+  quadrature_ = (step * whole.tail(n)).array().cos();
+  strains_.resize(n + 1, n + 1);
+  strains_.col(n).setOnes();
+  loads_.resize(n, n);
+  for (Index k = 0; k < n; ++k) {
+    const auto order = static_cast<double>(k + 1);
+    strains_.col(k) = (order * angles.array()).cos();
+    // sin((k + 1) angle) is the value of a term at a point.
+    for (Index j = 0; j < n; ++j) {
+      const double angle = step * whole[j + 1];
+      loads_(j, k) = step * std::sin(angle) * std::sin(order * angle);
+    }
+  }
+}
+
+ChebyshevRolling::Zone ChebyshevRolling::zone(double stick_edge) const {
+  const Index n = unknowns_;
   const double compliance = log_factor(kernel_) * pi;
   const double end = sliding_.traction().end();
   const double centre = (stick_edge + end) / 2;
   const double half_length = (end - stick_edge) / 2;
-  const VectorXd angles = (VectorXd::LinSpaced(n + 1, 0, static_cast<double>(n)).array() + 0.5) *
-                          (pi / static_cast<double>(n + 1));
-  const VectorXd x = centre + half_length * angles.array().cos();
+  const VectorXd x = centre + half_length * collocation_.array();
   // All over the compliance: coefficients and creepage / compliance are unknown.
-  MatrixXd matrix(n + 1, n + 1);
-  for (Index k = 0; k < n; ++k) {
-    matrix.col(k) = (static_cast<double>(k + 1) * angles.array()).cos();
-  }
-  matrix.col(n).setOnes();
-  if (!std::isinf(clear_distance(kernel_))) {
-    // Quadrature with n points: sin((k+1) angle) of each term is its value there.
-    const double step = pi / static_cast<double>(n + 1);
-    MatrixXd decay(n + 1, n);
-    MatrixXd loads(n, n);
-    for (Index j = 0; j < n; ++j) {
-      const double angle = static_cast<double>(j + 1) * step;
-      const double point = centre + half_length * std::cos(angle);
-      for (Index i = 0; i <= n; ++i) {
-        decay(i, j) =
-            std::visit([&](const auto& k) { return k.regular_decay(x[i] - point); }, kernel_);
-      }
-      for (Index k = 0; k < n; ++k) {
-        loads(j, k) = std::sin(angle) * std::sin(static_cast<double>(k + 1) * angle);
-      }
-    }
-    matrix.leftCols(n) += (half_length * step / compliance) * (decay * loads);
+  MatrixXd matrix = strains_;
+  if (std::isfinite(clear_distance(kernel_))) {
+    const auto decays = [&](const auto& kernel) -> MatrixXd {
+      return MatrixXd::NullaryExpr(n + 1, n, [&](Index i, Index j) {
+        return kernel.regular_decay(half_length * (collocation_[i] - quadrature_[j]));
+      });
+    };
+    matrix.leftCols(n) += half_length / compliance * (std::visit(decays, kernel_) * loads_);
   }
   const VectorXd strain =
       x.unaryExpr([&](double xi) { return sliding_.continued_strain(xi) / compliance; });
@@ -143,7 +151,7 @@ ChebyshevRolling::Zone ChebyshevRolling::zone(double stick_edge, Index n) const 
 }
 
 CreepageForce ChebyshevRolling::at(double stick_edge) const {
-  const Zone found = zone(stick_edge, unknowns_);
+  const Zone found = zone(stick_edge);
   const ChebyshevTraction stuck(stick_edge, sliding_.traction().end(), found.coefficients);
   return {stick_edge, found.creepage, stuck.force() - sliding_.traction().force()};
 }
@@ -162,7 +170,7 @@ ChebyshevSolution ChebyshevRolling::solve(const Load& load) const {
   const double a = sliding_.traction().half_length();
   std::optional<ChebyshevField> adhesion;
   if (edge < a) {
-    const ChebyshevTraction stuck(edge, a, zone(edge, unknowns_).coefficients);
+    const ChebyshevTraction stuck(edge, a, zone(edge).coefficients);
     adhesion.emplace(kernel_, stuck);
   }
   ChebyshevSolution solution(loaded, sliding_, std::move(adhesion));

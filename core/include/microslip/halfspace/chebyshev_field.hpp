@@ -39,6 +39,8 @@ class ChebyshevField {
 
  private:
   double position(double x) const { return (x - traction_.centre()) / traction_.half_length(); }
+  template <class Part>
+  double integrate(double x, const Part& part) const;
   double regular_strain(double x) const;
   double regular_displacement(double x) const;
 

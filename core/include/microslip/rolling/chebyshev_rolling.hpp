@@ -74,12 +74,17 @@ class ChebyshevRolling {
     Eigen::VectorXd coefficients;
     double creepage;
   };
-  Zone zone(double stick_edge, Eigen::Index unknowns) const;
+  void tabulate();
+  Zone zone(double stick_edge) const;
   CreepageForceCurve curve() const;
 
   Kernel kernel_;
   ChebyshevField sliding_;
   Eigen::Index unknowns_;
+  Eigen::VectorXd collocation_;  ///< points, in (-1, 1)
+  Eigen::VectorXd quadrature_;   ///< likewise
+  Eigen::MatrixXd strains_;      ///< of each term in plane strain, and 1, at the former
+  Eigen::MatrixXd loads_;        ///< of each term, at the latter
 };
 
 }  // namespace microslip
