@@ -156,6 +156,23 @@ TEST_F(BadScenes, MethodsOfSteadyRolling) {
   EXPECT_NE(outcome.error.find("64 unknowns do not suffice"), std::string::npos) << outcome.error;
 }
 
+TEST_F(BadScenes, AStepHasNoRoleInSteadyRolling) {
+  const auto rows = [&](const std::string& options) {
+    EXPECT_EQ(run(good_scene, options).error, "") << options;
+    std::ifstream in(out() / "traction.tsv");
+    std::string all;
+    for (std::string line; std::getline(in, line);) all += line.starts_with('#') ? "" : line + "\n";
+    return all;
+  };
+  for (const std::string method : {"--set method=collocation", "--set method=chebyshev"}) {
+    const std::string plain = rows(method);
+    EXPECT_FALSE(plain.empty());
+    for (const char* ratio : {"1e-12", "0.31", "1000"}) {
+      EXPECT_EQ(rows(method + " --set step.ratio=" + ratio), plain) << ratio;
+    }
+  }
+}
+
 TEST_F(BadScenes, BoundPolynomials) {
   expect_rejected(good_scene, "--set 'contact.bound_polynomial=1 -1.05'",
                   "least value of contact.bound_polynomial = -0.0");
