@@ -78,7 +78,8 @@ std::vector<Table> cylinder_scene(const CylinderScene& scene, const Progress& pr
   summary.add({"energy_error", energy.total() / -energy.potential, "1"});
   summary.add({"mean_energy_error", energy.mean_total() / -energy.potential, "1"});
   return {traction_table("a cylinder rolls down a slope, values at the nodes at the end",
-                         {body.contact().x(), body.contact().bound(), last.traction, last.slip,
+                         {body.contact().x(), body.contact().bound_at_nodes(),
+                          body.contact().traction_at_nodes(), last.slip,
                           body.contact().displacement(), last.zones}),
           history, summary};
 }

@@ -25,7 +25,7 @@ BoundDefect::BoundDefect(const Kernel& kernel, const TractionBound& bound,
                          const MaterialWindow& window)
     : sliding_(kernel, bound), window_(window) {}
 
-const VectorXd& BoundDefect::at(double phase, const Respond& respond) {
+const VectorXd& BoundDefect::at(double phase, const Respond& respond) const {
   const long long key = std::llround(phase / resolution);
   if (const auto known = known_.find(key); known != known_.end()) return known->second;
   if (known_.size() == most_known) known_.clear();
@@ -37,7 +37,7 @@ const VectorXd& BoundDefect::at(double phase, const Respond& respond) {
 }
 
 VectorXd BoundDefect::change(double before, double after, Index moved, double length,
-                             const Respond& respond) {
+                             const Respond& respond) const {
   VectorXd change;
   if (length >= short_step * window_.spacing()) {
     const VectorXd first = moved_on(at(before, respond), moved, 0.0);

@@ -92,6 +92,15 @@ VectorXd MaterialRolling::values(const MaterialState& state) const {
   return values;
 }
 
+VectorXd MaterialRolling::displacement(const MaterialState& state) const {
+  VectorXd displacement = respond(state.traction);
+  if (state.sliding_direction != 0) {
+    displacement += state.sliding_direction *
+                    defect_.at(phase(state), [&](const VectorXd& p) { return respond(p); });
+  }
+  return displacement;
+}
+
 std::optional<SoftElement> MaterialRolling::soft_element(double phase) const {
   if (phase <= MaterialWindow::rounding) return std::nullopt;
   return SoftElement{window_.coming(), compliance_ * (1 - phase) / phase};

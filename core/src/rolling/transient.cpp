@@ -255,7 +255,8 @@ VectorXd TransientRolling::traction_at_nodes() const {
 VectorXd TransientRolling::bound_at_nodes() const { return bound_at(problem_.bound, x_); }
 
 VectorXd TransientRolling::displacement() const {
-  return material_ ? material_->respond(state_.traction) : active_set_->respond(state_.traction);
+  return material_ ? material_->displacement(*material_state_)
+                   : active_set_->respond(state_.traction);
 }
 
 /// The same place, with fewer rounding errors.
@@ -265,7 +266,9 @@ void TransientRolling::move_to(double distance) {
 }
 
 double TransientRolling::elastic_energy() const {
-  return weights_.cwiseProduct(state_.traction).dot(displacement()) / 2;
+  const VectorXd& p = state_.traction;
+  const VectorXd displacement = material_ ? material_->respond(p) : active_set_->respond(p);
+  return weights_.cwiseProduct(p).dot(displacement) / 2;
 }
 
 void TransientRolling::roll(double distance, const std::vector<double>& lengths, const Load& load,

@@ -22,18 +22,18 @@ class BoundDefect {
   using Respond = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
   /// At a phase of the window  [mm]. O(N^2), and N times FullSliding::displacement; it is kept.
-  const Eigen::VectorXd& at(double phase, const Respond& respond);
+  const Eigen::VectorXd& at(double phase, const Respond& respond) const;
 
   /// Its change at material points between two phases, a length apart; zero at the last node if
   /// the window has moved on, which did not know it before  [mm]
   /// \param moved  by how many nodes, 0 or 1
   Eigen::VectorXd change(double before, double after, Eigen::Index moved, double length,
-                         const Respond& respond);
+                         const Respond& respond) const;
 
  private:
   FullSliding sliding_;
   MaterialWindow window_;
-  std::map<long long, Eigen::VectorXd> known_;
+  mutable std::map<long long, Eigen::VectorXd> known_;
 };
 
 }  // namespace microslip

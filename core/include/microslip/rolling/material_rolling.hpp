@@ -104,6 +104,9 @@ class MaterialRolling {
   /// next to the leading edge coefficients. Zero outside the contact  [N/mm^2]
   Eigen::VectorXd values(const MaterialState& state) const;
 
+  /// At the nodes, with the exact one of what slides; before the leading edge continued  [mm]
+  Eigen::VectorXd displacement(const MaterialState& state) const;
+
   /// A times tractions at the nodes of the window  [mm]
   Eigen::VectorXd respond(const Eigen::VectorXd& traction) const;
 

@@ -85,10 +85,11 @@ class TransientRolling {
   Eigen::VectorXd traction_at_nodes() const;  ///< zero outside the contact  [N/mm^2]
   Eigen::VectorXd bound_at_nodes() const;     ///< [N/mm^2]
 
-  /// A p, the displacement at the nodes  [mm]. N^2 operations.
+  /// A p, the displacement at the nodes; on a grid fixed to the material with the exact one of what
+  /// slides instead of that of its elements  [mm]. N^2 operations.
   Eigen::VectorXd displacement() const;
 
-  /// Half the integral of p u  [N]. N^2 operations.
+  /// Half of p A p  [N]. N^2 operations.
   double elastic_energy() const;
 
   /// Makes these the tractions, with nothing rolled. On a grid fixed to the material their ratio to
