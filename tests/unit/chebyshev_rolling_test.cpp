@@ -98,6 +98,8 @@ TEST(ChebyshevRolling, KnowsFullSlidingAndRest) {
   EXPECT_EQ(sliding.traction(0.3), some_bound()(0.3));
   EXPECT_LT(sliding.slip(0.9), 0);
   EXPECT_FALSE(sliding.sticks(1));
+  EXPECT_EQ(rolling.solve(PrescribedForce{-1e-12}).force(), -1e-12);
+  EXPECT_EQ(rolling.solve(PrescribedCreepage{1e-14}).creepage(), 1e-14);
   const ChebyshevSolution rest = rolling.solve(PrescribedCreepage{0});
   EXPECT_EQ(rest.force(), 0);
   EXPECT_NEAR(rest.traction(0.3), 0, 1e-14);

@@ -75,12 +75,14 @@ LoadedState meet_load(const CreepageForceCurve& curve, const Load& load, double 
   const auto root = boost::math::tools::toms748_solve(
       excess, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(51), most);
   const double b = (root.first + root.second) / 2;
-  const CreepageForce state = curve.at(b);
+  CreepageForce state = curve.at(b);
   const double residual =
       std::abs(target.reached_by(state) - target.size) / (at_full_sliding + target.size);
   if (!(residual < 1e-9)) {
     throw NotConverged("steady rolling: no stick zone carries the load", evaluations, residual);
   }
+  // Next to adhesion everywhere the curve has rounding errors that the load has not.
+  (target.force ? state.force : state.creepage) = target.force ? -target.size : target.size;
   return {state, 1, target.direction, evaluations};
 }
 
