@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/cattaneo_to_carter.hpp"
 
-#include <algorithm>
-
 #include "microslip/scene/model.hpp"
 
 namespace microslip::experiments {
@@ -36,17 +34,6 @@ CattaneoToCarter read_cattaneo_to_carter(Scene& scene) {
           .grid = grid,
           .basis = basis,
           .force = scene.number("load.force")};
-}
-
-Eigen::VectorXd interpolated(const Eigen::VectorXd& x, const Eigen::VectorXd& values,
-                             const Eigen::VectorXd& at) {
-  return at.unaryExpr([&](double position) {
-    const auto after = std::upper_bound(x.begin(), x.end(), position) - x.begin();
-    if (after == 0) return values[0];
-    if (after == x.size()) return values[x.size() - 1];
-    const double part = (position - x[after - 1]) / (x[after] - x[after - 1]);
-    return (1 - part) * values[after - 1] + part * values[after];
-  });
 }
 
 }  // namespace microslip::experiments

@@ -80,14 +80,6 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
-double largest(const std::vector<double>& values) {
-  return *std::max_element(values.begin(), values.end());
-}
-
-double smallest(const std::vector<double>& values) {
-  return *std::min_element(values.begin(), values.end());
-}
-
 /// Errors of one treatment: [size][case].
 struct Series {
   std::vector<std::vector<double>> force;
@@ -145,7 +137,7 @@ Reductions reductions_of(const std::vector<Eigen::Index>& sizes,
       factors.push_back(errors[k - 1][i] / errors[k][i]);
     }
   }
-  return {fitted_order(n, medians), smallest(factors)};
+  return {fitted_order(n, medians), std::ranges::min(factors)};
 }
 
 Table steady_steps(const OpenProblemsParameters& p) {
@@ -212,8 +204,8 @@ SteadyTables steady_tables(const OpenProblemsParameters& p, const Progress& prog
     const Series series = series_of(p, treatment, tables.cases, [&] { progress(++done, total); });
     for (std::size_t k = 0; k < p.sizes.size(); ++k) {
       tables.errors.add({treatment.name, static_cast<double>(p.sizes[k]), median(series.force[k]),
-                         smallest(series.force[k]), largest(series.force[k]),
-                         median(series.traction[k]), largest(series.traction[k])});
+                         std::ranges::min(series.force[k]), std::ranges::max(series.force[k]),
+                         median(series.traction[k]), std::ranges::max(series.traction[k])});
     }
     const Reductions force = reductions_of(p.sizes, series.force);
     const Reductions traction = reductions_of(p.sizes, series.traction);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "microslip/experiments/profile.hpp"
+#include "microslip/support/interpolation.hpp"
 
 namespace microslip::experiments {
 

@@ -2,6 +2,7 @@
 #include "rolled_tables.hpp"
 
 #include "microslip/experiments/profile.hpp"
+#include "microslip/support/interpolation.hpp"
 
 namespace microslip::experiments {
 

@@ -232,6 +232,11 @@ void require_below_full_sliding(const Load& load, double full_sliding) {
 
 }  // namespace
 
+Load over(const Load& load, double length) {
+  const auto* creepage = std::get_if<PrescribedCreepage>(&load);
+  return creepage == nullptr ? load : PrescribedCreepage{creepage->value * length};
+}
+
 ActiveSet::ActiveSet(const Eigen::MatrixXd& response, const VectorXd& weights)
     : system_(std::make_unique<AdhesionSystem>(response, weights)) {}
 

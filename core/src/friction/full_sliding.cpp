@@ -49,15 +49,10 @@ double PolygonField::displacement(double x) const {
   return std::visit(sum, kernel_);
 }
 
-double PolygonField::difference(double x, double shift) const {
-  constexpr double small_shift = 1e-3;
-  if (shift > small_shift * bound_.half_width()) return displacement(x) - displacement(x + shift);
-  using boost::math::quadrature::gauss;
-  return shift *
-         gauss<double, 7>::integrate([&](double s) { return strain(x + s * shift); }, 0.0, 1.0);
-}
-
 namespace {
+
+/// Up to this part of the half-width a difference of displacements is the integral of the strain.
+constexpr double small_shift = 1e-3;
 
 std::variant<ChebyshevField, PolygonField> field_of(const Kernel& kernel,
                                                     const TractionBound& bound) {
@@ -87,11 +82,10 @@ double FullSliding::displacement(double x) const {
 }
 
 double FullSliding::difference(double x, double shift) const {
-  if (const auto* smooth = std::get_if<ChebyshevField>(&field_)) {
-    if (x >= -half_width_) return smooth->continued_difference(x, shift);
-    return displacement(x) - displacement(x + shift);
-  }
-  return std::get<PolygonField>(field_).difference(x, shift);
+  if (shift > small_shift * half_width_) return displacement(x) - displacement(x + shift);
+  using boost::math::quadrature::gauss;
+  return shift *
+         gauss<double, 7>::integrate([&](double s) { return strain(x + s * shift); }, 0.0, 1.0);
 }
 
 }  // namespace microslip

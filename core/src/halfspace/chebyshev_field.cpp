@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/halfspace/chebyshev_field.hpp"
 
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -16,9 +15,6 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr double narrowest = 0.02;
-
-/// Below this part of the half-length a difference of displacements is the integral of the strain.
-constexpr double small_shift = 1e-3;
 
 /// Sum of c_n f_(n+1), f_k following Chebyshev's recurrence from 1 and t: f_k = T_k(t).
 double strain_series(const VectorXd& c, double t) {
@@ -136,15 +132,6 @@ double ChebyshevField::displacement(double x) const {
              (antiderivative(c, [&](Index k) { return std::pow(r, static_cast<double>(k)); }) -
               logarithms) +
          regular_displacement(x);
-}
-
-double ChebyshevField::continued_difference(double x, double shift) const {
-  if (shift > small_shift * traction_.half_length()) {
-    return continued_displacement(x) - continued_displacement(x + shift);
-  }
-  using boost::math::quadrature::gauss;
-  return shift * gauss<double, 7>::integrate(
-                     [&](double s) { return continued_strain(x + s * shift); }, 0.0, 1.0);
 }
 
 }  // namespace microslip

@@ -179,10 +179,10 @@ LoadedState CalibratedRolling::meet(const Load& load) {
 CalibratedSolution CalibratedRolling::solve(const Load& load) { return {*this, meet(load)}; }
 
 CalibratedSolution::CalibratedSolution(CalibratedRolling& rolling, const LoadedState& loaded)
-    : kernel_(rolling.kernel()),
+    : LoadedSolution(loaded),
+      kernel_(rolling.kernel()),
       bound_(rolling.bound()),
-      sliding_(rolling.sliding()),
-      loaded_(loaded) {
+      sliding_(rolling.sliding()) {
   if (loaded.state.stick_edge >= half_width_of(bound_)) return;
   lattice_ = rolling.lattice(loaded.state.stick_edge);
   const Index n = lattice_->x.size();

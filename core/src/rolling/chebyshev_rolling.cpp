@@ -47,7 +47,7 @@ double tail_of(const VectorXd& coefficients) {
 
 ChebyshevSolution::ChebyshevSolution(const LoadedState& loaded, ChebyshevField sliding,
                                      std::optional<ChebyshevField> adhesion)
-    : loaded_(loaded), sliding_(std::move(sliding)), adhesion_(std::move(adhesion)) {}
+    : LoadedSolution(loaded), sliding_(std::move(sliding)), adhesion_(std::move(adhesion)) {}
 
 double ChebyshevSolution::traction(double x) const {
   const double stuck = adhesion_ ? adhesion_->traction()(x) : 0;

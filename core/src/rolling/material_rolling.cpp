@@ -20,12 +20,6 @@ Zone& at(std::vector<Zone>& zones, Index i) { return zones[static_cast<std::size
 
 double direction(Zone zone) { return static_cast<double>(zone); }
 
-/// The load of a part of a step, as a slip displacement.
-Load over(const Load& load, double length) {
-  const auto* creepage = std::get_if<PrescribedCreepage>(&load);
-  return creepage == nullptr ? load : PrescribedCreepage{creepage->value * length};
-}
-
 }  // namespace
 
 void Approach::advance(double phase, double coming_slip, double ahead_slip) {

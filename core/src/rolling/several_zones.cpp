@@ -7,6 +7,7 @@
 #include "microslip/friction/full_sliding.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/calibrated_rolling.hpp"
+#include "microslip/support/interpolation.hpp"
 
 namespace microslip {
 
@@ -24,15 +25,6 @@ struct Lattice {
 
   double spacing;
   VectorXd x;
-
-  /// Linear between the nodes, and constant beyond them.
-  double interpolate(const VectorXd& values, double at) const {
-    const auto last = static_cast<double>(x.size() - 1);
-    const double place = std::clamp((at - x[0]) / spacing, 0.0, last);
-    const Index i = std::min(static_cast<Index>(place), x.size() - 2);
-    const double part = place - static_cast<double>(i);
-    return (1 - part) * values[i] + part * values[i + 1];
-  }
 };
 
 }  // namespace
@@ -65,9 +57,7 @@ SteadySolution with_several_zones(const SteadyProblem& problem) {
 
   const VectorXd x = problem.grid.nodes();
   const VectorXd bound_at_nodes = bound_at(problem.bound, x);
-  const auto at_nodes = [&](const VectorXd& values) -> VectorXd {
-    return x.unaryExpr([&](double xi) { return lattice.interpolate(values, xi); });
-  };
+  const auto at_nodes = [&](const VectorXd& values) { return interpolated(lattice.x, values, x); };
   SteadySolution state{.x = x,
                        .bound = bound_at_nodes,
                        .traction = at_nodes(difference) - direction * bound_at_nodes,

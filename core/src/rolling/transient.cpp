@@ -10,6 +10,7 @@
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/support/format.hpp"
+#include "microslip/support/interpolation.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip {
@@ -25,29 +26,12 @@ constexpr double printed = 1e-3;
 /// A remainder below this part of a step is rounding of the distance.
 constexpr double negligible = 1e-9;
 
-/// The load of a step, as a slip displacement.
-Load over(const Load& load, double length) {
-  const auto* creepage = std::get_if<PrescribedCreepage>(&load);
-  return creepage == nullptr ? load : PrescribedCreepage{creepage->value * length};
-}
-
 ContactState at_rest(const VectorXd& traction, const std::vector<Zone>& zones) {
   return {.traction = traction,
           .slip = VectorXd::Zero(traction.size()),
           .zones = zones,
           .creepage = 0,
           .iterations = 0};
-}
-
-/// Linear between equidistant nodes, and constant beyond them.
-double interpolated(const VectorXd& nodes, const VectorXd& values, double x) {
-  const Index last = nodes.size() - 1;
-  if (x <= nodes[0]) return values[0];
-  if (x >= nodes[last]) return values[last];
-  const double place = (x - nodes[0]) / (nodes[last] - nodes[0]) * static_cast<double>(last);
-  const Index i = std::min(static_cast<Index>(place), last - 1);
-  const double part = place - static_cast<double>(i);
-  return (1 - part) * values[i] + part * values[i + 1];
 }
 
 /// Steps of given lengths, in turn, the last of which ends at a distance.
@@ -148,8 +132,8 @@ void TransientRolling::start_from(const VectorXd& traction) {
     const VectorXd at = material_->window().x(0);
     const VectorXd ratio =
         (bound.array() > 0).select(traction.array() / bound.array(), 0).cwiseMax(-1).cwiseMin(1);
-    start_material(material_->start(material_->window().bound(0).cwiseProduct(
-        at.unaryExpr([&](double x) { return interpolated(nodes, ratio, x); }))));
+    start_material(material_->start(
+        material_->window().bound(0).cwiseProduct(interpolated(nodes, ratio, at))));
     return;
   }
   std::vector<Zone> zones;

@@ -8,6 +8,7 @@
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/chebyshev_rolling.hpp"
 #include "microslip/support/format.hpp"
+#include "microslip/support/interpolation.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip {
@@ -80,15 +81,13 @@ struct ContactModel {
   Kernel kernel;
   TractionBound bound;
   Grid grid;
-  Basis basis;
 };
 
 ContactModel read_contact(Scene& scene) {
   const Material material = read_material(scene);
   const TractionBound bound = read_bound(scene);
   const Kernel kernel = read_kernel(scene, material);
-  const Grid grid = read_grid(scene, half_width_of(bound));
-  return {kernel, bound, grid, read_basis(scene, grid)};
+  return {kernel, bound, read_grid(scene, half_width_of(bound))};
 }
 
 /// A start file may have been printed with few digits  [dx]
@@ -108,24 +107,17 @@ Eigen::VectorXd interpolated_at_nodes(const Eigen::VectorXd& x, const Eigen::Vec
   };
   require_within_bound(x, at(-half).cwiseMax(at(0)).cwiseMax(at(half)), traction);
   const Eigen::VectorXd bound = at(0);
-  std::vector<double> places, ratios;
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
+  const auto bounded = static_cast<Eigen::Index>((bound.array() > 0).count());
+  Eigen::VectorXd places(bounded), ratios(bounded);
+  for (Eigen::Index i = 0, k = 0; i < x.size(); ++i) {
     require(i == 0 || x[i] > x[i - 1], "x", x[i], "ascending positions");
     if (bound[i] <= 0) continue;
-    places.push_back(x[i]);
-    ratios.push_back(std::clamp(traction[i] / bound[i], -1.0, 1.0));
+    places[k] = x[i];
+    ratios[k++] = std::clamp(traction[i] / bound[i], -1.0, 1.0);
   }
-  require(!places.empty(), "number of rows", 0, "at least one where the bound is not zero");
+  require(bounded > 0, "number of rows", 0, "at least one where the bound is not zero");
   const Eigen::VectorXd nodes = problem.grid.nodes();
-  const auto ratio_at = [&](double node) {
-    const auto after = std::upper_bound(places.begin(), places.end(), node) - places.begin();
-    const auto i = static_cast<std::size_t>(after);
-    if (i == 0) return ratios.front();
-    if (i == places.size()) return ratios.back();
-    const double part = (node - places[i - 1]) / (places[i] - places[i - 1]);
-    return (1 - part) * ratios[i - 1] + part * ratios[i];
-  };
-  return bound_at(problem.bound, nodes).cwiseProduct(nodes.unaryExpr(ratio_at));
+  return bound_at(problem.bound, nodes).cwiseProduct(interpolated(places, ratios, nodes));
 }
 
 /// On a grid that is fixed to the material, a result is not known at the nodes of the next start.
@@ -180,10 +172,6 @@ Start read_start(Scene& scene, const TransientProblem& problem, const Load& load
                                         : scene.number("start.force", force->value)};
 }
 
-}  // namespace
-
-namespace {
-
 double exact_edge_displacement(const SteadyProblem& problem) {
   return ChebyshevRolling(problem.kernel, problem.bound)
       .solve(problem.load)
@@ -219,15 +207,12 @@ SteadyProblem read_steady(Scene& scene) {
 }
 
 SteadyProblem read_steady(Scene& scene, const SteadyMethod& method) {
-  const Material material = read_material(scene);
-  const TractionBound bound = read_bound(scene);
-  const Kernel kernel = read_kernel(scene, material);
-  const Grid grid = read_grid(scene, half_width_of(bound));
+  const ContactModel model = read_contact(scene);
   const bool elements = !std::holds_alternative<ChebyshevCollocation>(method);
-  return {.kernel = kernel,
-          .bound = bound,
-          .grid = grid,
-          .basis = elements ? read_basis(scene, grid) : constant_basis(),
+  return {.kernel = model.kernel,
+          .bound = model.bound,
+          .grid = model.grid,
+          .basis = elements ? read_basis(scene, model.grid) : constant_basis(),
           .method = method,
           .load = read_load(scene)};
 }
@@ -237,7 +222,7 @@ TransientScene read_transient(Scene& scene) {
   const TransientProblem problem{.kernel = model.kernel,
                                  .bound = model.bound,
                                  .grid = model.grid,
-                                 .basis = model.basis,
+                                 .basis = read_basis(scene, model.grid),
                                  .scheme = read_scheme(scene, {"material", "direct", "relaxed",
                                                                "relaxed_traction", "fractional"})};
   const std::vector<double> step_ratios = scene.numbers("step.ratio");
@@ -262,7 +247,7 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
   CylinderScene cylinder{.contact = {.kernel = model.kernel,
                                      .bound = model.bound,
                                      .grid = model.grid,
-                                     .basis = model.basis,
+                                     .basis = read_basis(scene, model.grid),
                                      .scheme = scheme},
                          .cylinder = {.mass = scene.number("cylinder.mass"),
                                       .inertia = scene.number("cylinder.inertia"),

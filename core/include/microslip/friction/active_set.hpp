@@ -19,6 +19,10 @@ struct PrescribedForce {
 
 using Load = std::variant<PrescribedCreepage, PrescribedForce>;
 
+/// The load of a step of some length as that of a slip displacement: a creepage grows with it, and
+/// a force stays.
+Load over(const Load& load, double length);
+
 /// In slip, the sign is that of the traction.
 enum class Zone : signed char { slip_negative = -1, adhesion = 0, slip_positive = 1 };
 

@@ -15,7 +15,6 @@ class PolygonField {
 
   double strain(double x) const;        ///< infinite at an edge where the bound jumps  [1]
   double displacement(double x) const;  ///< [mm]
-  double difference(double x, double shift) const;  ///< u(x) - u(x + shift)  [mm]
 
  private:
   Kernel kernel_;

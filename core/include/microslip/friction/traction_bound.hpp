@@ -43,9 +43,10 @@ class PolynomialBound {
   /// \throws std::invalid_argument outside the ranges
   PolynomialBound(double half_width, double peak, const Eigen::VectorXd& coefficients);
 
-  double half_width() const { return traction_.half_length(); }
-
+  /// \param traction  centred at x = 0, and nowhere negative
   explicit PolynomialBound(const ChebyshevTraction& traction) : traction_(traction) {}
+
+  double half_width() const { return traction_.half_length(); }
 
   /// g(x)  [N/mm^2]
   double operator()(double x) const { return traction_(x); }

@@ -33,10 +33,6 @@ class ChebyshevField {
   double continued_strain(double x) const;        ///< [1]
   double continued_displacement(double x) const;  ///< [mm]
 
-  /// u(x) - u(x + shift), without cancellation for small shifts  [mm]
-  /// \param shift  >= 0  [mm]
-  double continued_difference(double x, double shift) const;
-
  private:
   double position(double x) const { return (x - traction_.centre()) / traction_.half_length(); }
   template <class Part>

@@ -97,17 +97,9 @@ class CalibratedRolling {
 };
 
 /// A steady state as functions of the position.
-class CalibratedSolution {
+class CalibratedSolution : public LoadedSolution {
  public:
   CalibratedSolution(CalibratedRolling& rolling, const LoadedState& loaded);
-
-  double creepage() const { return loaded_.direction * loaded_.state.creepage; }  ///< w  [1]
-  double force() const { return loaded_.direction * loaded_.state.force; }        ///< F  [N/mm]
-  double stick_edge() const { return loaded_.state.stick_edge; }  ///< b; a in full sliding  [mm]
-  int evaluations() const { return loaded_.evaluations; }         ///< of systems of equations
-
-  /// -w F, the energy lost per mm rolled and mm width  [N/mm]
-  double dissipation() const { return -loaded_.state.creepage * loaded_.state.force; }
 
   bool sticks(double x) const { return lattice_ && x >= stick_edge(); }
   double traction(double x) const;      ///< p(x), zero outside the contact  [N/mm^2]
@@ -127,7 +119,6 @@ class CalibratedSolution {
   Kernel kernel_;
   TractionBound bound_;
   FullSliding sliding_;
-  LoadedState loaded_;
   std::optional<StickLattice> lattice_;  ///< none in full sliding
   double anchor_ = 0;                    ///< a place in adhesion  [mm]
   double anchor_displacement_ = 0;       ///< there  [mm]

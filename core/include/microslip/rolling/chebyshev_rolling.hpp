@@ -11,20 +11,12 @@
 namespace microslip {
 
 /// A steady state as functions of the position.
-class ChebyshevSolution {
+class ChebyshevSolution : public LoadedSolution {
  public:
   /// \param sliding    that of the bound
   /// \param adhesion   of what adhesion takes away from it; none in full sliding
   ChebyshevSolution(const LoadedState& loaded, ChebyshevField sliding,
                     std::optional<ChebyshevField> adhesion);
-
-  double creepage() const { return loaded_.direction * loaded_.state.creepage; }  ///< w  [1]
-  double force() const { return loaded_.direction * loaded_.state.force; }        ///< F  [N/mm]
-  double stick_edge() const { return loaded_.state.stick_edge; }  ///< b; a in full sliding  [mm]
-  int evaluations() const { return loaded_.evaluations; }         ///< of systems of equations
-
-  /// -w F, the energy lost per mm rolled and mm width  [N/mm]
-  double dissipation() const { return -loaded_.state.creepage * loaded_.state.force; }
 
   bool sticks(double x) const { return adhesion_ && x >= stick_edge(); }
   double traction(double x) const;      ///< p(x), zero outside the contact  [N/mm^2]
@@ -36,7 +28,6 @@ class ChebyshevSolution {
   double violation() const;
 
  private:
-  LoadedState loaded_;
   ChebyshevField sliding_;
   std::optional<ChebyshevField> adhesion_;
 };

@@ -33,6 +33,23 @@ struct LoadedState {
   int evaluations;   ///< of the curve
 };
 
+/// What both solvers' steady states have in common, with the sign of the load.
+class LoadedSolution {
+ public:
+  double creepage() const { return loaded_.direction * loaded_.state.creepage; }  ///< w  [1]
+  double force() const { return loaded_.direction * loaded_.state.force; }        ///< F  [N/mm]
+  double stick_edge() const { return loaded_.state.stick_edge; }  ///< b; a in full sliding  [mm]
+  int evaluations() const { return loaded_.evaluations; }         ///< of systems of equations
+
+  /// -w F, the energy lost per mm rolled and mm width  [N/mm]
+  double dissipation() const { return -loaded_.state.creepage * loaded_.state.force; }
+
+ protected:
+  explicit LoadedSolution(const LoadedState& loaded) : loaded_(loaded) {}
+
+  LoadedState loaded_;
+};
+
 /// \param near   look there first, [mm], with this uncertainty  [mm]
 /// \throws std::invalid_argument if a force is not below full sliding
 /// \throws NotConverged          if the root is not found

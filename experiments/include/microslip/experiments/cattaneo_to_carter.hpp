@@ -29,8 +29,4 @@ struct CattaneoToCarter {
 /// material.*, kernel.*, contact.*, grid.elements (filling the contact), basis, load.force
 CattaneoToCarter read_cattaneo_to_carter(Scene& scene);
 
-/// Values at ascending x, interpolated linearly; the outermost ones beyond.
-Eigen::VectorXd interpolated(const Eigen::VectorXd& x, const Eigen::VectorXd& values,
-                             const Eigen::VectorXd& at);
-
 }  // namespace microslip::experiments
