@@ -17,7 +17,8 @@ set format y "10^{%T}"
 set xtics (15, 30, 60, 120, 240, 480)
 set xrange [13:560]
 set xlabel "elements N [1]"
-set ylabel "error of the force [1]"
+set ylabel "relative error of the force [1]"
+set yrange [1e-13:1]
 set key bottom left invert
 set style fill solid 0.15 noborder
 slope(n, order, from) = from * (15 / n)**order
