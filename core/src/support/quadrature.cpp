@@ -24,7 +24,8 @@ double call(double x, void* integrand) {
 
 double integrate(const std::function<double(double)>& integrand, double begin, double end,
                  double relative) {
-  gsl_set_error_handler_off();
+  // Once, as the handler belongs to all threads.
+  [[maybe_unused]] static gsl_error_handler_t* const former = gsl_set_error_handler_off();
   const std::unique_ptr<gsl_integration_workspace, void (*)(gsl_integration_workspace*)> workspace(
       gsl_integration_workspace_alloc(intervals), gsl_integration_workspace_free);
   gsl_function function{call, const_cast<std::function<double(double)>*>(&integrand)};
