@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <limits>
 #include <ostream>
+#include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "microslip/support/format.hpp"
 
@@ -72,6 +74,71 @@ void Table::write(std::ostream& out, const std::string& program,
     }
     out << '\n';
   }
+}
+
+namespace {
+
+/// A text, line by line and then part by part; what is not as expected throws.
+class Lines {
+ public:
+  explicit Lines(std::string_view text) : text_(text) {}
+
+  bool at_end() const { return text_.empty(); }
+  bool starts_with(std::string_view begin) const { return text_.starts_with(begin); }
+
+  /// All up to a mark, which is taken, too.
+  std::string up_to(std::string_view mark) {
+    const std::size_t at = text_.find(mark);
+    if (at == std::string_view::npos || text_.substr(0, at).find('\n') != std::string_view::npos) {
+      throw std::invalid_argument("expected a whole table of this program");
+    }
+    const std::string part(text_.substr(0, at));
+    text_.remove_prefix(at + mark.size());
+    return part;
+  }
+
+  std::vector<Cell> cells() {
+    std::vector<Cell> row;
+    std::istringstream line(up_to("\n"));
+    for (std::string cell; std::getline(line, cell, '\t');) row.emplace_back(cell);
+    return row;
+  }
+
+ private:
+  std::string_view text_;
+};
+
+}  // namespace
+
+WrittenTable read_table(const std::string& name, const std::string& text) {
+  Lines lines(text);
+  lines.up_to("# ");
+  lines.up_to(": ");
+  const std::string description = lines.up_to("\n");
+  lines.up_to("# parameters\n");
+  Parameters parameters;
+  while (lines.starts_with("#   ")) {
+    lines.up_to("#   ");
+    const std::string key = lines.up_to(" = ");
+    parameters.emplace_back(key, lines.up_to("\n"));
+  }
+  lines.up_to("# columns\n");
+  std::vector<Column> columns;
+  while (lines.starts_with("#   ")) {
+    lines.up_to("#   ");
+    const std::string column = lines.up_to(" [");
+    const std::string unit = lines.up_to("]: ");
+    columns.push_back({column, unit, lines.up_to("\n")});
+  }
+  Table table(name, description, columns);
+  lines.up_to("\n");
+  while (!lines.at_end()) {
+    const std::vector<Cell> row = lines.cells();
+    if (row.size() != columns.size())
+      throw std::invalid_argument("expected as many cells as names");
+    table.add(row);
+  }
+  return {table, parameters};
 }
 
 }  // namespace microslip

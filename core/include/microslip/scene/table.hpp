@@ -49,4 +49,14 @@ class Table {
   std::vector<std::vector<Cell>> rows_;
 };
 
+/// A table as it was written; all cells are text.
+struct WrittenTable {
+  Table table;
+  Parameters parameters;
+};
+
+/// Reads what Table::write wrote; written again, it is the same bytes.
+/// \throws std::invalid_argument if the text is something else, or only the begin of it
+WrittenTable read_table(const std::string& name, const std::string& text);
+
 }  // namespace microslip
