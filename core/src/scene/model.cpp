@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 
 #include "microslip/halfspace/influence.hpp"
@@ -270,6 +271,23 @@ CylinderScene read_cylinder(Scene& scene) {
                        integrator == "midpoint" ? Integrator::midpoint
                        : integrator == "verlet" ? Integrator::verlet
                                                 : Integrator::leapfrog);
+}
+
+std::string unit_of_key(const std::string& key) {
+  static const std::map<std::string, std::string> units{{"material.shear_modulus", "N/mm^2"},
+                                                        {"contact.half_width", "mm"},
+                                                        {"contact.peak_traction", "N/mm^2"},
+                                                        {"kernel.width", "mm"},
+                                                        {"kernel.length", "mm"},
+                                                        {"load.force", "N/mm"},
+                                                        {"start.force", "N/mm"},
+                                                        {"motion.distance", "mm"},
+                                                        {"cylinder.mass", "N s^2/mm^2"},
+                                                        {"cylinder.inertia", "N s^2"},
+                                                        {"cylinder.radius", "mm"},
+                                                        {"cylinder.slope_force", "N/mm"}};
+  const auto found = units.find(key);
+  return found == units.end() ? "1" : found->second;
 }
 
 }  // namespace microslip

@@ -88,13 +88,52 @@ Scene Scene::parse(std::istream& in, const std::string& name, const std::string&
   }
   Scene scene;
   flatten(tree, "", [&](const std::string& key, const std::string& text) {
-    return scene.values_.emplace(key, Value{text, folder}).second;
+    return scene.put(key, text, folder);
   });
   return scene;
 }
 
+/// Replaces the text of a key that is there, at its place. False if it was.
+bool Scene::put(const std::string& key, const std::string& text, const std::string& folder) {
+  const auto [at, is_new] = values_.try_emplace(key, Value{text, folder, next_place_});
+  if (is_new) {
+    ++next_place_;
+  } else {
+    at->second.text = text;
+    at->second.folder = folder;
+  }
+  return is_new;
+}
+
 void Scene::overlay(const Scene& other) {
-  for (const auto& [key, value] : other.values_) values_[key] = value;
+  for (const std::string& key : other.keys()) {
+    const Value& value = other.value(key);
+    put(key, value.text, value.folder);
+  }
+}
+
+Scene Scene::take_section(const std::string& section) {
+  Scene taken;
+  for (const std::string& key : keys()) {
+    if (!key.starts_with(section + '.')) continue;
+    const Value& value = values_.at(key);
+    taken.put(key.substr(section.size() + 1), value.text, value.folder);
+    values_.erase(key);
+  }
+  return taken;
+}
+
+void Scene::replace(const std::string& key, const std::string& text) {
+  put(key, text, value(key).folder);
+}
+
+std::vector<std::string> Scene::keys() const {
+  std::vector<std::string> all;
+  for (const auto& [key, value] : values_) all.push_back(key);
+  std::sort(all.begin(), all.end(), [&](const std::string& a, const std::string& b) {
+    return values_.at(a).place < values_.at(b).place;
+  });
+  return all;
 }
 
 void Scene::set(std::string_view assignment) {
@@ -107,7 +146,8 @@ void Scene::set(std::string_view assignment) {
   if (value.empty()) {
     values_.erase(key);
   } else {
-    values_[key] = {value, ""};
+    values_.erase("sweep." + key);
+    put(key, value, "");
   }
 }
 
@@ -162,9 +202,10 @@ Eigen::Index Scene::whole(const std::string& key) {
 
 std::vector<Eigen::VectorXd> Scene::columns(const std::string& key,
                                             const std::vector<std::string>& names) {
-  const auto& [path, folder] = value(key);
+  const Value& file = value(key);
+  const std::string& path = file.text;
   if (!read_file_) throw std::invalid_argument("expected no file here");
-  std::istringstream in(read_file_(path.starts_with('/') ? path : folder + path));
+  std::istringstream in(read_file_(path.starts_with('/') ? path : file.folder + path));
   parameters_.emplace_back(key, path);
   return read_columns(in, names);
 }

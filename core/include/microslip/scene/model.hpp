@@ -82,4 +82,7 @@ CylinderScene read_cylinder(Scene& scene);
 /// The same with a given scheme and integrator.
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator);
 
+/// Unit of a key of the scenes above; "1" for words and pure numbers.
+std::string unit_of_key(const std::string& key);
+
 }  // namespace microslip

@@ -36,10 +36,23 @@ class Scene {
   /// Replaces what the other scene also gives, and adds the rest.
   void overlay(const Scene& other);
 
-  /// \param assignment  "key.sub=value"; an empty value removes the key
+  /// \param assignment  "key.sub=value"; an empty value removes the key, and any other wins over
+  ///                    "sweep.key.sub"
   void set(std::string_view assignment);
 
+  /// Takes all keys below a section out: a scene of their own, in which they lack its name.
+  Scene take_section(const std::string& section);
+
+  /// Gives another text to a key that is there; a relative file name refers to the same folder.
+  void replace(const std::string& key, const std::string& text);
+
   bool has(const std::string& key) const { return values_.count(key) != 0; }
+
+  /// In the order in which they were first given.
+  std::vector<std::string> keys() const;
+
+  /// As it was given. \throws std::invalid_argument if there is no such key
+  const std::string& text(const std::string& key) const { return value(key).text; }
 
   /// Whether the second of two keys is given. \throws std::invalid_argument unless one of them is
   bool has_second(const std::string& first, const std::string& second) const;
@@ -81,15 +94,17 @@ class Scene {
   struct Value {
     std::string text;
     std::string folder;
+    std::size_t place;  ///< among all keys, as they were first given
   };
 
   std::vector<Eigen::VectorXd> columns(const std::string& key,
                                        const std::vector<std::string>& names);
   const Value& value(const std::string& key) const;
-  const std::string& text(const std::string& key) const { return value(key).text; }
+  bool put(const std::string& key, const std::string& text, const std::string& folder);
   std::string known_keys() const;
 
   std::map<std::string, Value> values_;
+  std::size_t next_place_ = 0;
   Parameters parameters_;
   FileReader read_file_;
 };

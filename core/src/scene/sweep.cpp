@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/scene/sweep.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include "microslip/support/format.hpp"
+#include "number.hpp"
+
+namespace microslip {
+
+namespace {
+
+constexpr int digits = 15;
+
+[[noreturn]] void reject(const std::string& key, const std::string& text,
+                         const std::string& accepted) {
+  throw std::invalid_argument("sweep." + key + " = '" + text + "': expected " + accepted);
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text + separator);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  return parts;
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// With single blanks, so that a value stays in its line.
+std::string in_one_line(const std::string& text) {
+  std::string all;
+  for (const std::string& word : words_of(text)) all += (all.empty() ? "" : " ") + word;
+  return all;
+}
+
+/// To 15 digits of `largest`, so that 3 * 0.1 is 0.3, and -0.3 + 3 * 0.1 is 0.
+std::string rounded(double value, double largest) {
+  const int decimals = digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(largest))));
+  if (decimals < 0 || decimals > 300) return format_short(value);
+  std::array<char, 400> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value,
+                                 std::chars_format::fixed, decimals);
+  return format_short(*finite_number({text.data(), end.ptr}) + 0.0);  // + 0.0: no negative zero
+}
+
+std::optional<std::vector<std::string>> linear_range(double first, double step, double last) {
+  const double steps = (last - first) / step;
+  if (!(steps >= 0)) return std::nullopt;
+  if (steps >= static_cast<double>(Sweep::max_cases)) return std::nullopt;
+  const auto count = static_cast<int>(std::floor(steps * (1 + 1e-12) + 1e-12));
+  const double largest = std::max({std::abs(first), std::abs(last), std::abs(step)});
+  std::vector<std::string> values;
+  for (int i = 0; i <= count; ++i) values.push_back(rounded(first + i * step, largest));
+  return values;
+}
+
+std::optional<std::vector<std::string>> logarithmic_range(double first, int count, double last) {
+  if (count < 2 || static_cast<std::size_t>(count) > Sweep::max_cases || !(first * last > 0)) {
+    return std::nullopt;
+  }
+  std::vector<std::string> values{format_short(first)};
+  for (int i = 1; i < count - 1; ++i) {
+    const double value = first * std::pow(last / first, static_cast<double>(i) / (count - 1));
+    values.push_back(rounded(value, value));
+  }
+  values.push_back(format_short(last));
+  return values;
+}
+
+/// Nothing if it is none, or none that is accepted.
+std::optional<std::vector<std::string>> range(const std::vector<std::string>& parts) {
+  if (parts.size() != 3) return std::nullopt;
+  const auto first = finite_number(parts[0]);
+  const auto last = finite_number(parts[2]);
+  if (!first || !last) return std::nullopt;
+  if (parts[1].starts_with("log")) {
+    const auto count = converted<int>(parts[1].substr(3));
+    return count ? logarithmic_range(*first, *count, *last) : std::nullopt;
+  }
+  const auto step = finite_number(parts[1]);
+  return step ? linear_range(*first, *step, *last) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> swept_values(const std::string& key, const std::string& text) {
+  const bool has_lists = text.find('|') != std::string::npos;
+  std::vector<std::string> values;
+  for (const std::string& part : has_lists ? split(text, '|') : words_of(text)) {
+    const std::string value = in_one_line(part);
+    if (value.empty()) reject(key, text, "a value on both sides of |");
+    const std::vector<std::string> parts = split(value, ':');
+    if (parts.size() == 1 || !finite_number(parts[0])) {
+      values.push_back(value);
+      continue;
+    }
+    const auto expanded = range(parts);
+    if (!expanded) {
+      reject(key, value,
+             "first:step:last with a step towards last, or first:logN:last with N >= 2 and both of "
+             "one sign, and at most " +
+                 std::to_string(Sweep::max_cases) + " values");
+    }
+    values.insert(values.end(), expanded->begin(), expanded->end());
+  }
+  if (values.empty()) reject(key, text, "at least one value");
+  return values;
+}
+
+Sweep::Sweep(Scene scene) : common_(std::move(scene)), section_(common_.take_section("sweep")) {
+  for (const std::string& key : section_.keys()) {
+    keys_.push_back({key, swept_values(key, section_.text(key))});
+    size_ *= keys_.back().values.size();
+    if (size_ > max_cases) {
+      throw std::invalid_argument("sweep: expected at most " + std::to_string(max_cases) +
+                                  " cases, not " + std::to_string(size_) + " with sweep." + key);
+    }
+  }
+  if (keys_.empty()) {
+    throw std::invalid_argument("missing section 'sweep' with lists of values below its keys");
+  }
+}
+
+std::vector<std::string> Sweep::values(std::size_t index) const {
+  std::vector<std::string> chosen(keys_.size());
+  for (std::size_t k = keys_.size(); k-- > 0;) {
+    chosen[k] = keys_[k].values[index % keys_[k].values.size()];
+    index /= keys_[k].values.size();
+  }
+  return chosen;
+}
+
+Scene Sweep::scene(std::size_t index) const {
+  const std::vector<std::string> chosen = values(index);
+  Scene section = section_;
+  for (std::size_t k = 0; k < keys_.size(); ++k) section.replace(keys_[k].key, chosen[k]);
+  Scene scene = common_;
+  scene.overlay(section);
+  return scene;
+}
+
+}  // namespace microslip
