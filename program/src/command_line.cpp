@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command_line.hpp"
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+
+#include "microslip/support/not_converged.hpp"
+#include "provenance.hpp"
+
+namespace microslip::program {
+
+namespace {
+
+namespace options = boost::program_options;
+
+Scene parse_text(const std::string& text, const std::string& name) {
+  std::istringstream in(text);
+  return Scene::parse(in, name);
+}
+
+Scene parse_file(const std::string& path) {
+  const std::string text = [&] {
+    try {
+      return file_text(path);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("--scene " + path + ": " + error.what());
+    }
+  }();
+  std::istringstream in(text);
+  return Scene::parse(in, path, path.substr(0, path.find_last_of('/') + 1));
+}
+
+}  // namespace
+
+void add_scene_options(Options& options, const Program& program) {
+  const std::string scene_default = program.scene.empty() ? " (required)" : " (default: built in)";
+  options.add_options()("scene", options::value<std::string>(),
+                        ("property tree in INFO format" + scene_default).c_str())(
+      "set", options::value<std::vector<std::string>>()->default_value({}, ""),
+      "key.sub=value, over the scene; an empty value removes the key; repeatable");
+}
+
+void add_common_options(Options& options, const std::string& default_out) {
+  options.add_options()("out", options::value<std::string>()->default_value(default_out),
+                        "folder for the tables")("quiet", "no progress")(
+      "version", "print version and revision")("help", "print this");
+}
+
+Given parse(const Options& options, int argc, const char* const* argv) {
+  Given given;
+  options::store(options::command_line_parser(argc, argv)
+                     .options(options)
+                     .positional({})
+                     .style(options::command_line_style::default_style ^
+                            options::command_line_style::allow_guessing)
+                     .run(),
+                 given);
+  options::notify(given);
+  return given;
+}
+
+bool answers(const Given& given, const Options& options, const std::string& name,
+             const std::string& purpose) {
+  const bool help = given.count("help") != 0;
+  if (help) {
+    std::cout << name << ": " << purpose << "\n\n" << options;
+  } else if (given.count("version") != 0) {
+    std::cout << version_line(name) << '\n';
+  }
+  return help || given.count("version") != 0;
+}
+
+std::string file_text(const std::string& path) {
+  std::ifstream in(path);
+  std::ostringstream text;
+  if (in && in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
+  if (in.bad() || !in.is_open() || text.fail()) {
+    throw std::invalid_argument(std::string("cannot read it: ") + std::strerror(errno));
+  }
+  return text.str();
+}
+
+Scene read_scene(const Program& program, const Given& given) {
+  if (program.scene.empty() && given.count("scene") == 0) {
+    throw std::invalid_argument("missing option --scene FILE");
+  }
+  Scene scene = given.count("scene") != 0 ? parse_file(given["scene"].as<std::string>())
+                                          : parse_text(program.scene, "built-in scene");
+  if (given.count("quick") != 0) scene.overlay(parse_text(program.quick, "built-in quick scene"));
+  for (const std::string& assignment : given["set"].as<std::vector<std::string>>()) {
+    scene.set(assignment);
+  }
+  scene.read_files_by(file_text);
+  return scene;
+}
+
+Progress progress_on_terminal(const std::string& name, bool quiet) {
+  if (quiet || isatty(STDERR_FILENO) == 0) return [](std::size_t, std::size_t) {};
+  return [name](std::size_t done, std::size_t total) {
+    if (done < total && 100 * done / total == 100 * (done - 1) / total) return;
+    std::cerr << '\r' << name << ": " << done << " of " << total << (done == total ? "\n" : "")
+              << std::flush;
+  };
+}
+
+int status_of(const std::string& name, const std::function<int()>& action) {
+  const auto fail = [&](const std::exception& error, int status) {
+    std::cerr << name << ": " << error.what() << '\n';
+    return status;
+  };
+  try {
+    return action();
+  } catch (const NotConverged& error) {
+    return fail(error, 2);
+  } catch (const std::exception& error) {
+    return fail(error, 1);
+  }
+}
+
+}  // namespace microslip::program
