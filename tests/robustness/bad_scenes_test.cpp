@@ -1,73 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bad input to the built executables: exit status 1, one line on stderr that names the key, no
 // file.
-#include <gtest/gtest.h>
-#include <sys/wait.h>
-
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+
+#include "robustness/executables.hpp"
 
 namespace microslip {
 namespace {
 
-namespace fs = std::filesystem;
-
-const std::string good_scene = R"(
-problem steady
-material { shear_modulus 1
-  poisson_ratio 0.28 }
-contact { half_width 1
-  peak_traction 1 }
-kernel { type strip
-  width 40 }
-grid { elements 20 }
-load { creepage 0.4 }
-)";
-
-const std::string good_transient = R"(
-problem transient
-material { shear_modulus 1
-  poisson_ratio 0.28 }
-contact { half_width 1
-  peak_traction 1 }
-kernel { type strip
-  width 40 }
-grid { elements 20 }
-start { type cattaneo }
-step { ratio "1 0.5" }
-motion { distance 0.33 }
-load { force -1 }
-)";
-
-struct Outcome {
-  int status;
-  std::string error;
-};
-
-class BadScenes : public testing::Test {
+class BadScenes : public Executables {
  protected:
-  void SetUp() override {
-    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-    folder_ = fs::temp_directory_path() / ("microslip_" + name + std::to_string(getpid()));
-    fs::create_directories(folder_);
-  }
-
-  void TearDown() override { fs::remove_all(folder_); }
-
   Outcome run(const std::string& scene, const std::string& options,
               const std::string& program = "microslip") const {
-    const fs::path scene_path = folder_ / "scene.info";
-    std::ofstream(scene_path) << scene;
-    const std::string command = std::string(MICROSLIP_BIN) + "/" + program + " --scene '" +
-                                scene_path.string() + "' --out '" + out().string() + "' " +
-                                options + " 2>'" + (folder_ / "stderr").string() + "' >/dev/null";
-    const int status = std::system(command.c_str());
-    std::ostringstream error;
-    error << std::ifstream(folder_ / "stderr").rdbuf();
-    return {WEXITSTATUS(status), error.str()};
+    return run_program(program, "", scene, options);
   }
 
   void expect_rejected(const std::string& scene, const std::string& options,
@@ -79,10 +26,6 @@ class BadScenes : public testing::Test {
     EXPECT_NE(outcome.error.find(named), std::string::npos) << outcome.error;
     EXPECT_FALSE(fs::exists(out())) << options;
   }
-
-  fs::path out() const { return folder_ / "out"; }
-
-  fs::path folder_;
 };
 
 TEST_F(BadScenes, TheGoodOneIsSolved) {

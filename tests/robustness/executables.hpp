@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace microslip {
+
+namespace fs = std::filesystem;
+
+inline const std::string good_scene = R"(
+problem steady
+material { shear_modulus 1
+  poisson_ratio 0.28 }
+contact { half_width 1
+  peak_traction 1 }
+kernel { type strip
+  width 40 }
+grid { elements 20 }
+load { creepage 0.4 }
+)";
+
+inline const std::string good_transient = R"(
+problem transient
+material { shear_modulus 1
+  poisson_ratio 0.28 }
+contact { half_width 1
+  peak_traction 1 }
+kernel { type strip
+  width 40 }
+grid { elements 20 }
+start { type cattaneo }
+step { ratio "1 0.5" }
+motion { distance 0.33 }
+load { force -1 }
+)";
+
+inline std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+struct Outcome {
+  int status;
+  std::string error;
+  std::string output;
+};
+
+/// Tests that run the built executables, in a folder of their own.
+class Executables : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
+    folder_ = fs::temp_directory_path() / ("microslip_" + name + std::to_string(getpid()));
+    fs::create_directories(folder_);
+  }
+
+  void TearDown() override { fs::remove_all(folder_); }
+
+  Outcome run_command(const std::string& command) const {
+    const int status = std::system((command + " 2>'" + (folder_ / "stderr").string() + "' >'" +
+                                    (folder_ / "stdout").string() + "'")
+                                       .c_str());
+    return {WEXITSTATUS(status), text_of(folder_ / "stderr"), text_of(folder_ / "stdout")};
+  }
+
+  /// \param before  of the options, e.g. "sweep"
+  Outcome run_program(const std::string& program, const std::string& before,
+                      const std::string& scene, const std::string& options) const {
+    std::ofstream(scene_file()) << scene;
+    return run_command(std::string(MICROSLIP_BIN) + "/" + program + " " + before + " --scene '" +
+                       scene_file().string() + "' --out '" + out().string() + "' " + options);
+  }
+
+  fs::path scene_file() const { return folder_ / "scene.info"; }
+  fs::path out() const { return folder_ / "out"; }
+
+  fs::path folder_;
+};
+
+}  // namespace microslip
