@@ -1,15 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <stdexcept>
+#include <string>
+
 #include "microslip/experiments/cylinder_scene.hpp"
 #include "microslip/experiments/steady_scene.hpp"
 #include "microslip/experiments/transient_scene.hpp"
 #include "microslip/program/run.hpp"
+#include "microslip/program/sweep.hpp"
 #include "microslip/scene/model.hpp"
 
 namespace {
 
 using namespace microslip;
 
+/// In a case of a sweep, the section has been taken out.
+void reject_sweep(const Scene& scene) {
+  for (const std::string& key : scene.keys()) {
+    if (!key.starts_with("sweep.")) continue;
+    throw std::invalid_argument("key '" + key + "': expected a scene without a sweep; for many " +
+                                "see 'microslip sweep --help'");
+  }
+}
+
 program::Work prepare(Scene& scene) {
+  reject_sweep(scene);
   const std::string problem = scene.word("problem", {"steady", "transient", "cylinder"});
   if (problem == "steady") {
     return [steady = read_steady(scene)](const Progress&) {
@@ -29,11 +43,17 @@ program::Work prepare(Scene& scene) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return program::run({.name = "microslip",
-                       .question = "solves one scene of your own",
-                       .scene = "",
-                       .quick = "",
-                       .default_out = "out",
-                       .prepare = prepare},
-                      argc, argv);
+  const program::Program solver{
+      .name = "microslip",
+      .question =
+          "solves one scene of your own; 'microslip sweep' solves many, and 'microslip "
+          "merge' puts\ntheir results together: see 'microslip sweep --help'",
+      .scene = "",
+      .quick = "",
+      .default_out = "out",
+      .prepare = prepare};
+  const std::string command = argc > 1 ? argv[1] : "";
+  if (command == "sweep") return program::sweep(solver, argc, argv);
+  if (command == "merge") return program::merge(solver, argc, argv);
+  return program::run(solver, argc, argv);
 }

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "checksum.hpp"
+
+#include <cstdint>
+#include <iomanip>
+#include <sstream>
+
+namespace microslip::program {
+
+std::string checksum(const std::string& text) {
+  constexpr std::uint64_t offset = 0xcbf29ce484222325;
+  constexpr std::uint64_t prime = 0x100000001b3;
+  std::uint64_t hash = offset;
+  for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * prime;
+  std::ostringstream digits;
+  digits << std::hex << std::setw(16) << std::setfill('0') << hash;
+  return digits.str();
+}
+
+}  // namespace microslip::program

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/program/sweep.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <functional>
+#include <iostream>
+#include <new>
+#include <optional>
+#include <stdexcept>
+
+#include "command_line.hpp"
+#include "interrupts.hpp"
+#include "microslip/support/parallel.hpp"
+#include "outputs.hpp"
+#include "provenance.hpp"
+#include "sweep_folder.hpp"
+#include "sweep_plan.hpp"
+
+namespace microslip::program {
+
+namespace {
+
+namespace fs = std::filesystem;
+namespace options = boost::program_options;
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* sweep_purpose =
+    "solves all cases of a scene with a section 'sweep'; what is done already is left out";
+constexpr const char* merge_purpose = "puts the cases of a sweep into one table, sweep.tsv";
+constexpr const char* default_out = "out/sweep";
+constexpr int most_threads = 4096;
+
+/// Cases i, i + n, i + 2n ... of a sweep.
+struct Shard {
+  std::size_t number;  ///< i, 1 ... n
+  std::size_t count;   ///< n
+};
+
+struct Settings {
+  fs::path out;
+  int threads;
+  std::optional<Shard> shard;
+  bool keeps_tables;
+  bool quiet;
+};
+
+std::optional<std::size_t> positive(const std::string& text) {
+  std::size_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end || value == 0) return std::nullopt;
+  return value;
+}
+
+Shard shard_of(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  const auto number = positive(text.substr(0, slash));
+  const auto count = slash == std::string::npos ? std::nullopt : positive(text.substr(slash + 1));
+  if (!number || !count || *number > *count) {
+    throw std::invalid_argument("--shard '" + text + "': expected i/n with i from 1 to n");
+  }
+  return {*number, *count};
+}
+
+int threads_of(const std::string& text) {
+  const auto threads = positive(text);
+  if (!threads || *threads > most_threads) {
+    throw std::invalid_argument("--threads '" + text + "': expected a whole number from 1 to " +
+                                std::to_string(most_threads));
+  }
+  return static_cast<int>(*threads);
+}
+
+Options sweep_options(const Program& program) {
+  Options all("Options of sweep");
+  add_scene_options(all, program);
+  all.add_options()("threads", options::value<std::string>(),
+                    "cases at once (default: the number of cores)")(
+      "shard", options::value<std::string>(),
+      "i/n: only cases i, i + n, i + 2n ...; run merge when all shards are done")(
+      "tables", "keep all tables of each case, in a folder of its own");
+  add_common_options(all, default_out);
+  return all;
+}
+
+Settings settings_of(const Given& given) {
+  const auto has = [&](const char* name) { return given.count(name) != 0; };
+  return {.out = given["out"].as<std::string>(),
+          .threads =
+              has("threads") ? threads_of(given["threads"].as<std::string>()) : available_cores(),
+          .shard = has("shard") ? std::optional(shard_of(given["shard"].as<std::string>()))
+                                : std::nullopt,
+          .keeps_tables = has("tables"),
+          .quiet = has("quiet")};
+}
+
+std::string in_one_line(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
+  return text;
+}
+
+CaseResult solve(const Work& work) {
+  try {
+    return {work([](std::size_t, std::size_t) {}), "ok"};
+  } catch (const std::bad_alloc&) {  // not of the case, but of what else the machine does
+    throw;
+  } catch (const std::exception& error) {
+    return {{}, in_one_line(error.what())};
+  }
+}
+
+/// What is known of the cases of a shard.
+struct Outcome {
+  std::vector<std::size_t> cases;
+  std::vector<std::string> statuses;
+  std::size_t finished_before = 0;
+};
+
+Outcome solve_cases(const Program& program, const SweepPlan& plan, const SweepFolder& folder,
+                    const Settings& settings) {
+  const Shard shard = settings.shard.value_or(Shard{1, 1});
+  Outcome outcome;
+  std::vector<std::size_t> open;
+  for (std::size_t i = shard.number - 1; i < plan.cases.size(); i += shard.count) {
+    const auto status = folder.finished(i, plan.cases[i].parameters, settings.keeps_tables);
+    if (!status) open.push_back(outcome.cases.size());
+    outcome.cases.push_back(i);
+    outcome.statuses.push_back(status.value_or(""));
+  }
+  outcome.finished_before = outcome.cases.size() - open.size();
+  std::size_t done = outcome.finished_before;
+  const Progress progress = progress_on_terminal(program.name, settings.quiet);
+  Interrupts interrupts(program.name +
+                        ": interrupted; what is done is kept, and the same command goes on");
+  for_each_case(open.size(), settings.threads, [&](std::size_t k) {
+    const std::size_t i = outcome.cases[open[k]];
+    const CaseResult result = solve(plan.cases[i].work);
+    interrupts.critical([&] {
+      folder.finish(i, plan.cases[i].parameters, result, settings.keeps_tables);
+      outcome.statuses[open[k]] = result.status;
+      progress(++done, outcome.cases.size());
+    });
+  });
+  return outcome;
+}
+
+/// The exit status, with one line on stderr if a case has no solution.
+int report_failures(const Program& program, const Table& plan, const Outcome& outcome) {
+  const auto failed = [](const std::string& status) { return status != "ok"; };
+  const auto& statuses = outcome.statuses;
+  const auto first = std::find_if(statuses.begin(), statuses.end(), failed);
+  if (first == statuses.end()) return 0;
+  std::cerr << program.name << ": " << std::count_if(first, statuses.end(), failed) << " of "
+            << statuses.size() << " cases have no solution, the first is "
+            << case_label(plan, outcome.cases[static_cast<std::size_t>(first - statuses.begin())])
+            << ": " << *first << '\n';
+  return 2;
+}
+
+/// Writes sweep.tsv, and returns what became of the cases.
+/// \param origin  the text of provenance.txt, asked for when the rest is done
+Outcome write_merged(const Program& program, const SweepFolder& folder, const fs::path& out,
+                     const std::function<std::string()>& origin) {
+  const MergedSweep merged = folder.merged();
+  write_files(out, {output_of(merged.table, program.name, merged.parameters),
+                    {"provenance.txt", origin()}});
+  Outcome outcome{.cases = {}, .statuses = merged.statuses};
+  for (std::size_t i = 0; i < merged.statuses.size(); ++i) outcome.cases.push_back(i);
+  return outcome;
+}
+
+int sweep_scene(const Program& program, const Given& given, int argc, const char* const* argv) {
+  const auto start = Clock::now();
+  const Settings settings = settings_of(given);
+  const SweepPlan plan = plan_of(program, read_scene(program, given));
+  const SweepFolder folder =
+      SweepFolder::begin(settings.out, program.name, plan.table, plan.common);
+  const Outcome outcome = solve_cases(program, plan, folder, settings);
+  const auto origin = [&] { return provenance(program.name, argc, argv, Clock::now() - start); };
+  if (settings.shard) {
+    const std::string shard =
+        std::to_string(settings.shard->number) + "_of_" + std::to_string(settings.shard->count);
+    write_files(settings.out, {{"provenance_" + shard + ".txt", origin()}});
+  } else {
+    write_merged(program, folder, settings.out, origin);
+  }
+  if (!settings.quiet) {
+    std::cout << program.name << ": " << outcome.cases.size() << " cases, "
+              << outcome.finished_before << " of them finished before\n";
+  }
+  return report_failures(program, plan.table, outcome);
+}
+
+}  // namespace
+
+int sweep(const Program& program, int argc, const char* const* argv) {
+  return status_of(program.name, [&] {
+    const Options known = sweep_options(program);
+    const Given given = parse(known, argc - 1, argv + 1);
+    if (answers(given, known, program.name + " sweep", sweep_purpose)) return 0;
+    return sweep_scene(program, given, argc, argv);
+  });
+}
+
+int merge(const Program& program, int argc, const char* const* argv) {
+  return status_of(program.name, [&] {
+    const auto start = Clock::now();
+    Options known("Options of merge");
+    add_common_options(known, default_out);
+    const Given given = parse(known, argc - 1, argv + 1);
+    if (answers(given, known, program.name + " merge", merge_purpose)) return 0;
+    const fs::path out = given["out"].as<std::string>();
+    const SweepFolder folder = SweepFolder::open(out, program.name);
+    const Outcome outcome = write_merged(program, folder, out, [&] {
+      return provenance(program.name, argc, argv, Clock::now() - start);
+    });
+    return report_failures(program, folder.plan(), outcome);
+  });
+}
+
+}  // namespace microslip::program

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sweep_plan.hpp"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "checksum.hpp"
+#include "command_line.hpp"
+#include "microslip/scene/model.hpp"
+#include "microslip/scene/sweep.hpp"
+#include "microslip/support/not_converged.hpp"
+
+namespace microslip::program {
+
+namespace {
+
+Table table_of(const Sweep& sweep) {
+  std::vector<Column> columns{{"case", "1", "number of the case"}};
+  for (const SweptKey& swept : sweep.keys()) {
+    columns.push_back({swept.key, unit_of_key(swept.key), "swept"});
+  }
+  Table table("plan", "cases of a sweep; the last key varies fastest", columns);
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    std::vector<Cell> row{std::to_string(i + 1)};
+    for (const std::string& value : sweep.values(i)) row.emplace_back(value);
+    table.add(row);
+  }
+  return table;
+}
+
+Case read_case(const Program& program, Scene scene) {
+  try {
+    const Work work = program.prepare(scene);
+    scene.reject_unread();
+    return {scene.parameters(), work};
+  } catch (const NotConverged& error) {  // as if it had failed later: others may have solutions
+    return {scene.parameters(), [error](const Progress&) -> std::vector<Table> { throw error; }};
+  }
+}
+
+Parameters common_of(const std::vector<Case>& cases) {
+  Parameters common;
+  for (const auto& parameter : cases.front().parameters) {
+    const bool everywhere = std::all_of(cases.begin(), cases.end(), [&](const Case& one) {
+      return std::find(one.parameters.begin(), one.parameters.end(), parameter) !=
+             one.parameters.end();
+    });
+    if (everywhere) common.push_back(parameter);
+  }
+  return common;
+}
+
+}  // namespace
+
+SweepPlan plan_of(const Program& program, Scene scene) {
+  std::set<std::pair<std::string, std::string>> checksums;
+  scene.read_files_by([&](const std::string& path) {
+    std::string text = file_text(path);
+    checksums.emplace("checksum of " + path.substr(path.find_last_of('/') + 1), checksum(text));
+    return text;
+  });
+  const Sweep sweep(std::move(scene));
+  SweepPlan plan{.table = table_of(sweep), .common = {}, .cases = {}};
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    try {
+      plan.cases.push_back(read_case(program, sweep.scene(i)));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(case_label(plan.table, i) + ": " + error.what());
+    }
+  }
+  plan.common = common_of(plan.cases);
+  plan.common.insert(plan.common.end(), checksums.begin(), checksums.end());
+  return plan;
+}
+
+std::string case_label(const Table& plan, std::size_t index) {
+  std::string values;
+  for (std::size_t k = 1; k < plan.columns().size(); ++k) {
+    const std::string& key = plan.columns()[k].name;
+    values += (k > 1 ? ", " : "") + key + " = " + std::get<std::string>(plan.at(index, key));
+  }
+  return "case " + std::to_string(index + 1) + " of " + std::to_string(plan.rows()) + " (" +
+         values + ")";
+}
+
+}  // namespace microslip::program
