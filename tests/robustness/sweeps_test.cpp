@@ -288,6 +288,26 @@ TEST_F(Sweeps, BadInput) {
       << outcome.error;
 }
 
+TEST_F(Sweeps, TheJobArrayIsTheSameSweep) {
+  ASSERT_EQ(sweep().status, 0);
+  const Files once = files();
+  fs::remove_all(out());
+  const auto task = [&](int id) {
+    return run_command(
+        "SLURM_ARRAY_TASK_MIN=0 SLURM_ARRAY_TASK_COUNT=3 SLURM_CPUS_PER_TASK=1 "
+        "MICROSLIP='" MICROSLIP_BIN "/microslip' SLURM_ARRAY_TASK_ID=" +
+        std::to_string(id) + " bash '" MICROSLIP_SOURCE "/studies/sweep.sbatch' '" +
+        scene_file().string() + "' '" + out().string() + "'");
+  };
+  for (const int id : {2, 0, 1}) {
+    const Outcome outcome = task(id);
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_EQ(outcome.output, "microslip: 6 cases, 0 of them finished before\n");
+  }
+  EXPECT_EQ(merge().status, 0);
+  EXPECT_EQ(files(), once);
+}
+
 TEST_F(Sweeps, AnUnwritableFolderLeavesNothing) {
   std::ofstream(out()) << "a file where a folder should be";
   const Outcome outcome = sweep();
