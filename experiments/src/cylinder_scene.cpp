@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/cylinder_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "microslip/experiments/contact_tables.hpp"
@@ -51,9 +52,11 @@ std::vector<Table> cylinder_scene(const CylinderScene& scene, const Progress& pr
   Table history = empty_history();
   add(history, body);
   constexpr std::size_t parts = 1000;
+  double residual = 0;
   while (body.state().position < scene.distance) {
     body.step();
     add(history, body);
+    residual = std::max(residual, body.contact().state().residual);
     if (history.rows() > most_steps) {
       throw NotConverged("more steps than a history may hold", most_steps,
                          1 - body.state().position / scene.distance);
@@ -77,6 +80,7 @@ std::vector<Table> cylinder_scene(const CylinderScene& scene, const Progress& pr
   summary.add({"slip_elements", static_cast<double>(last.slip_elements), "1"});
   summary.add({"energy_error", energy.total() / -energy.potential, "1"});
   summary.add({"mean_energy_error", energy.mean_total() / -energy.potential, "1"});
+  summary.add({"residual", residual, "1"});
   return {traction_table("a cylinder rolls down a slope, values at the nodes at the end",
                          {body.contact().x(), body.contact().bound_at_nodes(),
                           body.contact().traction_at_nodes(), last.slip,

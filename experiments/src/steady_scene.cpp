@@ -17,6 +17,7 @@ std::vector<Table> steady_scene(const SteadyProblem& problem) {
   summary.add({"adhesion_elements", static_cast<double>(solution.adhesion_elements()), "1"});
   summary.add({"slip_elements", static_cast<double>(solution.slip_elements()), "1"});
   summary.add({"iterations", static_cast<double>(solution.iterations), "1"});
+  summary.add({"residual", solution.residual, "1"});
   summary.add({"dissipation", solution.dissipation, "N/mm"});
   return {traction_table("steady rolling, values at the nodes",
                          {solution.x, solution.bound, solution.traction, solution.slip,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/transient_scene.hpp"
 
+#include <algorithm>
+
 #include "microslip/experiments/contact_tables.hpp"
 
 namespace microslip::experiments {
@@ -43,11 +45,13 @@ std::vector<Table> transient_scene(const TransientScene& scene, const Progress& 
   double cumulative_creep = 0;
   double dissipated = 0;
   double before = 0;
+  double residual = 0;
   rolling.roll(scene.distance, lengths, scene.load, [&](const TransientState& state) {
     add(history, state);
     cumulative_creep += state.creepage * (state.distance - before);
     dissipated += state.dissipation * (state.distance - before);
     before = state.distance;
+    residual = std::max(residual, state.residual);
     progress(history.rows() - 1, steps);
   });
 
@@ -65,6 +69,7 @@ std::vector<Table> transient_scene(const TransientScene& scene, const Progress& 
   summary.add({"slip_elements", static_cast<double>(last.slip_elements), "1"});
   summary.add({"dissipation", last.dissipation, "N/mm"});
   summary.add({"dissipated_energy", dissipated, "N"});
+  summary.add({"residual", residual, "1"});
   return {traction_table("transient rolling, values at the nodes at the end",
                          {rolling.x(), rolling.bound_at_nodes(), rolling.traction_at_nodes(),
                           last.slip, rolling.displacement(), last.zones}),

@@ -38,31 +38,45 @@ Zone slip_zone(double traction) { return traction > 0 ? Zone::slip_positive : Zo
 struct Response {
   VectorXd traction;
   VectorXd slip;  ///< zero in adhesion
-  double creepage;
+  double creepage = 0;
+  double residual = 0;
 };
 
-/// One search for the partition of given conditions.
-class Search {
+}  // namespace
+
+/// The search for the partition of given conditions, and what is kept from one to the next.
+class ContactSearch {
  public:
-  Search(AdhesionSystem& system, const SlipConditions& conditions, const Load& load,
-         const std::vector<Zone>& first)
-      : system_(system),
-        conditions_(conditions),
-        prescribed_(prescribed_value(load)),
-        force_prescribed_(std::holds_alternative<PrescribedForce>(load)),
-        bound_scale_(conditions.bound.maxCoeff()),
-        zones_(first) {
+  ContactSearch(SquareMatrix response, VectorXd weights, const Solver& solver)
+      : system_(std::move(response), std::move(weights), solver) {}
+
+  const AdhesionSystem& system() const { return system_; }
+
+  void run(const SlipConditions& conditions, const Load& load, ContactState& state) {
+    conditions_ = &conditions;
+    prescribed_ = prescribed_value(load);
+    force_prescribed_ = std::holds_alternative<PrescribedForce>(load);
+    bound_scale_ = conditions.bound.maxCoeff();
+    zones_ = state.zones;
+    iterations_ = 0;
     system_.prescribe_force(force_prescribed_);
     system_.soften(conditions.soft);
-  }
-
-  ContactState run() {
     if (!exchange_blocks()) follow_path();
-    return {response_.traction, response_.slip, zones_, response_.creepage, iterations_};
+    if (!(response_.residual <= system_.solver().tolerance)) {
+      throw NotConverged("active set: the residual of the equations in adhesion is above " +
+                             format_short(system_.solver().tolerance),
+                         iterations_, response_.residual);
+    }
+    state.traction = response_.traction;
+    state.slip = response_.slip;
+    state.zones = zones_;
+    state.creepage = response_.creepage;
+    state.iterations = iterations_;
+    state.residual = response_.residual;
   }
 
  private:
-  Index size() const { return conditions_.bound.size(); }
+  Index size() const { return conditions_->bound.size(); }
   Zone& zone(Index i) { return zones_[static_cast<std::size_t>(i)]; }
   Zone zone(Index i) const { return zones_[static_cast<std::size_t>(i)]; }
 
@@ -73,33 +87,40 @@ class Search {
 
   /// The answer of the partition that the system follows. Increments p - reference are what is
   /// computed, so that small ones keep their digits.
-  Response answer(const SlipConditions& conditions, double prescribed) const {
-    VectorXd increment = VectorXd::Zero(size());
+  void answer(const SlipConditions& conditions, double prescribed, Response& response) {
+    VectorXd& traction = response.traction;
+    VectorXd& slip = response.slip;
+    increment_.setZero(size());
     for (Index i = 0; i < size(); ++i) {
       if (zone(i) == Zone::adhesion) continue;
-      increment[i] = static_cast<double>(zone(i)) * conditions.bound[i] - conditions.reference[i];
+      increment_[i] = static_cast<double>(zone(i)) * conditions.bound[i] - conditions.reference[i];
     }
-    VectorXd slip = conditions.offset;
-    if (const auto& soft = conditions_.soft) {
-      const Index i = soft->element;
-      slip[i] += soft->compliance * (conditions.reference[i] + increment[i]);
+    traction = conditions.reference + increment_;
+    slip = conditions.offset;
+    if (const auto& soft = conditions_->soft) {
+      slip[soft->element] += soft->compliance * traction[soft->element];
     }
-    if (!increment.isZero(0)) slip += system_.response() * increment;
-    const double other =
-        force_prescribed_ ? system_.weights().dot(conditions.reference + increment) : 0;
-    const auto [stuck, creepage] = system_.solve(-slip, prescribed - other);
-    slip += system_.response() * stuck;
-    slip.array() += creepage;
+    if (!increment_.isZero(0)) {
+      system_.response().apply(increment_, product_);
+      slip += product_;
+    }
+    const double other = force_prescribed_ ? system_.weights().dot(traction) : 0;
+    minus_slip_ = -slip;
+    system_.solve(minus_slip_, prescribed - other, unknowns_);
+    traction += unknowns_.increment;
+    slip += unknowns_.response;
+    slip.array() += unknowns_.creepage;
     for (Index i = 0; i < size(); ++i) {
       if (zone(i) == Zone::adhesion) slip[i] = 0;
     }
-    return {conditions.reference + increment + stuck, slip, creepage};
+    response.creepage = unknowns_.creepage;
+    response.residual = unknowns_.residual;
   }
 
   void respond() {
     ++iterations_;
     system_.follow(zones_);
-    response_ = answer(conditions_, prescribed_);
+    answer(*conditions_, prescribed_, response_);
     slip_scale_ = std::max(std::abs(response_.creepage), response_.slip.lpNorm<Eigen::Infinity>());
     if (!response_.traction.allFinite() || !std::isfinite(slip_scale_)) {
       throw NotConverged("active set: singular system", iterations_,
@@ -109,24 +130,24 @@ class Search {
 
   bool above_bound(Index i) const {
     return zone(i) == Zone::adhesion &&
-           excess_over_bound(response_.traction[i], conditions_.bound[i]) >
+           excess_over_bound(response_.traction[i], conditions_->bound[i]) >
                tolerance * bound_scale_;
   }
 
   bool slips_wrongly(Index i) const {
-    return conditions_.bound[i] > 0 &&
+    return conditions_->bound[i] > 0 &&
            wrong_slip(zone(i), response_.slip[i]) > tolerance * slip_scale_;
   }
 
   /// Thesis 3.1.1; false if the partitions do not settle.
   bool exchange_blocks() {
-    std::vector<int> releases(zones_.size(), 0);
+    releases_.assign(zones_.size(), 0);
     while (carries_load()) {
       respond();
       bool released = false;
       for (Index i = 0; i < size(); ++i) {
         if (!above_bound(i)) continue;
-        if (++releases[static_cast<std::size_t>(i)] > release_limit) return false;
+        if (++releases_[static_cast<std::size_t>(i)] > release_limit) return false;
         zone(i) = slip_zone(response_.traction[i]);
         released = true;
       }
@@ -157,7 +178,7 @@ class Search {
       if (!next || violation > slope * next->height) next = {violation / slope, i, to};
     };
     for (Index i = 0; i < size(); ++i) {
-      if (i == last || conditions_.bound[i] <= 0) continue;
+      if (i == last || conditions_->bound[i] <= 0) continue;
       if (zone(i) != Zone::adhesion) {
         consider(wrong_slip(zone(i), response_.slip[i]), -wrong_slip(zone(i), rise.slip[i]),
                  slip_scale_, i, Zone::adhesion);
@@ -165,7 +186,7 @@ class Search {
       }
       for (const Zone to : {Zone::slip_negative, Zone::slip_positive}) {
         const double s = static_cast<double>(to);
-        consider(s * response_.traction[i] - conditions_.bound[i], 1 - s * rise.traction[i],
+        consider(s * response_.traction[i] - conditions_->bound[i], 1 - s * rise.traction[i],
                  bound_scale_, i, to);
       }
     }
@@ -177,7 +198,7 @@ class Search {
                           .offset = VectorXd::Zero(size()),
                           .reference = VectorXd::Zero(size())};
     for (Index i = 0; i < size(); ++i) {
-      if (conditions_.bound[i] > 0) {
+      if (conditions_->bound[i] > 0) {
         zone(i) = Zone::adhesion;
       } else {
         if (zone(i) == Zone::adhesion) zone(i) = Zone::slip_positive;
@@ -187,7 +208,8 @@ class Search {
     const Index limit = iterations_ + 20 * size() + 100;
     for (Index last = -1; iterations_ < limit && carries_load();) {
       respond();
-      const auto next = next_exchange(answer(higher, 0), last);
+      answer(higher, 0, rise_);
+      const auto next = next_exchange(rise_, last);
       if (!next) break;
       zone(next->element) = next->zone;
       last = next->element;
@@ -203,7 +225,7 @@ class Search {
     for (Index i = 0; i < size(); ++i) {
       if (above_bound(i)) {
         worst = std::max(
-            worst, excess_over_bound(response_.traction[i], conditions_.bound[i]) / bound_scale_);
+            worst, excess_over_bound(response_.traction[i], conditions_->bound[i]) / bound_scale_);
       }
       if (slips_wrongly(i)) {
         worst = std::max(worst, wrong_slip(zone(i), response_.slip[i]) / slip_scale_);
@@ -212,16 +234,22 @@ class Search {
     return worst;
   }
 
-  AdhesionSystem& system_;
-  const SlipConditions& conditions_;
-  double prescribed_;
-  bool force_prescribed_;
-  double bound_scale_;
-  std::vector<Zone> zones_;
-  Response response_;
+  AdhesionSystem system_;
+  const SlipConditions* conditions_ = nullptr;
+  double prescribed_ = 0;
+  bool force_prescribed_ = false;
+  double bound_scale_ = 0;
   double slip_scale_ = 0;
+  std::vector<Zone> zones_;
+  std::vector<int> releases_;
+  Response response_;
+  Response rise_;  ///< of the path
+  AdhesionSystem::Unknowns unknowns_;
+  VectorXd increment_, product_, minus_slip_;
   int iterations_ = 0;
 };
+
+namespace {
 
 void require_below_full_sliding(const Load& load, double full_sliding) {
   const auto* force = std::get_if<PrescribedForce>(&load);
@@ -237,26 +265,30 @@ Load over(const Load& load, double length) {
   return creepage == nullptr ? load : PrescribedCreepage{creepage->value * length};
 }
 
-ActiveSet::ActiveSet(const Eigen::MatrixXd& response, const VectorXd& weights)
-    : system_(std::make_unique<AdhesionSystem>(response, weights)) {}
+ActiveSet::ActiveSet(SquareMatrix response, VectorXd weights, const Solver& solver)
+    : search_(std::make_unique<ContactSearch>(std::move(response), std::move(weights), solver)) {}
 
 ActiveSet::~ActiveSet() = default;
 ActiveSet::ActiveSet(ActiveSet&&) noexcept = default;
 ActiveSet& ActiveSet::operator=(ActiveSet&&) noexcept = default;
 
+void ActiveSet::solve(const SlipConditions& conditions, const Load& load, ContactState& state) {
+  require_below_full_sliding(load, search_->system().weights().dot(conditions.bound));
+  search_->run(conditions, load, state);
+}
+
 ContactState ActiveSet::solve(const SlipConditions& conditions, const Load& load) {
-  return solve(conditions, load,
-               std::vector<Zone>(static_cast<std::size_t>(system_->size()), Zone::adhesion));
+  const auto size = static_cast<std::size_t>(conditions.bound.size());
+  return solve(conditions, load, std::vector<Zone>(size, Zone::adhesion));
 }
 
 ContactState ActiveSet::solve(const SlipConditions& conditions, const Load& load,
                               const std::vector<Zone>& first) {
-  require_below_full_sliding(load, system_->weights().dot(conditions.bound));
-  return Search(*system_, conditions, load, first).run();
+  ContactState state{.traction = {}, .slip = {}, .zones = first};
+  solve(conditions, load, state);
+  return state;
 }
 
-VectorXd ActiveSet::respond(const VectorXd& traction) const {
-  return system_->response() * traction;
-}
+const SquareMatrix& ActiveSet::response() const { return search_->system().response(); }
 
 }  // namespace microslip

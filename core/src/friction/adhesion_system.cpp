@@ -2,6 +2,7 @@
 #include "adhesion_system.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace microslip {
@@ -13,35 +14,40 @@ using Eigen::VectorXd;
 namespace {
 
 /// Factors and border conditioned worse than this together would lose digits that new factors keep:
-/// one refinement recovers what is lost above it.
+/// refinement recovers what is lost above it.
 constexpr double least_rcond = 1e-10;
+
+/// A ToeplitzBlock of fewer elements is no better than LU.
+constexpr std::size_t small_base = 64;
+
+/// Each change costs a Toeplitz solve a product more; new inverses cost some ten such solves.
+constexpr std::size_t most_changes_of_block = 16;
+
+constexpr int most_refinements = 5;
 
 std::size_t to_size(Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-AdhesionSystem::AdhesionSystem(const MatrixXd& response, VectorXd weights)
-    : weights_(std::move(weights)),
-      matrix_(weights_.size() + 1, weights_.size() + 1),
-      scale_(response.cwiseAbs().maxCoeff()),
+AdhesionSystem::AdhesionSystem(SquareMatrix response, VectorXd weights, const Solver& solver)
+    : response_(std::move(response)),
+      weights_(std::move(weights)),
+      solver_(solver),
+      scale_(response_.largest()),
       force_scale_(scale_ / weights_.maxCoeff()),
       stuck_(to_size(size() + 1), 0),
       position_(to_size(size() + 1), -1) {
-  matrix_.topLeftCorner(size(), size()) = response;
-  matrix_.rightCols(1).setConstant(scale_);
   stuck_.back() = 1;
-  prescribe_force(true);
+  force_prescribed_ = true;
+  if (const Toeplitz* toeplitz = response_.toeplitz()) {
+    if (toeplitz->is_symmetric()) constant_ = -(*toeplitz)(size() - 1, 0);
+    block_.emplace(toeplitz->plus(constant_), 1e-3 * solver.tolerance);
+  }
 }
 
 void AdhesionSystem::prescribe_force(bool force) {
   if (force == force_prescribed_) return;
   force_prescribed_ = force;
-  matrix_.bottomRows(1).setZero();
-  if (force) {
-    matrix_.bottomLeftCorner(1, size()) = force_scale_ * weights_.transpose();
-  } else {
-    matrix_(size(), size()) = scale_;
-  }
   base_.clear();
 }
 
@@ -57,6 +63,37 @@ void AdhesionSystem::soften(const std::optional<SoftElement>& soft) {
 std::size_t AdhesionSystem::exchanges() const {
   const auto is_exchange = [&](Index i) { return !is_soft(i) || in_base(i); };
   return static_cast<std::size_t>(std::count_if(changes_.begin(), changes_.end(), is_exchange));
+}
+
+std::size_t AdhesionSystem::most_changes() const {
+  return by_block_ ? most_changes_of_block : base_.size() / 16 + 8;
+}
+
+/// Of the response with the added row and column last, but for what is soft.
+double AdhesionSystem::entry(Index i, Index j) const {
+  const Index n = size();
+  if (i < n) return j < n ? response_(i, j) : scale_;
+  if (force_prescribed_) return j < n ? force_scale_ * weights_[j] : 0;
+  return j < n ? 0 : scale_;
+}
+
+/// Its entries in the rows of the base.
+void AdhesionSystem::column(Index j, Eigen::Ref<VectorXd> values) const {
+  for (std::size_t k = 0; k < base_.size(); ++k) {
+    values[static_cast<Index>(k)] = entry(base_[k], j);
+  }
+}
+
+/// What the row of a change does to values of the base: all entries of a new element's row, and the
+/// value itself of one that left, which must be zero.
+double AdhesionSystem::row_of_change(std::size_t change, const VectorXd& base_values) const {
+  const Index i = changes_[change];
+  if (in_base(i)) return base_values[position(i)];
+  double sum = 0;
+  for (std::size_t k = 0; k < base_.size(); ++k) {
+    sum += entry(i, base_[k]) * base_values[static_cast<Index>(k)];
+  }
+  return sum;
 }
 
 void AdhesionSystem::follow(const std::vector<Zone>& zones) {
@@ -76,12 +113,12 @@ void AdhesionSystem::follow(const std::vector<Zone>& zones) {
   }
   if (!moved) {
     // Solves with a border cost as much again as without: in the end, new factors are cheaper.
-    if (exchanges() > 0 && ++quiet_rounds_ > base_.size() / 3) factorise();
+    const std::size_t patience = by_block_ ? 3 * most_changes_of_block : base_.size() / 3;
+    if (exchanges() > 0 && ++quiet_rounds_ > patience) factorise();
     return;
   }
   quiet_rounds_ = 0;
-  const std::size_t limit = base_.size() / 16 + 8;
-  if (base_.empty() || changes_.size() + arrivals.size() > limit) return factorise();
+  if (base_.empty() || changes_.size() + arrivals.size() > most_changes()) return factorise();
   border(arrivals);
   if (!changes_.empty() && !(factors_rcond_ * schur_factors_.rcond() > least_rcond)) factorise();
 }
@@ -105,16 +142,36 @@ void AdhesionSystem::factorise() {
     position_[i] = static_cast<Index>(base_.size());
     base_.push_back(static_cast<Index>(i));
   }
-  MatrixXd matrix = matrix_(base_, base_);
+  factorise_base();
+  columns_.resize(static_cast<Index>(base_.size()), 0);
+  schur_.resize(0, 0);
+  border(left_out);
+}
+
+void AdhesionSystem::factorise_base() {
+  const Index stuck = static_cast<Index>(base_.size()) - 1;
+  by_block_ = block_.has_value() && base_.size() > small_base;
+  if (by_block_) {
+    const std::vector<Index> elements(base_.begin(), base_.end() - 1);
+    block_->choose(elements);
+    block_->solve(VectorXd::Ones(stuck), unit_slip_);
+    base_weights_ = weights_(elements);
+    factors_rcond_ = 1;
+    return;
+  }
+  MatrixXd matrix(stuck + 1, stuck + 1);
+  const std::vector<Index> elements(base_.begin(), base_.end() - 1);
+  matrix.topLeftCorner(stuck, stuck) = response_.block(elements);
+  for (Index k = 0; k <= stuck; ++k) {
+    matrix(k, stuck) = entry(base_[to_size(k)], size());
+    matrix(stuck, k) = entry(size(), base_[to_size(k)]);
+  }
   if (soft_ && in_base(soft_->element)) {
     const Index at = position(soft_->element);
     matrix(at, at) += soft_->compliance;
   }
   factors_.compute(matrix);
   factors_rcond_ = factors_.rcond();
-  columns_.resize(static_cast<Index>(base_.size()), 0);
-  schur_.resize(0, 0);
-  border(left_out);
 }
 
 /// With the compliance of a soft element; its column is divided, or it would spoil the condition.
@@ -128,14 +185,6 @@ void AdhesionSystem::factorise_schur() {
   schur_factors_.compute(schur);
 }
 
-/// What the row of a change does to values of the base: all entries of a new element's row, and the
-/// value itself of one that left, which must be zero.
-double AdhesionSystem::row_of_change(std::size_t change, const VectorXd& base_values) const {
-  const Index i = changes_[change];
-  if (in_base(i)) return base_values[position(i)];
-  return matrix_(i, base_) * base_values;
-}
-
 void AdhesionSystem::border(const std::vector<Index>& arrivals) {
   const Index before = static_cast<Index>(changes_.size());
   const Index after = before + static_cast<Index>(arrivals.size());
@@ -147,16 +196,22 @@ void AdhesionSystem::border(const std::vector<Index>& arrivals) {
     if (in_base(i)) {
       columns_.col(k) = VectorXd::Unit(columns_.rows(), position(i));
     } else {
-      columns_.col(k) = matrix_(base_, i);
+      column(i, columns_.col(k));
     }
   }
-  if (after > before) {
+  if (after > before && by_block_) {
+    for (Index k = before; k < after; ++k) {
+      values_ = columns_.col(k);
+      solve_base(values_);
+      columns_.col(k) = values_;
+    }
+  } else if (after > before) {
     columns_.rightCols(after - before) = factors_.solve(columns_.rightCols(after - before)).eval();
   }
   for (Index k = 0; k < after; ++k) {
     for (Index l = k < before ? before : 0; l < after; ++l) {
       const Index i = changes_[to_size(k)], j = changes_[to_size(l)];
-      const double corner = in_base(i) || in_base(j) ? 0 : matrix_(i, j);
+      const double corner = in_base(i) || in_base(j) ? 0 : entry(i, j);
       schur_(k, l) = corner - row_of_change(to_size(k), columns_.col(l));
     }
   }
@@ -176,47 +231,95 @@ void AdhesionSystem::forget(std::size_t change) {
   schur_.conservativeResize(last, last);
 }
 
-/// Entries of the right-hand side in slip are ignored, and are zero in the result.
-VectorXd AdhesionSystem::solve_bordered(const VectorXd& rhs) const {
-  VectorXd all = VectorXd::Zero(rhs.size());
-  VectorXd values = rhs(base_);
-  if (changes_.empty()) {
+void AdhesionSystem::solve_base(VectorXd& values) {
+  if (by_block_) {
+    solve_block(values);
+  } else {
     values = factors_.solve(values).eval();
-    all(base_) = values;
-    return all;
   }
-  for (const Index i : changes_) {
-    if (in_base(i)) values[position(i)] = 0;
-  }
-  values = factors_.solve(values).eval();
-  VectorXd border(static_cast<Index>(changes_.size()));
-  for (std::size_t k = 0; k < changes_.size(); ++k) {
-    const double known = in_base(changes_[k]) ? 0 : rhs[changes_[k]];
-    border[static_cast<Index>(k)] = known - row_of_change(k, values);
-  }
-  border = schur_factors_.solve(border).eval();
-  for (std::size_t k = 0; k < changes_.size(); ++k) {
-    border[static_cast<Index>(k)] /= border_scale(changes_[k]);
-  }
-  values -= columns_ * border;
-  all(base_) = values;
-  for (std::size_t k = 0; k < changes_.size(); ++k) {
-    const Index i = changes_[k];
-    all[i] = in_base(i) ? 0 : border[static_cast<Index>(k)];
-  }
-  return all;
 }
 
-AdhesionSystem::Unknowns AdhesionSystem::solve(const VectorXd& slip, double prescribed) const {
-  VectorXd rhs(size() + 1);
-  rhs << slip, prescribed * (force_prescribed_ ? force_scale_ : 1);
-  VectorXd all = solve_bordered(rhs);
-  if (exchanges() > 0) {
-    VectorXd rest = rhs - matrix_ * all;
-    if (soft_) rest[soft_->element] -= soft_->compliance * all[soft_->element];
-    all += solve_bordered(rest);
+/// Elements and creepage: T d = r - (w - constant sum(d)), T with the constant.
+void AdhesionSystem::solve_block(VectorXd& values) {
+  const Index n = values.size() - 1;
+  const double prescribed = values[n];
+  block_values_ = values.head(n);
+  block_->solve(block_values_, block_solved_);
+  double slip = 0;  // w - constant sum(d)
+  if (force_prescribed_) {
+    slip = (base_weights_.dot(block_solved_) - prescribed / force_scale_) /
+           base_weights_.dot(unit_slip_);
+  } else {
+    slip = (prescribed - constant_ * block_solved_.sum()) / (1 - constant_ * unit_slip_.sum());
   }
-  return {.increment = all.head(size()), .creepage = scale_ * all[size()]};
+  values.head(n) = block_solved_ - slip * unit_slip_;
+  values[n] = (slip + constant_ * values.head(n).sum()) / scale_;
+}
+
+/// Entries of the right-hand side in slip are ignored, and are zero in the result.
+void AdhesionSystem::solve_bordered(const VectorXd& rhs, VectorXd& all) {
+  values_ = rhs(base_);
+  for (const Index i : changes_) {
+    if (in_base(i)) values_[position(i)] = 0;
+  }
+  solve_base(values_);
+  const auto changes = static_cast<Index>(changes_.size());
+  if (changes > 0) {
+    border_.resize(changes);
+    for (Index k = 0; k < changes; ++k) {
+      const Index i = changes_[to_size(k)];
+      border_[k] = (in_base(i) ? 0 : rhs[i]) - row_of_change(to_size(k), values_);
+    }
+    border_ = schur_factors_.solve(border_).eval();
+    for (Index k = 0; k < changes; ++k) border_[k] /= border_scale(changes_[to_size(k)]);
+    values_.noalias() -= columns_ * border_;
+  }
+  all.setZero(rhs.size());
+  all(base_) = values_;
+  for (Index k = 0; k < changes; ++k) {
+    const Index i = changes_[to_size(k)];
+    all[i] = in_base(i) ? 0 : border_[k];
+  }
+}
+
+/// What is left of the right-hand side in adhesion and in the added row.
+/// \return the largest of the former over the largest term
+double AdhesionSystem::find_rest(const Unknowns& unknowns) {
+  const Index n = size();
+  double largest = 0;
+  for (Index i = 0; i < n; ++i) {
+    if (stuck_[to_size(i)] == 0) continue;
+    rest_[i] = rhs_[i] - unknowns.response[i] - unknowns.creepage;
+    if (is_soft(i)) rest_[i] -= soft_->compliance * unknowns.increment[i];
+    largest = std::max(largest, std::abs(rest_[i]));
+  }
+  rest_[n] = rhs_[n] - (force_prescribed_ ? force_scale_ * weights_.dot(unknowns.increment)
+                                          : unknowns.creepage);
+  largest = std::max(largest, std::abs(rest_[n]));
+  const double terms =
+      std::max({std::abs(unknowns.creepage), rhs_.head(n).lpNorm<Eigen::Infinity>(),
+                scale_ * unknowns.increment.lpNorm<Eigen::Infinity>()});
+  return terms > 0 ? largest / terms : 0;
+}
+
+void AdhesionSystem::solve(const VectorXd& slip, double prescribed, Unknowns& unknowns) {
+  const Index n = size();
+  rhs_.resize(n + 1);
+  rhs_ << slip, prescribed * (force_prescribed_ ? force_scale_ : 1);
+  rest_ = rhs_;
+  unknowns.increment.setZero(n);
+  unknowns.creepage = 0;
+  unknowns.residual = HUGE_VAL;
+  for (int refinements = 0;; ++refinements) {
+    solve_bordered(rest_, all_);
+    unknowns.increment += all_.head(n);
+    unknowns.creepage += scale_ * all_[n];
+    response_.apply(unknowns.increment, unknowns.response);
+    const double before = unknowns.residual;
+    unknowns.residual = find_rest(unknowns);
+    const bool enough = unknowns.residual <= 1e-5 * solver_.tolerance;
+    if (enough || !(unknowns.residual < before / 2) || refinements == most_refinements) return;
+  }
 }
 
 }  // namespace microslip

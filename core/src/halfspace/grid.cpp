@@ -9,13 +9,19 @@ Grid::Grid(const Parameters& parameters) : parameters_(parameters) {
   const auto& [half_width, elements, leading, trailing] = parameters_;
   require_positive("contact.half_width", half_width);
   require(elements >= 1 && elements <= max_elements, "grid.elements", static_cast<double>(elements),
-          "a whole number in [1, 10000]");
+          "a whole number in [1, 4000000]");
   require(leading >= 0 && leading <= 1, "grid.leading_offset", leading, "a number in [0, 1]");
   require(trailing >= 0 && trailing <= 1, "grid.trailing_offset", trailing, "a number in [0, 1]");
   const double intervals = static_cast<double>(elements - 1) + leading + trailing;
   require(intervals > 0, "grid.elements", static_cast<double>(elements),
           "at least 2 where both offsets are 0");
   spacing_ = 2 * half_width / intervals;
+}
+
+Grid Grid::with_elements(Eigen::Index elements) const {
+  Parameters parameters = parameters_;
+  parameters.elements = elements;
+  return Grid(parameters);
 }
 
 Eigen::VectorXd Grid::nodes() const {

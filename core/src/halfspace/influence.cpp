@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "microslip/support/require.hpp"
@@ -132,8 +133,9 @@ Toeplitz influence_toeplitz(const Kernel& kernel, const ShapeFunction& shape, do
   const auto entry = [&](Eigen::Index k) {
     return influence(kernel, shape, spacing, static_cast<double>(k));
   };
-  return {Eigen::VectorXd::NullaryExpr(n, entry),
-          Eigen::VectorXd::NullaryExpr(n, [&](Eigen::Index k) { return entry(-k); })};
+  const Eigen::VectorXd column = Eigen::VectorXd::NullaryExpr(n, entry);
+  if (shape.is_even()) return {column, column};
+  return {column, Eigen::VectorXd::NullaryExpr(n, [&](Eigen::Index k) { return entry(-k); })};
 }
 
 Toeplitz influence_difference_toeplitz(const Kernel& kernel, const ShapeFunction& shape,
@@ -142,8 +144,13 @@ Toeplitz influence_difference_toeplitz(const Kernel& kernel, const ShapeFunction
   const auto entry = [&](Eigen::Index k) {
     return influence_difference(kernel, shape, spacing, static_cast<double>(k), step_ratio);
   };
-  return {Eigen::VectorXd::NullaryExpr(n, entry),
-          Eigen::VectorXd::NullaryExpr(n, [&](Eigen::Index k) { return entry(-k); })};
+  const Eigen::VectorXd column = Eigen::VectorXd::NullaryExpr(n, entry);
+  if (shape.is_even() && step_ratio == 1) {
+    Eigen::VectorXd row(n);
+    row << column[0], -column.head(n - 1);
+    return {column, row};
+  }
+  return {column, Eigen::VectorXd::NullaryExpr(n, [&](Eigen::Index k) { return entry(-k); })};
 }
 
 namespace {
@@ -170,6 +177,47 @@ Eigen::MatrixXd influence_difference_matrix(const Kernel& kernel, const Basis& b
                                             double spacing, Eigen::Index n, double step_ratio) {
   return assemble(basis, n, [&](const ShapeFunction& shape) {
     return influence_difference_toeplitz(kernel, shape, spacing, n, step_ratio);
+  });
+}
+
+namespace {
+
+/// \param toeplitz_of  of a shape, \param dense  of the basis
+template <class ToeplitzOf>
+SquareMatrix arranged(const Basis& basis, Eigen::Index n, const Solver& solver,
+                      const ToeplitzOf& toeplitz_of) {
+  const bool equal = basis.shapes().size() == 1;
+  if (!equal && solver.type == Solver::Type::fft) {
+    throw std::invalid_argument("solver.type = 'fft': expected auto or dense for basis = '" +
+                                basis.name() + "', the functions of which are not all equal");
+  }
+  if (equal && by_fft(solver, n)) return toeplitz_of(basis.shapes().front());
+  require_dense(n);
+  return assemble(basis, n, toeplitz_of);
+}
+
+}  // namespace
+
+SquareMatrix influence_operator(const Kernel& kernel, const Basis& basis, double spacing,
+                                Eigen::Index n, const Solver& solver) {
+  return arranged(basis, n, solver, [&](const ShapeFunction& shape) {
+    return influence_toeplitz(kernel, shape, spacing, n);
+  });
+}
+
+SquareMatrix influence_difference_operator(const Kernel& kernel, const Basis& basis, double spacing,
+                                           Eigen::Index n, double step_ratio,
+                                           const Solver& solver) {
+  return arranged(basis, n, solver, [&](const ShapeFunction& shape) {
+    return influence_difference_toeplitz(kernel, shape, spacing, n, step_ratio);
+  });
+}
+
+SquareMatrix strain_operator(const Kernel& kernel, const Basis& basis, double spacing,
+                             Eigen::Index n, double step_ratio, const Solver& solver) {
+  return arranged(basis, n, solver, [&](const ShapeFunction& shape) {
+    return influence_difference_toeplitz(kernel, shape, spacing, n, step_ratio)
+        .times(1 / (step_ratio * spacing));
   });
 }
 

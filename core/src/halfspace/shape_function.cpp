@@ -53,6 +53,14 @@ double ShapeFunction::weight() const {
   return integral(breakpoints_.front(), breakpoints_.back() - breakpoints_.front());
 }
 
+bool ShapeFunction::is_even() const {
+  const auto mirrored = [](const Piece& piece, const Piece& other) {
+    return piece.begin == -other.end && piece.end == -other.begin && piece.c[0] == other.c[0] &&
+           piece.c[1] == -other.c[1] && piece.c[2] == other.c[2];
+  };
+  return std::equal(pieces_.begin(), pieces_.end(), pieces_.rbegin(), mirrored);
+}
+
 ShapeFunction constant_shape() { return ShapeFunction({{-0.5, 0.5, {1, 0, 0}}}); }
 
 ShapeFunction linear_shape() { return ShapeFunction({{-1, 0, {1, 1, 0}}, {0, 1, {1, -1, 0}}}); }

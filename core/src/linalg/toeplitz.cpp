@@ -12,6 +12,14 @@ Toeplitz::Toeplitz(Eigen::VectorXd column, Eigen::VectorXd row)
   }
 }
 
+Toeplitz Toeplitz::leading(Eigen::Index n) const { return {column_.head(n), row_.head(n)}; }
+
+Toeplitz Toeplitz::plus(double constant) const {
+  return {column_.array() + constant, row_.array() + constant};
+}
+
+Toeplitz Toeplitz::times(double factor) const { return {column_ * factor, row_ * factor}; }
+
 Eigen::MatrixXd Toeplitz::dense() const {
   return Eigen::MatrixXd::NullaryExpr(
       size(), size(), [this](Eigen::Index i, Eigen::Index j) { return (*this)(i, j); });

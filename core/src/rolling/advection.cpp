@@ -28,12 +28,13 @@ std::optional<double> relaxation_of(const AdvectionScheme& scheme) {
 }  // namespace
 
 Advection::Advection(Kernel kernel, Basis basis, double spacing, Index elements,
-                     AdvectionScheme scheme)
+                     AdvectionScheme scheme, const Solver& solver)
     : kernel_(std::move(kernel)),
       basis_(std::move(basis)),
       spacing_(spacing),
       elements_(elements),
-      scheme_(scheme) {
+      scheme_(scheme),
+      solver_(solver) {
   const double relaxation = relaxation_of(scheme).value_or(1);
   require(relaxation >= min_step_ratio, "step.relaxation", relaxation, "a number >= 1e-15");
   if (!std::holds_alternative<Fractional>(scheme)) return;
@@ -55,10 +56,11 @@ double Advection::solved_step_ratio(double step_ratio) const {
 
 Advected Advection::advect_directly(const VectorXd& previous, double step_ratio, double part) {
   if (step_ratio != difference_step_ratio_) {
-    difference_ = influence_difference_matrix(kernel_, basis_, spacing_, elements_, step_ratio);
+    difference_ =
+        influence_difference_operator(kernel_, basis_, spacing_, elements_, step_ratio, solver_);
     difference_step_ratio_ = step_ratio;
   }
-  return {.offset = part * (difference_ * previous), .reference = previous};
+  return {.offset = part * (*difference_ * previous), .reference = previous};
 }
 
 Advected Advection::advect(const VectorXd& previous, double step_ratio) {

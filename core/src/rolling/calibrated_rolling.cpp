@@ -8,14 +8,19 @@
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/support/require.hpp"
+#include "strain_system.hpp"
 
 namespace microslip {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace {
+
+bool is_plane(const Kernel& kernel) { return std::holds_alternative<PlaneKernel>(kernel); }
+
+/// From so many elements on, sums over them are interpolated.
+constexpr Index many_elements = 256;
 
 /// Strips have a system of their own for each b; a coarse lattice tells where to look.
 constexpr Index coarse_elements = 31;
@@ -23,43 +28,17 @@ constexpr Index coarse_elements = 31;
 /// So close to the stick-slip point, in elements, line loads are no picture of the elements.
 constexpr double near_loads = 1.5;
 
-/// The strain over the compliance, averaged from node i - 1 to node i, for i = 0 ... n, with nodes
-/// -1 and n outside the elements; and, last, the creepage over the compliance.
-MatrixXd strain_system(const Kernel& kernel, const Basis& basis, double spacing, Index n) {
-  std::vector<Toeplitz> strains;
-  for (const ShapeFunction& shape : basis.shapes()) {
-    strains.push_back(influence_difference_toeplitz(kernel, shape, spacing, n + 1, 1));
-  }
-  const double scale = spacing * compliance(material_of(kernel));
-  MatrixXd system(n + 1, n + 1);
-  for (Index j = 0; j < n; ++j) {
-    const Toeplitz& strain = strains[basis.shape_of(j, n)];
-    for (Index i = 0; i <= n; ++i) system(i, j) = strain(i, j + 1) / scale;
-  }
-  system.rightCols(1).setOnes();
-  return system;
-}
-
-MatrixXd plane_system(const Basis& basis, Index n) {
-  return strain_system(PlaneKernel({.shear_modulus = 1, .poisson_ratio = 0}, 1), basis, 1, n);
-}
-
-/// Positions of the equations, from the centre of n nodes  [elements]
-VectorXd middles(Index n) {
-  const double last = static_cast<double>(n) / 2;
-  return VectorXd::LinSpaced(n + 1, -last, last);
-}
-
-/// Positions of the nodes, likewise.
+/// Positions of n nodes, from their centre  [elements]
 VectorXd places(Index n) {
   const double last = static_cast<double>(n - 1) / 2;
   return VectorXd::LinSpaced(n, -last, last);
 }
 
-EdgeCalibration calibration_by(const Eigen::PartialPivLU<MatrixXd>& factors, const Basis& basis,
+/// \param system  of plane strain
+EdgeCalibration calibration_by(StrainSystem& system, double compliance, const Basis& basis,
                                Index n) {
   // With sqrt(r^2 - x^2) the strain is x, and the force pi r^2/2.
-  const VectorXd coefficients = factors.solve(middles(n)).head(n);
+  const VectorXd coefficients = compliance * system.solve(1, middles_of(n)).elements;
   const double force = basis.weights(1, n).dot(coefficients);
   const double radius = std::sqrt(2 * force / std::numbers::pi);
   const VectorXd exact = (radius * radius - places(n).array().square()).sqrt();
@@ -69,29 +48,37 @@ EdgeCalibration calibration_by(const Eigen::PartialPivLU<MatrixXd>& factors, con
 
 }  // namespace
 
-EdgeCalibration edge_calibration(const Basis& basis, Index elements) {
-  return calibration_by(plane_system(basis, elements).partialPivLu(), basis, elements);
+EdgeCalibration edge_calibration(const Basis& basis, Index elements, const Solver& solver) {
+  constexpr Material unit{.shear_modulus = 2, .poisson_ratio = 0};
+  StrainSystem system(PlaneKernel(unit, 1), basis, elements, solver);
+  return calibration_by(system, compliance(unit), basis, elements);
 }
 
 CalibratedRolling::CalibratedRolling(const Kernel& kernel, const TractionBound& bound,
-                                     const Basis& basis, Index elements)
+                                     const Basis& basis, Index elements, const Solver& solver)
     : kernel_(kernel),
       bound_(bound),
       basis_(basis),
       elements_(elements),
       sliding_(kernel, bound),
-      plane_(std::holds_alternative<PlaneKernel>(kernel)) {
+      solver_(solver),
+      system_(std::make_unique<StrainSystem>(kernel, basis, elements, solver)) {
   require(elements >= 2, "grid.elements", static_cast<double>(elements),
           "at least 2 for calibrated edges");
-  factors_ = plane_system(basis, elements).partialPivLu();
-  calibration_ = calibration_by(factors_, basis, elements);
+  calibration_ = is_plane(kernel)
+                     ? calibration_by(*system_, compliance(material_of(kernel)), basis, elements)
+                     : edge_calibration(basis, elements, solver);
 }
+
+CalibratedRolling::~CalibratedRolling() = default;
+CalibratedRolling::CalibratedRolling(CalibratedRolling&&) noexcept = default;
+CalibratedRolling& CalibratedRolling::operator=(CalibratedRolling&&) noexcept = default;
 
 namespace {
 
 /// What is left of values at the middles when their mean and slope are taken away.
 VectorXd bent_part(const VectorXd& values) {
-  const VectorXd x = middles(values.size() - 1);
+  const VectorXd x = middles_of(values.size() - 1);
   return values.array() - values.mean() - x.array() * (x.dot(values) / x.squaredNorm());
 }
 
@@ -105,55 +92,31 @@ double similarity(const VectorXd& first, const VectorXd& second) {
 
 }  // namespace
 
-VectorXd CalibratedRolling::solve_system(double spacing, const VectorXd& strain) {
-  if (plane_) return factors_.solve(strain);
-  constexpr double nearby = 0.1;
-  constexpr int most_refinements = 30;
-  const MatrixXd system = strain_system(kernel_, basis_, spacing, elements_);
-  const double enough = 1e-15 * strain.norm();
-  if (std::abs(spacing / factored_spacing_ - 1) < nearby) {
-    VectorXd unknowns = factors_.solve(strain);
-    double before = HUGE_VAL;
-    for (int i = 0; i < most_refinements; ++i) {
-      const VectorXd residual = strain - system * unknowns;
-      const double size = residual.norm();
-      if (size <= enough || (size > before / 2 && before < 10 * enough)) return unknowns;
-      if (size > before / 2) break;
-      unknowns += factors_.solve(residual);
-      before = size;
-    }
-  }
-  factors_.compute(system);
-  factored_spacing_ = spacing;
-  return factors_.solve(strain);
-}
-
 StickLattice CalibratedRolling::lattice(double stick_edge) {
   const Index n = elements_;
   const double a = half_width_of(bound_);
-  const double stiffness = 1 / compliance(material_of(kernel_));
   const double h = (a - stick_edge) / (static_cast<double>(n - 1) + 2 * calibration_.offset);
   const double centre = (a + stick_edge) / 2;
   const TractionBound known = stretched(bound_, (a - stick_edge) / 2);
   const FullSliding known_field(kernel_, known);
-  const VectorXd at = h * middles(n);
+  const VectorXd at = h * middles_of(n);
   const VectorXd known_strain = at.unaryExpr([&](double x) { return known_field.strain(x); });
   VectorXd strain = at.unaryExpr([&](double x) { return sliding_.strain(centre + x); });
   const double part = similarity(strain, known_strain);
-  strain = (strain - part * known_strain) * stiffness;
-  const VectorXd unknowns = solve_system(h, strain);
-  const VectorXd loads = basis_.weights(h, n).cwiseProduct(unknowns.head(n));
+  const auto [elements, creepage, residual] = system_->solve(h, strain - part * known_strain);
+  const VectorXd loads = basis_.weights(h, n).cwiseProduct(elements);
   return {.stick_edge = stick_edge,
           .spacing = h,
           .x = centre + h * places(n).array(),
-          .elements = unknowns.head(n),
-          .values = unknowns.head(n).cwiseProduct(calibration_.values),
+          .elements = elements,
+          .values = elements.cwiseProduct(calibration_.values),
           .loads = loads,
           .part = part,
           .stretched = known,
           .field = known_field,
           .force = loads.sum() + part * known_field.force(),
-          .creepage = unknowns[n] / stiffness};
+          .creepage = creepage,
+          .residual = residual};
 }
 
 CreepageForce CalibratedRolling::at(double stick_edge) {
@@ -170,8 +133,8 @@ CreepageForceCurve CalibratedRolling::curve() {
 }
 
 LoadedState CalibratedRolling::meet(const Load& load) {
-  if (plane_ || elements_ < 2 * coarse_elements) return meet_load(curve(), load);
-  CalibratedRolling coarse(kernel_, bound_, basis_, coarse_elements);
+  if (is_plane(kernel_) || elements_ < 2 * coarse_elements) return meet_load(curve(), load);
+  CalibratedRolling coarse(kernel_, bound_, basis_, coarse_elements, solver_);
   const double near = coarse.meet(load).state.stick_edge;
   return meet_load(curve(), load, near, 0.005 * (half_width_of(bound_) - near));
 }
@@ -179,12 +142,13 @@ LoadedState CalibratedRolling::meet(const Load& load) {
 CalibratedSolution CalibratedRolling::solve(const Load& load) { return {*this, meet(load)}; }
 
 CalibratedSolution::CalibratedSolution(CalibratedRolling& rolling, const LoadedState& loaded)
-    : LoadedSolution(loaded),
+    : LoadedSolution(loaded, 0),
       kernel_(rolling.kernel()),
       bound_(rolling.bound()),
       sliding_(rolling.sliding()) {
   if (loaded.state.stick_edge >= half_width_of(bound_)) return;
   lattice_ = rolling.lattice(loaded.state.stick_edge);
+  residual_ = lattice_->residual;
   const Index n = lattice_->x.size();
   const Index middle = n / 2;
   anchor_ = lattice_->x[middle];
@@ -195,6 +159,7 @@ CalibratedSolution::CalibratedSolution(CalibratedRolling& rolling, const LoadedS
                influence(kernel_, shape, lattice_->spacing, static_cast<double>(middle - j));
   }
   anchor_displacement_ = sliding_.displacement(anchor_) - removed;
+  interpolate_loads();
 }
 
 /// The values at the nodes, without the square roots, are interpolated linearly.
@@ -218,9 +183,10 @@ double CalibratedSolution::traction(double x) const {
   return -loaded_.direction * loaded_.part * (bound - removed(x));
 }
 
-double CalibratedSolution::removed_strain(double x) const {
+/// By the elements as line loads, at a place behind them.
+double CalibratedSolution::strain_of_loads(double x) const {
   const auto sum = [&](const auto& kernel) {
-    double strain = lattice_->part * lattice_->field.strain(x - lattice_->centre());
+    double strain = 0;
     for (Index j = 0; j < lattice_->x.size(); ++j) {
       strain -= lattice_->loads[j] * kernel.decay(lattice_->x[j] - x);
     }
@@ -229,9 +195,9 @@ double CalibratedSolution::removed_strain(double x) const {
   return std::visit(sum, kernel_);
 }
 
-double CalibratedSolution::removed_displacement(double x) const {
+double CalibratedSolution::displacement_of_loads(double x) const {
   const auto sum = [&](const auto& kernel) {
-    double displacement = lattice_->part * lattice_->field.displacement(x - lattice_->centre());
+    double displacement = 0;
     for (Index j = 0; j < lattice_->x.size(); ++j) {
       displacement += lattice_->loads[j] * kernel.displacement(lattice_->x[j] - x);
     }
@@ -240,12 +206,41 @@ double CalibratedSolution::removed_displacement(double x) const {
   return std::visit(sum, kernel_);
 }
 
+/// Sums over many elements are interpolated: behind them they are analytic.
+void CalibratedSolution::interpolate_loads() {
+  const double a = half_width_of(bound_);
+  const double nearest = lattice_->x[0] - behind_elements();
+  if (lattice_->x.size() < many_elements || behind_elements() <= -a) return;
+  const double origin = lattice_->x[0];
+  const auto graded = [&](auto function) {
+    return GradedChebyshev([&](double distance) { return function(origin - distance); }, nearest,
+                           origin + a);
+  };
+  strain_behind_ = graded([this](double x) { return strain_of_loads(x); });
+  displacement_behind_ = graded([this](double x) { return displacement_of_loads(x); });
+}
+
+double CalibratedSolution::removed_strain(double x) const {
+  return lattice_->part * lattice_->field.strain(x - lattice_->centre()) +
+         (strain_behind_ ? (*strain_behind_)(lattice_->x[0] - x) : strain_of_loads(x));
+}
+
+double CalibratedSolution::removed_displacement(double x) const {
+  return lattice_->part * lattice_->field.displacement(x - lattice_->centre()) +
+         (displacement_behind_ ? (*displacement_behind_)(lattice_->x[0] - x)
+                               : displacement_of_loads(x));
+}
+
+/// From here on back, elements may be taken as line loads.
+double CalibratedSolution::behind_elements() const {
+  return stick_edge() - near_loads * lattice_->spacing;
+}
+
 /// Under a positive creepage. Next to the stick-slip point it grows as a square root.
 double CalibratedSolution::slip_behind(double x) const {
   const double creepage = loaded_.state.creepage;
   if (!lattice_) return creepage - sliding_.strain(x);
-  const double behind = stick_edge() - near_loads * lattice_->spacing;
-  const double from = std::max(std::min(x, behind), -half_width_of(bound_));
+  const double from = std::max(std::min(x, behind_elements()), -half_width_of(bound_));
   const double slip = creepage - sliding_.strain(from) + removed_strain(from);
   return slip * std::sqrt((stick_edge() - x) / (stick_edge() - from));
 }
@@ -256,9 +251,9 @@ double CalibratedSolution::slip(double x) const {
 
 double CalibratedSolution::displacement(double x) const {
   if (!lattice_) return -loaded_.direction * sliding_.displacement(x);
-  const double behind = stick_edge() - near_loads * lattice_->spacing;
-  const double u = x < behind ? sliding_.displacement(x) - removed_displacement(x)
-                              : anchor_displacement_ - lattice_->creepage * (x - anchor_);
+  const double u = x < behind_elements()
+                       ? sliding_.displacement(x) - removed_displacement(x)
+                       : anchor_displacement_ - lattice_->creepage * (x - anchor_);
   return -loaded_.direction * loaded_.part * u;
 }
 

@@ -46,8 +46,10 @@ double tail_of(const VectorXd& coefficients) {
 }  // namespace
 
 ChebyshevSolution::ChebyshevSolution(const LoadedState& loaded, ChebyshevField sliding,
-                                     std::optional<ChebyshevField> adhesion)
-    : LoadedSolution(loaded), sliding_(std::move(sliding)), adhesion_(std::move(adhesion)) {}
+                                     std::optional<ChebyshevField> adhesion, double residual)
+    : LoadedSolution(loaded, residual),
+      sliding_(std::move(sliding)),
+      adhesion_(std::move(adhesion)) {}
 
 double ChebyshevSolution::traction(double x) const {
   const double stuck = adhesion_ ? adhesion_->traction()(x) : 0;
@@ -147,7 +149,8 @@ ChebyshevRolling::Zone ChebyshevRolling::zone(double stick_edge) const {
   const VectorXd strain =
       x.unaryExpr([&](double xi) { return sliding_.continued_strain(xi) / compliance; });
   const VectorXd unknowns = matrix.partialPivLu().solve(strain);
-  return {unknowns.head(n), compliance * unknowns[n]};
+  const double residual = (strain - matrix * unknowns).norm() / strain.norm();
+  return {unknowns.head(n), compliance * unknowns[n], residual};
 }
 
 CreepageForce ChebyshevRolling::at(double stick_edge) const {
@@ -169,11 +172,13 @@ ChebyshevSolution ChebyshevRolling::solve(const Load& load) const {
   const double edge = loaded.state.stick_edge;
   const double a = sliding_.traction().half_length();
   std::optional<ChebyshevField> adhesion;
+  double residual = 0;
   if (edge < a) {
-    const ChebyshevTraction stuck(edge, a, zone(edge).coefficients);
-    adhesion.emplace(kernel_, stuck);
+    const Zone found = zone(edge);
+    adhesion.emplace(kernel_, ChebyshevTraction(edge, a, found.coefficients));
+    residual = found.residual;
   }
-  ChebyshevSolution solution(loaded, sliding_, std::move(adhesion));
+  ChebyshevSolution solution(loaded, sliding_, std::move(adhesion), residual);
   const double violation = solution.violation();
   if (violation > tolerance) {
     throw NotConverged("Chebyshev collocation: more than one stick zone", loaded.evaluations,

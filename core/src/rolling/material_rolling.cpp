@@ -49,17 +49,19 @@ double Approach::since_one_element_before(double phase) const {
   return coming_ - from.slip;
 }
 
-MaterialRolling::MaterialRolling(const Kernel& kernel, const TractionBound& bound, const Grid& grid)
-    : MaterialRolling(kernel, bound, grid, leading_edge_constants(constant_basis())) {}
+MaterialRolling::MaterialRolling(const Kernel& kernel, const TractionBound& bound, const Grid& grid,
+                                 const Solver& solver)
+    : MaterialRolling(kernel, bound, grid, solver, leading_edge_constants(constant_basis())) {}
 
 MaterialRolling::MaterialRolling(const Kernel& kernel, const TractionBound& bound, const Grid& grid,
-                                 const LeadingEdgeConstants& edge)
+                                 const Solver& solver, const LeadingEdgeConstants& edge)
     : bound_(bound),
       window_(bound, grid, edge.offset),
       edge_(edge),
       compliance_(edge.compliance * compliance(material_of(kernel)) * window_.spacing()),
-      active_set_(influence_matrix(kernel, constant_basis(), window_.spacing(), window_.size()),
-                  VectorXd::Constant(window_.size(), window_.spacing())),
+      active_set_(
+          influence_operator(kernel, constant_basis(), window_.spacing(), window_.size(), solver),
+          VectorXd::Constant(window_.size(), window_.spacing()), solver),
       defect_(kernel, bound, window_) {}
 
 double MaterialRolling::phase(const MaterialState& state) const {
@@ -67,7 +69,7 @@ double MaterialRolling::phase(const MaterialState& state) const {
 }
 
 VectorXd MaterialRolling::respond(const VectorXd& traction) const {
-  return active_set_.respond(traction);
+  return active_set_.response() * traction;
 }
 
 VectorXd MaterialRolling::values(const MaterialState& state) const {
@@ -146,7 +148,8 @@ MaterialStep MaterialRolling::step(const MaterialState& from, double length, con
                     .dissipation = 0,
                     .mean_dissipation = 0,
                     .mean_force = 0,
-                    .iterations = 0};
+                    .iterations = 0,
+                    .residual = 0};
   const double end = from.distance + length;
   double rest = length;
   for (double next = from.entered + 1; end / window_.spacing() - next > MaterialWindow::rounding;
@@ -160,9 +163,11 @@ MaterialStep MaterialRolling::step(const MaterialState& from, double length, con
   return step;
 }
 
-/// Those of before, moved; a node that comes or enters is taken to stick.
+/// Those of before at the same places of the contact, to the nearest node; a node that comes or
+/// enters is taken to stick.
 std::vector<Zone> MaterialRolling::first_zones(const MaterialState& from, const Part& part) const {
-  std::vector<Zone> zones = moved_on(from.zones, part.moved, Zone::slip_negative);
+  const Index moved = part.before > 0.5 ? part.moved : 0;
+  std::vector<Zone> zones = moved_on(from.zones, moved, Zone::slip_negative);
   const bool was_out = part.before <= MaterialWindow::rounding;
   if (was_out && part.edge_is_new) at(zones, part.edge) = Zone::adhesion;
   return zones;
@@ -233,6 +238,7 @@ void MaterialRolling::roll_part(MaterialStep& step, double length, double end, c
   step.dissipation -= window_.spacing() * state.traction.dot(slip);
   step.mean_force += mean.sum() * window_.spacing() * length;
   step.iterations += contact.iterations;
+  step.residual = std::max(step.residual, contact.residual);
 }
 
 }  // namespace microslip

@@ -31,7 +31,8 @@ struct Lattice {
 
 SteadySolution with_several_zones(const SteadyProblem& problem) {
   const Index n = problem.grid.size();
-  const Lattice lattice(problem.grid.half_width(), edge_calibration(problem.basis, n).offset, n);
+  const Lattice lattice(problem.grid.half_width(),
+                        edge_calibration(problem.basis, n, problem.solver).offset, n);
   const double h = lattice.spacing;
   const FullSliding sliding(problem.kernel, problem.bound);
   const auto* force = std::get_if<PrescribedForce>(&problem.load);
@@ -47,12 +48,12 @@ SteadySolution with_several_zones(const SteadyProblem& problem) {
                                   .reference = -direction * bound};
   const double exact_less_elements = -direction * (sliding.force() - weights.dot(bound));
   const Load load = force ? Load(PrescribedForce{value - exact_less_elements}) : problem.load;
-  const Eigen::MatrixXd strain =
-      influence_difference_matrix(problem.kernel, problem.basis, h, n, 1) / h;
-  const ContactState contact = ActiveSet(strain, weights).solve(conditions, load);
+  ActiveSet active_set(strain_operator(problem.kernel, problem.basis, h, n, 1, problem.solver),
+                       weights, problem.solver);
+  const ContactState contact = active_set.solve(conditions, load);
   const VectorXd difference = contact.traction - conditions.reference;
   const VectorXd displacement =
-      influence_matrix(problem.kernel, problem.basis, h, n) * difference -
+      influence_operator(problem.kernel, problem.basis, h, n, problem.solver) * difference -
       direction * lattice.x.unaryExpr([&](double x) { return sliding.displacement(x); });
 
   const VectorXd x = problem.grid.nodes();
@@ -67,7 +68,8 @@ SteadySolution with_several_zones(const SteadyProblem& problem) {
                        .force = weights.dot(contact.traction) + exact_less_elements,
                        .creepage = contact.creepage,
                        .dissipation = 0,
-                       .iterations = contact.iterations};
+                       .iterations = contact.iterations,
+                       .residual = contact.residual};
   state.dissipation = -state.creepage * state.force;
   for (const double xi : x) {
     const double place = std::round((xi - lattice.x[0]) / h);

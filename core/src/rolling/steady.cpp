@@ -2,6 +2,8 @@
 #include "microslip/rolling/steady.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/calibrated_rolling.hpp"
@@ -26,36 +28,90 @@ namespace {
 /// stick zone.
 constexpr double another_zone = 1e-3;
 
-SteadySolution by_differences(const SteadyProblem& problem, const Differences& differences) {
-  const auto& [kernel, bound, grid, basis, method, load] = problem;
-  const auto& [step_ratio, edge_displacement] = differences;
+/// -du/dx of the tractions, the last row of which may have been replaced.
+SquareMatrix strain_of(const SteadyProblem& problem, const Differences& differences) {
+  const auto& [kernel, bound, grid, basis, method, load, solver] = problem;
   const Index n = grid.size();
   const double dx = grid.spacing();
-  const VectorXd x = grid.nodes();
-  const Eigen::MatrixXd influence = influence_matrix(kernel, basis, dx, n);
-  Eigen::MatrixXd strain =
-      influence_difference_matrix(kernel, basis, dx, n, step_ratio) / (step_ratio * dx);
-  SlipConditions conditions{
-      .bound = bound_at(bound, x), .offset = VectorXd::Zero(n), .reference = VectorXd::Zero(n)};
-  if (edge_displacement) {
-    const double to_edge = grid.leading_offset() * dx;
-    require(to_edge > 0, "grid.leading_offset", grid.leading_offset(),
-            "a number > 0 where the displacement at the leading edge is known");
-    strain.row(n - 1) = influence.row(n - 1) / to_edge;
-    conditions.offset[n - 1] = -*edge_displacement / to_edge;
+  if (!differences.edge_displacement) {
+    return strain_operator(kernel, basis, dx, n, differences.step_ratio, solver);
   }
-  const VectorXd weights = basis.weights(dx, n);
-  const ContactState state = ActiveSet(strain, weights).solve(conditions, load);
+  if (solver.type == Solver::Type::fft) {
+    throw std::invalid_argument(
+        "solver.type = 'fft': expected auto or dense where the displacement at the leading edge is "
+        "known");
+  }
+  require_dense(n);
+  Eigen::MatrixXd strain =
+      influence_difference_matrix(kernel, basis, dx, n, differences.step_ratio) /
+      (differences.step_ratio * dx);
+  const double to_edge = grid.leading_offset() * dx;
+  require(to_edge > 0, "grid.leading_offset", grid.leading_offset(),
+          "a number > 0 where the displacement at the leading edge is known");
+  for (Index j = 0; j < n; ++j) {
+    const ShapeFunction& shape = basis.shapes()[basis.shape_of(j, n)];
+    strain(n - 1, j) = influence(kernel, shape, dx, static_cast<double>(n - 1 - j)) / to_edge;
+  }
+  return strain;
+}
+
+ContactState contact_by_differences(const SteadyProblem& problem, const Differences& differences);
+
+/// Adhesion everywhere, or the partition of a grid of fewer elements: so the number of rounds does
+/// not grow with that of elements.
+std::vector<Zone> first_zones(const SteadyProblem& problem, const Differences& differences) {
+  constexpr Index ratio = 4;
+  const Index n = problem.grid.size();
+  if (n < ratio * Solver::crossover)
+    return std::vector<Zone>(static_cast<std::size_t>(n), Zone::adhesion);
+  SteadyProblem coarse = problem;
+  coarse.grid = problem.grid.with_elements(n / ratio);
+  const std::vector<Zone> known = contact_by_differences(coarse, differences).zones;
+  const VectorXd x = problem.grid.nodes();
+  const VectorXd coarse_x = coarse.grid.nodes();
+  std::vector<Zone> zones;
+  for (Index i = 0; i < n; ++i) {
+    const double place = std::round((x[i] - coarse_x[0]) / coarse.grid.spacing());
+    const double nearest = std::clamp(place, 0.0, static_cast<double>(coarse_x.size() - 1));
+    zones.push_back(known[static_cast<std::size_t>(nearest)]);
+  }
+  return zones;
+}
+
+ContactState contact_by_differences(const SteadyProblem& problem, const Differences& differences) {
+  const Grid& grid = problem.grid;
+  const Index n = grid.size();
+  SlipConditions conditions{.bound = bound_at(problem.bound, grid.nodes()),
+                            .offset = VectorXd::Zero(n),
+                            .reference = VectorXd::Zero(n)};
+  if (differences.edge_displacement) {
+    conditions.offset[n - 1] =
+        -*differences.edge_displacement / (grid.leading_offset() * grid.spacing());
+  }
+  ActiveSet active_set(strain_of(problem, differences), problem.basis.weights(grid.spacing(), n),
+                       problem.solver);
+  return active_set.solve(conditions, problem.load, first_zones(problem, differences));
+}
+
+SteadySolution by_differences(const SteadyProblem& problem, const Differences& differences) {
+  const Grid& grid = problem.grid;
+  const Index n = grid.size();
+  const VectorXd x = grid.nodes();
+  const ContactState state = contact_by_differences(problem, differences);
+  const VectorXd weights = problem.basis.weights(grid.spacing(), n);
   return {.x = x,
-          .bound = conditions.bound,
+          .bound = bound_at(problem.bound, x),
           .traction = state.traction,
           .slip = state.slip,
-          .displacement = influence * state.traction,
+          .displacement =
+              influence_operator(problem.kernel, problem.basis, grid.spacing(), n, problem.solver) *
+              state.traction,
           .zones = state.zones,
           .force = weights.dot(state.traction),
           .creepage = state.creepage,
           .dissipation = -weights.cwiseProduct(state.traction).dot(state.slip),
-          .iterations = state.iterations};
+          .iterations = state.iterations,
+          .residual = state.residual};
 }
 
 /// \param solution  as functions of x, with one stick zone
@@ -73,6 +129,7 @@ SteadySolution sampled(const SteadyProblem& problem, const Solution& solution, i
       .creepage = solution.creepage(),
       .dissipation = solution.dissipation(),
       .iterations = iterations,
+      .residual = solution.residual(),
       .stick_edge = solution.stick_edge()};
   const Zone slipping = solution.creepage() < 0 ? Zone::slip_positive : Zone::slip_negative;
   for (const double xi : x) state.zones.push_back(solution.sticks(xi) ? Zone::adhesion : slipping);
@@ -90,7 +147,8 @@ SteadySolution solve_steady(const SteadyProblem& problem) {
     const ChebyshevSolution solution = rolling.solve(problem.load);
     return sampled(problem, solution, solution.evaluations());
   }
-  CalibratedRolling rolling(problem.kernel, problem.bound, problem.basis, problem.grid.size());
+  CalibratedRolling rolling(problem.kernel, problem.bound, problem.basis, problem.grid.size(),
+                            problem.solver);
   const CalibratedSolution solution = rolling.solve(problem.load);
   if (solution.violation() > another_zone) return with_several_zones(problem);
   return sampled(problem, solution, solution.evaluations());

@@ -27,11 +27,8 @@ constexpr double printed = 1e-3;
 constexpr double negligible = 1e-9;
 
 ContactState at_rest(const VectorXd& traction, const std::vector<Zone>& zones) {
-  return {.traction = traction,
-          .slip = VectorXd::Zero(traction.size()),
-          .zones = zones,
-          .creepage = 0,
-          .iterations = 0};
+  return {
+      .traction = traction, .slip = VectorXd::Zero(traction.size()), .zones = zones, .creepage = 0};
 }
 
 /// Steps of given lengths, in turn, the last of which ends at a distance.
@@ -95,7 +92,7 @@ TransientRolling::TransientRolling(const TransientProblem& problem, const Start&
       throw std::invalid_argument("basis = '" + problem.basis.name() +
                                   "': expected constant on a grid that is fixed to the material");
     }
-    material_.emplace(problem.kernel, problem.bound, problem.grid);
+    material_.emplace(problem.kernel, problem.bound, problem.grid, problem.solver);
     weights_ = VectorXd::Constant(material_->window().size(), spacing_);
   } else {
     make_system();
@@ -112,9 +109,11 @@ void TransientRolling::make_system() {
   x_ = problem_.grid.nodes();
   bound_ = bound_at(problem_.bound, x_);
   weights_ = problem_.basis.weights(spacing_, x_.size());
-  active_set_.emplace(influence_matrix(problem_.kernel, problem_.basis, spacing_, x_.size()),
-                      weights_);
-  advection_.emplace(problem_.kernel, problem_.basis, spacing_, x_.size(), problem_.scheme);
+  active_set_.emplace(
+      influence_operator(problem_.kernel, problem_.basis, spacing_, x_.size(), problem_.solver),
+      weights_, problem_.solver);
+  advection_.emplace(problem_.kernel, problem_.basis, spacing_, x_.size(), problem_.scheme,
+                     problem_.solver);
 }
 
 void TransientRolling::start_material(const MaterialState& start) {
@@ -171,6 +170,7 @@ TransientState TransientRolling::state_of(double distance, const ContactState& c
                        .mean_dissipation = std::numeric_limits<double>::quiet_NaN(),
                        .mean_force = weights_.dot(contact.traction),
                        .iterations = contact.iterations,
+                       .residual = contact.residual,
                        .adhesion_elements = 0,
                        .slip_elements = 0};
   state.dissipation = -weights_.cwiseProduct(state.traction).dot(state.slip);
@@ -207,7 +207,8 @@ TransientState TransientRolling::state_of(const MaterialStep& step, double lengt
                              .slip = step.slip,
                              .zones = step.end.zones,
                              .creepage = step.creepage,
-                             .iterations = step.iterations};
+                             .iterations = step.iterations,
+                             .residual = step.residual};
   TransientState state = state_of(step.end.distance, contact, length, step.bound);
   state.dissipation = step.dissipation / length;
   state.mean_dissipation = step.mean_dissipation / length;
@@ -240,7 +241,7 @@ VectorXd TransientRolling::bound_at_nodes() const { return bound_at(problem_.bou
 
 VectorXd TransientRolling::displacement() const {
   return material_ ? material_->displacement(*material_state_)
-                   : active_set_->respond(state_.traction);
+                   : (active_set_->response() * state_.traction);
 }
 
 /// The same place, with fewer rounding errors.
@@ -251,7 +252,7 @@ void TransientRolling::move_to(double distance) {
 
 double TransientRolling::elastic_energy() const {
   const VectorXd& p = state_.traction;
-  const VectorXd displacement = material_ ? material_->respond(p) : active_set_->respond(p);
+  const VectorXd displacement = material_ ? material_->respond(p) : (active_set_->response() * p);
   return weights_.cwiseProduct(p).dot(displacement) / 2;
 }
 

@@ -68,6 +68,16 @@ ShapeFunction read_shape(Scene& scene) {
   return make_basis(scene.word_or_first("basis", {"constant", "linear"})).shapes().front();
 }
 
+Solver read_solver(Scene& scene) {
+  const std::string type = scene.word_or_first("solver.type", {"auto", "dense", "fft"});
+  Solver solver{.type = type == "dense" ? Solver::Type::dense
+                        : type == "fft" ? Solver::Type::fft
+                                        : Solver::Type::automatic};
+  solver.tolerance = scene.number("solver.tolerance", solver.tolerance);
+  validate(solver);
+  return solver;
+}
+
 Load read_load(Scene& scene) {
   if (scene.has_second("load.creepage", "load.force")) {
     return PrescribedForce{scene.number("load.force")};
@@ -215,7 +225,8 @@ SteadyProblem read_steady(Scene& scene, const SteadyMethod& method) {
           .grid = model.grid,
           .basis = elements ? read_basis(scene, model.grid) : constant_basis(),
           .method = method,
-          .load = read_load(scene)};
+          .load = read_load(scene),
+          .solver = elements ? read_solver(scene) : Solver{}};
 }
 
 TransientScene read_transient(Scene& scene) {
@@ -225,7 +236,8 @@ TransientScene read_transient(Scene& scene) {
                                  .grid = model.grid,
                                  .basis = read_basis(scene, model.grid),
                                  .scheme = read_scheme(scene, {"material", "direct", "relaxed",
-                                                               "relaxed_traction", "fractional"})};
+                                                               "relaxed_traction", "fractional"}),
+                                 .solver = read_solver(scene)};
   const std::vector<double> step_ratios = scene.numbers("step.ratio");
   for (const double ratio : step_ratios) {
     require(ratio >= min_step_ratio, "step.ratio", ratio, "numbers >= 1e-15");
@@ -249,7 +261,8 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
                                      .bound = model.bound,
                                      .grid = model.grid,
                                      .basis = read_basis(scene, model.grid),
-                                     .scheme = scheme},
+                                     .scheme = scheme,
+                                     .solver = read_solver(scene)},
                          .cylinder = {.mass = scene.number("cylinder.mass"),
                                       .inertia = scene.number("cylinder.inertia"),
                                       .radius = scene.number("cylinder.radius"),

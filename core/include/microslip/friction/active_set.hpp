@@ -7,6 +7,9 @@
 #include <variant>
 #include <vector>
 
+#include "microslip/linalg/solver.hpp"
+#include "microslip/linalg/square_matrix.hpp"
+
 namespace microslip {
 
 struct PrescribedCreepage {
@@ -46,8 +49,10 @@ struct ContactState {
   Eigen::VectorXd traction;  ///< n  [N/mm^2]
   Eigen::VectorXd slip;      ///< n, zero in adhesion
   std::vector<Zone> zones;   ///< n
-  double creepage;           ///< w, prescribed or found, in the unit of the slip
-  int iterations;            ///< partitions tried
+  double creepage = 0;       ///< w, prescribed or found, in the unit of the slip
+  int iterations = 0;        ///< partitions tried
+  /// What is left of the equations in adhesion, over their largest term  [1]
+  double residual = 0;
 };
 
 /// Finds tractions, slip and their partition: in adhesion s = 0 and |p| <= bound, in slip
@@ -66,31 +71,37 @@ struct ContactState {
 /// A is, and A - A' for all c <= 1 that were tried (tests/unit/active_set_test.cpp).
 /// Otherwise the path is given up after 20 n + 100 exchanges.
 ///
-/// Cost: n^2 numbers, and O(n^3) for the first factorisation. It is kept from solve to solve: a
-/// round with few exchanges costs O(n^2), as does a solve whose partition stays. The compliance of
-/// a soft element may change from solve to solve at no cost.
+/// Cost of a dense response: n^2 numbers, and O(n^3) for the first factors. They are kept from
+/// solve to solve: a round with few exchanges costs O(n^2), as does a solve whose partition stays.
+/// The compliance of a soft element may change from solve to solve at no cost. Of a Toeplitz
+/// response: O(n) numbers and O(n log n) each, about 14 transforms of 2n numbers where the
+/// partition stays.
 class ActiveSet {
  public:
   /// \param response  n x n, of the slip to the traction
   /// \param weights   n, > 0: force = weights . p  [mm]
-  ActiveSet(const Eigen::MatrixXd& response, const Eigen::VectorXd& weights);
+  /// \param solver    its tolerance; the response itself is dense or Toeplitz
+  ActiveSet(SquareMatrix response, Eigen::VectorXd weights, const Solver& solver = {});
   ~ActiveSet();
   ActiveSet(ActiveSet&&) noexcept;
   ActiveSet& operator=(ActiveSet&&) noexcept;
 
-  /// Starts from adhesion everywhere, or from the zones given; n of them.
+  /// \param state  in: zones to start from, n of them; out: the solution. If its partition is that
+  ///               of the solve before, nothing is allocated.
   /// \throws std::invalid_argument if the force is not below full sliding, weights . bound
-  /// \throws NotConverged          if a system is singular, or the path is given up or ends short
-  ///                               of a solution
+  /// \throws NotConverged          if a system is singular or its residual above the tolerance, or
+  ///                               the path is given up or ends short of a solution
+  void solve(const SlipConditions& conditions, const Load& load, ContactState& state);
+
+  /// The same from adhesion everywhere, or from the zones given.
   ContactState solve(const SlipConditions& conditions, const Load& load);
   ContactState solve(const SlipConditions& conditions, const Load& load,
                      const std::vector<Zone>& first);
 
-  /// The product that solve() itself needs, n^2 operations.
-  Eigen::VectorXd respond(const Eigen::VectorXd& traction) const;
+  const SquareMatrix& response() const;
 
  private:
-  std::unique_ptr<class AdhesionSystem> system_;
+  std::unique_ptr<class ContactSearch> search_;
 };
 
 }  // namespace microslip

@@ -13,13 +13,13 @@ class Grid {
  public:
   struct Parameters {
     double half_width;             ///< a, in (0, inf)  [mm]
-    Eigen::Index elements;         ///< N, in [1, 10000]
+    Eigen::Index elements;         ///< N, in [1, 4e6]
     double leading_offset = 0.5;   ///< beta, in [0, 1]
     double trailing_offset = 0.5;  ///< alpha, in [0, 1]
   };
 
-  /// More elements than this need a dense matrix of more than 800 MB.
-  static constexpr Eigen::Index max_elements = 10000;
+  /// By FFT, more would take more than some GB.
+  static constexpr Eigen::Index max_elements = 4000000;
 
   /// \throws std::invalid_argument outside the ranges, or if the only node lies on both edges
   explicit Grid(const Parameters& parameters);
@@ -28,6 +28,9 @@ class Grid {
   double half_width() const { return parameters_.half_width; }
   double spacing() const { return spacing_; }
   double leading_offset() const { return parameters_.leading_offset; }
+
+  /// The same contact and offsets with another number of nodes.
+  Grid with_elements(Eigen::Index elements) const;
 
   /// Positions of the nodes, ascending  [mm].
   Eigen::VectorXd nodes() const;

@@ -3,6 +3,8 @@
 
 #include "microslip/halfspace/basis.hpp"
 #include "microslip/halfspace/kernel.hpp"
+#include "microslip/linalg/solver.hpp"
+#include "microslip/linalg/square_matrix.hpp"
 #include "microslip/linalg/toeplitz.hpp"
 
 namespace microslip {
@@ -51,5 +53,20 @@ Eigen::MatrixXd influence_matrix(const Kernel& kernel, const Basis& basis, doubl
 /// \throws std::invalid_argument if step_ratio is not in [min_step_ratio, inf)
 Eigen::MatrixXd influence_difference_matrix(const Kernel& kernel, const Basis& basis,
                                             double spacing, Eigen::Index n, double step_ratio);
+
+// The same arranged for a solver: Toeplitz where all functions are equal and the solver takes FFT,
+// else all entries.
+// \throws std::invalid_argument if FFT is asked for other functions, or n is too large for all
+//                               entries
+
+SquareMatrix influence_operator(const Kernel& kernel, const Basis& basis, double spacing,
+                                Eigen::Index n, const Solver& solver);
+
+SquareMatrix influence_difference_operator(const Kernel& kernel, const Basis& basis, double spacing,
+                                           Eigen::Index n, double step_ratio, const Solver& solver);
+
+/// (A - A')/dq, the negative of the strain by differences over dq  [mm^2/N]
+SquareMatrix strain_operator(const Kernel& kernel, const Basis& basis, double spacing,
+                             Eigen::Index n, double step_ratio, const Solver& solver);
 
 }  // namespace microslip

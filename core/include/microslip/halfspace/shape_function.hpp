@@ -36,6 +36,9 @@ class ShapeFunction {
   /// Integral over the whole support.
   double weight() const;
 
+  /// Whether value(-s) = value(s), but at jumps.
+  bool is_even() const;
+
  private:
   std::vector<Piece> pieces_;
   std::vector<double> breakpoints_;

@@ -14,6 +14,15 @@ class Toeplitz {
   Toeplitz(Eigen::VectorXd column, Eigen::VectorXd row);
 
   Eigen::Index size() const { return column_.size(); }
+  bool is_symmetric() const { return column_ == row_; }
+
+  /// The first n rows and columns, 1 <= n <= size().
+  Toeplitz leading(Eigen::Index n) const;
+
+  /// With a constant added to all entries.
+  Toeplitz plus(double constant) const;
+
+  Toeplitz times(double factor) const;
 
   double operator()(Eigen::Index i, Eigen::Index j) const {
     return i >= j ? column_[i - j] : row_[j - i];

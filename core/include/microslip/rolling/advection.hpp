@@ -7,6 +7,8 @@
 
 #include "microslip/halfspace/basis.hpp"
 #include "microslip/halfspace/kernel.hpp"
+#include "microslip/linalg/solver.hpp"
+#include "microslip/linalg/square_matrix.hpp"
 #include "microslip/rolling/fractional_shift.hpp"
 
 namespace microslip {
@@ -49,7 +51,7 @@ class Advection {
   /// \param elements  n
   /// \throws std::invalid_argument if the scheme does not go with the basis or the grid
   Advection(Kernel kernel, Basis basis, double spacing, Eigen::Index elements,
-            AdvectionScheme scheme);
+            AdvectionScheme scheme, const Solver& solver = {});
 
   /// A p - A' p' as offset + A (p - reference), without cancellation for small steps.
   /// \param previous    p'  [N/mm^2]
@@ -73,9 +75,10 @@ class Advection {
   double spacing_;
   Eigen::Index elements_;
   AdvectionScheme scheme_;
+  Solver solver_;
   std::optional<FractionalShift> shift_;
   double difference_step_ratio_ = 0;
-  Eigen::MatrixXd difference_;  ///< A - A' at that step ratio
+  std::optional<SquareMatrix> difference_;  ///< A - A' at that step ratio
 };
 
 }  // namespace microslip

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/LU>
+#include <memory>
 #include <optional>
 
 #include "microslip/friction/full_sliding.hpp"
 #include "microslip/halfspace/basis.hpp"
+#include "microslip/linalg/solver.hpp"
 #include "microslip/rolling/creepage_force.hpp"
+#include "microslip/support/graded_chebyshev.hpp"
 
 namespace microslip {
 
@@ -23,8 +25,8 @@ struct EdgeCalibration {
 };
 
 /// \param elements  n, >= 2; odd for quadratic functions
-/// Cost: O(n^3)
-EdgeCalibration edge_calibration(const Basis& basis, Eigen::Index elements);
+EdgeCalibration edge_calibration(const Basis& basis, Eigen::Index elements,
+                                 const Solver& solver = {});
 
 /// What adhesion takes away from the tractions of full sliding, on the stick zone [b, a]: a part of
 /// the bound itself, stretched to the stick zone, and n elements that fill it: their outermost
@@ -41,6 +43,7 @@ struct StickLattice {
   FullSliding field;         ///< of that
   double force;              ///< of all that adhesion takes away  [N/mm]
   double creepage;           ///< that belongs to b  [1]
+  double residual;           ///< of the equations, over the strain  [1]
 
   double centre() const { return stick_edge + half_width_of(stretched); }
 };
@@ -56,15 +59,19 @@ class CalibratedSolution;
 ///
 /// Accuracy: force and tractions are second order in 1/n for any adhesion and any bound that is
 /// smooth but for its square roots, tests/order/calibrated_order_test.cpp.
-/// Cost: O(n^3) twice at most: in plane strain the factors are those of any stick zone, and for
-/// strips those of a stick zone nearby are refined; memory n^2.
+/// Cost: in plane strain the factors are those of any stick zone, and for strips those of a stick
+/// zone nearby are refined; so they are made twice at most. See Solver: O(n log n), or O(n^3) dense
+/// and for quadratic functions.
 class CalibratedRolling {
  public:
   /// \param basis     constant, linear or quadratic
   /// \param elements  n, >= 2; odd for quadratic functions
   /// \throws std::invalid_argument as ChebyshevField
   CalibratedRolling(const Kernel& kernel, const TractionBound& bound, const Basis& basis,
-                    Eigen::Index elements);
+                    Eigen::Index elements, const Solver& solver = {});
+  ~CalibratedRolling();
+  CalibratedRolling(CalibratedRolling&&) noexcept;
+  CalibratedRolling& operator=(CalibratedRolling&&) noexcept;
 
   const Kernel& kernel() const { return kernel_; }
   const TractionBound& bound() const { return bound_; }
@@ -82,7 +89,6 @@ class CalibratedRolling {
 
  private:
   CreepageForceCurve curve();
-  Eigen::VectorXd solve_system(double spacing, const Eigen::VectorXd& strain);
   LoadedState meet(const Load& load);
 
   Kernel kernel_;
@@ -90,9 +96,8 @@ class CalibratedRolling {
   Basis basis_;
   Eigen::Index elements_;
   FullSliding sliding_;
-  bool plane_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;  ///< of factored_spacing_; in plane strain any
-  double factored_spacing_ = 0;
+  Solver solver_;
+  std::unique_ptr<class StrainSystem> system_;
   EdgeCalibration calibration_;
 };
 
@@ -112,6 +117,10 @@ class CalibratedSolution : public LoadedSolution {
 
  private:
   double removed(double x) const;
+  double behind_elements() const;
+  double strain_of_loads(double x) const;
+  double displacement_of_loads(double x) const;
+  void interpolate_loads();
   double removed_strain(double x) const;
   double removed_displacement(double x) const;
   double slip_behind(double x) const;
@@ -120,8 +129,10 @@ class CalibratedSolution : public LoadedSolution {
   TractionBound bound_;
   FullSliding sliding_;
   std::optional<StickLattice> lattice_;  ///< none in full sliding
-  double anchor_ = 0;                    ///< a place in adhesion  [mm]
-  double anchor_displacement_ = 0;       ///< there  [mm]
+  std::optional<GradedChebyshev> strain_behind_;
+  std::optional<GradedChebyshev> displacement_behind_;
+  double anchor_ = 0;               ///< a place in adhesion  [mm]
+  double anchor_displacement_ = 0;  ///< there  [mm]
 };
 
 }  // namespace microslip

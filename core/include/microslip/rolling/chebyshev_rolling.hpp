@@ -15,8 +15,9 @@ class ChebyshevSolution : public LoadedSolution {
  public:
   /// \param sliding    that of the bound
   /// \param adhesion   of what adhesion takes away from it; none in full sliding
+  /// \param residual   see residual()
   ChebyshevSolution(const LoadedState& loaded, ChebyshevField sliding,
-                    std::optional<ChebyshevField> adhesion);
+                    std::optional<ChebyshevField> adhesion, double residual);
 
   bool sticks(double x) const { return adhesion_ && x >= stick_edge(); }
   double traction(double x) const;      ///< p(x), zero outside the contact  [N/mm^2]
@@ -64,6 +65,7 @@ class ChebyshevRolling {
   struct Zone {
     Eigen::VectorXd coefficients;
     double creepage;
+    double residual;
   };
   void tabulate();
   Zone zone(double stick_edge) const;

@@ -57,6 +57,7 @@ struct MaterialStep {
   double mean_dissipation;  ///< with mean tractions of each part, and slip by A alone  [N]
   double mean_force;        ///< over the distance, linear in each part  [N/mm]
   int iterations;           ///< stick/slip partitions tried
+  double residual;          ///< the largest of its parts, see ContactState  [1]
 };
 
 /// Transient rolling on a grid that is fixed to the material, constant functions: S = W + A (p -
@@ -78,7 +79,8 @@ struct MaterialStep {
 class MaterialRolling {
  public:
   /// \throws std::invalid_argument as MaterialWindow and BoundDefect
-  MaterialRolling(const Kernel& kernel, const TractionBound& bound, const Grid& grid);
+  MaterialRolling(const Kernel& kernel, const TractionBound& bound, const Grid& grid,
+                  const Solver& solver = {});
 
   const MaterialWindow& window() const { return window_; }
   double phase(const MaterialState& state) const;
@@ -112,7 +114,7 @@ class MaterialRolling {
 
  private:
   MaterialRolling(const Kernel& kernel, const TractionBound& bound, const Grid& grid,
-                  const LeadingEdgeConstants& edge);
+                  const Solver& solver, const LeadingEdgeConstants& edge);
 
   /// Of a step, between two entrances of nodes.
   struct Part {

@@ -45,6 +45,7 @@ struct SteadyProblem {
   Basis basis = constant_basis();  ///< no part of Chebyshev collocation
   SteadyMethod method = Calibrated{};
   Load load;
+  Solver solver = {};
 };
 
 /// Values at the N nodes, and what follows from them. A positive creepage gives negative tractions.
@@ -58,7 +59,9 @@ struct SteadySolution {
   double force;        ///< integral of the traction  [N/mm]
   double creepage;     ///< w  [1]
   double dissipation;  ///< -integral of p s over x: energy per mm rolled and mm width  [N/mm]
-  int iterations;      ///< partitions tried, or systems solved
+  int iterations;      ///< partitions tried on this grid, or systems solved
+  /// What is left of the equations in adhesion, over their largest term  [1]
+  double residual;
   /// The stick-slip point b, where a method finds it between nodes; a in full sliding  [mm]
   std::optional<double> stick_edge = std::nullopt;
 

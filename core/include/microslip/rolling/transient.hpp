@@ -23,6 +23,7 @@ struct TransientProblem {
   Grid grid;  ///< on the same [-a, a] as the bound
   Basis basis;
   AdvectionScheme scheme;
+  Solver solver = {};
 };
 
 /// No tractions.
@@ -57,6 +58,7 @@ struct TransientState {
   double mean_dissipation;
   double mean_force;               ///< over the step, linear in it or in each of its parts  [N/mm]
   int iterations;                  ///< stick/slip partitions tried
+  double residual;                 ///< of the equations in adhesion, over their largest term  [1]
   Eigen::Index adhesion_elements;  ///< of those with a bound above zero
   Eigen::Index slip_elements;      ///< likewise
 };

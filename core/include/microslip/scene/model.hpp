@@ -32,6 +32,9 @@ Basis read_basis(Scene& scene, const Grid& grid);
 /// basis constant|linear (constant), for what needs one function for all nodes
 ShapeFunction read_shape(Scene& scene);
 
+/// solver.type auto|dense|fft (auto), solver.tolerance (1e-10)
+Solver read_solver(Scene& scene);
+
 /// load.creepage or load.force
 Load read_load(Scene& scene);
 
@@ -41,8 +44,8 @@ Load read_load(Scene& scene);
 ///   standard    `Differences` with step.ratio (1)
 ///   exact       the same, with the displacement at the leading edge from Chebyshev collocation
 ///   trimmed     the same as standard, with the last of linear functions trimmed
-/// All of the above, but for no basis with chebyshev. A step.ratio may stand in any steady scene,
-/// but has a role only in the last three.
+/// All of the above, but no basis and solver with chebyshev. A step.ratio may stand in any steady
+/// scene, but has a role only in the last three.
 SteadyProblem read_steady(Scene& scene);
 
 /// All of the above, with a given method.

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+namespace microslip {
+
+/// Solves A M y =     double residual;  ///< |b - A x| / |b| as the iteration knows it, without
+/// rounding; 0 if b = 0, x = M y, without assembling anything: GMRES (Saad and Schultz 1986),
+/// preconditioned from the right, so that the residual is the true one. Never restarted: it is for
+/// preconditioners that need few iterations.
+class Gmres {
+ public:
+  /// y = matrix times x; y has the size of x.
+  using Apply = std::function<void(const Eigen::VectorXd& x, Eigen::VectorXd& y)>;
+
+  struct Outcome {
+    int iterations;
+    double residual;  ///< |b - A x| / |b|; 0 if b = 0
+  };
+
+  /// \param most  iterations, >= 1
+  /// Memory: 2 n numbers an iteration; kept for the next solve.
+  explicit Gmres(int most);
+
+  /// \param tolerance  of the residual, below which the iteration ends
+  /// \param x          out: the solution; n
+  /// Stops as well when there are no more iterations, or when another gains nothing.
+  Outcome solve(const Apply& matrix, const Apply& preconditioner, const Eigen::VectorXd& b,
+                double tolerance, Eigen::VectorXd& x);
+
+ private:
+  void rotate_last_column(int k);
+
+  int most_;
+  std::vector<Eigen::VectorXd> directions_;  ///< orthonormal
+  std::vector<Eigen::VectorXd> trials_;      ///< preconditioned directions
+  Eigen::MatrixXd hessenberg_;               ///< turned into a triangle as it grows
+  Eigen::VectorXd cosines_, sines_;          ///< of the rotations that do so
+  Eigen::VectorXd projected_;                ///< right-hand side, rotated likewise
+  Eigen::VectorXd product_;
+};
+
+}  // namespace microslip

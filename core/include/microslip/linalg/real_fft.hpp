@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <memory>
+
+namespace microslip {
+
+/// Discrete Fourier transforms of n real numbers, with the arrays that they work on. Plans are
+/// estimated, not measured, so that the same size always gives the same digits; they are made once
+/// a size, for all threads. An object itself serves one thread.
+class RealFft {
+ public:
+  /// \param size  n, >= 1; fast if it is a product of 2, 3, 5 and 7, see good_size()
+  explicit RealFft(Eigen::Index size);
+  ~RealFft();
+  RealFft(RealFft&&) noexcept;
+  RealFft& operator=(RealFft&&) noexcept;
+
+  /// The least even fast size.
+  static Eigen::Index good_size(Eigen::Index at_least);
+
+  Eigen::Index size() const { return size_; }
+
+  Eigen::Map<Eigen::VectorXd> values() { return {values_.get(), size_}; }
+  /// n/2 + 1 coefficients; those of negative frequencies are their conjugates.
+  Eigen::Map<Eigen::VectorXcd> spectrum() { return {spectrum_.get(), size_ / 2 + 1}; }
+
+  /// spectrum = sum of values exp(-2 pi i j k / n)
+  void forward();
+
+  /// values = sum of spectrum exp(2 pi i j k / n); that is n times what forward() started from. The
+  /// spectrum is spoilt.
+  void backward();
+
+ private:
+  struct Free {
+    void operator()(void* array) const;
+  };
+
+  Eigen::Index size_;
+  const struct RealFftPlans* plans_;
+  std::unique_ptr<double[], Free> values_;
+  std::unique_ptr<std::complex<double>[], Free> spectrum_;
+};
+
+}  // namespace microslip

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/linalg/real_fft.hpp"
+
+#include <fftw3.h>
+
+#include <map>
+#include <mutex>
+
+namespace microslip {
+
+using Eigen::Index;
+
+/// They are never destroyed: there are few sizes, and threads may outlive main().
+struct RealFftPlans {
+  fftw_plan forward;
+  fftw_plan backward;
+};
+
+namespace {
+
+fftw_complex* as_fftw(std::complex<double>* values) {
+  return reinterpret_cast<fftw_complex*>(values);
+}
+
+/// The plans of a size; arrays of the same alignment can use them. FFTW makes plans in one thread
+/// at a time only.
+const RealFftPlans* plans_for(Index size, double* values, fftw_complex* spectrum) {
+  static std::mutex mutex;
+  static std::map<Index, RealFftPlans> known;
+  const std::lock_guard lock(mutex);
+  const auto [place, is_new] = known.try_emplace(size);
+  if (is_new) {
+    const int n = static_cast<int>(size);
+    place->second = {fftw_plan_dft_r2c_1d(n, values, spectrum, FFTW_ESTIMATE),
+                     fftw_plan_dft_c2r_1d(n, spectrum, values, FFTW_ESTIMATE)};
+  }
+  return &place->second;
+}
+
+}  // namespace
+
+void RealFft::Free::operator()(void* array) const { fftw_free(array); }
+
+RealFft::RealFft(Index size)
+    : size_(size),
+      plans_(nullptr),
+      values_(fftw_alloc_real(static_cast<std::size_t>(size))),
+      spectrum_(reinterpret_cast<std::complex<double>*>(
+          fftw_alloc_complex(static_cast<std::size_t>(size / 2 + 1)))) {
+  if (!values_ || !spectrum_) throw std::bad_alloc();
+  plans_ = plans_for(size, values_.get(), as_fftw(spectrum_.get()));
+}
+
+RealFft::~RealFft() = default;
+RealFft::RealFft(RealFft&&) noexcept = default;
+RealFft& RealFft::operator=(RealFft&&) noexcept = default;
+
+Index RealFft::good_size(Index at_least) {
+  for (Index size = at_least + at_least % 2;; size += 2) {
+    Index rest = size;
+    for (const Index factor : {2, 3, 5, 7}) {
+      while (rest % factor == 0) rest /= factor;
+    }
+    if (rest == 1) return size;
+  }
+}
+
+void RealFft::forward() {
+  fftw_execute_dft_r2c(plans_->forward, values_.get(), as_fftw(spectrum_.get()));
+}
+
+void RealFft::backward() {
+  fftw_execute_dft_c2r(plans_->backward, as_fftw(spectrum_.get()), values_.get());
+}
+
+}  // namespace microslip

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/linalg/square_matrix.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+SquareMatrix::SquareMatrix(MatrixXd entries) : matrix_(std::move(entries)) {}
+
+SquareMatrix::SquareMatrix(const Toeplitz& matrix)
+    : matrix_(ByFft{matrix, ToeplitzProduct(matrix)}) {}
+
+Index SquareMatrix::size() const {
+  const auto* toeplitz_matrix = toeplitz();
+  return toeplitz_matrix ? toeplitz_matrix->size() : entries()->rows();
+}
+
+const Toeplitz* SquareMatrix::toeplitz() const {
+  const auto* by_fft = std::get_if<ByFft>(&matrix_);
+  return by_fft ? &by_fft->matrix : nullptr;
+}
+
+double SquareMatrix::operator()(Index i, Index j) const {
+  const auto* toeplitz_matrix = toeplitz();
+  return toeplitz_matrix ? (*toeplitz_matrix)(i, j) : (*entries())(i, j);
+}
+
+MatrixXd SquareMatrix::block(const std::vector<Index>& indices) const {
+  if (entries() != nullptr) return (*entries())(indices, indices);
+  const auto n = static_cast<Index>(indices.size());
+  return MatrixXd::NullaryExpr(n, n, [&](Index i, Index j) {
+    return (*this)(indices[static_cast<std::size_t>(i)], indices[static_cast<std::size_t>(j)]);
+  });
+}
+
+double SquareMatrix::largest() const {
+  if (entries() != nullptr) return entries()->cwiseAbs().maxCoeff();
+  double largest = 0;
+  for (Index k = 0; k < size(); ++k) {
+    largest = std::max({largest, std::abs((*this)(k, 0)), std::abs((*this)(0, k))});
+  }
+  return largest;
+}
+
+void SquareMatrix::apply(const VectorXd& x, VectorXd& y) const {
+  if (const auto* by_fft = std::get_if<ByFft>(&matrix_)) {
+    by_fft->product.apply(x, y);
+  } else {
+    y.noalias() = (*entries()) * x;
+  }
+}
+
+VectorXd SquareMatrix::operator*(const VectorXd& x) const {
+  VectorXd y;
+  apply(x, y);
+  return y;
+}
+
+}  // namespace microslip

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/linalg/toeplitz_block.hpp"
+
+#include <algorithm>
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Of this size, factors are cheaper than transforms.
+constexpr Index small = 64;
+
+constexpr int most_iterations = 100;
+
+}  // namespace
+
+ToeplitzBlock::ToeplitzBlock(const Toeplitz& matrix, double tolerance)
+    : matrix_(matrix),
+      product_(matrix),
+      tolerance_(tolerance),
+      gmres_(most_iterations),
+      all_(VectorXd::Zero(matrix.size())) {}
+
+ToeplitzBlock::Interval ToeplitzBlock::interval(Index first, Index size) {
+  const auto known =
+      std::find_if(intervals_.begin(), intervals_.end(),
+                   [&](const Interval& candidate) { return candidate.size == size; });
+  if (known != intervals_.end()) {
+    Interval same = std::move(*known);
+    intervals_.erase(known);
+    same.first = first;
+    return same;
+  }
+  const Toeplitz block = matrix_.leading(size);
+  if (size <= small) return {first, size, SmallInverse(block.dense())};
+  return {first, size, ToeplitzInverse(block)};
+}
+
+void ToeplitzBlock::choose(const std::vector<Index>& indices) {
+  indices_ = indices;
+  std::vector<Interval> intervals;
+  for (std::size_t begin = 0, end = 0; begin < indices.size(); begin = end) {
+    while (end < indices.size() &&
+           indices[end] - indices[begin] == static_cast<Index>(end - begin)) {
+      ++end;
+    }
+    intervals.push_back(interval(static_cast<Index>(begin), static_cast<Index>(end - begin)));
+  }
+  intervals_ = std::move(intervals);
+}
+
+void ToeplitzBlock::invert_intervals(const VectorXd& b, VectorXd& x) {
+  x.resize(b.size());
+  for (const auto& [first, size, inverse] : intervals_) {
+    part_ = b.segment(first, size);
+    if (const auto* factors = std::get_if<SmallInverse>(&inverse)) {
+      x.segment(first, size) = factors->solve(part_);
+    } else {
+      std::get<ToeplitzInverse>(inverse).apply(part_, solved_);
+      x.segment(first, size) = solved_;
+    }
+  }
+}
+
+void ToeplitzBlock::multiply(const VectorXd& x, VectorXd& y) {
+  all_.setZero();
+  all_(indices_) = x;
+  product_.apply(all_, response_);
+  y = response_(indices_);
+}
+
+void ToeplitzBlock::solve(const VectorXd& b, VectorXd& x) {
+  if (intervals_.size() == 1) return invert_intervals(b, x);
+  gmres_.solve([this](const VectorXd& p, VectorXd& y) { multiply(p, y); },
+               [this](const VectorXd& p, VectorXd& y) { invert_intervals(p, y); }, b, tolerance_,
+               x);
+}
+
+}  // namespace microslip

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+
+#include "microslip/friction/active_set.hpp"
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/rolling/steady.hpp"
+#include "microslip/rolling/transient.hpp"
+#include "microslip/support/not_converged.hpp"
+
+namespace microslip {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr Material material{1, 0.28};
+const Solver dense{.type = Solver::Type::dense};
+const Solver fft{.type = Solver::Type::fft};
+
+SteadyProblem steady(const Kernel& kernel, Index n, const SteadyMethod& method, const Load& load) {
+  return {.kernel = kernel,
+          .bound = PolynomialBound(1, 1, Eigen::Vector3d(1, 0.3, 0.2)),
+          .grid = Grid({.half_width = 1, .elements = n}),
+          .basis = constant_basis(),
+          .method = method,
+          .load = load};
+}
+
+struct Kind {
+  std::string name;
+  Kernel kernel;
+  SteadyMethod method;
+};
+
+void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.name; }
+
+class StructuredSteady : public testing::TestWithParam<Kind> {};
+
+TEST_P(StructuredSteady, IsTheDenseSolution) {
+  const auto& [name, kernel, method] = GetParam();
+  for (const Index n : {41, 300}) {
+    for (const Load load : {Load(PrescribedForce{-1.1}), Load(PrescribedForce{0.2}),
+                            Load(PrescribedCreepage{0.45}), Load(PrescribedCreepage{-2})}) {
+      SteadyProblem problem = steady(kernel, n, method, load);
+      problem.solver = dense;
+      const SteadySolution expected = solve_steady(problem);
+      problem.solver = fft;
+      const SteadySolution solution = solve_steady(problem);
+      EXPECT_NEAR(solution.force, expected.force, 1e-10);
+      EXPECT_NEAR(solution.creepage, expected.creepage, 1e-10);
+      EXPECT_LT((solution.traction - expected.traction).lpNorm<Eigen::Infinity>(), 1e-10);
+      EXPECT_LT((solution.slip - expected.slip).lpNorm<Eigen::Infinity>(), 1e-9);
+      EXPECT_LT((solution.displacement - expected.displacement).lpNorm<Eigen::Infinity>(), 1e-10);
+      EXPECT_EQ(solution.zones, expected.zones);
+      EXPECT_LE(solution.residual, 1e-12);
+      EXPECT_LE(expected.residual, 1e-12);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Methods, StructuredSteady,
+    testing::Values(Kind{"calibrated", PlaneKernel(material, 10), Calibrated{}},
+                    Kind{"calibrated strip", StripKernel(material, 2), Calibrated{}},
+                    Kind{"standard", PlaneKernel(material, 10), Differences{1}},
+                    Kind{"standard strip", StripKernel(material, 0.5), Differences{1}},
+                    Kind{"half a step", PlaneKernel(material, 10), Differences{0.5}}));
+
+// From a grid of a quarter of the elements: without, it would be log2(N) + 3, and more for c << 1.
+TEST(StructuredSteady, NumberOfRoundsDoesNotGrow) {
+  for (const Index n : {600, 2400, 20000}) {
+    for (const double c : {1.0, 0.5}) {
+      const SteadySolution solution =
+          solve_steady(steady(PlaneKernel(material, 10), n, Differences{c}, PrescribedForce{-1.0}));
+      EXPECT_LE(solution.iterations, 6) << n << " " << c;
+      EXPECT_LE(solution.residual, 1e-12);
+    }
+  }
+}
+
+// Second order, so 1e-8 of the error at N = 1e4; what rounding adds would show.
+TEST(StructuredSteady, LargeCalibratedContactsAreAsAccurateAsTheirOrderSays) {
+  const auto creepage = [](Index n) {
+    return solve_steady(steady(PlaneKernel(material, 10), n, Calibrated{}, PrescribedForce{-1.0}))
+        .creepage;
+  };
+  const double limit = 0.5934008373;  // Chebyshev collocation
+  EXPECT_NEAR((creepage(1000) - limit) / (creepage(4000) - limit), 16, 0.5);
+  EXPECT_NEAR(creepage(50000), limit, 2e-10);
+}
+
+/// The bound has a dent in the middle, where slip begins.
+TransientProblem transient(const Kernel& kernel, Index n, const AdvectionScheme& scheme,
+                           const Solver& solver) {
+  return {.kernel = kernel,
+          .bound = PolynomialBound(1, 1, Eigen::Vector3d(0.2, 0, 2)),
+          .grid = Grid({.half_width = 1, .elements = n}),
+          .basis = constant_basis(),
+          .scheme = scheme,
+          .solver = solver};
+}
+
+class StructuredTransient : public testing::TestWithParam<std::string> {
+ protected:
+  static AdvectionScheme scheme() {
+    const std::string name = GetParam();
+    if (name == "material") return MaterialFixed{};
+    if (name == "direct") return Direct{};
+    if (name == "relaxed") return Relaxed{1};
+    return Fractional{};
+  }
+};
+
+int stick_zones(const TransientState& state) {
+  int zones = 0;
+  for (std::size_t i = 0; i < state.zones.size(); ++i) {
+    const bool begins = i == 0 || state.zones[i - 1] != Zone::adhesion;
+    zones += begins && state.zones[i] == Zone::adhesion ? 1 : 0;
+  }
+  return zones;
+}
+
+TEST_P(StructuredTransient, IsTheDenseSolutionWithSeveralStickZonesToo) {
+  for (const Kernel kernel : {Kernel(PlaneKernel(material, GetParam() == "fractional" ? 10 : 0.1)),
+                              Kernel(StripKernel(material, 1))}) {
+    const double full = 0.35 * std::numbers::pi;
+    TransientRolling expected(transient(kernel, 201, scheme(), dense), CattaneoShift{-0.64 * full});
+    TransientRolling rolling(transient(kernel, 201, scheme(), fft), CattaneoShift{-0.64 * full});
+    const double dx = 2.0 / 201;
+    int most_zones = 0;
+    for (int step = 0; step < 120; ++step) {
+      const double c = step % 3 == 0 ? 1 : 0.4;
+      const Load load = step < 40   ? Load(PrescribedForce{-0.64 * full})
+                        : step < 80 ? Load(PrescribedForce{(0.02 * (step - 40) - 0.5) * full})
+                                    : Load(PrescribedCreepage{0.3});
+      expected.step(c * dx, load);
+      rolling.step(c * dx, load);
+      ASSERT_LT((rolling.state().traction - expected.state().traction).lpNorm<Eigen::Infinity>(),
+                1e-10)
+          << step;
+      ASSERT_NEAR(rolling.state().creepage, expected.state().creepage, 1e-9);
+      ASSERT_EQ(rolling.state().zones, expected.state().zones);
+      ASSERT_LE(rolling.state().residual, 1e-12);
+      most_zones = std::max(most_zones, stick_zones(rolling.state()));
+    }
+    EXPECT_GT(most_zones, 1);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, StructuredTransient,
+                         testing::Values("material", "direct", "relaxed", "fractional"));
+
+TEST(Solver, FftIsForEqualFunctions) {
+  SteadyProblem problem =
+      steady(PlaneKernel(material, 1), 31, Differences{1}, PrescribedCreepage{0.4});
+  problem.solver = fft;
+  problem.basis = quadratic_basis();
+  EXPECT_THROW(solve_steady(problem), std::invalid_argument);
+  problem.method = Calibrated{};
+  EXPECT_THROW(solve_steady(problem), std::invalid_argument);
+  problem.basis = constant_basis();
+  problem.method = Differences{1, 0.1};
+  EXPECT_THROW(solve_steady(problem), std::invalid_argument);
+}
+
+TEST(Solver, DenseIsForMatricesThatFit) {
+  SteadyProblem problem =
+      steady(PlaneKernel(material, 1), 100001, Calibrated{}, PrescribedCreepage{0.4});
+  problem.solver = dense;
+  EXPECT_THROW(solve_steady(problem), std::invalid_argument);
+  problem.method = Differences{1};
+  EXPECT_THROW(solve_steady(problem), std::invalid_argument);
+  problem.solver = {};
+  problem.basis = quadratic_basis();
+  EXPECT_THROW(solve_steady(problem), std::invalid_argument);
+}
+
+// Rounding is all that is left, so no tolerance of the range is missed here; where the equations
+// cannot be solved, the residual says so.
+TEST(Solver, ResidualOfASingularSystemIsCarriedByTheException) {
+  const VectorXd zeros = VectorXd::Zero(2);
+  ActiveSet active_set(SquareMatrix(Eigen::MatrixXd::Ones(2, 2)), VectorXd::Ones(2));
+  try {
+    active_set.solve(
+        {.bound = VectorXd::Constant(2, 9), .offset = Eigen::Vector2d(0, 0.5), .reference = zeros},
+        PrescribedCreepage{0.1});
+    FAIL() << "expected NotConverged";
+  } catch (const NotConverged& error) {
+    EXPECT_FALSE(error.residual() <= Solver{}.tolerance);
+  }
+}
+
+}  // namespace
+}  // namespace microslip
