@@ -73,13 +73,14 @@ INSTANTIATE_TEST_SUITE_P(
                     Kind{"standard strip", StripKernel(material, 0.5), Differences{1}},
                     Kind{"half a step", PlaneKernel(material, 10), Differences{0.5}}));
 
-// From a grid of a quarter of the elements: without, it would be log2(N) + 3, and more for c << 1.
+// From a grid of a quarter of the elements, and from a whole step: from adhesion it would be
+// log2(N) + 3 for c = 1, and O(N) for c << 1.
 TEST(StructuredSteady, NumberOfRoundsDoesNotGrow) {
-  for (const Index n : {600, 2400, 20000}) {
-    for (const double c : {1.0, 0.5}) {
+  for (const Index n : {60, 600, 2400, 20000}) {
+    for (const double c : {1.0, 0.5, 0.1, 0.01}) {
       const SteadySolution solution =
           solve_steady(steady(PlaneKernel(material, 10), n, Differences{c}, PrescribedForce{-1.0}));
-      EXPECT_LE(solution.iterations, 6) << n << " " << c;
+      EXPECT_LE(solution.iterations, 12) << n << " " << c;
       EXPECT_LE(solution.residual, 1e-12);
     }
   }

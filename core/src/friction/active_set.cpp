@@ -21,8 +21,17 @@ using Eigen::VectorXd;
 /// Violations below this, relative to the largest bound or slip, are rounding.
 constexpr double tolerance = 1e-12;
 
+/// Of what relieves a violation, so that not all end at once.
+constexpr double margin = 0.1;
+
 /// How often the block exchange may release one element before it counts as unsettled.
-constexpr int release_limit = 3;
+constexpr int release_limit = 1;
+
+/// A good partition to start from is fewer exchanges away.
+constexpr int most_exchanges_from_given = 60;
+
+/// Of a solution that a path has led to.
+constexpr double acceptable_violation = 1e-9;
 
 double prescribed_value(const Load& load) {
   return std::visit([](const auto& l) { return l.value; }, load);
@@ -61,7 +70,10 @@ class ContactSearch {
     iterations_ = 0;
     system_.prescribe_force(force_prescribed_);
     system_.soften(conditions.soft);
-    if (!exchange_blocks()) follow_path();
+    if (!exchange_blocks() && !follow_path_from(state.zones) && !follow_path_from_adhesion()) {
+      throw NotConverged("active set: no stick/slip partition found", iterations_,
+                         largest_violation());
+    }
     if (!(response_.residual <= system_.solver().tolerance)) {
       throw NotConverged("active set: the residual of the equations in adhesion is above " +
                              format_short(system_.solver().tolerance),
@@ -171,7 +183,8 @@ class ContactSearch {
 
   /// The first exchange on the way down from the bound g + height, on which traction and slip are
   /// those of g plus height times `rise`. The element of the last one cannot be the next.
-  std::optional<Exchange> next_exchange(const Response& rise, Index last) const {
+  std::optional<Exchange> next_exchange(const SlipConditions& higher, const Response& rise,
+                                        Index last) const {
     std::optional<Exchange> next;
     const auto consider = [&](double violation, double slope, double scale, Index i, Zone to) {
       if (slope <= 0 || violation <= tolerance * scale) return;
@@ -186,38 +199,71 @@ class ContactSearch {
       }
       for (const Zone to : {Zone::slip_negative, Zone::slip_positive}) {
         const double s = static_cast<double>(to);
-        consider(s * response_.traction[i] - conditions_->bound[i], 1 - s * rise.traction[i],
-                 bound_scale_, i, to);
+        consider(s * response_.traction[i] - conditions_->bound[i],
+                 higher.bound[i] - s * rise.traction[i], bound_scale_, i, to);
       }
     }
     return next;
   }
 
-  void follow_path() {
-    SlipConditions higher{.bound = VectorXd::Ones(size()),
-                          .offset = VectorXd::Zero(size()),
-                          .reference = VectorXd::Zero(size())};
+  SlipConditions unchanged() const {
+    const VectorXd zeros = VectorXd::Zero(size());
+    return {.bound = zeros, .offset = zeros, .reference = zeros};
+  }
+
+  /// Changes of bound and offset for which a partition is the solution, with something to spare.
+  SlipConditions relieved() const {
+    SlipConditions relief = unchanged();
     for (Index i = 0; i < size(); ++i) {
-      if (conditions_->bound[i] > 0) {
-        zone(i) = Zone::adhesion;
+      if (conditions_->bound[i] <= 0) continue;
+      if (zone(i) == Zone::adhesion) {
+        const double excess = excess_over_bound(response_.traction[i], conditions_->bound[i]);
+        relief.bound[i] = std::max(0.0, excess + margin * std::abs(excess));
       } else {
-        if (zone(i) == Zone::adhesion) zone(i) = Zone::slip_positive;
-        higher.bound[i] = 0;
+        const double wrong = wrong_slip(zone(i), response_.slip[i]);
+        relief.offset[i] =
+            -static_cast<double>(zone(i)) * std::max(0.0, wrong + margin * std::abs(wrong));
       }
     }
-    const Index limit = iterations_ + 20 * size() + 100;
-    for (Index last = -1; iterations_ < limit && carries_load();) {
+    return relief;
+  }
+
+  /// From the bounds and offsets of a partition's relief down to the given ones. False if the end
+  /// is not reached in so many exchanges.
+  bool follow_path(const SlipConditions& relief, Index most_exchanges) {
+    const Index limit = iterations_ + most_exchanges;
+    for (Index last = -1; carries_load();) {
       respond();
-      answer(higher, 0, rise_);
-      const auto next = next_exchange(rise_, last);
-      if (!next) break;
+      answer(relief, 0, rise_);
+      const auto next = next_exchange(relief, rise_, last);
+      if (!next) return largest_violation() <= acceptable_violation;
+      if (iterations_ >= limit) return false;
       zone(next->element) = next->zone;
       last = next->element;
     }
-    const double violation = largest_violation();
-    if (violation > 1e-9) {
-      throw NotConverged("active set: no stick/slip partition found", iterations_, violation);
+    return false;
+  }
+
+  /// Where there is no bound, elements slip.
+  void start_from(const std::vector<Zone>& first) {
+    zones_ = first;
+    for (Index i = 0; i < size(); ++i) {
+      if (conditions_->bound[i] <= 0 && zone(i) == Zone::adhesion) zone(i) = Zone::slip_positive;
     }
+  }
+
+  bool follow_path_from(const std::vector<Zone>& first) {
+    start_from(first);
+    if (!carries_load()) return false;
+    respond();
+    return follow_path(relieved(), most_exchanges_from_given);
+  }
+
+  bool follow_path_from_adhesion() {
+    start_from(std::vector<Zone>(zones_.size(), Zone::adhesion));
+    SlipConditions higher = unchanged();
+    higher.bound = (conditions_->bound.array() > 0).cast<double>();
+    return follow_path(higher, 20 * size() + 100);
   }
 
   double largest_violation() const {

@@ -57,11 +57,17 @@ SquareMatrix strain_of(const SteadyProblem& problem, const Differences& differen
 
 ContactState contact_by_differences(const SteadyProblem& problem, const Differences& differences);
 
-/// Adhesion everywhere, or the partition of a grid of fewer elements: so the number of rounds does
-/// not grow with that of elements.
+/// Where to start from: adhesion everywhere; or the partition of a grid of fewer elements, so that
+/// the number of rounds does not grow with that of elements; or, for small steps, that of a whole
+/// one, from which it differs by few elements: from adhesion, the way would be long.
 std::vector<Zone> first_zones(const SteadyProblem& problem, const Differences& differences) {
   constexpr Index ratio = 4;
   const Index n = problem.grid.size();
+  if (differences.step_ratio < 1) {
+    Differences whole = differences;
+    whole.step_ratio = 1;
+    return contact_by_differences(problem, whole).zones;
+  }
   if (n < ratio * Solver::crossover)
     return std::vector<Zone>(static_cast<std::size_t>(n), Zone::adhesion);
   SteadyProblem coarse = problem;

@@ -62,11 +62,13 @@ struct ContactState {
 /// First all violating elements are exchanged at once, those above the bound before those with the
 /// wrong direction of slip: thesis 3.1.1. From adhesion everywhere and for c near 1 this takes
 /// about log2(n) rounds; for c << 1 the partitions never settle. So an element may be released from
-/// adhesion three times; then the exact path is followed from a bound so high that all stick down
-/// to the given one, exchanging one element at a time.
+/// adhesion once. Then an exact path is followed, exchanging one element at a time: from bounds and
+/// offsets that make the partition which the search started from the solution, down to the given
+/// ones. From a partition nearby that takes as many exchanges as it differs by, or few more. If it
+/// takes more than 60, the path starts again from a bound so high that all stick.
 ///
-/// Termination: the first phase has at most 6 n rounds. On the path the solution is piecewise
-/// linear in the height of the bound, with one piece a partition; if response + response^T is
+/// Termination: the first phase has at most 3 n rounds. On a path the solution is piecewise linear
+/// in the part of the relief that is left, with one piece a partition; if response + response^T is
 /// positive definite, it is unique, and each of the finitely many partitions is met at most once.
 /// A is, and A - A' for all c <= 1 that were tried (tests/unit/active_set_test.cpp).
 /// Otherwise the path is given up after 20 n + 100 exchanges.
