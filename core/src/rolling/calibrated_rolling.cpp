@@ -22,7 +22,8 @@ bool is_plane(const Kernel& kernel) { return std::holds_alternative<PlaneKernel>
 /// From so many elements on, sums over them are interpolated.
 constexpr Index many_elements = 256;
 
-/// Strips have a system of their own for each b; a coarse lattice tells where to look.
+/// A coarse lattice tells where to look for b, which pays early for strips: each b has a system of
+/// its own there.
 constexpr Index coarse_elements = 31;
 
 /// So close to the stick-slip point, in elements, line loads are no picture of the elements.
@@ -92,7 +93,12 @@ double similarity(const VectorXd& first, const VectorXd& second) {
 
 }  // namespace
 
-StickLattice CalibratedRolling::lattice(double stick_edge) {
+const StickLattice& CalibratedRolling::lattice(double stick_edge) {
+  if (!lattice_ || lattice_->stick_edge != stick_edge) lattice_ = make_lattice(stick_edge);
+  return *lattice_;
+}
+
+StickLattice CalibratedRolling::make_lattice(double stick_edge) {
   const Index n = elements_;
   const double a = half_width_of(bound_);
   const double h = (a - stick_edge) / (static_cast<double>(n - 1) + 2 * calibration_.offset);
@@ -120,7 +126,7 @@ StickLattice CalibratedRolling::lattice(double stick_edge) {
 }
 
 CreepageForce CalibratedRolling::at(double stick_edge) {
-  const StickLattice found = lattice(stick_edge);
+  const StickLattice& found = lattice(stick_edge);
   return {stick_edge, found.creepage, found.force - sliding_.force()};
 }
 
@@ -133,7 +139,7 @@ CreepageForceCurve CalibratedRolling::curve() {
 }
 
 LoadedState CalibratedRolling::meet(const Load& load) {
-  if (is_plane(kernel_) || elements_ < 2 * coarse_elements) return meet_load(curve(), load);
+  if (elements_ < (is_plane(kernel_) ? 16 : 2) * coarse_elements) return meet_load(curve(), load);
   CalibratedRolling coarse(kernel_, bound_, basis_, coarse_elements, solver_);
   const double near = coarse.meet(load).state.stick_edge;
   return meet_load(curve(), load, near, 0.005 * (half_width_of(bound_) - near));
@@ -212,12 +218,9 @@ void CalibratedSolution::interpolate_loads() {
   const double nearest = lattice_->x[0] - behind_elements();
   if (lattice_->x.size() < many_elements || behind_elements() <= -a) return;
   const double origin = lattice_->x[0];
-  const auto graded = [&](auto function) {
-    return GradedChebyshev([&](double distance) { return function(origin - distance); }, nearest,
-                           origin + a);
-  };
-  strain_behind_ = graded([this](double x) { return strain_of_loads(x); });
-  displacement_behind_ = graded([this](double x) { return displacement_of_loads(x); });
+  strain_behind_.emplace([&](double distance) { return strain_of_loads(origin - distance); },
+                         nearest, origin + a);
+  nearest_displacement_ = displacement_of_loads(behind_elements());
 }
 
 double CalibratedSolution::removed_strain(double x) const {
@@ -227,8 +230,8 @@ double CalibratedSolution::removed_strain(double x) const {
 
 double CalibratedSolution::removed_displacement(double x) const {
   return lattice_->part * lattice_->field.displacement(x - lattice_->centre()) +
-         (displacement_behind_ ? (*displacement_behind_)(lattice_->x[0] - x)
-                               : displacement_of_loads(x));
+         (strain_behind_ ? nearest_displacement_ + strain_behind_->integral(lattice_->x[0] - x)
+                         : displacement_of_loads(x));
 }
 
 /// From here on back, elements may be taken as line loads.

@@ -10,11 +10,13 @@ namespace microslip {
 
 namespace {
 
-constexpr std::size_t order = 19;
+constexpr std::size_t order = 15;
 
 double evaluate(double x, void* function) {
   return (*static_cast<const std::function<double(double)>*>(function))(x);
 }
+
+std::shared_ptr<gsl_cheb_series> empty_series() { return {gsl_cheb_alloc(order), gsl_cheb_free}; }
 
 }  // namespace
 
@@ -23,19 +25,31 @@ GradedChebyshev::GradedChebyshev(const std::function<double(double)>& function, 
     : nearest_(nearest) {
   std::function<double(double)> copy = function;
   const gsl_function wrapped{evaluate, &copy};
+  double before = 0;
   double begin = nearest;
   do {
-    const std::shared_ptr<gsl_cheb_series> series(gsl_cheb_alloc(order), gsl_cheb_free);
-    gsl_cheb_init(series.get(), &wrapped, begin, 2 * begin);
-    series_.push_back(series);
+    const auto values = empty_series();
+    const auto integral = empty_series();
+    gsl_cheb_init(values.get(), &wrapped, begin, 2 * begin);
+    gsl_cheb_calc_integ(integral.get(), values.get());
+    intervals_.push_back({values, integral, before});
     begin *= 2;
+    before += gsl_cheb_eval(integral.get(), begin);
   } while (begin < farthest);
 }
 
-double GradedChebyshev::operator()(double distance) const {
+const GradedChebyshev::Interval& GradedChebyshev::interval(double distance) const {
   const int doublings = std::max(0, std::ilogb(distance / nearest_));
-  const auto interval = std::min(static_cast<std::size_t>(doublings), series_.size() - 1);
-  return gsl_cheb_eval(series_[interval].get(), distance);
+  return intervals_[std::min(static_cast<std::size_t>(doublings), intervals_.size() - 1)];
+}
+
+double GradedChebyshev::operator()(double distance) const {
+  return gsl_cheb_eval(interval(distance).values.get(), distance);
+}
+
+double GradedChebyshev::integral(double distance) const {
+  const Interval& within = interval(distance);
+  return within.before + gsl_cheb_eval(within.integral.get(), distance);
 }
 
 }  // namespace microslip

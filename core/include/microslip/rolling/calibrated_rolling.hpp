@@ -79,7 +79,8 @@ class CalibratedRolling {
   const FullSliding& sliding() const { return sliding_; }
 
   /// \param stick_edge  b, in [-a, a)  [mm]
-  StickLattice lattice(double stick_edge);
+  /// The reference holds until the next call.
+  const StickLattice& lattice(double stick_edge);
 
   /// A point of the creepage-force curve.
   CreepageForce at(double stick_edge);
@@ -88,6 +89,7 @@ class CalibratedRolling {
   CalibratedSolution solve(const Load& load);
 
  private:
+  StickLattice make_lattice(double stick_edge);
   CreepageForceCurve curve();
   LoadedState meet(const Load& load);
 
@@ -99,6 +101,7 @@ class CalibratedRolling {
   Solver solver_;
   std::unique_ptr<class StrainSystem> system_;
   EdgeCalibration calibration_;
+  std::optional<StickLattice> lattice_;  ///< the last one
 };
 
 /// A steady state as functions of the position.
@@ -128,11 +131,11 @@ class CalibratedSolution : public LoadedSolution {
   Kernel kernel_;
   TractionBound bound_;
   FullSliding sliding_;
-  std::optional<StickLattice> lattice_;  ///< none in full sliding
-  std::optional<GradedChebyshev> strain_behind_;
-  std::optional<GradedChebyshev> displacement_behind_;
-  double anchor_ = 0;               ///< a place in adhesion  [mm]
-  double anchor_displacement_ = 0;  ///< there  [mm]
+  std::optional<StickLattice> lattice_;           ///< none in full sliding
+  std::optional<GradedChebyshev> strain_behind_;  ///< of many elements, by the distance from them
+  double nearest_displacement_ = 0;  ///< of them, at the least of these distances  [mm]
+  double anchor_ = 0;                ///< a place in adhesion  [mm]
+  double anchor_displacement_ = 0;   ///< there  [mm]
 };
 
 }  // namespace microslip

@@ -11,8 +11,8 @@ namespace microslip {
 
 /// A function of the distance from a point, analytic for all positive distances: Chebyshev series
 /// over intervals that double. For functions that are dear to evaluate at many places.
-/// Accuracy: 1e-13 of its size on an interval if the nearest singularity is at distance 0.
-/// Cost: 20 evaluations an interval.
+/// Accuracy: 1e-12 of its size on an interval if the nearest singularity is at distance 0.
+/// Cost: 16 evaluations an interval.
 class GradedChebyshev {
  public:
   /// \param function  of the distance
@@ -22,9 +22,22 @@ class GradedChebyshev {
   /// \param distance  within [nearest, farthest]
   double operator()(double distance) const;
 
+  /// From `nearest` to a distance likewise.
+  double integral(double distance) const;
+
  private:
+  using Series = std::shared_ptr<const gsl_cheb_series_struct>;
+
+  struct Interval {
+    Series values;
+    Series integral;  ///< from the beginning of the interval
+    double before;    ///< integral over the intervals before
+  };
+
+  const Interval& interval(double distance) const;
+
   double nearest_;
-  std::vector<std::shared_ptr<const gsl_cheb_series_struct>> series_;
+  std::vector<Interval> intervals_;
 };
 
 }  // namespace microslip
