@@ -25,6 +25,14 @@ void reject_sweep(const Scene& scene) {
 program::Work prepare(Scene& scene) {
   reject_sweep(scene);
   const std::string problem = scene.word("problem", {"steady", "transient", "cylinder"});
+  if (problem != "steady" && scene.has("target_error")) {
+    throw std::invalid_argument("target_error: expected in problem steady only");
+  }
+  if (scene.has("target_error")) {
+    return [target = read_steady_target(scene)](const Progress&) {
+      return experiments::steady_scene(target);
+    };
+  }
   if (problem == "steady") {
     return [steady = read_steady(scene)](const Progress&) {
       return experiments::steady_scene(steady);
@@ -51,6 +59,9 @@ int main(int argc, char** argv) {
       .scene = "",
       .quick = "",
       .default_out = "out",
+      .key_options = {{"target-error", "target_error",
+                       "largest relative error of the force or creepage of steady rolling; picks "
+                       "method and grid"}},
       .prepare = prepare};
   const std::string command = argc > 1 ? argv[1] : "";
   if (command == "sweep") return program::sweep(solver, argc, argv);

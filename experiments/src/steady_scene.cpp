@@ -5,10 +5,18 @@
 
 namespace microslip::experiments {
 
-std::vector<Table> steady_scene(const SteadyProblem& problem) {
-  const SteadySolution solution = solve_steady(problem);
-  const double full_sliding = full_sliding_force(problem.bound);
-  Table summary = empty_summary("steady rolling, the whole contact");
+namespace {
+
+Table nodes(const SteadySolution& solution) {
+  return traction_table("steady rolling, values at the nodes",
+                        {solution.x, solution.bound, solution.traction, solution.slip,
+                         solution.displacement, solution.zones});
+}
+
+Table summary_of(const std::string& description, const SteadySolution& solution,
+                 const TractionBound& bound) {
+  const double full_sliding = full_sliding_force(bound);
+  Table summary = empty_summary(description);
   summary.add({"force", solution.force, "N/mm"});
   summary.add({"creepage", solution.creepage, "1"});
   summary.add({"force_ratio", solution.force / full_sliding, "1"});
@@ -19,10 +27,29 @@ std::vector<Table> steady_scene(const SteadyProblem& problem) {
   summary.add({"iterations", static_cast<double>(solution.iterations), "1"});
   summary.add({"residual", solution.residual, "1"});
   summary.add({"dissipation", solution.dissipation, "N/mm"});
-  return {traction_table("steady rolling, values at the nodes",
-                         {solution.x, solution.bound, solution.traction, solution.slip,
-                          solution.displacement, solution.zones}),
-          summary};
+  return summary;
+}
+
+}  // namespace
+
+std::vector<Table> steady_scene(const SteadyProblem& problem) {
+  const SteadySolution solution = solve_steady(problem);
+  return {nodes(solution),
+          summary_of("steady rolling, the whole contact", solution, problem.bound)};
+}
+
+std::vector<Table> steady_scene(const SteadyTarget& target) {
+  const EstimatedSteady found = solve_steady_to(target.contact, target.error);
+  const bool elements = std::holds_alternative<Calibrated>(found.problem.method);
+  const std::string picked =
+      elements ? "leading_edge calibrated, basis constant, grid.elements " +
+                     std::to_string(found.unknowns)
+               : "method chebyshev, " + std::to_string(found.unknowns) + " unknowns";
+  Table summary = summary_of("steady rolling, the whole contact; picked: " + picked, found.solution,
+                             target.contact.bound);
+  summary.add({"unknowns", static_cast<double>(found.unknowns), "1"});
+  summary.add({"estimated_error", found.error, "1"});
+  return {nodes(found.solution), summary};
 }
 
 }  // namespace microslip::experiments

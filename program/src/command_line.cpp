@@ -44,6 +44,9 @@ void add_scene_options(Options& options, const Program& program) {
                         ("property tree in INFO format" + scene_default).c_str())(
       "set", options::value<std::vector<std::string>>()->default_value({}, ""),
       "key.sub=value, over the scene; an empty value removes the key; repeatable");
+  for (const auto& [name, key, help] : program.key_options) {
+    options.add_options()(name.c_str(), options::value<std::string>(), help.c_str());
+  }
 }
 
 void add_common_options(Options& options, const std::string& default_out) {
@@ -95,6 +98,9 @@ Scene read_scene(const Program& program, const Given& given) {
   if (given.count("quick") != 0) scene.overlay(parse_text(program.quick, "built-in quick scene"));
   for (const std::string& assignment : given["set"].as<std::vector<std::string>>()) {
     scene.set(assignment);
+  }
+  for (const auto& [name, key, help] : program.key_options) {
+    if (given.count(name) != 0) scene.set(key + "=" + given[name].as<std::string>());
   }
   scene.read_files_by(file_text);
   return scene;

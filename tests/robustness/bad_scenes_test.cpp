@@ -99,6 +99,49 @@ TEST_F(BadScenes, MethodsOfSteadyRolling) {
   EXPECT_NE(outcome.error.find("64 unknowns do not suffice"), std::string::npos) << outcome.error;
 }
 
+TEST_F(BadScenes, Solvers) {
+  expect_rejected(good_scene, "--set solver.type=magic", "solver.type");
+  expect_rejected(good_scene, "--set solver.tolerance=1e-13",
+                  "solver.tolerance = 1e-13: expected a number in [1e-12, 1e-3]");
+  expect_rejected(good_scene, "--set solver.tolerance=1", "solver.tolerance");
+  expect_rejected(good_scene, "--set method=chebyshev --set solver.type=fft", "solver.type");
+  expect_rejected(good_scene, "--set solver.type=fft --set basis=quadratic --set grid.elements=21",
+                  "solver.type = 'fft': expected auto or dense for basis = 'quadratic'");
+  expect_rejected(good_scene, "--set solver.type=fft --set leading_edge=exact", "solver.type");
+  expect_rejected(good_scene, "--set solver.type=dense --set grid.elements=1000000",
+                  "grid.elements = 1e+06: expected at most 20000");
+  const auto value_of = [&](const std::string& options, const std::string& quantity) {
+    EXPECT_EQ(run(good_scene, options).error, "") << options;
+    const std::string text = text_of(out() / "summary.tsv");
+    const auto at = text.find("\n" + quantity + "\t");
+    return std::stod(text.substr(at + quantity.size() + 2));
+  };
+  const double dense = value_of("--set solver.type=dense", "force");
+  EXPECT_NEAR(value_of("--set solver.type=fft", "force"), dense, 1e-12);
+  EXPECT_LE(value_of("--set solver.type=fft", "residual"), 1e-12);
+}
+
+TEST_F(BadScenes, TargetErrors) {
+  const std::string free = "--set grid.elements= ";
+  expect_rejected(good_scene, free + "--target-error 0.5",
+                  "target_error = 0.5: expected a number in [1e-11, 0.1]");
+  expect_rejected(good_scene, free + "--target-error small", "target_error = 'small'");
+  expect_rejected(good_scene, "--target-error 1e-4", "grid.elements: expected no such key");
+  expect_rejected(good_scene, free + "--set basis=linear --target-error 1e-4",
+                  "basis: expected no");
+  EXPECT_NE(run(good_transient, "--target-error 1e-4").error.find("problem steady only"),
+            std::string::npos);
+  for (const std::string width : {"40", "0.3"}) {
+    EXPECT_EQ(run(good_scene, free + "--target-error 1e-4 --set kernel.width=" + width).error, "");
+    const std::string text = text_of(out() / "summary.tsv");
+    EXPECT_NE(text.find(width == "40" ? "picked: method chebyshev" : "picked: leading_edge calibr"),
+              std::string::npos);
+    const auto at = text.find("\nestimated_error\t");
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_LE(std::stod(text.substr(at + 17)), 1e-4);
+  }
+}
+
 TEST_F(BadScenes, AStepHasNoRoleInSteadyRolling) {
   const auto rows = [&](const std::string& options) {
     EXPECT_EQ(run(good_scene, options).error, "") << options;

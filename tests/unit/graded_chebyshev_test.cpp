@@ -20,10 +20,10 @@ TEST(GradedChebyshev, FollowsASingularFunctionAndItsIntegral) {
       nearest, 3);
   EXPECT_EQ(evaluations, 16 * 22);  // 2^21 < 3e6 < 2^22
   for (double d = nearest; d <= 3; d *= 1.037) {
-    EXPECT_NEAR(inverse(d) * d, 1, 1e-12) << d;
-    EXPECT_NEAR(inverse.integral(d), std::log(d / nearest), 1e-12) << d;
+    EXPECT_NEAR(inverse(d) * d, 1, 2e-12) << d;
+    EXPECT_NEAR(inverse.integral(d), std::log(d / nearest), 2e-12) << d;
   }
-  EXPECT_NEAR(inverse(3) * 3, 1, 1e-12);
+  EXPECT_NEAR(inverse(3) * 3, 1, 2e-12);
 }
 
 TEST(GradedChebyshev, NeedsOneIntervalForOneDistance) {

@@ -217,6 +217,22 @@ SteadyProblem read_steady(Scene& scene) {
   return problem;
 }
 
+SteadyTarget read_steady_target(Scene& scene) {
+  for (const std::string key :
+       {"grid.elements", "method", "leading_edge", "basis", "solver.type"}) {
+    if (scene.has(key)) {
+      throw std::invalid_argument(key + ": expected no such key with target_error, which picks it");
+    }
+  }
+  const double target = scene.number("target_error");
+  require(target >= finest_target && target <= coarsest_target, "target_error", target,
+          "a number in [1e-11, 0.1]");
+  const Material material = read_material(scene);
+  const TractionBound bound = read_bound(scene);
+  const Kernel kernel = read_kernel(scene, material);
+  return {{kernel, bound, read_load(scene)}, target};
+}
+
 SteadyProblem read_steady(Scene& scene, const SteadyMethod& method) {
   const ContactModel model = read_contact(scene);
   const bool elements = !std::holds_alternative<ChebyshevCollocation>(method);

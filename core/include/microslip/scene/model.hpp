@@ -3,6 +3,7 @@
 
 #include "microslip/dynamics/cylinder.hpp"
 #include "microslip/rolling/steady.hpp"
+#include "microslip/rolling/target_error.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "microslip/scene/scene.hpp"
 
@@ -50,6 +51,15 @@ SteadyProblem read_steady(Scene& scene);
 
 /// All of the above, with a given method.
 SteadyProblem read_steady(Scene& scene, const SteadyMethod& method);
+
+/// Steady rolling to a given error; how is left to the program.
+struct SteadyTarget {
+  SteadyContact contact;
+  double error;  ///< [1]
+};
+
+/// material.*, contact.*, kernel.*, load.* and target_error; but none of the keys that it picks.
+SteadyTarget read_steady_target(Scene& scene);
 
 /// A transient problem with all that happens to it.
 struct TransientScene {

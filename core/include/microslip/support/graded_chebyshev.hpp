@@ -11,7 +11,7 @@ namespace microslip {
 
 /// A function of the distance from a point, analytic for all positive distances: Chebyshev series
 /// over intervals that double. For functions that are dear to evaluate at many places.
-/// Accuracy: 1e-12 of its size on an interval if the nearest singularity is at distance 0.
+/// Accuracy: 2e-12 of its size on an interval if the nearest singularity is at distance 0.
 /// Cost: 16 evaluations an interval.
 class GradedChebyshev {
  public:

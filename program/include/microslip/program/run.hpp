@@ -20,6 +20,13 @@ struct Program {
   std::string scene;        ///< text of the default scene; empty if --scene is required
   std::string quick;        ///< what --quick changes in it; empty if there is no quick version
   std::string default_out;  ///< folder for the tables
+  /// Options that are short for --set key=value.
+  struct KeyOption {
+    std::string name;
+    std::string key;
+    std::string help;
+  };
+  std::vector<KeyOption> key_options = {};
   /// Reads all keys it needs, and returns the work to do once the scene has been accepted.
   std::function<Work(Scene&)> prepare;
 };
