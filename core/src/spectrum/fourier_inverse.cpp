@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/spectrum/fourier_inverse.hpp"
 
-#include <fftw3.h>
-
-#include <memory>
+#include "microslip/linalg/real_fft.hpp"
 
 namespace microslip {
 
@@ -12,13 +10,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
-
-struct DestroyPlan {
-  void operator()(fftw_plan plan) const { fftw_destroy_plan(plan); }
-};
-using Plan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, DestroyPlan>;
-
-fftw_complex* as_fftw(VectorXcd& values) { return reinterpret_cast<fftw_complex*>(values.data()); }
 
 VectorXd rotated(const VectorXd& values, Index by) {
   const Index n = values.size();
@@ -40,12 +31,10 @@ VectorXd diagonal_first(const VectorXd& column) {
 
 VectorXcd fourier_coefficients(const VectorXd& values) {
   const Index n = values.size();
-  VectorXd in = values;
-  VectorXcd half(n / 2 + 1);
-  // Estimating a plan leaves the arrays alone and always gives the same one.
-  const Plan plan(
-      fftw_plan_dft_r2c_1d(static_cast<int>(n), in.data(), as_fftw(half), FFTW_ESTIMATE));
-  fftw_execute(plan.get());
+  RealFft fft(n);
+  fft.values() = values;
+  fft.forward();
+  const auto half = fft.spectrum();
   return VectorXcd::NullaryExpr(
       n, [&](Index m) { return m <= n / 2 ? half[m] : std::conj(half[n - m]); });
 }
@@ -54,12 +43,10 @@ VectorXcd reciprocals(const VectorXcd& coefficients) { return coefficients.cwise
 
 VectorXd inverse_transform(const VectorXcd& coefficients) {
   const Index n = coefficients.size();
-  VectorXcd half = coefficients.head(n / 2 + 1);
-  VectorXd values(n);
-  const Plan plan(
-      fftw_plan_dft_c2r_1d(static_cast<int>(n), as_fftw(half), values.data(), FFTW_ESTIMATE));
-  fftw_execute(plan.get());
-  return values / static_cast<double>(n);
+  RealFft fft(n);
+  fft.spectrum() = coefficients.head(n / 2 + 1);
+  fft.backward();
+  return fft.values() / static_cast<double>(n);
 }
 
 VectorXd diagonal_in_the_middle(const VectorXd& values) {
