@@ -4,6 +4,8 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
+#include "microslip/support/chebyshev_series.hpp"
+
 namespace microslip {
 
 using Eigen::Index;
@@ -65,6 +67,7 @@ std::variant<ChebyshevField, PolygonField> field_of(const Kernel& kernel,
 FullSliding::FullSliding(const Kernel& kernel, const TractionBound& bound)
     : force_(full_sliding_force(bound)),
       half_width_(half_width_of(bound)),
+      clear_distance_(clear_distance(kernel)),
       field_(field_of(kernel, bound)) {}
 
 double FullSliding::strain(double x) const {
@@ -72,6 +75,21 @@ double FullSliding::strain(double x) const {
     return x > -half_width_ ? smooth->continued_strain(x) : smooth->strain(x);
   }
   return std::get<PolygonField>(field_).strain(x);
+}
+
+/// It is analytic within the clear distance, which determines how fast a series converges.
+Eigen::VectorXd FullSliding::strain(const Eigen::VectorXd& x) const {
+  const auto at = [this](double xi) { return strain(xi); };
+  const auto* smooth = std::get_if<ChebyshevField>(&field_);
+  const double last = x[x.size() - 1];
+  const double relative = 2 * clear_distance_ / (last - x[0]);
+  const double digits = 34 / std::asinh(relative);  // ln 1e-15 = -34.5
+  const double terms =
+      smooth ? digits + static_cast<double>(smooth->traction().coefficients().size()) : 0;
+  const bool pays =
+      smooth && std::isfinite(clear_distance_) && 4 * terms < static_cast<double>(x.size());
+  if (!pays) return x.unaryExpr(at);
+  return x.unaryExpr(ChebyshevSeries(at, x[0], last, static_cast<std::size_t>(terms)));
 }
 
 double FullSliding::displacement(double x) const {

@@ -106,8 +106,8 @@ StickLattice CalibratedRolling::make_lattice(double stick_edge) {
   const TractionBound known = stretched(bound_, (a - stick_edge) / 2);
   const FullSliding known_field(kernel_, known);
   const VectorXd at = h * middles_of(n);
-  const VectorXd known_strain = at.unaryExpr([&](double x) { return known_field.strain(x); });
-  VectorXd strain = at.unaryExpr([&](double x) { return sliding_.strain(centre + x); });
+  const VectorXd known_strain = known_field.strain(at);
+  VectorXd strain = sliding_.strain(centre + at.array());
   const double part = similarity(strain, known_strain);
   const auto [elements, creepage, residual] = system_->solve(h, strain - part * known_strain);
   const VectorXd loads = basis_.weights(h, n).cwiseProduct(elements);

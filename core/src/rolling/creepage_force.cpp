@@ -13,6 +13,9 @@ namespace microslip {
 
 namespace {
 
+/// Of a point of the curve, relative to itself.
+constexpr double rounding = 2e-15;
+
 /// A load as a positive number that grows along the curve.
 struct Target {
   bool force;
@@ -48,7 +51,9 @@ LoadedState meet_load(const CreepageForceCurve& curve, const Load& load, double 
   int evaluations = 0;
   const auto excess = [&](double b) {
     ++evaluations;
-    return target.reached_by(curve.at(b)) - target.size;
+    // What is below rounding would only be halved again and again.
+    const double difference = target.reached_by(curve.at(b)) - target.size;
+    return std::abs(difference) <= rounding * target.size ? 0 : difference;
   };
   if (!target.force && target.size >= curve.full_sliding_creepage) {
     return {{a, target.size, -curve.full_sliding_force}, 1, target.direction, 0};

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/support/graded_chebyshev.hpp"
 
-#include <gsl/gsl_chebyshev.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -12,29 +10,19 @@ namespace {
 
 constexpr std::size_t order = 15;
 
-double evaluate(double x, void* function) {
-  return (*static_cast<const std::function<double(double)>*>(function))(x);
-}
-
-std::shared_ptr<gsl_cheb_series> empty_series() { return {gsl_cheb_alloc(order), gsl_cheb_free}; }
-
 }  // namespace
 
 GradedChebyshev::GradedChebyshev(const std::function<double(double)>& function, double nearest,
                                  double farthest)
     : nearest_(nearest) {
-  std::function<double(double)> copy = function;
-  const gsl_function wrapped{evaluate, &copy};
   double before = 0;
   double begin = nearest;
   do {
-    const auto values = empty_series();
-    const auto integral = empty_series();
-    gsl_cheb_init(values.get(), &wrapped, begin, 2 * begin);
-    gsl_cheb_calc_integ(integral.get(), values.get());
+    const ChebyshevSeries values(function, begin, 2 * begin, order);
+    const ChebyshevSeries integral = values.integral();
     intervals_.push_back({values, integral, before});
     begin *= 2;
-    before += gsl_cheb_eval(integral.get(), begin);
+    before += integral(begin);
   } while (begin < farthest);
 }
 
@@ -44,12 +32,12 @@ const GradedChebyshev::Interval& GradedChebyshev::interval(double distance) cons
 }
 
 double GradedChebyshev::operator()(double distance) const {
-  return gsl_cheb_eval(interval(distance).values.get(), distance);
+  return interval(distance).values(distance);
 }
 
 double GradedChebyshev::integral(double distance) const {
   const Interval& within = interval(distance);
-  return within.before + gsl_cheb_eval(within.integral.get(), distance);
+  return within.before + within.integral(distance);
 }
 
 }  // namespace microslip

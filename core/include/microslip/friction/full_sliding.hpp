@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <variant>
 
 #include "microslip/friction/traction_bound.hpp"
@@ -35,6 +36,10 @@ class FullSliding {
   /// -du/dx, inside and behind the contact, and continued before it  [1]
   double strain(double x) const;
 
+  /// The same at ascending places inside the contact, many of which are interpolated where that is
+  /// cheaper: to 1e-13.
+  Eigen::VectorXd strain(const Eigen::VectorXd& x) const;
+
   /// u, likewise  [mm]
   double displacement(double x) const;
 
@@ -45,6 +50,7 @@ class FullSliding {
  private:
   double force_;
   double half_width_;
+  double clear_distance_;
   std::variant<ChebyshevField, PolygonField> field_;
 };
 

@@ -2,10 +2,9 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <vector>
 
-struct gsl_cheb_series_struct;
+#include "microslip/support/chebyshev_series.hpp"
 
 namespace microslip {
 
@@ -26,12 +25,10 @@ class GradedChebyshev {
   double integral(double distance) const;
 
  private:
-  using Series = std::shared_ptr<const gsl_cheb_series_struct>;
-
   struct Interval {
-    Series values;
-    Series integral;  ///< from the beginning of the interval
-    double before;    ///< integral over the intervals before
+    ChebyshevSeries values;
+    ChebyshevSeries integral;  ///< from the beginning of the interval
+    double before;             ///< integral over the intervals before
   };
 
   const Interval& interval(double distance) const;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+struct gsl_cheb_series_struct;
+
+namespace microslip {
+
+/// A function on an interval by its values at Chebyshev points.
+class ChebyshevSeries {
+ public:
+  /// \param order  degree; order + 1 evaluations
+  ChebyshevSeries(const std::function<double(double)>& function, double begin, double end,
+                  std::size_t order);
+
+  double operator()(double x) const;
+
+  /// Its integral from the beginning, as a series of the same order.
+  ChebyshevSeries integral() const;
+
+ private:
+  using Series = std::shared_ptr<const gsl_cheb_series_struct>;
+
+  explicit ChebyshevSeries(Series series) : series_(std::move(series)) {}
+
+  Series series_;
+};
+
+}  // namespace microslip
