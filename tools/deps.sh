@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what the project needs and this machine lacks. Usage: tools/deps.sh build|figures ...
+# Installs what the project needs and this machine lacks. Usage: tools/deps.sh build|figures|bench ...
 # Does nothing, and prints nothing, when all is there. DEPS=skip turns it off.
 set -euo pipefail
 [ "${DEPS:-}" = skip ] && exit 0
@@ -19,7 +19,8 @@ libgtest-dev /usr/include/gtest/gtest.h
 LIST
       ;;
     figures) echo "gnuplot-nox gnuplot" ;;
-    *) echo "deps.sh: unknown group '$1'; known: build, figures" >&2; return 1 ;;
+    bench) echo "libbenchmark-dev /usr/include/benchmark/benchmark.h" ;;
+    *) echo "deps.sh: unknown group '$1'; known: build, figures, bench" >&2; return 1 ;;
   esac
 }
 

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "microslip/scene/table.hpp"
+
+namespace microslip::bench {
+
+/// Keeps this process, and those that it starts, on the core on which it is.
+void stay_on_one_core();
+
+/// What the times depend on besides the program.
+Table machine_table();
+
+}  // namespace microslip::bench

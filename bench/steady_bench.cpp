@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "bench.hpp"
+#include "microslip/rolling/calibrated_rolling.hpp"
+#include "microslip/rolling/chebyshev_rolling.hpp"
+#include "microslip/rolling/steady.hpp"
+#include "peak_memory.hpp"
+
+namespace microslip::bench {
+
+namespace {
+
+using Eigen::Index;
+
+struct NamedMethod {
+  std::string name;
+  SteadyMethod method;
+};
+
+const std::vector<NamedMethod>& methods() {
+  static const std::vector<NamedMethod> all = {{"standard", Differences{.step_ratio = 1}},
+                                               {"calibrated", Calibrated{}}};
+  return all;
+}
+
+SteadyProblem problem_of(const BenchParameters& p, const Kernel& kernel, const SteadyMethod& method,
+                         Index n, Solver::Type type) {
+  return {.kernel = kernel,
+          .bound = p.bound,
+          .grid = Grid({.half_width = p.bound.half_width(), .elements = n}),
+          .method = method,
+          .load = p.force,
+          .solver = {.type = type}};
+}
+
+void add_steady(std::vector<Case>& cases, const BenchParameters& p, Index n) {
+  const auto add = [&](const NamedKernel& kernel, const NamedMethod& method,
+                       const std::string& solver, Solver::Type type) {
+    cases.push_back({{"steady", kernel.name, method.name + '_' + solver, n}, [=, &p] {
+                       const SteadyProblem problem =
+                           problem_of(p, kernel.kernel, method.method, n, type);
+                       return [problem] { return solve_steady(problem).iterations; };
+                     }});
+  };
+  for (const NamedKernel& kernel : p.kernels) {
+    for (const NamedMethod& method : methods()) {
+      add(kernel, method, "fft", Solver::Type::fft);
+      if (n <= p.dense_steady) add(kernel, method, "dense", Solver::Type::dense);
+    }
+  }
+}
+
+/// Two places of the stick-slip point, in turn, so that nothing is known from the call before.
+template <class Rolling>
+Work points(Rolling rolling, double near) {
+  struct State {
+    Rolling rolling;
+    double stick_edge;
+    double other;
+  };
+  auto state = std::make_shared<State>(State{std::move(rolling), near, near + 0.01});
+  return [state] {
+    std::swap(state->stick_edge, state->other);
+    state->rolling.at(state->stick_edge);
+    return 0;
+  };
+}
+
+void add_calibrated_points(std::vector<Case>& cases, const BenchParameters& p, Index n) {
+  for (const NamedKernel& kernel : p.kernels) {
+    cases.push_back({{"point", kernel.name, "calibrated", n}, [=, &p] {
+                       CalibratedRolling rolling(kernel.kernel, p.bound, constant_basis(), n);
+                       const double edge = -0.2 * p.bound.half_width();
+                       return points(std::move(rolling), edge);
+                     }});
+  }
+}
+
+void add_chebyshev_points(std::vector<Case>& cases, const BenchParameters& p, Index unknowns) {
+  for (const NamedKernel& kernel : p.kernels) {
+    cases.push_back({{"point", kernel.name, "chebyshev", unknowns}, [=, &p] {
+                       const double edge = -0.2 * p.bound.half_width();
+                       return points(ChebyshevRolling(kernel.kernel, p.bound, unknowns), edge);
+                     }});
+  }
+}
+
+/// Of as many unknowns as it takes.
+void add_chebyshev_steady(std::vector<Case>& cases, const BenchParameters& p) {
+  for (const NamedKernel& kernel : p.kernels) {
+    const Index unknowns = ChebyshevRolling(kernel.kernel, p.bound).unknowns();
+    cases.push_back({{"steady", kernel.name, "chebyshev", unknowns}, [=, &p] {
+                       return Work([=, &p] {
+                         const ChebyshevRolling rolling(kernel.kernel, p.bound);
+                         return rolling.solve(p.force).evaluations();
+                       });
+                     }});
+  }
+}
+
+}  // namespace
+
+std::vector<Case> steady_cases(const BenchParameters& p) {
+  std::vector<Case> cases;
+  for (const Index n : p.steady) add_steady(cases, p, n);
+  for (const Index n : p.points) add_calibrated_points(cases, p, n);
+  for (const Index n : p.unknowns) add_chebyshev_points(cases, p, n);
+  add_chebyshev_steady(cases, p);
+  return cases;
+}
+
+Table memory_table(const BenchParameters& p) {
+  Table table("memory", "peak memory of a process that solves one steady problem, by FFT",
+              {{"kernel", "1", "strip or plane"},
+               {"method", "1", "of steady rolling"},
+               {"elements", "1", "number N of elements"},
+               {"peak_memory", "byte", "largest resident set, with that of the program itself"}});
+  for (const Index n : p.memory) {
+    for (const NamedMethod& method : methods()) {
+      const auto problem = problem_of(p, p.strip(), method.method, n, Solver::Type::fft);
+      const double peak = peak_memory([&] { solve_steady(problem); });
+      table.add({p.kernels.front().name, method.name, static_cast<double>(n), peak});
+    }
+  }
+  return table;
+}
+
+}  // namespace microslip::bench

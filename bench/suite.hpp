@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "microslip/support/progress.hpp"
+
+namespace microslip::bench {
+
+/// What is measured.
+struct Subject {
+  std::string quantity;  ///< what is computed
+  std::string kernel;    ///< strip or plane
+  std::string method;    ///< by which way
+  Eigen::Index elements;
+};
+
+/// What is timed. Returns the number of its iterations, of whatever kind; 0 if there are none.
+using Work = std::function<double()>;
+
+/// `prepare` makes what the work needs; that is not timed.
+struct Case {
+  Subject subject;
+  std::function<Work()> prepare;
+};
+
+struct Measurement {
+  Subject subject;
+  double time;        ///< of the processor  [s]
+  double real_time;   ///< the same unless others use the machine  [s]
+  double repeats;     ///< over which they are means
+  double iterations;  ///< mean, see Work
+};
+
+struct Timing {
+  double least_time;       ///< of a measurement, > 0  [s]
+  int repetitions;         ///< >= 1; the one with the median time counts
+  Eigen::Index once_from;  ///< from this N on there is one repetition
+};
+
+/// Runs the cases in turn, by Google Benchmark.
+/// \throws std::runtime_error if one fails
+std::vector<Measurement> measure(const std::vector<Case>& cases, const Timing& timing,
+                                 const Progress& progress);
+
+}  // namespace microslip::bench

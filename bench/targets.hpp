@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "growth.hpp"
+#include "microslip/scene/table.hpp"
+
+namespace microslip::bench {
+
+/// What was aimed at, and what was measured; without those of which nothing was.
+/// \param memory  see memory_table
+Table targets_table(const std::vector<Series>& series, const Table& memory);
+
+}  // namespace microslip::bench

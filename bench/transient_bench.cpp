@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <memory>
+
+#include "bench.hpp"
+#include "microslip/rolling/steady.hpp"
+#include "microslip/rolling/transient.hpp"
+
+namespace microslip::bench {
+
+namespace {
+
+using Eigen::Index;
+
+/// After about 10^4 steps, rounding of the distance makes a step of one element two on the
+/// material.
+constexpr int most_steps = 4000;
+
+struct NamedScheme {
+  std::string name;
+  AdvectionScheme scheme;
+  SteadyMethod steady;  ///< to the tractions of which it tends
+};
+
+const std::vector<NamedScheme>& schemes() {
+  static const std::vector<NamedScheme> all = {{"direct", Direct{}, Differences{.step_ratio = 1}},
+                                               {"material", MaterialFixed{}, Calibrated{}}};
+  return all;
+}
+
+Grid grid_of(const BenchParameters& p, Index n) {
+  return Grid({.half_width = p.bound.half_width(), .elements = n});
+}
+
+TransientProblem problem_of(const BenchParameters& p, const NamedScheme& scheme, Index n,
+                            Solver::Type type) {
+  return {.kernel = p.strip(),
+          .bound = p.bound,
+          .grid = grid_of(p, n),
+          .basis = constant_basis(),
+          .scheme = scheme.scheme,
+          .solver = {.type = type}};
+}
+
+/// Rolls on in a steady state, one element a step.
+Work steady_steps(const BenchParameters& p, const NamedScheme& scheme, Index n, Solver::Type type) {
+  const SteadySolution steady = solve_steady({.kernel = p.strip(),
+                                              .bound = p.bound,
+                                              .grid = grid_of(p, n),
+                                              .method = scheme.steady,
+                                              .load = p.force,
+                                              .solver = {.type = type}});
+  auto rolling =
+      std::make_shared<TransientRolling>(problem_of(p, scheme, n, type), steady.traction);
+  const double length = grid_of(p, n).spacing();
+  // Until what is made once is made, and the partition is that of the step before.
+  for (int i = 0; i < 4; ++i) rolling->step(length, p.force);
+  return [rolling, length, load = p.force, start = steady.traction, steps = 0]() mutable {
+    if (++steps % most_steps == 0) rolling->start_from(start);
+    rolling->step(length, load);
+    return rolling->state().iterations;
+  };
+}
+
+/// N steps of one element, that is over the length of the contact, from a shift.
+Work from_shift(const BenchParameters& p, const NamedScheme& scheme, const Load& load, Index n,
+                Solver::Type type) {
+  const TransientProblem problem = problem_of(p, scheme, n, type);
+  return [problem, load, force = p.force.value] {
+    TransientRolling rolling(problem, CattaneoShift{force});
+    double partitions = 0;
+    rolling.roll(2 * problem.grid.half_width(), {problem.grid.spacing()}, load,
+                 [&](const TransientState& state) { partitions += state.iterations; });
+    return partitions;
+  };
+}
+
+}  // namespace
+
+std::vector<Case> transient_cases(const BenchParameters& p) {
+  std::vector<Case> cases;
+  const auto add = [&](const std::string& quantity, const NamedScheme& scheme, Index n,
+                       Index most_dense, const auto& prepare) {
+    cases.push_back({{quantity, "strip", scheme.name + "_fft", n},
+                     [=] { return prepare(scheme, n, Solver::Type::fft); }});
+    if (n > most_dense) return;
+    cases.push_back({{quantity, "strip", scheme.name + "_dense", n},
+                     [=] { return prepare(scheme, n, Solver::Type::dense); }});
+  };
+  const auto step = [&p](const NamedScheme& scheme, Index n, Solver::Type type) {
+    return steady_steps(p, scheme, n, type);
+  };
+  const auto roll_by = [&p](const Load& load) {
+    return [&p, load](const NamedScheme& scheme, Index n, Solver::Type type) {
+      return from_shift(p, scheme, load, n, type);
+    };
+  };
+  for (const NamedScheme& scheme : schemes()) {
+    for (const Index n : p.step) add("step", scheme, n, p.dense_step, step);
+    for (const Index n : p.rolling) {
+      add("rolling_by_force", scheme, n, p.dense_rolling, roll_by(p.force));
+      add("rolling_by_creepage", scheme, n, p.dense_rolling, roll_by(p.creepage));
+    }
+  }
+  return cases;
+}
+
+}  // namespace microslip::bench
