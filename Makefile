@@ -8,14 +8,15 @@ MAKEFLAGS += --no-builtin-rules
 JOBS ?= $(shell nproc)
 BUILD := build/release
 STUDIES := $(patsubst studies/%/study.info,%,$(wildcard studies/*/study.info))
-SOURCES = $(shell find core experiments program apps studies tests -name '*.[ch]pp')
+SOURCES = $(shell find core experiments program apps studies bench tests -name '*.[ch]pp')
 
-.PHONY: help deps build figures quick test sanitize format check-format clean $(STUDIES)
+.PHONY: help deps build figures quick bench test sanitize format check-format clean $(STUDIES)
 
 help:
 	@echo 'make figures      build, run every study, draw every figure into results/figures'
 	@echo 'make STUDY        one study with its figures: $(STUDIES)'
 	@echo 'make quick        every study, coarser, into results/quick'
+	@echo 'make bench        times against N into results/bench, with figures; about five minutes'
 	@echo 'make test         build and run all tests'
 	@echo 'make sanitize     the unit tests under the address and undefined-behaviour sanitizers'
 	@echo 'make build        only build the programs, into $(BUILD)/bin'
@@ -61,6 +62,17 @@ figures: build
 	$(side_by_side) $(STUDIES)
 quick: build
 	$(side_by_side) $(foreach study,$(STUDIES),$(call figures_of,$(study),results/quick))
+
+# Timings differ from run to run: they are no part of the figures, and are measured whenever asked for.
+# A build folder from before Google Benchmark was installed is configured anew.
+bench:
+	@tools/deps.sh build figures bench
+	@grep -qs '^benchmark_DIR:PATH=/' $(BUILD)/CMakeCache.txt || rm -f $(BUILD)/CMakeCache.txt
+	@$(call cmake_build,release,--target bench)
+	$(BUILD)/bin/bench --out results/bench
+	for figure in $(call figures_of,bench,results); do \
+	  plots/draw.sh plots/$$(basename $$figure .svg).gp results/bench $$figure; \
+	done
 
 test: deps
 	@$(call cmake_build,release)

@@ -1,0 +1,10 @@
+# Steady rolling: our two schemes by FFT and with all entries, and CONTACT's.
+load scripts."/bench.gpi"
+set key maxrows 3
+set title "steady rolling, 0.64 of full sliding, strip\n{/*0.8 ".machines."}"
+named(text, method) = text.": ".power("steady", "strip", method)
+plot peer using (of("steady", "strip", "CONTACT")):"time" with linespoints linetype 7 pointtype 5 pointsize 0.6 title named("CONTACT", "CONTACT"), \
+     times using (of("steady", "strip", "standard_dense")):"time" with linespoints linetype 2 dashtype 2 pointtype 6 pointsize 0.5 title named("standard, dense", "standard_dense"), \
+     times using (of("steady", "strip", "standard_fft")):"time" with linespoints linetype 2 pointtype 7 pointsize 0.5 title named("standard, FFT", "standard_fft"), \
+     times using (of("steady", "strip", "calibrated_dense")):"time" with linespoints linetype 1 dashtype 2 pointtype 6 pointsize 0.5 title named("calibrated, dense", "calibrated_dense"), \
+     times using (of("steady", "strip", "calibrated_fft")):"time" with linespoints linetype 1 pointtype 7 pointsize 0.5 title named("calibrated, FFT", "calibrated_fft")

@@ -1,0 +1,20 @@
+# A transient step that leaves the partition as it is, and N steps from a Cattaneo shift.
+load scripts."/bench.gpi"
+set terminal svg size 980,540
+set multiplot layout 1,2 margins 0.08,0.98,0.3,0.83 spacing 0.09 title "transient rolling, steps of one element, strip\n{/*0.8 ".machines."}"
+set key maxrows 3
+named(text, quantity, method) = text.": ".power(quantity, "strip", method)
+do for [quantity in "step rolling_by_force"] {
+  set title quantity eq "step" ? "a step, partition unchanged" : "N steps, under a force"
+  plot peer using (of(quantity, "strip", "CONTACT")):"time" with linespoints linetype 7 pointtype 5 pointsize 0.6 \
+         title named("CONTACT", quantity, "CONTACT"), \
+       times using (of(quantity, "strip", "direct_dense")):"time" with linespoints linetype 2 dashtype 2 pointtype 6 pointsize 0.5 \
+         title named("direct, dense", quantity, "direct_dense"), \
+       times using (of(quantity, "strip", "direct_fft")):"time" with linespoints linetype 2 pointtype 7 pointsize 0.5 \
+         title named("direct, FFT", quantity, "direct_fft"), \
+       times using (of(quantity, "strip", "material_dense")):"time" with linespoints linetype 1 dashtype 2 pointtype 6 pointsize 0.5 \
+         title named("material, dense", quantity, "material_dense"), \
+       times using (of(quantity, "strip", "material_fft")):"time" with linespoints linetype 1 pointtype 7 pointsize 0.5 \
+         title named("material, FFT", quantity, "material_fft")
+}
+unset multiplot
