@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <boost/version.hpp>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iomanip>
@@ -33,7 +34,10 @@ std::string version_line(const std::string& program) {
 std::string provenance(const std::string& program, int argc, const char* const* argv,
                        std::chrono::duration<double> wall_time) {
   std::ostringstream text;
-  text << version_line(program) << "\ncommand:";
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  text << version_line(program) << "\ndate: " << std::put_time(&utc, "%F %T UTC") << "\ncommand:";
   for (int i = 0; i < argc; ++i) text << ' ' << std::quoted(argv[i], '\'');
   text << "\ncompiler: " << __VERSION__ << "\nlibraries: Eigen " << EIGEN_WORLD_VERSION << '.'
        << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION << ", Boost " << BOOST_LIB_VERSION
