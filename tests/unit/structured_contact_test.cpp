@@ -81,7 +81,7 @@ TEST(StructuredSteady, NumberOfRoundsDoesNotGrow) {
       const SteadySolution solution =
           solve_steady(steady(PlaneKernel(material, 10), n, Differences{c}, PrescribedForce{-1.0}));
       EXPECT_LE(solution.iterations, 12) << n << " " << c;
-      EXPECT_LE(solution.residual, 1e-12);
+      EXPECT_LE(solution.residual, 1e-11);
     }
   }
 }

@@ -56,12 +56,16 @@ TEST(RealFft, GoesForwardAndBack) {
   }
 }
 
-TEST(RealFft, FastSizesAreEvenProductsOfSmallPrimes) {
-  EXPECT_EQ(RealFft::good_size(1), 2);
-  EXPECT_EQ(RealFft::good_size(11), 12);
-  EXPECT_EQ(RealFft::good_size(97), 98);
-  EXPECT_EQ(RealFft::good_size(143), 144);
+TEST(RealFft, FastSizesAreFewAndClose) {
+  EXPECT_EQ(RealFft::good_size(1), 32);
+  EXPECT_EQ(RealFft::good_size(65), 72);
   EXPECT_EQ(RealFft::good_size(1 << 20), 1 << 20);
+  for (Eigen::Index n = 33; n < 5000; ++n) {
+    const Eigen::Index size = RealFft::good_size(n);
+    ASSERT_GE(size, n);
+    ASSERT_LE(7 * size, 8 * n);
+    ASSERT_EQ(size % 2, 0);
+  }
 }
 
 // Plans are made in one thread at a time; the same size gives the same digits in all.

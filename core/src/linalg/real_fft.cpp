@@ -56,13 +56,12 @@ RealFft::RealFft(RealFft&&) noexcept = default;
 RealFft& RealFft::operator=(RealFft&&) noexcept = default;
 
 Index RealFft::good_size(Index at_least) {
-  for (Index size = at_least + at_least % 2;; size += 2) {
-    Index rest = size;
-    for (const Index factor : {2, 3, 5, 7}) {
-      while (rest % factor == 0) rest /= factor;
-    }
-    if (rest == 1) return size;
+  Index unit = 2;
+  while (32 * unit < at_least) unit *= 2;
+  for (const Index factor : {16, 18, 20, 21, 24, 25, 27, 28, 30}) {
+    if (factor * unit >= at_least) return factor * unit;
   }
+  return 32 * unit;
 }
 
 void RealFft::forward() {

@@ -62,14 +62,14 @@ ContactState contact_by_differences(const SteadyProblem& problem, const Differen
 /// one, from which it differs by few elements: from adhesion, the way would be long.
 std::vector<Zone> first_zones(const SteadyProblem& problem, const Differences& differences) {
   constexpr Index ratio = 4;
+  constexpr Index coarsest = 50;
   const Index n = problem.grid.size();
   if (differences.step_ratio < 1) {
     Differences whole = differences;
     whole.step_ratio = 1;
     return contact_by_differences(problem, whole).zones;
   }
-  if (n < ratio * Solver::crossover)
-    return std::vector<Zone>(static_cast<std::size_t>(n), Zone::adhesion);
+  if (n < ratio * coarsest) return std::vector<Zone>(static_cast<std::size_t>(n), Zone::adhesion);
   SteadyProblem coarse = problem;
   coarse.grid = problem.grid.with_elements(n / ratio);
   const std::vector<Zone> known = contact_by_differences(coarse, differences).zones;

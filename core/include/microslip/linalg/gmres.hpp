@@ -7,10 +7,10 @@
 
 namespace microslip {
 
-/// Solves A M y =     double residual;  ///< |b - A x| / |b| as the iteration knows it, without
-/// rounding; 0 if b = 0, x = M y, without assembling anything: GMRES (Saad and Schultz 1986),
-/// preconditioned from the right, so that the residual is the true one. Never restarted: it is for
-/// preconditioners that need few iterations.
+/// Solves A x = double residual;  ///< |b - A x| / |b| as the iteration knows it, without rounding
+/// without assembling anything: GMRES (Saad and Schultz 1986), preconditioned from the right, with
+/// the preconditioned directions kept (Saad 1993), so that an iteration costs one preconditioning.
+/// Never restarted: it is for preconditioners that need few iterations.
 class Gmres {
  public:
   /// y = matrix times x; y has the size of x.
@@ -18,7 +18,7 @@ class Gmres {
 
   struct Outcome {
     int iterations;
-    double residual;  ///< |b - A x| / |b|; 0 if b = 0
+    double residual;  ///< |b - A x| / |b| as the iteration knows it, without rounding
   };
 
   /// \param most  iterations, >= 1

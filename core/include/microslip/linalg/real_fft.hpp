@@ -18,7 +18,8 @@ class RealFft {
   RealFft(RealFft&&) noexcept;
   RealFft& operator=(RealFft&&) noexcept;
 
-  /// The least even fast size.
+  /// An even fast size, at least 32, at most a seventh more than asked for from then on: few of
+  /// them, as a plan takes as long as many transforms.
   static Eigen::Index good_size(Eigen::Index at_least);
 
   Eigen::Index size() const { return size_; }

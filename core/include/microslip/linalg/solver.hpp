@@ -20,7 +20,7 @@ struct Solver {
   double tolerance = 1e-10;
 
   /// Of unknowns; dense systems of fewer are solved faster, bench/toeplitz_bench.cpp
-  static constexpr Eigen::Index crossover = 128;
+  static constexpr Eigen::Index crossover = 96;
 
   /// Dense matrices of more than this take more than 3.2 GB each.
   static constexpr Eigen::Index most_dense = 20000;
