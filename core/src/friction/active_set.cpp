@@ -301,7 +301,7 @@ void require_below_full_sliding(const Load& load, double full_sliding) {
   const auto* force = std::get_if<PrescribedForce>(&load);
   if (force == nullptr) return;
   require(std::abs(force->value) < full_sliding, "load.force", force->value,
-          "an absolute value below full sliding, " + format_short(full_sliding));
+          [&] { return "an absolute value below full sliding, " + format_short(full_sliding); });
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
+#include <concepts>
 #include <string_view>
 
 namespace microslip {
@@ -10,6 +12,14 @@ namespace microslip {
 /// \throws     std::invalid_argument if accepted_by_caller is false or the value is not finite
 void require(bool accepted_by_caller, std::string_view key, double value,
              std::string_view accepted);
+
+/// The same with a text that is made only where it is needed.
+/// \param accepted  called without arguments
+template <std::invocable Describe>
+void require(bool accepted_by_caller, std::string_view key, double value,
+             const Describe& accepted) {
+  if (!accepted_by_caller || !std::isfinite(value)) require(false, key, value, accepted());
+}
 
 /// The same for the commonest range, (0, inf).
 void require_positive(std::string_view key, double value);
