@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "microslip/linalg/index_view.hpp"
+
 namespace microslip {
 
 using Eigen::Index;
@@ -235,7 +237,8 @@ void AdhesionSystem::solve_base(VectorXd& values) {
   if (by_block_) {
     solve_block(values);
   } else {
-    values = factors_.solve(values).eval();
+    solved_ = factors_.solve(values);
+    values.swap(solved_);
   }
 }
 
@@ -258,7 +261,7 @@ void AdhesionSystem::solve_block(VectorXd& values) {
 
 /// Entries of the right-hand side in slip are ignored, and are zero in the result.
 void AdhesionSystem::solve_bordered(const VectorXd& rhs, VectorXd& all) {
-  values_ = rhs(base_);
+  values_ = rhs(index_view(base_));
   for (const Index i : changes_) {
     if (in_base(i)) values_[position(i)] = 0;
   }
@@ -275,7 +278,7 @@ void AdhesionSystem::solve_bordered(const VectorXd& rhs, VectorXd& all) {
     values_.noalias() -= columns_ * border_;
   }
   all.setZero(rhs.size());
-  all(base_) = values_;
+  all(index_view(base_)) = values_;
   for (Index k = 0; k < changes; ++k) {
     const Index i = changes_[to_size(k)];
     all[i] = in_base(i) ? 0 : border_[k];

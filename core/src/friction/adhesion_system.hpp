@@ -104,7 +104,7 @@ class AdhesionSystem {
   Eigen::PartialPivLU<Eigen::MatrixXd> schur_factors_;
   std::size_t quiet_rounds_ = 0;  ///< without a change
 
-  Eigen::VectorXd rhs_, rest_, all_, values_, border_, block_values_, block_solved_;
+  Eigen::VectorXd rhs_, rest_, all_, values_, solved_, border_, block_values_, block_solved_;
 };
 
 }  // namespace microslip

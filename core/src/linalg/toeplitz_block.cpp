@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "microslip/linalg/index_view.hpp"
+
 namespace microslip {
 
 using Eigen::Index;
@@ -35,8 +37,8 @@ ToeplitzBlock::Interval ToeplitzBlock::interval(Index first, Index size) {
     return same;
   }
   const Toeplitz block = matrix_.leading(size);
-  if (size <= small) return {first, size, SmallInverse(block.dense())};
-  return {first, size, ToeplitzInverse(block)};
+  if (size <= small) return {first, size, SmallInverse(block.dense()), {}};
+  return {first, size, ToeplitzInverse(block), {}};
 }
 
 void ToeplitzBlock::choose(const std::vector<Index>& indices) {
@@ -54,22 +56,21 @@ void ToeplitzBlock::choose(const std::vector<Index>& indices) {
 
 void ToeplitzBlock::invert_intervals(const VectorXd& b, VectorXd& x) {
   x.resize(b.size());
-  for (const auto& [first, size, inverse] : intervals_) {
-    part_ = b.segment(first, size);
+  for (auto& [first, size, inverse, solution] : intervals_) {
     if (const auto* factors = std::get_if<SmallInverse>(&inverse)) {
-      x.segment(first, size) = factors->solve(part_);
+      x.segment(first, size) = factors->solve(b.segment(first, size));
     } else {
-      std::get<ToeplitzInverse>(inverse).apply(part_, solved_);
-      x.segment(first, size) = solved_;
+      std::get<ToeplitzInverse>(inverse).apply(b.segment(first, size), solution);
+      x.segment(first, size) = solution;
     }
   }
 }
 
 void ToeplitzBlock::multiply(const VectorXd& x, VectorXd& y) {
   all_.setZero();
-  all_(indices_) = x;
+  all_(index_view(indices_)) = x;
   product_.apply(all_, response_);
-  y = response_(indices_);
+  y = response_(index_view(indices_));
 }
 
 void ToeplitzBlock::solve(const VectorXd& b, VectorXd& x) {

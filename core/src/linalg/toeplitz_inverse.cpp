@@ -78,7 +78,7 @@ VectorXcd ToeplitzInverse::upper(const VectorXd& first_row) {
   return fft_.spectrum();
 }
 
-void ToeplitzInverse::apply(const VectorXd& b, VectorXd& x) const {
+void ToeplitzInverse::apply(const Eigen::Ref<const VectorXd>& b, VectorXd& x) const {
   const Index beyond = fft_.size() - size_;
   fft_.values().head(size_) = b;
   fft_.values().tail(beyond).setZero();

@@ -23,7 +23,8 @@ class ToeplitzBlock {
   /// \throws NotConverged as ToeplitzInverse
   void choose(const std::vector<Eigen::Index>& indices);
 
-  /// x = T_EE^-1 b, values at the chosen indices; not in place.
+  /// x = T_EE^-1 b, values at the chosen indices; not in place. Allocates nothing where a solve
+  /// with these indices has been before, see Gmres.
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
 
  private:
@@ -33,6 +34,7 @@ class ToeplitzBlock {
     Eigen::Index first;  ///< among the indices
     Eigen::Index size;
     std::variant<SmallInverse, ToeplitzInverse> inverse;
+    Eigen::VectorXd solution;
   };
 
   Interval interval(Eigen::Index first, Eigen::Index size);
@@ -45,7 +47,7 @@ class ToeplitzBlock {
   Gmres gmres_;
   std::vector<Eigen::Index> indices_;
   std::vector<Interval> intervals_;
-  Eigen::VectorXd part_, solved_, all_, response_;
+  Eigen::VectorXd all_, response_;
 };
 
 }  // namespace microslip

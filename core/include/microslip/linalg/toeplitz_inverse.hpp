@@ -21,9 +21,9 @@ class ToeplitzInverse {
   /// Of GMRES, for the column that took more.
   int iterations() const { return iterations_; }
 
-  /// x = T^-1 b; not in place. The residual is about 1e-16 times the condition number of T, so that
-  /// one refinement or two leave rounding.
-  void apply(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
+  /// x = T^-1 b; not in place. The residual is about 1e-16 times the condition
+  /// number of T, so that one refinement or two leave rounding.
+  void apply(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x) const;
 
  private:
   /// Spectra of triangular Toeplitz matrices.

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace microslip {
+
+/// Indices in the form of which Eigen makes no copy: v(index_view(indices)).
+inline auto index_view(const std::vector<Eigen::Index>& indices) {
+  using Indices = Eigen::Array<Eigen::Index, Eigen::Dynamic, 1>;
+  return Eigen::Map<const Indices>(indices.data(), static_cast<Eigen::Index>(indices.size()));
+}
+
+}  // namespace microslip
