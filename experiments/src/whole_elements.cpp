@@ -64,11 +64,11 @@ void WholeElementRolling::step(double step_ratio) {
   distance_ += step_ratio;
   const auto moved = static_cast<Index>(leading_element(distance_) - before);
   bound_ = bound_now();
-  state_ =
-      active_set_.solve({.bound = bound_,
-                         .offset = VectorXd::Zero(bound_.size()),
-                         .reference = moved_on(state_.traction, moved, 0.0)},
-                        PrescribedForce{force_}, moved_on(state_.zones, moved, Zone::adhesion));
+  move_on(state_.traction, moved, 0.0);
+  move_on(state_.zones, moved, Zone::adhesion);
+  active_set_.solve(
+      {.bound = bound_, .offset = VectorXd::Zero(bound_.size()), .reference = state_.traction},
+      PrescribedForce{force_}, state_);
   state_.creepage /= step_ratio * spacing_;
 }
 

@@ -54,27 +54,31 @@ double Advection::solved_step_ratio(double step_ratio) const {
   return relaxed == nullptr ? step_ratio : relaxed->step_ratio;
 }
 
-Advected Advection::advect_directly(const VectorXd& previous, double step_ratio, double part) {
+void Advection::advect_directly(const VectorXd& previous, double step_ratio, double part,
+                                SlipConditions& conditions) {
   if (step_ratio != difference_step_ratio_) {
     difference_ =
         influence_difference_operator(kernel_, basis_, spacing_, elements_, step_ratio, solver_);
     difference_step_ratio_ = step_ratio;
   }
-  return {.offset = part * (*difference_ * previous), .reference = previous};
+  difference_->apply(previous, conditions.offset);
+  conditions.offset *= part;
+  conditions.reference = previous;
 }
 
-Advected Advection::advect(const VectorXd& previous, double step_ratio) {
+void Advection::advect(const VectorXd& previous, double step_ratio, SlipConditions& conditions) {
   require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
   if (shift_) {
-    return {.offset = VectorXd::Zero(elements_),
-            .reference = shift_->move(previous, step_ratio).traction};
+    conditions.offset.setZero(elements_);
+    conditions.reference = shift_->move(previous, step_ratio).traction;
+    return;
   }
   const auto relaxation = relaxation_of(scheme_);
-  if (!relaxation) return advect_directly(previous, step_ratio, 1);
+  if (!relaxation) return advect_directly(previous, step_ratio, 1, conditions);
   require(step_ratio <= *relaxation * (1 + rounding), "step.ratio", step_ratio,
-          "at most step.relaxation = " + format_short(*relaxation));
+          [&] { return "at most step.relaxation = " + format_short(*relaxation); });
   const bool of_tractions = std::holds_alternative<RelaxedTraction>(scheme_);
-  return advect_directly(previous, *relaxation, of_tractions ? 1 : step_ratio / *relaxation);
+  advect_directly(previous, *relaxation, of_tractions ? 1 : step_ratio / *relaxation, conditions);
 }
 
 }  // namespace microslip

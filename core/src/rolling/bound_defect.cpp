@@ -25,29 +25,34 @@ BoundDefect::BoundDefect(const Kernel& kernel, const TractionBound& bound,
                          const MaterialWindow& window)
     : sliding_(kernel, bound), window_(window) {}
 
-const VectorXd& BoundDefect::at(double phase, const Respond& respond) const {
+const VectorXd& BoundDefect::at(double phase, const SquareMatrix& response) const {
   const long long key = std::llround(phase / resolution);
   if (const auto known = known_.find(key); known != known_.end()) return known->second;
   if (known_.size() == most_known) known_.clear();
   // Of the rounded phase, so that it does not matter which one came first.
   const double rounded = static_cast<double>(key) * resolution;
-  const VectorXd exact =
-      window_.x(rounded).unaryExpr([&](double x) { return sliding_.displacement(x); });
-  return known_[key] = exact - respond(window_.bound(rounded));
+  window_.bound(rounded, bound_);
+  response.apply(bound_, by_elements_);
+  const auto exact = [&](double x) { return sliding_.displacement(x); };
+  return known_[key] = window_.x(rounded).unaryExpr(exact) - by_elements_;
 }
 
-VectorXd BoundDefect::change(double before, double after, Index moved, double length,
-                             const Respond& respond) const {
-  VectorXd change;
+void BoundDefect::change(double before, double after, Index moved, double length,
+                         const SquareMatrix& response, VectorXd& change) const {
   if (length >= short_step * window_.spacing()) {
-    const VectorXd first = moved_on(at(before, respond), moved, 0.0);
-    change = at(after, respond) - first;
+    change = at(before, response);
+    move_on(change, moved, 0.0);
+    change = at(after, response) - change;
   } else {
-    change = window_.x(after).unaryExpr([&](double x) { return sliding_.difference(x, length); });
-    change -= respond(window_.bound(after) - moved_on(window_.bound(before), moved, 0.0));
+    window_.bound(before, bound_before_);
+    move_on(bound_before_, moved, 0.0);
+    window_.bound(after, bound_);
+    bound_ -= bound_before_;
+    response.apply(bound_, by_elements_);
+    const auto exact = [&](double x) { return sliding_.difference(x, length); };
+    change = window_.x(after).unaryExpr(exact) - by_elements_;
   }
   change.tail(moved).setZero();
-  return change;
 }
 
 }  // namespace microslip

@@ -32,7 +32,7 @@ void Approach::advance(double phase, double coming_slip, double ahead_slip) {
 }
 
 void Approach::enter() {
-  before_ = std::move(ahead_);
+  before_.swap(ahead_);
   ahead_.clear();
   coming_ = before_.empty() ? 0 : before_.back().slip;
 }
@@ -79,9 +79,9 @@ VectorXd MaterialRolling::values(const MaterialState& state) const {
   VectorXd values = VectorXd::Zero(window_.size());
   for (Index i = 0; i <= window_.coming(); ++i) {
     if (at_nodes[i] <= 0) continue;
-    const Zone zone = state.zones[static_cast<std::size_t>(i)];
+    const Zone zone = state.contact.zones[static_cast<std::size_t>(i)];
     const double sliding = direction(zone) != 0 ? direction(zone) : state.sliding_direction;
-    const double adhesion = state.traction[i] - sliding * mean[i];
+    const double adhesion = state.contact.traction[i] - sliding * mean[i];
     values[i] = sliding * at_nodes[i];
     if (zone == Zone::adhesion) values[i] += adhesion / edge_.value(window_.leading() - i, part);
   }
@@ -89,10 +89,9 @@ VectorXd MaterialRolling::values(const MaterialState& state) const {
 }
 
 VectorXd MaterialRolling::displacement(const MaterialState& state) const {
-  VectorXd displacement = respond(state.traction);
+  VectorXd displacement = respond(state.contact.traction);
   if (state.sliding_direction != 0) {
-    displacement += state.sliding_direction *
-                    defect_.at(phase(state), [&](const VectorXd& p) { return respond(p); });
+    displacement += state.sliding_direction * defect_.at(phase(state), active_set_.response());
   }
   return displacement;
 }
@@ -111,45 +110,41 @@ double MaterialRolling::trailing_direction(const VectorXd& bound,
 
 MaterialState MaterialRolling::start(const VectorXd& traction) const {
   const VectorXd bound = window_.bound(0);
-  MaterialState state{.distance = 0,
-                      .entered = 0,
-                      .traction = traction,
-                      .zones = {},
-                      .sliding_direction = 0,
-                      .approach = {}};
+  MaterialState state;
+  state.contact.traction = traction;
+  state.contact.slip = VectorXd::Zero(traction.size());
   for (Index i = 0; i < bound.size(); ++i) {
     const bool slips = std::abs(traction[i]) >= bound[i];
-    state.zones.push_back(!slips ? Zone::adhesion
-                                 : (traction[i] > 0 ? Zone::slip_positive : Zone::slip_negative));
+    state.contact.zones.push_back(
+        !slips ? Zone::adhesion : (traction[i] > 0 ? Zone::slip_positive : Zone::slip_negative));
   }
-  state.sliding_direction = trailing_direction(bound, state.zones);
+  state.sliding_direction = trailing_direction(bound, state.contact.zones);
   return state;
 }
 
 MaterialRolling::Shifted MaterialRolling::shift(const PrescribedForce& force) {
   MaterialState state = start(VectorXd::Zero(window_.size()));
   const double sign = force.value > 0 ? 1 : (force.value < 0 ? -1 : 0);
-  const auto respond_to = [&](const VectorXd& traction) { return respond(traction); };
   const SlipConditions conditions{.bound = window_.bound(0),
-                                  .offset = sign * defect_.at(0, respond_to),
-                                  .reference = state.traction};
-  const ContactState contact = active_set_.solve(conditions, force, state.zones);
-  state.traction = contact.traction;
-  state.zones = contact.zones;
-  state.sliding_direction = trailing_direction(conditions.bound, state.zones);
+                                  .offset = sign * defect_.at(0, active_set_.response()),
+                                  .reference = state.contact.traction};
+  const ContactState contact = active_set_.solve(conditions, force, state.contact.zones);
+  state.contact.traction = contact.traction;
+  state.contact.zones = contact.zones;
+  state.sliding_direction = trailing_direction(conditions.bound, contact.zones);
   return {std::move(state), contact.creepage};
 }
 
-MaterialStep MaterialRolling::step(const MaterialState& from, double length, const Load& load) {
-  MaterialStep step{.end = from,
-                    .bound = {},
-                    .slip = VectorXd::Zero(window_.size()),
-                    .creepage = 0,
-                    .dissipation = 0,
-                    .mean_dissipation = 0,
-                    .mean_force = 0,
-                    .iterations = 0,
-                    .residual = 0};
+void MaterialRolling::step(const MaterialState& from, double length, const Load& load,
+                           MaterialStep& step) {
+  step.end = from;
+  step.end.contact.slip.setZero();
+  step.end.contact.creepage = 0;
+  step.end.contact.iterations = 0;
+  step.end.contact.residual = 0;
+  step.dissipation = 0;
+  step.mean_dissipation = 0;
+  step.mean_force = 0;
   const double end = from.distance + length;
   double rest = length;
   for (double next = from.entered + 1; end / window_.spacing() - next > MaterialWindow::rounding;
@@ -160,41 +155,40 @@ MaterialStep MaterialRolling::step(const MaterialState& from, double length, con
   }
   roll_part(step, rest, end, load);
   step.mean_force /= length;
-  return step;
 }
 
 /// Those of before at the same places of the contact, to the nearest node; a node that comes or
 /// enters is taken to stick.
-std::vector<Zone> MaterialRolling::first_zones(const MaterialState& from, const Part& part) const {
-  const Index moved = part.before > 0.5 ? part.moved : 0;
-  std::vector<Zone> zones = moved_on(from.zones, moved, Zone::slip_negative);
+void MaterialRolling::set_first_zones(const MaterialState& from, const Part& part) {
+  contact_.zones = from.contact.zones;
+  move_on(contact_.zones, part.before > 0.5 ? part.moved : 0, Zone::slip_negative);
   const bool was_out = part.before <= MaterialWindow::rounding;
-  if (was_out && part.edge_is_new) at(zones, part.edge) = Zone::adhesion;
-  return zones;
+  if (was_out && part.edge_is_new) at(contact_.zones, part.edge) = Zone::adhesion;
 }
 
-/// \param added  becomes what is added at the edge: its condition is about the last element
-///               travelled, and about what adhesion adds to the sliding bound
-SlipConditions MaterialRolling::conditions_of(const MaterialState& from, const Part& part,
-                                              double& added) {
-  SlipConditions conditions{.bound = window_.bound(part.now),
-                            .offset = VectorXd::Zero(window_.size()),
-                            .reference = moved_on(from.traction, part.moved, 0.0),
-                            .soft = soft_element(part.now)};
+/// \return what is added at the edge: its condition is about the last element travelled, and about
+///         what adhesion adds to the sliding bound
+double MaterialRolling::set_conditions(const MaterialState& from, const Part& part) {
+  window_.bound(part.now, conditions_.bound);
   if (from.sliding_direction != 0) {
-    const auto respond_to = [&](const VectorXd& traction) { return respond(traction); };
-    conditions.offset = from.sliding_direction *
-                        defect_.change(part.before, part.now, part.moved, part.length, respond_to);
+    defect_.change(part.before, part.now, part.moved, part.length, active_set_.response(),
+                   conditions_.offset);
+    conditions_.offset *= from.sliding_direction;
+  } else {
+    conditions_.offset.setZero(window_.size());
   }
-  added = 0;
+  conditions_.reference = from.contact.traction;
+  move_on(conditions_.reference, part.moved, 0.0);
+  conditions_.soft = soft_element(part.now);
+  double added = 0;
   if (part.edge_is_new) {
     added = from.approach.since_one_element_before(part.moved == 1 ? 1 : part.now);
   }
-  if (conditions.soft) {
-    added -= conditions.soft->compliance * from.sliding_direction * conditions.bound[part.edge];
+  if (conditions_.soft) {
+    added -= conditions_.soft->compliance * from.sliding_direction * conditions_.bound[part.edge];
   }
-  conditions.offset[part.edge] += added;
-  return conditions;
+  conditions_.offset[part.edge] += added;
+  return added;
 }
 
 /// Up to the next node's entrance at most.
@@ -208,37 +202,38 @@ void MaterialRolling::roll_part(MaterialStep& step, double length, double end, c
                   .moved = enters ? 1 : 0,
                   .edge = enters ? window_.leading() : window_.coming(),
                   .edge_is_new = enters || now > MaterialWindow::rounding};
-  double added = 0;
-  const SlipConditions conditions = conditions_of(state, part, added);
-  ContactState contact =
-      active_set_.solve(conditions, over(load, length), first_zones(state, part));
+  const double added = set_conditions(state, part);
+  set_first_zones(state, part);
+  active_set_.solve(conditions_, over(load, length), contact_);
 
-  VectorXd& slip = contact.slip;
-  if (conditions.soft) slip[part.edge] -= conditions.soft->compliance * contact.traction[part.edge];
-  const VectorXd mean = (contact.traction + conditions.reference) / 2;
-  step.mean_dissipation -= window_.spacing() * mean.dot(slip - conditions.offset);
+  const VectorXd& traction = contact_.traction;
+  VectorXd& slip = contact_.slip;
+  if (conditions_.soft) slip[part.edge] -= conditions_.soft->compliance * traction[part.edge];
+  const auto mean = (traction + conditions_.reference) / 2;
+  step.mean_dissipation -= window_.spacing() * mean.dot(slip - conditions_.offset);
+  step.mean_force += mean.sum() * window_.spacing() * length;
   slip[part.edge] -= added;
 
   state.distance = end;
-  state.traction = contact.traction;
-  state.zones = contact.zones;
   if (enters) {
     state.approach.advance(1, 0, slip[window_.coming()]);
     state.approach.enter();
     state.entered += 1;
-    state.sliding_direction = trailing_direction(conditions.bound, state.zones);
+    state.sliding_direction = trailing_direction(conditions_.bound, contact_.zones);
   } else {
     state.approach.advance(part.now, slip[window_.coming()], slip[window_.ahead()]);
   }
-  if (at(state.zones, part.edge) == Zone::adhesion) slip[part.edge] = 0;
+  if (at(contact_.zones, part.edge) == Zone::adhesion) slip[part.edge] = 0;
 
-  step.bound = conditions.bound;
-  step.slip = moved_on(step.slip, part.moved, 0.0) + slip;
-  step.creepage += contact.creepage;
-  step.dissipation -= window_.spacing() * state.traction.dot(slip);
-  step.mean_force += mean.sum() * window_.spacing() * length;
-  step.iterations += contact.iterations;
-  step.residual = std::max(step.residual, contact.residual);
+  step.bound = conditions_.bound;
+  step.dissipation -= window_.spacing() * traction.dot(slip);
+  state.contact.traction = traction;
+  state.contact.zones = contact_.zones;
+  move_on(state.contact.slip, part.moved, 0.0);
+  state.contact.slip += slip;
+  state.contact.creepage += contact_.creepage;
+  state.contact.iterations += contact_.iterations;
+  state.contact.residual = std::max(state.contact.residual, contact_.residual);
 }
 
 }  // namespace microslip

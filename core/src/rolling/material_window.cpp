@@ -24,12 +24,6 @@ MaterialWindow::MaterialWindow(const TractionBound& bound, const Grid& grid, dou
           "0.5 on a grid that is fixed to the material");
 }
 
-VectorXd MaterialWindow::x(double phase) const {
-  const double last = half_width_ - (leading_offset_ + phase) * spacing_;
-  return VectorXd::NullaryExpr(
-      size(), [&](Index i) { return last + static_cast<double>(i - leading()) * spacing_; });
-}
-
 /// Force of the contact before the element behind the leading node's when it slides  [N/mm]
 double MaterialWindow::leading_force(double phase) const {
   const double end = half_width_ - (leading_offset_ + phase + 0.5) * spacing_;
@@ -37,12 +31,17 @@ double MaterialWindow::leading_force(double phase) const {
   return full_sliding_force(bound_) - std::visit(behind, bound_);
 }
 
+void MaterialWindow::bound(double phase, VectorXd& means) const {
+  means = mean_bound_around(bound_, x(phase), spacing_);
+  means[ahead()] = 0;
+  means[coming()] = phase > rounding ? phase * leading_force(0) / spacing_ : 0;
+  means[leading()] = std::max(0.0, leading_force(phase) / spacing_ - means[coming()]);
+}
+
 VectorXd MaterialWindow::bound(double phase) const {
-  VectorXd bound = mean_bound_around(bound_, x(phase), spacing_);
-  bound[ahead()] = 0;
-  bound[coming()] = phase > rounding ? phase * leading_force(0) / spacing_ : 0;
-  bound[leading()] = std::max(0.0, leading_force(phase) / spacing_ - bound[coming()]);
-  return bound;
+  VectorXd means;
+  bound(phase, means);
+  return means;
 }
 
 }  // namespace microslip

@@ -108,6 +108,7 @@ TransientRolling::TransientRolling(const TransientProblem& problem, const Start&
 void TransientRolling::make_system() {
   x_ = problem_.grid.nodes();
   bound_ = bound_at(problem_.bound, x_);
+  conditions_.bound = bound_;
   weights_ = problem_.basis.weights(spacing_, x_.size());
   active_set_.emplace(
       influence_operator(problem_.kernel, problem_.basis, spacing_, x_.size(), problem_.solver),
@@ -120,7 +121,7 @@ void TransientRolling::start_material(const MaterialState& start) {
   x_ = material_->window().x(0);
   bound_ = material_->window().bound(0);
   material_state_ = start;
-  state_ = state_of(0, at_rest(start.traction, start.zones), 1, bound_);
+  describe(0, start.contact, 1, bound_, state_);
 }
 
 void TransientRolling::start_from(const VectorXd& traction) {
@@ -141,7 +142,7 @@ void TransientRolling::start_from(const VectorXd& traction) {
     zones.push_back(!slips ? Zone::adhesion
                            : (traction[i] > 0 ? Zone::slip_positive : Zone::slip_negative));
   }
-  state_ = state_of(0, at_rest(traction, zones), 1, bound_);
+  describe(0, at_rest(traction, zones), 1, bound_, state_);
 }
 
 double TransientRolling::start_from_shift(const PrescribedForce& force) {
@@ -153,101 +154,90 @@ double TransientRolling::start_from_shift(const PrescribedForce& force) {
   const VectorXd zeros = VectorXd::Zero(x_.size());
   const ContactState contact =
       active_set_->solve({.bound = bound_, .offset = zeros, .reference = zeros}, force);
-  state_ = state_of(0, at_rest(contact.traction, contact.zones), 1, bound_);
+  describe(0, at_rest(contact.traction, contact.zones), 1, bound_, state_);
   return contact.creepage;
 }
 
 /// \param contact  with slip displacements, over the length
-TransientState TransientRolling::state_of(double distance, const ContactState& contact,
-                                          double length, const VectorXd& bound) const {
-  TransientState state{.distance = distance,
-                       .traction = contact.traction,
-                       .slip = contact.slip / length,
-                       .zones = contact.zones,
-                       .force = weights_.dot(contact.traction),
-                       .creepage = contact.creepage / length,
-                       .dissipation = 0,
-                       .mean_dissipation = std::numeric_limits<double>::quiet_NaN(),
-                       .mean_force = weights_.dot(contact.traction),
-                       .iterations = contact.iterations,
-                       .residual = contact.residual,
-                       .adhesion_elements = 0,
-                       .slip_elements = 0};
+void TransientRolling::describe(double distance, const ContactState& contact, double length,
+                                const VectorXd& bound, TransientState& state) const {
+  state.distance = distance;
+  state.traction = contact.traction;
+  state.slip = contact.slip / length;
+  state.zones = contact.zones;
+  state.force = weights_.dot(contact.traction);
+  state.creepage = contact.creepage / length;
   state.dissipation = -weights_.cwiseProduct(state.traction).dot(state.slip);
+  state.mean_dissipation = std::numeric_limits<double>::quiet_NaN();
+  state.mean_force = state.force;
+  state.iterations = contact.iterations;
+  state.residual = contact.residual;
+  state.adhesion_elements = 0;
+  state.slip_elements = 0;
   for (Index i = 0; i < bound.size(); ++i) {
     if (bound[i] <= 0) continue;
     const bool sticks = state.zones[static_cast<std::size_t>(i)] == Zone::adhesion;
     ++(sticks ? state.adhesion_elements : state.slip_elements);
   }
-  return state;
 }
 
-TransientState TransientRolling::attempt_with_contact(double length, const Load& load) {
+void TransientRolling::look_ahead_with_contact(double length, const Load& load) {
   const double step_ratio = length / spacing_;
   const double solved_length = advection_->solved_step_ratio(step_ratio) * spacing_;
-  auto [offset, reference] = advection_->advect(state_.traction, step_ratio);
-  ContactState contact = active_set_->solve(
-      {.bound = bound_, .offset = std::move(offset), .reference = std::move(reference)},
-      over(load, solved_length), state_.zones);
+  advection_->advect(state_.traction, step_ratio, conditions_);
+  contact_.zones = state_.zones;
+  active_set_->solve(conditions_, over(load, solved_length), contact_);
   const double fraction = advection_->fraction(step_ratio);
-  contact.traction = (1 - fraction) * state_.traction + fraction * contact.traction;
-  TransientState state = state_of(state_.distance + length, contact, solved_length, bound_);
-  state.mean_force = (state_.force + state.force) / 2;
-  return state;
+  contact_.traction = (1 - fraction) * state_.traction + fraction * contact_.traction;
+  describe(state_.distance + length, contact_, solved_length, bound_, next_);
+  next_.mean_force = (state_.force + next_.force) / 2;
 }
 
-MaterialStep TransientRolling::attempt_with_material(double length, const Load& load) {
+void TransientRolling::look_ahead_with_material(double length, const Load& load) {
   const double step_ratio = length / spacing_;
   require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
-  return material_->step(*material_state_, length, load);
+  MaterialStep& step = material_step_;
+  material_->step(material_state_, length, load, step);
+  describe(step.end.distance, step.end.contact, length, step.bound, next_);
+  next_.dissipation = step.dissipation / length;
+  next_.mean_dissipation = step.mean_dissipation / length;
+  next_.mean_force = step.mean_force;
 }
 
-TransientState TransientRolling::state_of(const MaterialStep& step, double length) const {
-  const ContactState contact{.traction = step.end.traction,
-                             .slip = step.slip,
-                             .zones = step.end.zones,
-                             .creepage = step.creepage,
-                             .iterations = step.iterations,
-                             .residual = step.residual};
-  TransientState state = state_of(step.end.distance, contact, length, step.bound);
-  state.dissipation = step.dissipation / length;
-  state.mean_dissipation = step.mean_dissipation / length;
-  state.mean_force = step.mean_force;
-  return state;
+void TransientRolling::look_ahead(double length, const Load& load) {
+  if (material_) return look_ahead_with_material(length, load);
+  look_ahead_with_contact(length, load);
 }
 
 TransientState TransientRolling::attempt(double length, const Load& load) {
-  return material_ ? state_of(attempt_with_material(length, load), length)
-                   : attempt_with_contact(length, load);
+  look_ahead(length, load);
+  return next_;
 }
 
 void TransientRolling::step(double length, const Load& load) {
-  if (!material_) {
-    state_ = attempt_with_contact(length, load);
-    return;
-  }
-  MaterialStep step = attempt_with_material(length, load);
-  state_ = state_of(step, length);
-  material_state_ = std::move(step.end);
-  x_ = material_->window().x(material_->phase(*material_state_));
-  bound_ = std::move(step.bound);
+  look_ahead(length, load);
+  std::swap(state_, next_);
+  if (!material_) return;
+  std::swap(material_state_, material_step_.end);
+  bound_.swap(material_step_.bound);
+  x_ = material_->window().x(material_->phase(material_state_));
 }
 
 VectorXd TransientRolling::traction_at_nodes() const {
-  return material_ ? material_->values(*material_state_) : state_.traction;
+  return material_ ? material_->values(material_state_) : state_.traction;
 }
 
 VectorXd TransientRolling::bound_at_nodes() const { return bound_at(problem_.bound, x_); }
 
 VectorXd TransientRolling::displacement() const {
-  return material_ ? material_->displacement(*material_state_)
+  return material_ ? material_->displacement(material_state_)
                    : (active_set_->response() * state_.traction);
 }
 
 /// The same place, with fewer rounding errors.
 void TransientRolling::move_to(double distance) {
   state_.distance = distance;
-  if (material_state_) material_state_->distance = distance;
+  material_state_.distance = distance;
 }
 
 double TransientRolling::elastic_energy() const {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <variant>
 
+#include "microslip/friction/active_set.hpp"
 #include "microslip/halfspace/basis.hpp"
 #include "microslip/halfspace/kernel.hpp"
 #include "microslip/linalg/solver.hpp"
@@ -39,12 +40,6 @@ struct MaterialFixed {};
 
 using AdvectionScheme = std::variant<Direct, Relaxed, RelaxedTraction, Fractional, MaterialFixed>;
 
-/// What the slip displacement of a step refers to: S = W + offset + A (p - reference).
-struct Advected {
-  Eigen::VectorXd offset;     ///< [mm]
-  Eigen::VectorXd reference;  ///< [N/mm^2]
-};
-
 class Advection {
  public:
   /// \param spacing   dx, in (0, inf)  [mm]
@@ -56,9 +51,11 @@ class Advection {
   /// A p - A' p' as offset + A (p - reference), without cancellation for small steps.
   /// \param previous    p'  [N/mm^2]
   /// \param step_ratio  c, >= min_step_ratio; for `Relaxed` and `RelaxedTraction` at most c*
+  /// \param conditions  out: its offset [mm] and reference [N/mm^2]
   /// \throws std::invalid_argument outside the range
-  /// Cost: O(n^2), and as much again when c changes in the direct scheme; `Fractional` see there.
-  Advected advect(const Eigen::VectorXd& previous, double step_ratio);
+  /// Cost: a product, and new coefficients when c changes in the direct scheme; `Fractional` see
+  /// there. Where c stays nothing is allocated, but for `Fractional`.
+  void advect(const Eigen::VectorXd& previous, double step_ratio, SlipConditions& conditions);
 
   /// The part of a step of `solved_step_ratio` that a step of c takes: c/c* for `RelaxedTraction`,
   /// 1 for others.
@@ -68,7 +65,8 @@ class Advection {
   double solved_step_ratio(double step_ratio) const;
 
  private:
-  Advected advect_directly(const Eigen::VectorXd& previous, double step_ratio, double part);
+  void advect_directly(const Eigen::VectorXd& previous, double step_ratio, double part,
+                       SlipConditions& conditions);
 
   Kernel kernel_;
   Basis basis_;

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <map>
 
 #include "microslip/friction/full_sliding.hpp"
+#include "microslip/linalg/square_matrix.hpp"
 #include "microslip/rolling/material_window.hpp"
 
 namespace microslip {
@@ -18,22 +18,23 @@ class BoundDefect {
   /// \throws std::invalid_argument as FullSliding
   BoundDefect(const Kernel& kernel, const TractionBound& bound, const MaterialWindow& window);
 
-  /// A times tractions of the window
-  using Respond = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
-
-  /// At a phase of the window  [mm]. O(N^2), and N times FullSliding::displacement; it is kept.
-  const Eigen::VectorXd& at(double phase, const Respond& respond) const;
+  /// At a phase of the window  [mm]. A product, and N times FullSliding::displacement; it is kept.
+  /// \param response  A of the window
+  const Eigen::VectorXd& at(double phase, const SquareMatrix& response) const;
 
   /// Its change at material points between two phases, a length apart; zero at the last node if
-  /// the window has moved on, which did not know it before  [mm]
-  /// \param moved  by how many nodes, 0 or 1
-  Eigen::VectorXd change(double before, double after, Eigen::Index moved, double length,
-                         const Respond& respond) const;
+  /// the window has moved on, which did not know it before. Allocates nothing where the phases are
+  /// known, or where the length is below a ten thousandth of an element.
+  /// \param moved   by how many nodes, 0 or 1
+  /// \param change  out  [mm]
+  void change(double before, double after, Eigen::Index moved, double length,
+              const SquareMatrix& response, Eigen::VectorXd& change) const;
 
  private:
   FullSliding sliding_;
   MaterialWindow window_;
   mutable std::map<long long, Eigen::VectorXd> known_;
+  mutable Eigen::VectorXd bound_, bound_before_, by_elements_;
 };
 
 }  // namespace microslip

@@ -39,25 +39,26 @@ class Approach {
 
 /// What a step on a grid that is fixed to the material starts from.
 struct MaterialState {
-  double distance;           ///< rolled  [mm]
-  double entered;            ///< nodes, since the start
-  Eigen::VectorXd traction;  ///< at the nodes of the window  [N/mm^2]
-  std::vector<Zone> zones;   ///< slip where there is no bound
-  double sliding_direction;  ///< of the traction at the trailing edge when aligned; 0 in adhesion
+  double distance = 0;  ///< rolled  [mm]
+  double entered = 0;   ///< nodes, since the start
+
+  /// At the nodes of the window; zones are slip where there is no bound. Slip and creepage are
+  /// displacements [mm], summed over the parts of the step that led here, and so are the partitions
+  /// tried; the residual is the largest. The slip of the coming node is 0 in adhesion.
+  ContactState contact;
+
+  double sliding_direction = 0;  ///< of the traction at the trailing edge when aligned; 0 in
+                                 ///< adhesion
   Approach approach;
 };
 
-/// A step on such a grid. Slip and creepage are displacements, summed over the parts of the step.
+/// A step on such a grid.
 struct MaterialStep {
   MaterialState end;
-  Eigen::VectorXd bound;    ///< at its end  [N/mm^2]
-  Eigen::VectorXd slip;     ///< of material points; of the coming one 0 in adhesion  [mm]
-  double creepage;          ///< [mm]
-  double dissipation;       ///< with tractions at the end of each part  [N]
-  double mean_dissipation;  ///< with mean tractions of each part, and slip by A alone  [N]
-  double mean_force;        ///< over the distance, linear in each part  [N/mm]
-  int iterations;           ///< stick/slip partitions tried
-  double residual;          ///< the largest of its parts, see ContactState  [1]
+  Eigen::VectorXd bound;        ///< at its end  [N/mm^2]
+  double dissipation = 0;       ///< with tractions at the end of each part  [N]
+  double mean_dissipation = 0;  ///< with mean tractions of each part, and slip by A alone  [N]
+  double mean_force = 0;        ///< over the distance, linear in each part  [N/mm]
 };
 
 /// Transient rolling on a grid that is fixed to the material, constant functions: S = W + A (p -
@@ -73,9 +74,10 @@ struct MaterialStep {
 ///   displacement by the former is known exactly: elements represent the latter, BoundDefect.
 ///
 /// Cost: a part of a step is a solve of ActiveSet, and if its phase is not among the known ones of
-/// BoundDefect, a product more. Accuracy: second order, tests/order/transient_order_test.cpp; where
-/// all parts stick or slip alike, tractions do not depend on the steps but for rounding,
-/// tests/unit/material_rolling_test.cpp
+/// BoundDefect, a product more. Nothing is allocated where phases are known and elements that come
+/// or leave have done so before, as in steady rolling. Accuracy: second order,
+/// tests/order/transient_order_test.cpp; where all parts stick or slip alike, tractions do not
+/// depend on the steps but for rounding, tests/unit/material_rolling_test.cpp
 class MaterialRolling {
  public:
   /// \throws std::invalid_argument as MaterialWindow and BoundDefect
@@ -99,8 +101,9 @@ class MaterialRolling {
   Shifted shift(const PrescribedForce& force);
 
   /// \param length  (0, inf)  [mm]
+  /// \param step    out
   /// \throws as ActiveSet::solve
-  MaterialStep step(const MaterialState& from, double length, const Load& load);
+  void step(const MaterialState& from, double length, const Load& load, MaterialStep& step);
 
   /// Tractions at the nodes, where those of a state are what elements balance: means over them, and
   /// next to the leading edge coefficients. Zero outside the contact  [N/mm^2]
@@ -126,8 +129,8 @@ class MaterialRolling {
     bool edge_is_new;    ///< so that its condition is about the last element travelled
   };
 
-  std::vector<Zone> first_zones(const MaterialState& from, const Part& part) const;
-  SlipConditions conditions_of(const MaterialState& from, const Part& part, double& added);
+  void set_first_zones(const MaterialState& from, const Part& part);
+  double set_conditions(const MaterialState& from, const Part& part);
   void roll_part(MaterialStep& step, double length, double end, const Load& load);
   std::optional<SoftElement> soft_element(double phase) const;
   double trailing_direction(const Eigen::VectorXd& bound, const std::vector<Zone>& zones) const;
@@ -138,6 +141,10 @@ class MaterialRolling {
   double compliance_;  ///< e0 2 (1 - nu)/G dx  [mm^3/N]
   ActiveSet active_set_;
   BoundDefect defect_;
+
+  // Of the part that is being rolled.
+  SlipConditions conditions_;
+  ContactState contact_;
 };
 
 }  // namespace microslip

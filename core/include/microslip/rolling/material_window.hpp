@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 
 #include "microslip/friction/traction_bound.hpp"
 #include "microslip/halfspace/grid.hpp"
@@ -35,12 +36,19 @@ class MaterialWindow {
   Eigen::Index coming() const { return size() - 2; }
   Eigen::Index ahead() const { return size() - 1; }
 
-  /// Nodes in the contact's frame, where its centre is x = 0  [mm]
-  Eigen::VectorXd x(double phase) const;
+  /// Nodes in the contact's frame, where its centre is x = 0; an expression  [mm]
+  auto x(double phase) const {
+    const double last = half_width_ - (leading_offset_ + phase) * spacing_;
+    const auto node = [last, spacing = spacing_, leading = leading()](Eigen::Index i) {
+      return last + static_cast<double>(i - leading) * spacing;
+    };
+    return Eigen::VectorXd::NullaryExpr(size(), node);
+  }
 
   /// Means over the elements around the nodes, but that the leading one also takes what lies before
   /// its element, less what the coming one has: in proportion to the phase, up to what it has when
   /// it enters. So the bound sums up to full sliding.  [N/mm^2]
+  void bound(double phase, Eigen::VectorXd& means) const;
   Eigen::VectorXd bound(double phase) const;
 
  private:
@@ -53,17 +61,10 @@ class MaterialWindow {
   Eigen::Index elements_;
 };
 
-/// Values of a window that has moved on by some elements; `entering` for those that are new.
+/// Moves the values of a window on by some elements; those that are new become `entering`.
 template <class Vector, class Value>
-Vector moved_on(const Vector& values, Eigen::Index elements, const Value& entering) {
-  Vector moved = values;
-  const auto n = static_cast<Eigen::Index>(values.size());
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto to = static_cast<decltype(values.size())>(i);
-    const auto from = static_cast<decltype(values.size())>(i + elements);
-    moved[to] = i + elements < n ? values[from] : entering;
-  }
-  return moved;
+void move_on(Vector& values, Eigen::Index elements, const Value& entering) {
+  std::fill(std::shift_left(values.begin(), values.end(), elements), values.end(), entering);
 }
 
 }  // namespace microslip

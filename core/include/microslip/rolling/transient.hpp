@@ -65,8 +65,10 @@ struct TransientState {
 
 /// Implicit Euler steps, collocated at the nodes: dq s = dq w + A p - A' p', thesis (3.14)-(3.16).
 ///
-/// A step whose partition is that of the step before costs O(N^2); see ActiveSet for others.
-/// Memory: N^2 numbers three to four times.
+/// A step whose partition is that of the step before costs two products and a solve, see ActiveSet,
+/// which also is for others. But for the fractional scheme it allocates nothing once steps of its
+/// length have been made, on a grid fixed to the material from the same places within an element.
+/// Memory: N^2 numbers three to four times where matrices are dense.
 /// Accuracy: the cumulative creep of a Cattaneo shift that turns to Carter's solution is of second
 /// order in dx on a grid fixed to the material, whatever the steps; else of first order, as in
 /// steady rolling, because of the leading edge. tests/order/transient_order_test.cpp
@@ -107,8 +109,7 @@ class TransientRolling {
 
   /// Rolls on.
   /// \param length  dq; dq/dx in the range of Advection::advect, or >= min_step_ratio on a grid
-  /// fixed
-  ///                to the material  [mm]
+  ///                fixed to the material  [mm]
   /// \throws std::invalid_argument outside the range, and as ActiveSet::solve
   void step(double length, const Load& load);
 
@@ -126,22 +127,30 @@ class TransientRolling {
   void make_system();
   void start_material(const MaterialState& start);
   void move_to(double distance);
-  TransientState state_of(double distance, const ContactState& contact, double length,
-                          const Eigen::VectorXd& bound) const;
-  TransientState state_of(const MaterialStep& step, double length) const;
-  TransientState attempt_with_contact(double length, const Load& load);
-  MaterialStep attempt_with_material(double length, const Load& load);
+  void describe(double distance, const ContactState& contact, double length,
+                const Eigen::VectorXd& bound, TransientState& state) const;
+  void look_ahead(double length, const Load& load);
+  void look_ahead_with_contact(double length, const Load& load);
+  void look_ahead_with_material(double length, const Load& load);
 
   TransientProblem problem_;
   Eigen::VectorXd x_;
   Eigen::VectorXd bound_;
   Eigen::VectorXd weights_;
   double spacing_;
-  std::optional<ActiveSet> active_set_;      ///< on a grid that moves with the contact
-  std::optional<Advection> advection_;       ///< likewise
-  std::optional<MaterialRolling> material_;  ///< on the other
-  std::optional<MaterialState> material_state_;
-  TransientState state_;
+  TransientState state_{};
+  TransientState next_{};  ///< after a step that is tried
+
+  // On a grid that moves with the contact; the latter two are of the step that is tried.
+  std::optional<ActiveSet> active_set_;
+  std::optional<Advection> advection_;
+  SlipConditions conditions_;
+  ContactState contact_;
+
+  // On one that is fixed to the material; the last one is the step that is tried.
+  std::optional<MaterialRolling> material_;
+  MaterialState material_state_;
+  MaterialStep material_step_;
 };
 
 /// How many steps TransientRolling::roll takes.
