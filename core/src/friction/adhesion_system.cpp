@@ -57,14 +57,8 @@ void AdhesionSystem::soften(const std::optional<SoftElement>& soft) {
   if (!soft && !soft_) return;
   const bool was_in_base = soft_ && in_base(soft_->element);
   soft_ = soft;
+  border_is_new_ = true;
   if (was_in_base || (soft && in_base(soft->element))) base_.clear();
-  if (!changes_.empty()) factorise_schur();
-}
-
-/// Changes but for a soft element, which nearly always is one.
-std::size_t AdhesionSystem::exchanges() const {
-  const auto is_exchange = [&](Index i) { return !is_soft(i) || in_base(i); };
-  return static_cast<std::size_t>(std::count_if(changes_.begin(), changes_.end(), is_exchange));
 }
 
 std::size_t AdhesionSystem::most_changes() const {
@@ -79,50 +73,37 @@ double AdhesionSystem::entry(Index i, Index j) const {
   return j < n ? 0 : scale_;
 }
 
-/// Its entries in the rows of the base.
-void AdhesionSystem::column(Index j, Eigen::Ref<VectorXd> values) const {
-  for (std::size_t k = 0; k < base_.size(); ++k) {
-    values[static_cast<Index>(k)] = entry(base_[k], j);
-  }
-}
-
-/// What the row of a change does to values of the base: all entries of a new element's row, and the
-/// value itself of one that left, which must be zero.
-double AdhesionSystem::row_of_change(std::size_t change, const VectorXd& base_values) const {
-  const Index i = changes_[change];
-  if (in_base(i)) return base_values[position(i)];
-  double sum = 0;
-  for (std::size_t k = 0; k < base_.size(); ++k) {
-    sum += entry(i, base_[k]) * base_values[static_cast<Index>(k)];
-  }
-  return sum;
-}
-
 void AdhesionSystem::follow(const std::vector<Zone>& zones) {
-  std::vector<Index> arrivals;
-  bool moved = base_.empty();
-  for (std::size_t i = 0; i < zones.size(); ++i) {
-    const bool stuck = zones[i] == Zone::adhesion;
-    if (stuck == (stuck_[i] != 0)) continue;
-    stuck_[i] = stuck ? 1 : 0;
-    moved = true;
-    const auto known = std::find(changes_.begin(), changes_.end(), static_cast<Index>(i));
-    if (known == changes_.end()) {
-      arrivals.push_back(static_cast<Index>(i));
-    } else {
-      forget(to_size(known - changes_.begin()));
-    }
+  arrivals_.clear();
+  for (std::size_t k = 0; k < zones.size(); ++k) {
+    const bool stuck = zones[k] == Zone::adhesion;
+    const auto i = static_cast<Index>(k);
+    if (stuck == is_stuck(i)) continue;
+    stuck_[k] = stuck ? 1 : 0;
+    border_is_new_ = true;
+    const auto is_same = [i](const Change& change) { return change.element == i; };
+    if (std::none_of(changes_.begin(), changes_.end(), is_same)) arrivals_.push_back(i);
   }
-  if (!moved) {
-    // Solves with a border cost as much again as without: in the end, new factors are cheaper.
-    const std::size_t patience = by_block_ ? 3 * most_changes_of_block : base_.size() / 3;
-    if (exchanges() > 0 && ++quiet_rounds_ > patience) factorise();
-    return;
+  const auto fits = [&] { return changes_.size() + arrivals_.size() <= most_changes(); };
+  if (!fits()) forget_those_gone_back();
+  if (base_.empty() || !fits()) return factorise();
+  const bool is_new = border_is_new_;
+  border(arrivals_);
+  const bool spoils = is_new && !changes_.empty() && !(factors_rcond_ * schur_rcond_ > least_rcond);
+  if (spoils || serves_too_long()) factorise();
+}
+
+/// Solves with a border cost more than without: in the end, new factors are cheaper. A soft element
+/// would be in the border of the new ones, too.
+bool AdhesionSystem::serves_too_long() {
+  const std::size_t patience = by_block_ ? 3 * most_changes_of_block : base_.size() / 3;
+  bool too_long = false;
+  for (Change& change : changes_) {
+    const bool serves = is_active(change.element) && border_softness(change.element) == 0;
+    change.rounds = serves ? change.rounds + 1 : 0;
+    too_long = too_long || change.rounds > patience;
   }
-  quiet_rounds_ = 0;
-  if (base_.empty() || changes_.size() + arrivals.size() > most_changes()) return factorise();
-  border(arrivals);
-  if (!changes_.empty() && !(factors_rcond_ * schur_factors_.rcond() > least_rcond)) factorise();
+  return too_long;
 }
 
 /// A soft element is left to the border, unless the others would be singular without it: a force
@@ -132,11 +113,11 @@ void AdhesionSystem::factorise() {
   base_.clear();
   std::fill(position_.begin(), position_.end(), -1);
   const auto stuck = std::count(stuck_.begin(), stuck_.end(), 1);
-  const auto stuck_soft = soft_ ? stuck_[to_size(soft_->element)] : 0;
+  const auto stuck_soft = soft_ && is_stuck(soft_->element) ? 1 : 0;
   const bool leave_out = stuck - 1 > stuck_soft;
   std::vector<Index> left_out;
   for (std::size_t i = 0; i < stuck_.size(); ++i) {
-    if (stuck_[i] == 0) continue;
+    if (!is_stuck(static_cast<Index>(i))) continue;
     if (leave_out && is_soft(static_cast<Index>(i))) {
       left_out.push_back(static_cast<Index>(i));
       continue;
@@ -145,8 +126,11 @@ void AdhesionSystem::factorise() {
     base_.push_back(static_cast<Index>(i));
   }
   factorise_base();
-  columns_.resize(static_cast<Index>(base_.size()), 0);
-  schur_.resize(0, 0);
+  const auto most = static_cast<Index>(most_changes());
+  rows_.resize(static_cast<Index>(base_.size()), most);
+  columns_.resize(static_cast<Index>(base_.size()), most);
+  schur_.resize(most, most);
+  border_is_new_ = true;
   border(left_out);
 }
 
@@ -176,61 +160,71 @@ void AdhesionSystem::factorise_base() {
   factors_rcond_ = factors_.rcond();
 }
 
-/// With the compliance of a soft element; its column is divided, or it would spoil the condition.
-void AdhesionSystem::factorise_schur() {
-  MatrixXd schur = schur_;
-  for (std::size_t k = 0; k < changes_.size(); ++k) {
-    const auto at = static_cast<Index>(k);
-    schur(at, at) += border_softness(changes_[k]);
-    schur.col(at) /= border_scale(changes_[k]);
-  }
-  schur_factors_.compute(schur);
-}
-
+/// Makes arrivals part of the border.
 void AdhesionSystem::border(const std::vector<Index>& arrivals) {
-  const Index before = static_cast<Index>(changes_.size());
-  const Index after = before + static_cast<Index>(arrivals.size());
-  columns_.conservativeResize(Eigen::NoChange, after);
-  schur_.conservativeResize(after, after);
-  for (Index k = before; k < after; ++k) {
-    const Index i = arrivals[to_size(k - before)];
-    changes_.push_back(i);
+  const auto before = static_cast<Index>(changes_.size());
+  for (const Index i : arrivals) {
+    const auto k = static_cast<Index>(changes_.size());
+    changes_.push_back({.element = i});
     if (in_base(i)) {
-      columns_.col(k) = VectorXd::Unit(columns_.rows(), position(i));
-    } else {
-      column(i, columns_.col(k));
+      rows_.col(k) = scale_ * VectorXd::Unit(rows_.rows(), position(i));
+      columns_.col(k) = rows_.col(k);
+      continue;
+    }
+    for (Index l = 0; l < rows_.rows(); ++l) {
+      rows_(l, k) = entry(i, base_[to_size(l)]);
+      columns_(l, k) = entry(base_[to_size(l)], i);
     }
   }
-  if (after > before && by_block_) {
+  const auto after = static_cast<Index>(changes_.size());
+  if (by_block_) {
     for (Index k = before; k < after; ++k) {
       values_ = columns_.col(k);
       solve_base(values_);
       columns_.col(k) = values_;
     }
   } else if (after > before) {
-    columns_.rightCols(after - before) = factors_.solve(columns_.rightCols(after - before)).eval();
+    auto columns = columns_.middleCols(before, after - before);
+    columns = factors_.solve(columns).eval();
   }
   for (Index k = 0; k < after; ++k) {
     for (Index l = k < before ? before : 0; l < after; ++l) {
-      const Index i = changes_[to_size(k)], j = changes_[to_size(l)];
+      const Index i = element(k), j = element(l);
       const double corner = in_base(i) || in_base(j) ? 0 : entry(i, j);
-      schur_(k, l) = corner - row_of_change(to_size(k), columns_.col(l));
+      schur_(k, l) = corner - rows_.col(k).dot(columns_.col(l));
     }
   }
-  if (after > 0) factorise_schur();
+  if (border_is_new_) factorise_schur();
 }
 
-/// An element that came or left has gone back.
-void AdhesionSystem::forget(std::size_t change) {
-  const auto k = static_cast<Index>(change);
-  const auto last = static_cast<Index>(changes_.size()) - 1;
-  std::swap(changes_[change], changes_.back());
-  changes_.pop_back();
-  columns_.col(k).swap(columns_.col(last));
-  schur_.col(k).swap(schur_.col(last));
-  schur_.row(k).swap(schur_.row(last));
-  columns_.conservativeResize(Eigen::NoChange, last);
-  schur_.conservativeResize(last, last);
+/// What has gone back is decoupled. With the compliance of a soft element; its column is divided,
+/// or it would spoil the condition.
+void AdhesionSystem::factorise_schur() {
+  border_is_new_ = false;
+  schur_rcond_ = 1;
+  const auto n = static_cast<Index>(changes_.size());
+  if (n == 0) return;
+  schur_factors_.compute(MatrixXd::NullaryExpr(n, n, [this](Index k, Index l) {
+    if (k != l && !(is_active(element(k)) && is_active(element(l)))) return 0.0;
+    const double softness = k == l ? border_softness(element(k)) : 0;
+    return (schur_(k, l) + softness) / border_scale(element(l));
+  }));
+  const auto pivots = schur_factors_.matrixLU().diagonal().cwiseAbs();
+  schur_rcond_ = pivots.minCoeff() / pivots.maxCoeff();
+}
+
+void AdhesionSystem::forget_those_gone_back() {
+  for (std::size_t k = changes_.size(); k-- > 0;) {
+    if (is_active(changes_[k].element)) continue;
+    const auto at = static_cast<Index>(k);
+    const auto last = static_cast<Index>(changes_.size()) - 1;
+    changes_[k] = changes_.back();
+    changes_.pop_back();
+    rows_.col(at) = rows_.col(last);
+    columns_.col(at) = columns_.col(last);
+    schur_.col(at) = schur_.col(last);
+    schur_.row(at) = schur_.row(last);
+  }
 }
 
 void AdhesionSystem::solve_base(VectorXd& values) {
@@ -262,26 +256,28 @@ void AdhesionSystem::solve_block(VectorXd& values) {
 /// Entries of the right-hand side in slip are ignored, and are zero in the result.
 void AdhesionSystem::solve_bordered(const VectorXd& rhs, VectorXd& all) {
   values_ = rhs(index_view(base_));
-  for (const Index i : changes_) {
-    if (in_base(i)) values_[position(i)] = 0;
+  for (const Change& change : changes_) {
+    const Index i = change.element;
+    if (in_base(i) && is_active(i)) values_[position(i)] = 0;
   }
   solve_base(values_);
   const auto changes = static_cast<Index>(changes_.size());
   if (changes > 0) {
-    border_.resize(changes);
+    border_.noalias() = -rows_.leftCols(changes).transpose() * values_;
     for (Index k = 0; k < changes; ++k) {
-      const Index i = changes_[to_size(k)];
-      border_[k] = (in_base(i) ? 0 : rhs[i]) - row_of_change(to_size(k), values_);
+      const Index i = element(k);
+      if (!is_active(i)) border_[k] = 0;
+      if (is_active(i) && !in_base(i)) border_[k] += rhs[i];
     }
-    border_ = schur_factors_.solve(border_).eval();
-    for (Index k = 0; k < changes; ++k) border_[k] /= border_scale(changes_[to_size(k)]);
-    values_.noalias() -= columns_ * border_;
+    border_solved_ = schur_factors_.solve(border_);
+    for (Index k = 0; k < changes; ++k) border_solved_[k] /= border_scale(element(k));
+    values_.noalias() -= columns_.leftCols(changes) * border_solved_;
   }
   all.setZero(rhs.size());
   all(index_view(base_)) = values_;
   for (Index k = 0; k < changes; ++k) {
-    const Index i = changes_[to_size(k)];
-    all[i] = in_base(i) ? 0 : border_[k];
+    const Index i = element(k);
+    if (is_active(i)) all[i] = in_base(i) ? 0 : border_solved_[k];
   }
 }
 
@@ -291,7 +287,7 @@ double AdhesionSystem::find_rest(const Unknowns& unknowns) {
   const Index n = size();
   double largest = 0;
   for (Index i = 0; i < n; ++i) {
-    if (stuck_[to_size(i)] == 0) continue;
+    if (!is_stuck(i)) continue;
     rest_[i] = rhs_[i] - unknowns.response[i] - unknowns.creepage;
     if (is_soft(i)) rest_[i] -= soft_->compliance * unknowns.increment[i];
     largest = std::max(largest, std::abs(rest_[i]));

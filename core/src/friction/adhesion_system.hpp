@@ -14,10 +14,15 @@ namespace microslip {
 /// more row for what is prescribed: response_HH d_H + w = ..., thesis (3.19).
 ///
 /// Its factors follow the partition. Those of some earlier adhesion area stay; elements that came
-/// or left since then border it, and only the Schur complement of the border is new. After some
-/// exchanges, when the border is badly conditioned, or when it has served long enough, the factors
-/// are made anew: LU, or ToeplitzBlock. A soft element is in the border, where its diagonal entry
-/// may change from solve to solve, if any other one sticks.
+/// or left since then border it, and only the Schur complement of the border is new. Elements that
+/// have gone back keep their place in the border, for on a grid that is fixed to the material the
+/// same ones come and go with every element travelled. After some exchanges, when the border is
+/// badly conditioned, or when a part of it has served long enough, the factors are made anew: LU,
+/// or ToeplitzBlock. A soft element is in the border, where its diagonal entry may change from
+/// solve to solve, if any other one sticks.
+///
+/// Memory is allocated for new factors, and where an element comes or leaves that the border does
+/// not know.
 class AdhesionSystem {
  public:
   AdhesionSystem(SquareMatrix response, Eigen::VectorXd weights, const Solver& solver);
@@ -55,7 +60,10 @@ class AdhesionSystem {
   bool in_base(Index i) const { return position_[static_cast<std::size_t>(i)] >= 0; }
   Index position(Index i) const { return position_[static_cast<std::size_t>(i)]; }
   bool is_soft(Index i) const { return soft_ && soft_->element == i; }
-  std::size_t exchanges() const;
+  bool is_stuck(Index i) const { return stuck_[static_cast<std::size_t>(i)] != 0; }
+  Index element(Index change) const { return changes_[static_cast<std::size_t>(change)].element; }
+  /// Whether an element of the border has come or left, and not gone back.
+  bool is_active(Index i) const { return is_stuck(i) != in_base(i); }
   std::size_t most_changes() const;
   double border_softness(Index i) const {
     return is_soft(i) && !in_base(i) ? soft_->compliance : 0;
@@ -63,14 +71,13 @@ class AdhesionSystem {
   double border_scale(Index i) const { return 1 + border_softness(i) / scale_; }
 
   double entry(Index i, Index j) const;
-  void column(Index j, Eigen::Ref<Eigen::VectorXd> values) const;
-  double row_of_change(std::size_t change, const Eigen::VectorXd& base_values) const;
 
   void factorise();
   void factorise_base();
   void border(const std::vector<Index>& arrivals);
   void factorise_schur();
-  void forget(std::size_t change);
+  void forget_those_gone_back();
+  bool serves_too_long();
   void solve_base(Eigen::VectorXd& values);
   void solve_block(Eigen::VectorXd& values);
   void solve_bordered(const Eigen::VectorXd& rhs, Eigen::VectorXd& all);
@@ -98,13 +105,24 @@ class AdhesionSystem {
   Eigen::VectorXd base_weights_;
   Eigen::VectorXd unit_slip_;  ///< tractions of the base for a slip of 1
 
-  std::vector<Index> changes_;  ///< elements that came or left since
-  Eigen::MatrixXd columns_;     ///< factors^-1 times the column of each change
-  Eigen::MatrixXd schur_;       ///< as if nothing were soft
-  Eigen::PartialPivLU<Eigen::MatrixXd> schur_factors_;
-  std::size_t quiet_rounds_ = 0;  ///< without a change
+  struct Change {
+    Index element;
+    std::size_t rounds = 0;  ///< that it has served in a row
+  };
 
-  Eigen::VectorXd rhs_, rest_, all_, values_, solved_, border_, block_values_, block_solved_;
+  // The border. An element that came adds its row and column, and one that left those that make it
+  // zero. The matrices have room for most_changes().
+  std::vector<Change> changes_;
+  Eigen::MatrixXd rows_;     ///< of each change, at the elements of the base
+  Eigen::MatrixXd columns_;  ///< factors^-1 times the column of each
+  Eigen::MatrixXd schur_;    ///< as if nothing were soft, nor had gone back
+  Eigen::PartialPivLU<Eigen::MatrixXd> schur_factors_;
+  double schur_rcond_ = 0;      ///< by its pivots
+  bool border_is_new_ = false;  ///< since the factors of the Schur complement
+  std::vector<Index> arrivals_;
+
+  Eigen::VectorXd rhs_, rest_, all_, values_, solved_, border_, border_solved_, block_values_,
+      block_solved_;
 };
 
 }  // namespace microslip

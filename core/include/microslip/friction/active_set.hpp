@@ -88,8 +88,9 @@ class ActiveSet {
   ActiveSet(ActiveSet&&) noexcept;
   ActiveSet& operator=(ActiveSet&&) noexcept;
 
-  /// \param state  in: zones to start from, n of them; out: the solution. If its partition is that
-  ///               of the solve before, nothing is allocated.
+  /// \param state  in: zones to start from, n of them; out: the solution. Nothing is allocated if
+  ///               the partitions tried are those of solves before, or differ from that of the
+  ///               factors by a few elements that also did so before.
   /// \throws std::invalid_argument if the force is not below full sliding, weights . bound
   /// \throws NotConverged          if a system is singular or its residual above the tolerance, or
   ///                               the path is given up or ends short of a solution
