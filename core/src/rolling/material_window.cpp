@@ -32,7 +32,18 @@ double MaterialWindow::leading_force(double phase) const {
 }
 
 void MaterialWindow::bound(double phase, VectorXd& means) const {
-  means = mean_bound_around(bound_, x(phase), spacing_);
+  means.resize(size());
+  // An end of an element is that of the next one, too.
+  const auto set_means = [&](const auto& g) {
+    const auto nodes = x(phase);
+    double before = g.integral(nodes[0] - spacing_ / 2);
+    for (Index i = 0; i < size(); ++i) {
+      const double after = g.integral(nodes[i] + spacing_ / 2);
+      means[i] = std::max(0.0, after - before) / spacing_;
+      before = after;
+    }
+  };
+  std::visit(set_means, bound_);
   means[ahead()] = 0;
   means[coming()] = phase > rounding ? phase * leading_force(0) / spacing_ : 0;
   means[leading()] = std::max(0.0, leading_force(phase) / spacing_ - means[coming()]);
