@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is allocated in a loop of steps. This executable takes the place of the C library's malloc
+// and its relatives, where operator new, Eigen and FFTW end up, too.
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cerrno>
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+#include "microslip/linalg/real_fft.hpp"
+#include "microslip/rolling/transient.hpp"
+
+namespace {
+long allocations = 0;
+}
+
+extern "C" {
+
+// By these names glibc offers what is replaced here.
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* old, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+
+void* malloc(std::size_t size) noexcept {
+  ++allocations;
+  return __libc_malloc(size);
+}
+
+void* calloc(std::size_t count, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+
+void* realloc(void* old, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_realloc(old, size);
+}
+
+void* memalign(std::size_t alignment, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  return memalign(alignment, size);
+}
+
+int posix_memalign(void** place, std::size_t alignment, std::size_t size) noexcept {
+  *place = memalign(alignment, size);
+  return *place == nullptr ? ENOMEM : 0;
+}
+}
+
+namespace microslip {
+namespace {
+
+template <class Work>
+long allocations_in(const Work& work) {
+  const long before = allocations;
+  work();
+  return allocations - before;
+}
+
+TEST(Allocations, AreCountedWhoeverMakesThem) {
+  std::unique_ptr<int> number;
+  Eigen::VectorXd vector;
+  void* array = nullptr;
+  EXPECT_EQ(allocations_in([&] { number = std::make_unique<int>(1); }), 1);
+  EXPECT_EQ(allocations_in([&] { vector.resize(5); }), 1);
+  EXPECT_EQ(allocations_in([&] { array = std::aligned_alloc(64, 128); }), 1);
+  EXPECT_GE(allocations_in([] { RealFft(5000); }), 2);
+  EXPECT_EQ(allocations_in([&] { vector.setZero(5); }), 0);
+  std::free(array);
+}
+
+/// From the end of the first of some steps to the end of the last.
+long allocations_between_steps(TransientRolling& rolling, int steps, double length,
+                               const Load& load) {
+  long before = -1;
+  rolling.roll(steps * length, {length}, load, [&](const TransientState&) {
+    if (before < 0) before = allocations;
+  });
+  return allocations - before;
+}
+
+int stick_zones(const TransientState& state) {
+  int zones = 0;
+  for (std::size_t i = 0; i < state.zones.size(); ++i) {
+    const bool begins = i == 0 || state.zones[i - 1] != Zone::adhesion;
+    zones += begins && state.zones[i] == Zone::adhesion ? 1 : 0;
+  }
+  return zones;
+}
+
+struct Case {
+  std::string name;
+  AdvectionScheme scheme;
+  double step_ratio;
+};
+
+void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+
+class AllocationsOfAScheme : public testing::TestWithParam<Case> {
+ protected:
+  /// In 50 steps long after the start, under a force and under the creepage that goes with it.
+  static void expect_none(const TractionBound& bound, Solver::Type solver, int zones) {
+    const auto& [name, scheme, step_ratio] = GetParam();
+    constexpr Eigen::Index n = 151;
+    const PrescribedForce force{-0.5 * full_sliding_force(bound)};
+    TransientRolling rolling({.kernel = PlaneKernel({1, 0.28}, 200),
+                              .bound = bound,
+                              .grid = Grid({.half_width = 1, .elements = n}),
+                              .basis = constant_basis(),
+                              .scheme = scheme,
+                              .solver = {.type = solver}},
+                             CattaneoShift{force.value});
+    const double length = step_ratio * 2 / static_cast<double>(n);
+    const int warm_up = static_cast<int>(4 * n / step_ratio);
+    EXPECT_GT(allocations_between_steps(rolling, warm_up, length, force), 0);
+    EXPECT_EQ(allocations_between_steps(rolling, 50, length, force), 0);
+    EXPECT_EQ(stick_zones(rolling.state()), zones);
+    const PrescribedCreepage creepage{rolling.state().creepage};
+    allocations_between_steps(rolling, 50, length, creepage);
+    EXPECT_EQ(allocations_between_steps(rolling, 50, length, creepage), 0);
+  }
+};
+
+TEST_P(AllocationsOfAScheme, AreNoneInStepsThatRepeat) {
+  for (const Solver::Type solver : {Solver::Type::dense, Solver::Type::fft}) {
+    expect_none(HertzBound(1, 1), solver, 1);
+    expect_none(PolynomialBound(1, 1, Eigen::Vector3d(0.2, 0, 2)), solver, 2);
+  }
+}
+
+// On a grid fixed to the material, nodes come and go in all of them but those of whole elements.
+INSTANTIATE_TEST_SUITE_P(Schemes, AllocationsOfAScheme,
+                         testing::Values(Case{"direct", Direct{}, 1},
+                                         Case{"direct, c = 0.7", Direct{}, 0.7},
+                                         Case{"relaxed", Relaxed{1}, 0.3},
+                                         Case{"relaxed_traction", RelaxedTraction{1}, 0.3},
+                                         Case{"material", MaterialFixed{}, 1},
+                                         Case{"material, c = 0.3", MaterialFixed{}, 0.3},
+                                         Case{"material, c = 0.05", MaterialFixed{}, 0.05},
+                                         Case{"material, c = 2.5", MaterialFixed{}, 2.5}));
+
+}  // namespace
+}  // namespace microslip
