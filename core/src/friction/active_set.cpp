@@ -10,6 +10,7 @@
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
+#include "microslip/support/work.hpp"
 
 namespace microslip {
 
@@ -130,6 +131,7 @@ class ContactSearch {
   }
 
   void respond() {
+    count_work(20 * static_cast<double>(size()));
     ++iterations_;
     system_.follow(zones_);
     answer(*conditions_, prescribed_, response_);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "microslip/linalg/index_view.hpp"
+#include "microslip/support/work.hpp"
 
 namespace microslip {
 
@@ -156,6 +157,7 @@ void AdhesionSystem::factorise_base() {
     const Index at = position(soft_->element);
     matrix(at, at) += soft_->compliance;
   }
+  count_work(2.0 / 3 * std::pow(stuck + 1, 3));
   factors_.compute(matrix);
   factors_rcond_ = factors_.rcond();
 }
@@ -184,6 +186,7 @@ void AdhesionSystem::border(const std::vector<Index>& arrivals) {
       columns_.col(k) = values_;
     }
   } else if (after > before) {
+    count_work(2 * static_cast<double>((after - before) * columns_.rows() * columns_.rows()));
     auto columns = columns_.middleCols(before, after - before);
     columns = factors_.solve(columns).eval();
   }
@@ -204,6 +207,7 @@ void AdhesionSystem::factorise_schur() {
   schur_rcond_ = 1;
   const auto n = static_cast<Index>(changes_.size());
   if (n == 0) return;
+  count_work(2.0 / 3 * std::pow(n, 3));
   schur_factors_.compute(MatrixXd::NullaryExpr(n, n, [this](Index k, Index l) {
     if (k != l && !(is_active(element(k)) && is_active(element(l)))) return 0.0;
     const double softness = k == l ? border_softness(element(k)) : 0;
@@ -231,6 +235,7 @@ void AdhesionSystem::solve_base(VectorXd& values) {
   if (by_block_) {
     solve_block(values);
   } else {
+    count_work(2 * static_cast<double>(values.size() * values.size()));
     solved_ = factors_.solve(values);
     values.swap(solved_);
   }
@@ -269,6 +274,7 @@ void AdhesionSystem::solve_bordered(const VectorXd& rhs, VectorXd& all) {
       if (!is_active(i)) border_[k] = 0;
       if (is_active(i) && !in_base(i)) border_[k] += rhs[i];
     }
+    count_work(4 * static_cast<double>(changes * values_.size()));
     border_solved_ = schur_factors_.solve(border_);
     for (Index k = 0; k < changes; ++k) border_solved_[k] /= border_scale(element(k));
     values_.noalias() -= columns_.leftCols(changes) * border_solved_;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "microslip/support/chebyshev_series.hpp"
+#include "microslip/support/work.hpp"
 
 namespace microslip {
 
@@ -14,6 +15,7 @@ PolygonField::PolygonField(const Kernel& kernel, const TabulatedBound& bound)
     : kernel_(kernel), bound_(bound) {}
 
 double PolygonField::strain(double x) const {
+  count_work(2 * kernel_work * static_cast<double>(bound_.x().size()));
   // By parts: the kernel acts on the slopes, and on the jumps at the edges.
   const Eigen::VectorXd& ends = bound_.x();
   const Eigen::VectorXd& values = bound_.values();
@@ -35,6 +37,7 @@ double PolygonField::strain(double x) const {
 }
 
 double PolygonField::displacement(double x) const {
+  count_work(2 * kernel_work * static_cast<double>(bound_.x().size()));
   const Eigen::VectorXd& ends = bound_.x();
   const Eigen::VectorXd& values = bound_.values();
   const auto sum = [&](const auto& kernel) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "microslip/support/require.hpp"
+#include "microslip/support/work.hpp"
 
 namespace microslip {
 
@@ -18,6 +19,7 @@ constexpr double narrowest = 0.02;
 
 /// Sum of c_n f_(n+1), f_k following Chebyshev's recurrence from 1 and t: f_k = T_k(t).
 double strain_series(const VectorXd& c, double t) {
+  count_work(5 * static_cast<double>(c.size()));
   double before = 1;
   double now = t;
   double sum = 0;
@@ -39,6 +41,7 @@ double power_series(const VectorXd& c, double r) {
 /// second part.
 template <class Values>
 double antiderivative(const VectorXd& c, const Values& f) {
+  count_work(8 * static_cast<double>(c.size()));
   double sum = c[0] * f(2) / 4;
   for (Index n = 1; n < c.size(); ++n) {
     const auto k = static_cast<double>(n);
@@ -83,6 +86,7 @@ ChebyshevField::ChebyshevField(const Kernel& kernel, const ChebyshevTraction& tr
 /// \param part  of the kernel at a distance
 template <class Part>
 double ChebyshevField::integrate(double x, const Part& part) const {
+  count_work(kernel_work * static_cast<double>(points_.size()));
   const auto sum = [&](const auto& kernel) {
     double integral = 0;
     for (Index j = 0; j < points_.size(); ++j) {

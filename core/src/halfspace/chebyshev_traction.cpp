@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "microslip/support/work.hpp"
+
 namespace microslip {
 
 using Eigen::Index;
@@ -14,6 +16,7 @@ ChebyshevTraction::ChebyshevTraction(double begin, double end, Eigen::VectorXd c
     : begin_(begin), end_(end), coefficients_(std::move(coefficients)) {}
 
 double ChebyshevTraction::polynomial(double x) const {
+  count_work(4 * static_cast<double>(coefficients_.size()));
   // Clenshaw's recurrence.
   const double t = position(x);
   double next = 0;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "microslip/support/require.hpp"
+#include "microslip/support/work.hpp"
 
 namespace microslip {
 
@@ -38,6 +39,7 @@ double integrate_piece(const K& kernel, double spacing, double gap, double begin
   for (double t = begin; t < end;) {
     const double distance = regular_at_zero ? std::hypot(t, clear) : gap + t;
     const double next = distance < end - t ? t + distance : end;
+    count_work(kernel_work * (4 * (next - t) <= distance ? 7 : 15));
     sum += 4 * (next - t) <= distance ? gauss<double, 7>::integrate(integrand, t, next)
                                       : gauss<double, 15>::integrate(integrand, t, next);
     t = next;

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "microslip/support/work.hpp"
+
 namespace microslip {
 
 using Eigen::VectorXd;
@@ -55,6 +57,7 @@ Gmres::Outcome Gmres::solve(const Apply& matrix, const Apply& preconditioner, co
     preconditioner(direction(directions_, k), direction(trials_, k));
     matrix(direction(trials_, k), product_);
     // Twice: the second time for what rounding left of the first.
+    count_work(static_cast<double>((8 * k + 11) * b.size()));
     hessenberg_.col(k).head(k + 2).setZero();
     for (int pass = 0; pass < 2; ++pass) {
       for (int i = 0; i <= k; ++i) {
@@ -72,6 +75,7 @@ Gmres::Outcome Gmres::solve(const Apply& matrix, const Apply& preconditioner, co
     if (exhausted) break;
   }
   hessenberg_.topLeftCorner(k, k).triangularView<Eigen::Upper>().solveInPlace(projected_.head(k));
+  count_work(static_cast<double>(2 * k * b.size()));
   for (int i = 0; i < k; ++i) x += projected_[i] * direction(trials_, i);
   return {k, residual / size};
 }

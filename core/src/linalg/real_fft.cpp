@@ -3,8 +3,11 @@
 
 #include <fftw3.h>
 
+#include <cmath>
 #include <map>
 #include <mutex>
+
+#include "microslip/support/work.hpp"
 
 namespace microslip {
 
@@ -20,6 +23,12 @@ namespace {
 
 fftw_complex* as_fftw(std::complex<double>* values) {
   return reinterpret_cast<fftw_complex*>(values);
+}
+
+/// Operations of a transform.
+double work_of(Index size) {
+  const auto n = static_cast<double>(size);
+  return 2.5 * n * std::log2(n);
 }
 
 /// The plans of a size; arrays of the same alignment can use them. FFTW makes plans in one thread
@@ -65,10 +74,12 @@ Index RealFft::good_size(Index at_least) {
 }
 
 void RealFft::forward() {
+  count_work(work_of(size_));
   fftw_execute_dft_r2c(plans_->forward, values_.get(), as_fftw(spectrum_.get()));
 }
 
 void RealFft::backward() {
+  count_work(work_of(size_));
   fftw_execute_dft_c2r(plans_->backward, as_fftw(spectrum_.get()), values_.get());
 }
 

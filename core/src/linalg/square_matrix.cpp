@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "microslip/support/work.hpp"
+
 namespace microslip {
 
 using Eigen::Index;
@@ -51,6 +53,7 @@ void SquareMatrix::apply(const VectorXd& x, VectorXd& y) const {
   if (const auto* by_fft = std::get_if<ByFft>(&matrix_)) {
     by_fft->product.apply(x, y);
   } else {
+    count_work(2 * static_cast<double>(x.size() * x.size()));
     y.noalias() = (*entries()) * x;
   }
 }

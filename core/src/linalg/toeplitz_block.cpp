@@ -2,8 +2,10 @@
 #include "microslip/linalg/toeplitz_block.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "microslip/linalg/index_view.hpp"
+#include "microslip/support/work.hpp"
 
 namespace microslip {
 
@@ -37,7 +39,10 @@ ToeplitzBlock::Interval ToeplitzBlock::interval(Index first, Index size) {
     return same;
   }
   const Toeplitz block = matrix_.leading(size);
-  if (size <= small) return {first, size, SmallInverse(block.dense()), {}};
+  if (size <= small) {
+    count_work(2.0 / 3 * std::pow(size, 3));
+    return {first, size, SmallInverse(block.dense()), {}};
+  }
   return {first, size, ToeplitzInverse(block), {}};
 }
 
@@ -58,6 +63,7 @@ void ToeplitzBlock::invert_intervals(const VectorXd& b, VectorXd& x) {
   x.resize(b.size());
   for (auto& [first, size, inverse, solution] : intervals_) {
     if (const auto* factors = std::get_if<SmallInverse>(&inverse)) {
+      count_work(2 * static_cast<double>(size * size));
       x.segment(first, size) = factors->solve(b.segment(first, size));
     } else {
       std::get<ToeplitzInverse>(inverse).apply(b.segment(first, size), solution);

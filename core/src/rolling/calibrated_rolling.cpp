@@ -8,6 +8,7 @@
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/support/require.hpp"
+#include "microslip/support/work.hpp"
 #include "strain_system.hpp"
 
 namespace microslip {
@@ -191,6 +192,7 @@ double CalibratedSolution::traction(double x) const {
 
 /// By the elements as line loads, at a place behind them.
 double CalibratedSolution::strain_of_loads(double x) const {
+  count_work(kernel_work * static_cast<double>(lattice_->x.size()));
   const auto sum = [&](const auto& kernel) {
     double strain = 0;
     for (Index j = 0; j < lattice_->x.size(); ++j) {
@@ -202,6 +204,7 @@ double CalibratedSolution::strain_of_loads(double x) const {
 }
 
 double CalibratedSolution::displacement_of_loads(double x) const {
+  count_work(kernel_work * static_cast<double>(lattice_->x.size()));
   const auto sum = [&](const auto& kernel) {
     double displacement = 0;
     for (Index j = 0; j < lattice_->x.size(); ++j) {

@@ -10,6 +10,7 @@
 
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
+#include "microslip/support/work.hpp"
 
 namespace microslip {
 
@@ -139,6 +140,7 @@ ChebyshevRolling::Zone ChebyshevRolling::zone(double stick_edge) const {
   // All over the compliance: coefficients and creepage / compliance are unknown.
   MatrixXd matrix = strains_;
   if (std::isfinite(clear_distance(kernel_))) {
+    count_work(std::pow(n + 1, 2) * (kernel_work + 2 * static_cast<double>(n)));
     const auto decays = [&](const auto& kernel) -> MatrixXd {
       return MatrixXd::NullaryExpr(n + 1, n, [&](Index i, Index j) {
         return kernel.regular_decay(half_length * (collocation_[i] - quadrature_[j]));
@@ -148,6 +150,7 @@ ChebyshevRolling::Zone ChebyshevRolling::zone(double stick_edge) const {
   }
   const VectorXd strain =
       x.unaryExpr([&](double xi) { return sliding_.continued_strain(xi) / compliance; });
+  count_work(2.0 / 3 * std::pow(n + 1, 3));
   const VectorXd unknowns = matrix.partialPivLu().solve(strain);
   const double residual = (strain - matrix * unknowns).norm() / strain.norm();
   return {unknowns.head(n), compliance * unknowns[n], residual};

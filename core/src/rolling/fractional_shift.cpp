@@ -9,6 +9,7 @@
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
+#include "microslip/support/work.hpp"
 
 namespace microslip {
 
@@ -22,6 +23,7 @@ VectorXd linear_predictor(const VectorXd& t) {
   const Index n = t.size() - 1;
   VectorXd q(n);
   double power = t[0];
+  count_work(2 * static_cast<double>(n * n));
   for (Index k = 0; k < n; ++k) {
     const double reflection = (t[k + 1] - q.head(k).dot(t.segment(1, k).reverse())) / power;
     q.head(k) -= (reflection * q.head(k).reverse()).eval();
@@ -54,6 +56,7 @@ class PowerIntegrand {
 
   /// total += weight * integrand(y)
   void add(double y, double weight, VectorXd& total) {
+    count_work(24 * static_cast<double>(r_.size()));
     const double t = std::exp(-y);
     solve_low(t);
     total += weight * t * std::pow(t, power_) / (1 + t) * inner_;

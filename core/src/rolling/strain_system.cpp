@@ -8,6 +8,7 @@
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
+#include "microslip/support/work.hpp"
 
 namespace microslip {
 
@@ -76,6 +77,7 @@ void StrainSystem::factorise() {
     std::get<1>(factors_).apply(VectorXd::Ones(elements_ + 1), unit_strain_);
     return;
   }
+  count_work(2.0 / 3 * std::pow(elements_ + 1, 3));
   factors_ = matrix_->entries()->partialPivLu();
 }
 
@@ -91,6 +93,7 @@ void StrainSystem::multiply(const VectorXd& unknowns, VectorXd& strain) const {
 /// With the factors that there are. Node -1 has no element: that determines the creepage.
 void StrainSystem::solve_nearby(const VectorXd& strain, VectorXd& unknowns) {
   if (const auto* factors = std::get_if<0>(&factors_)) {
+    count_work(2 * static_cast<double>(strain.size() * strain.size()));
     unknowns = factors->solve(strain);
     return;
   }

@@ -3,6 +3,8 @@
 
 #include <gsl/gsl_chebyshev.h>
 
+#include "microslip/support/work.hpp"
+
 namespace microslip {
 
 namespace {
@@ -26,7 +28,10 @@ ChebyshevSeries::ChebyshevSeries(const std::function<double(double)>& function, 
   series_ = series;
 }
 
-double ChebyshevSeries::operator()(double x) const { return gsl_cheb_eval(series_.get(), x); }
+double ChebyshevSeries::operator()(double x) const {
+  count_work(3 * static_cast<double>(gsl_cheb_order(series_.get())));
+  return gsl_cheb_eval(series_.get(), x);
+}
 
 ChebyshevSeries ChebyshevSeries::integral() const {
   const auto integral = empty_series(gsl_cheb_order(series_.get()));

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "microslip/support/not_converged.hpp"
+#include "microslip/support/work.hpp"
 
 namespace microslip {
 
@@ -17,6 +18,7 @@ namespace {
 constexpr std::size_t intervals = 1000;
 
 double call(double x, void* integrand) {
+  count_work(kernel_work);
   return (*static_cast<const std::function<double(double)>*>(integrand))(x);
 }
 

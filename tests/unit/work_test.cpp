@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/support/work.hpp"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "microslip/linalg/real_fft.hpp"
+#include "microslip/linalg/square_matrix.hpp"
+#include "microslip/rolling/steady.hpp"
+
+namespace microslip {
+namespace {
+
+TEST(Work, CountsFromWhereItWasMade) {
+  count_work(100);
+  const WorkCount count;
+  EXPECT_EQ(count.operations(), 0);
+  count_work(7);
+  count_work(2.0 / 3);  // rounded
+  EXPECT_EQ(count.operations(), 8);
+}
+
+TEST(Work, ThreadsCountForThemselves) {
+  const WorkCount count;
+  std::thread([] { count_work(1000); }).join();
+  EXPECT_EQ(count.operations(), 0);
+}
+
+TEST(Work, OfATransformAndOfADenseProduct) {
+  RealFft fft(1024);
+  const WorkCount transform;
+  fft.forward();
+  EXPECT_EQ(transform.operations(), 2.5 * 1024 * 10);
+  const SquareMatrix matrix(Eigen::MatrixXd::Identity(30, 30));
+  const WorkCount product;
+  EXPECT_EQ((matrix * Eigen::VectorXd::Ones(30)).sum(), 30);
+  EXPECT_EQ(product.operations(), 2 * 30 * 30);
+}
+
+double steady_work(Eigen::Index elements, Solver::Type type) {
+  const WorkCount count;
+  solve_steady({.kernel = PlaneKernel({1.44, 0.28}, 200),
+                .bound = HertzBound(1, 1),
+                .grid = Grid({.half_width = 1, .elements = elements}),
+                .method = Differences{},
+                .load = PrescribedForce{1},
+                .solver = {.type = type}});
+  return count.operations();
+}
+
+// Factors of dense matrices grow as N^3, as long as the number of rounds does not change much, and
+// those by FFT as N log N.
+TEST(Work, OfSteadyRollingGrowsAsItsSolver) {
+  EXPECT_EQ(steady_work(100, Solver::Type::dense), steady_work(100, Solver::Type::dense));
+  const double dense =
+      steady_work(400, Solver::Type::dense) / steady_work(200, Solver::Type::dense);
+  EXPECT_GT(dense, 5);
+  EXPECT_LT(dense, 11);
+  const double fft = steady_work(4000, Solver::Type::fft) / steady_work(2000, Solver::Type::fft);
+  EXPECT_GT(fft, 1.5);
+  EXPECT_LT(fft, 3.5);
+}
+
+}  // namespace
+}  // namespace microslip
