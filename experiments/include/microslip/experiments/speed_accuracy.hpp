@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "microslip/dynamics/cylinder.hpp"
+#include "microslip/scene/scene.hpp"
+#include "microslip/scene/table.hpp"
+#include "microslip/support/progress.hpp"
+
+namespace microslip::experiments {
+
+/// Runs that double N until the next one is expected to take more operations than this.
+struct WorkLimit {
+  double operations;  ///< of a run, see microslip/support/work.hpp
+};
+
+/// What does an accuracy cost, by every scheme, basis, edge treatment, step ratio and solver?
+/// Everything is measured for a list of N, so each takes part in the same way.
+struct SpeedAccuracyParameters {
+  PolynomialBound bound;  ///< of steady rolling; not Hertz's, for which calibration is exact
+  Material material;
+  double length;                    ///< L0 of plane strain  [mm]
+  double width;                     ///< of the strip  [mm]
+  std::vector<Eigen::Index> sizes;  ///< N: odd multiples of three
+  double repeats;                   ///< runs are repeated until they took so long together  [s]
+
+  struct Steady {
+    WorkLimit limit;
+    std::vector<double> stick_ratios;    ///< a' of the loads; the errors are the largest over them
+    std::vector<double> step_ratios;     ///< c of differences in plane strain
+    std::vector<Eigen::Index> unknowns;  ///< of Chebyshev collocation
+  } steady;
+
+  /// Cattaneo to Carter over a third of the contact, N/3 elements: 50 for N = 150.
+  struct Transient {
+    WorkLimit limit;
+    HertzBound bound;
+    double force;  ///< [N/mm]
+    std::vector<double> step_ratios;
+    Eigen::Index reference;  ///< N of the material scheme with c = 1 that is taken as exact
+  } transient;
+
+  struct Rolling {
+    WorkLimit limit;
+    Cylinder cylinder;
+    double length;    ///< L0  [mm]
+    double distance;  ///< from rest  [mm]
+    std::vector<double> step_ratios;
+    Eigen::Index reference;  ///< N of material scheme and Verlet, taken as exact for the motion
+  } rolling;
+};
+
+/// material.*, contact.*, kernel.*, grid.sizes, timing.repeats, steady.*, transient.*, cylinder.*:
+/// see the scene of the study.
+SpeedAccuracyParameters read_speed_accuracy(Scene& scene);
+
+/// Tables: runs (errors and work of all, failures included), fronts (runs that no other beats in
+/// both), cheapest (of given accuracies); and by measured time runs_timing, fronts_timing,
+/// cheapest_timing, rates_timing.
+std::vector<Table> speed_accuracy(const SpeedAccuracyParameters& parameters,
+                                  const Progress& progress);
+
+}  // namespace microslip::experiments

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/speed_accuracy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "microslip/scene/model.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
+#include "speed_accuracy_fronts.hpp"
+#include "speed_accuracy_problems.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+using Eigen::Index;
+
+Table runs_table(const std::vector<Run>& runs) {
+  std::vector<Column> columns = contestant_columns();
+  columns.push_back({"elements", "1", "N; unknowns of chebyshev"});
+  columns.insert(
+      columns.end(),
+      {{"force_error", "1", "steady: largest over the loads, relative"},
+       {"creep_error", "1",
+        "transient: cumulative creep after each step, root of the mean square, over the last"},
+       {"traction_error", "1", "integral of |p - exact| over the force; steady: largest"},
+       {"peak_error", "1",
+        "transient: height of the travelling peak over the exact one at the same nodes, less 1"},
+       {"energy_error", "1", "cylinder: what the balance misses over the energy turned over"},
+       {"motion_error", "1", "cylinder: velocity over the second half of the way"},
+       {"rounds", "1", "stick/slip partitions tried, systems solved, or steps of the cylinder"},
+       {"work", "1", "counted floating-point operations for a solution"},
+       {"status", "1", "ok, or why there is no result"}});
+  Table table("runs", "error and counted work of every scheme, solver and size", columns);
+  for (const Run& run : runs) {
+    std::vector<Cell> row = contestant_cells(run.contestant);
+    row.emplace_back(static_cast<double>(run.elements));
+    for (const double error : run.judgement.errors.values) row.emplace_back(error);
+    row.insert(row.end(),
+               {run.status == "ok" ? run.judgement.rounds : not_given, run.work, run.status});
+    table.add(row);
+  }
+  return table;
+}
+
+Table times_table(const std::vector<Run>& runs) {
+  std::vector<Column> columns = contestant_columns();
+  columns.push_back({"elements", "1", "N; unknowns of chebyshev"});
+  for (const char* quantity : quantity_names) {
+    columns.push_back({std::string(quantity) + "_error", "1", "as in runs"});
+  }
+  columns.insert(columns.end(), {{"work", "1", "counted operations"},
+                                 {"time", "s", "for a solution, least of the repeats"},
+                                 {"rate", "ns", "time for an operation"}});
+  Table table("runs_timing", "measured time of every run that succeeded", columns);
+  for (const Run& run : runs) {
+    if (run.status != "ok") continue;
+    std::vector<Cell> row = contestant_cells(run.contestant);
+    row.emplace_back(static_cast<double>(run.elements));
+    for (const double error : run.judgement.errors.values) row.emplace_back(error);
+    row.insert(row.end(), {run.work, run.time, 1e9 * run.time / run.work});
+    table.add(row);
+  }
+  return table;
+}
+
+}  // namespace
+
+SpeedAccuracyParameters read_speed_accuracy(Scene& scene) {
+  const Material material = read_material(scene);
+  const TractionBound bound = read_bound(scene);
+  const auto* polynomial = std::get_if<PolynomialBound>(&bound);
+  if (polynomial == nullptr) throw std::invalid_argument("missing key 'contact.bound_polynomial'");
+  const double a = polynomial->half_width();
+  const auto within = [&](const char* key, double above, double most) {
+    const std::vector<double> numbers = scene.numbers(key);
+    for (const double value : numbers) {
+      require(value > above && value <= most, key, value,
+              "numbers above " + format_short(above) + ", at most " + format_short(most));
+    }
+    return numbers;
+  };
+  const auto positive = [&](const char* key) {
+    const double value = scene.number(key);
+    require_positive(key, value);
+    return value;
+  };
+  const auto whole = [&](const char* key, double most) {
+    std::vector<Index> all;
+    for (const double value : within(key, 0, most)) {
+      require(value == std::round(value), key, value, "whole numbers");
+      all.push_back(static_cast<Index>(value));
+    }
+    return all;
+  };
+  const HertzBound hertz(a, polynomial->total() / full_sliding_force(HertzBound(a, 1)));
+  const double full = full_sliding_force(hertz);
+  SpeedAccuracyParameters p{
+      .bound = *polynomial,
+      .material = material,
+      .length = scene.number("kernel.length"),
+      .width = positive("kernel.width"),
+      .sizes = whole("grid.sizes", 200000),
+      .repeats = positive("timing.repeats"),
+      .steady = {.limit = {positive("steady.operations")},
+                 .stick_ratios = within("steady.stick_ratios", 0, 0.99),
+                 .step_ratios = within("steady.step_ratios", 0, 1),
+                 .unknowns = whole("steady.unknowns", 64)},
+      .transient = {.limit = {positive("transient.operations")},
+                    .bound = hertz,
+                    .force = full * within("transient.force_ratio", 0, 0.99).front(),
+                    .step_ratios = within("transient.step_ratios", 0, 1),
+                    .reference = scene.whole("transient.reference")},
+      .rolling = {.limit = {positive("cylinder.operations")},
+                  .cylinder = {.mass = scene.number("cylinder.mass"),
+                               .inertia = scene.number("cylinder.inertia"),
+                               .radius = scene.number("cylinder.radius"),
+                               .slope_force = scene.number("cylinder.slope_force")},
+                  .length = scene.number("cylinder.length"),
+                  .distance = positive("cylinder.distance"),
+                  .step_ratios = within("cylinder.step_ratios", 0, 4),
+                  .reference = scene.whole("cylinder.reference")}};
+  for (const Index n : p.sizes) {
+    require(n % 2 == 1 && n % 3 == 0, "grid.sizes", static_cast<double>(n),
+            "odd multiples of three");
+  }
+  require(std::ranges::is_sorted(p.sizes), "grid.sizes", static_cast<double>(p.sizes.front()),
+          "ascending numbers");
+  return p;
+}
+
+std::vector<Table> speed_accuracy(const SpeedAccuracyParameters& p, const Progress& progress) {
+  std::vector<Series> all;
+  for (const auto& contest : {steady_contest(p), transient_contest(p), cylinder_contest(p)}) {
+    all.insert(all.end(), contest.begin(), contest.end());
+  }
+  std::vector<Run> runs;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const std::vector<Run> more = runs_of(all[k], p.repeats);
+    runs.insert(runs.end(), more.begin(), more.end());
+    progress(k + 1, all.size());
+  }
+  const Cost work{"work", "1", "counted operations for a solution", &Run::work};
+  const Cost time{"time", "s", "measured, for a solution", &Run::time};
+  return {runs_table(runs),
+          fronts_table("fronts", work, runs),
+          cheapest_table("cheapest", work, runs),
+          times_table(runs),
+          fronts_table("fronts_timing", time, runs),
+          cheapest_table("cheapest_timing", time, runs)};
+}
+
+}  // namespace microslip::experiments

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "microslip/support/interpolation.hpp"
+#include "speed_accuracy_problems.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+struct Motion {
+  VectorXd position;  ///< after each step, and 0
+  VectorXd velocity;
+  EnergyLedger ledger;
+};
+
+Motion let_go(const SpeedAccuracyParameters& p, Index elements, const AdvectionScheme& scheme,
+              Integrator integrator, double step_ratio, Solver::Type type) {
+  const HertzBound& bound = p.transient.bound;
+  RollingCylinder body({.kernel = PlaneKernel(p.material, p.rolling.length),
+                        .bound = bound,
+                        .grid = Grid({.half_width = bound.half_width(), .elements = elements}),
+                        .basis = constant_basis(),
+                        .scheme = scheme,
+                        .solver = {.type = type}},
+                       p.rolling.cylinder, integrator, step_ratio);
+  std::vector<double> position{0}, velocity{0};
+  while (body.state().position < p.rolling.distance) {
+    body.step();
+    position.push_back(body.state().position);
+    velocity.push_back(body.state().velocity);
+  }
+  return {VectorXd::Map(position.data(), static_cast<Index>(position.size())),
+          VectorXd::Map(velocity.data(), static_cast<Index>(velocity.size())), body.ledger()};
+}
+
+/// Over the second half of the way: from rest the velocity grows as a square root.
+VectorXd velocities(const SpeedAccuracyParameters& p, const Motion& motion) {
+  constexpr Index places = 21;
+  const double end = p.rolling.distance;
+  return interpolated(motion.position, motion.velocity, VectorXd::LinSpaced(places, end / 2, end));
+}
+
+Judgement judge(const SpeedAccuracyParameters& p, const Motion& motion, const Motion& reference) {
+  const EnergyLedger& ledger = motion.ledger;
+  // With mean tractions on a grid fixed to the world, else with those at the end of each step.
+  const double missing = std::isnan(ledger.mean_dissipated) ? ledger.total() : ledger.mean_total();
+  const VectorXd exact = velocities(p, reference);
+  Judgement judgement;
+  judgement.errors[Quantity::energy] = std::abs(missing / ledger.potential);
+  judgement.errors[Quantity::motion] = (velocities(p, motion) - exact).norm() / exact.norm();
+  judgement.rounds = static_cast<double>(motion.position.size() - 1);
+  return judgement;
+}
+
+}  // namespace
+
+std::vector<Series> cylinder_contest(const SpeedAccuracyParameters& p) {
+  const auto reference = std::make_shared<const Motion>(let_go(
+      p, p.rolling.reference, MaterialFixed{}, Integrator::verlet, 1, Solver::Type::automatic));
+  const std::vector<std::pair<std::string, Integrator>> integrators{
+      {"verlet", Integrator::verlet},
+      {"leapfrog", Integrator::leapfrog},
+      {"midpoint", Integrator::midpoint}};
+  const std::vector<std::pair<std::string, AdvectionScheme>> frames{{"material", MaterialFixed{}},
+                                                                    {"direct", Direct{}}};
+  std::vector<Series> all;
+  for (const auto& [frame, scheme] : frames) {
+    for (const auto& [rule, integrator] : integrators) {
+      for (const auto type : {Solver::Type::dense, Solver::Type::fft}) {
+        for (const double c : p.rolling.step_ratios) {
+          const Solve solve = [=, advection = scheme, by = integrator](Index elements) {
+            return [=, motion = let_go(p, elements, advection, by, c, type)] {
+              return judge(p, motion, *reference);
+            };
+          };
+          all.push_back(
+              {{"cylinder", frame + " " + rule, frame == "material" ? "calibrated" : "standard",
+                "constant", c, name_of(type)},
+               p.sizes,
+               p.rolling.limit,
+               1,
+               solve});
+        }
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace microslip::experiments

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "microslip/experiments/claims.hpp"
+#include "microslip/experiments/speed_accuracy.hpp"
+#include "microslip/linalg/solver.hpp"
+
+namespace microslip::experiments {
+
+/// Who a run is; "none" or nan where something has no role.
+struct Contestant {
+  std::string problem;  ///< plane, strip, transient or cylinder
+  std::string scheme;
+  std::string edge;
+  std::string basis;
+  double step_ratio;
+  std::string solver;
+};
+
+enum class Quantity { force, creep, traction, peak, energy, motion };
+inline constexpr std::array quantity_names = {"force", "creep",  "traction",
+                                              "peak",  "energy", "motion"};
+
+/// Relative errors, nan where a problem does not have the quantity.
+struct Errors {
+  std::array<double, quantity_names.size()> values;
+
+  Errors() { values.fill(not_given); }
+  double& operator[](Quantity of) { return values[static_cast<std::size_t>(of)]; }
+};
+
+/// What a solution is worth; made after its time was taken.
+struct Judgement {
+  Errors errors;
+  double rounds = 0;  ///< partitions tried, or systems solved
+};
+
+/// Solves with N elements; calling the result judges.
+using Solve = std::function<std::function<Judgement()>(Eigen::Index elements)>;
+
+struct Series {
+  Contestant contestant;
+  std::vector<Eigen::Index> sizes;
+  WorkLimit limit;
+  double solutions;  ///< that a run consists of
+  Solve solve;
+};
+
+struct Run {
+  Contestant contestant;
+  Eigen::Index elements;
+  Judgement judgement;
+  double work = not_given;  ///< counted operations for a solution
+  double time = not_given;  ///< least of the repeats, for a solution  [s]
+  std::string status = "ok";
+};
+
+/// All sizes of a series, one after the other. What throws says so in its status; what is not run
+/// because it is expected to exceed the limit, too.
+std::vector<Run> runs_of(const Series& series, double repeats);
+
+/// Operations that a run is expected to take after those of smaller ones: it grows on as from the
+/// last but one to the last, at least as N, and from the first as N^2.
+double expected_work(const std::vector<double>& sizes, const std::vector<double>& work,
+                     double elements);
+
+std::string name_of(Solver::Type type);
+
+}  // namespace microslip::experiments
