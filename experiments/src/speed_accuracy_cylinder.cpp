@@ -60,7 +60,7 @@ Judgement judge(const SpeedAccuracyParameters& p, const Motion& motion, const Mo
 
 }  // namespace
 
-std::vector<Series> cylinder_contest(const SpeedAccuracyParameters& p) {
+std::vector<RunSeries> cylinder_contest(const SpeedAccuracyParameters& p) {
   const auto reference = std::make_shared<const Motion>(let_go(
       p, p.rolling.reference, MaterialFixed{}, Integrator::verlet, 1, Solver::Type::automatic));
   const std::vector<std::pair<std::string, Integrator>> integrators{
@@ -69,7 +69,7 @@ std::vector<Series> cylinder_contest(const SpeedAccuracyParameters& p) {
       {"midpoint", Integrator::midpoint}};
   const std::vector<std::pair<std::string, AdvectionScheme>> frames{{"material", MaterialFixed{}},
                                                                     {"direct", Direct{}}};
-  std::vector<Series> all;
+  std::vector<RunSeries> all;
   for (const auto& [frame, scheme] : frames) {
     for (const auto& [rule, integrator] : integrators) {
       for (const auto type : {Solver::Type::dense, Solver::Type::fft}) {

@@ -9,6 +9,10 @@ namespace microslip::experiments {
 
 namespace {
 
+/// Errors that differ by less than this part, or are below it, differ by rounding only.
+constexpr double rounding = 1e-13;
+constexpr double equal = 1e-6;
+
 constexpr std::array accuracies = {1e-2, 1e-3, 1e-4, 1e-6, 1e-9};
 
 /// A quantity of a problem, with the runs that have it, from cheap to dear: among all of them, or
@@ -110,8 +114,9 @@ Table fronts_table(const std::string& name, const Cost& cost, const std::vector<
   for (const Contest& contest : contests(cost, runs)) {
     double least = std::numeric_limits<double>::infinity();
     for (const Run* run : contest.runs) {
-      if (!(contest.error(*run) < least)) continue;
-      least = contest.error(*run);
+      const double error = std::max(contest.error(*run), rounding);
+      if (!(error < (1 - equal) * least)) continue;
+      least = error;
       std::vector<Cell> row{contest.problem, quantity_names[contest.quantity], contest.among};
       append(row, cells_of(contest, cost, *run));
       table.add(row);

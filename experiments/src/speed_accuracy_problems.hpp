@@ -7,12 +7,12 @@ namespace microslip::experiments {
 
 /// Steady rolling under prescribed creepages, against Chebyshev collocation: plane strain with all
 /// step ratios, and a strip with the first of them.
-std::vector<Series> steady_contest(const SpeedAccuracyParameters& p);
+std::vector<RunSeries> steady_contest(const SpeedAccuracyParameters& p);
 
 /// From a Cattaneo shift, under a constant force, against a fine grid fixed to the material.
-std::vector<Series> transient_contest(const SpeedAccuracyParameters& p);
+std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p);
 
 /// A cylinder from rest down a slope.
-std::vector<Series> cylinder_contest(const SpeedAccuracyParameters& p);
+std::vector<RunSeries> cylinder_contest(const SpeedAccuracyParameters& p);
 
 }  // namespace microslip::experiments

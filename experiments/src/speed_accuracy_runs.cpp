@@ -14,6 +14,9 @@ namespace microslip::experiments {
 
 namespace {
 
+/// A combination of a scheme with a basis or solver, of any size.
+const std::string not_there = "does not exist: ";
+
 /// Runs that take longer are not repeated  [s]
 constexpr double long_run = 2;
 
@@ -24,7 +27,7 @@ std::string with_two_digits(double value) {
 }
 
 /// The time, work and judgement of a run.
-void measure(const Series& series, double repeats, Run& run) {
+void measure(const RunSeries& series, double repeats, Run& run) {
   using Clock = std::chrono::steady_clock;
   double total = 0;
   do {
@@ -52,11 +55,16 @@ double expected_work(const std::vector<double>& sizes, const std::vector<double>
   return work[last] * std::pow(elements / sizes[last], std::clamp(power, 1.0, 3.0));
 }
 
-std::vector<Run> runs_of(const Series& series, double repeats) {
+std::vector<Run> runs_of(const RunSeries& series, double repeats) {
   std::vector<Run> runs;
   std::vector<double> sizes, work;
   for (const Eigen::Index elements : series.sizes) {
     Run run{series.contestant, elements, {}};
+    if (!runs.empty() && runs.back().status.starts_with(not_there)) {
+      run.status = runs.back().status;
+      runs.push_back(run);
+      continue;
+    }
     const auto n = static_cast<double>(elements);
     const double expected = expected_work(sizes, work, n);
     if (expected > series.limit.operations) {
@@ -65,17 +73,16 @@ std::vector<Run> runs_of(const Series& series, double repeats) {
       runs.push_back(run);
       continue;
     }
+    const WorkCount count;
     try {
       measure(series, repeats, run);
     } catch (const std::invalid_argument& error) {
-      run.status = std::string("does not exist: ") + error.what();
+      run.status = not_there + error.what();
     } catch (const NotConverged& error) {
       run.status = std::string("not converged: ") + error.what();
     }
-    if (run.status == "ok") {
-      sizes.push_back(n);
-      work.push_back(run.work);
-    }
+    sizes.push_back(n);
+    work.push_back(run.status == "ok" ? run.work : count.operations() / series.solutions);
     runs.push_back(run);
   }
   return runs;

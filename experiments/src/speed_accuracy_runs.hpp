@@ -43,7 +43,7 @@ struct Judgement {
 /// Solves with N elements; calling the result judges.
 using Solve = std::function<std::function<Judgement()>(Eigen::Index elements)>;
 
-struct Series {
+struct RunSeries {
   Contestant contestant;
   std::vector<Eigen::Index> sizes;
   WorkLimit limit;
@@ -62,7 +62,7 @@ struct Run {
 
 /// All sizes of a series, one after the other. What throws says so in its status; what is not run
 /// because it is expected to exceed the limit, too.
-std::vector<Run> runs_of(const Series& series, double repeats);
+std::vector<Run> runs_of(const RunSeries& series, double repeats);
 
 /// Operations that a run is expected to take after those of smaller ones: it grows on as from the
 /// last but one to the last, at least as N, and from the first as N^2.

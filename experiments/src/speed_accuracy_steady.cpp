@@ -126,7 +126,7 @@ Solve chebyshev_solve(const std::shared_ptr<const Problem>& problem) {
 }
 
 void add_problem(const SpeedAccuracyParameters& p, const std::shared_ptr<const Problem>& problem,
-                 const std::vector<double>& step_ratios, std::vector<Series>& all) {
+                 const std::vector<double>& step_ratios, std::vector<RunSeries>& all) {
   const auto loads = static_cast<double>(problem->truths.size());
   const auto add = [&](const Edge& edge, const Basis& basis, double c, Solver::Type type) {
     const Contestant who{problem->name, "collocation", edge.name, basis.name(), c, name_of(type)};
@@ -158,8 +158,8 @@ void add_problem(const SpeedAccuracyParameters& p, const std::shared_ptr<const P
 
 }  // namespace
 
-std::vector<Series> steady_contest(const SpeedAccuracyParameters& p) {
-  std::vector<Series> all;
+std::vector<RunSeries> steady_contest(const SpeedAccuracyParameters& p) {
+  std::vector<RunSeries> all;
   add_problem(p, make_problem(p, "plane", PlaneKernel(p.material, p.length)), p.steady.step_ratios,
               all);
   add_problem(p, make_problem(p, "strip", StripKernel(p.material, p.width)),

@@ -96,10 +96,10 @@ std::vector<Named> schemes() {
 
 }  // namespace
 
-std::vector<Series> transient_contest(const SpeedAccuracyParameters& p) {
+std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p) {
   const auto reference = std::make_shared<const Rolled>(roll(
       p, p.transient.reference, MaterialFixed{}, constant_basis(), 1, Solver::Type::automatic));
-  std::vector<Series> all;
+  std::vector<RunSeries> all;
   for (const auto& [name, scheme] : schemes()) {
     for (const auto type : {Solver::Type::dense, Solver::Type::fft}) {
       for (const char* basis : {"constant", "linear", "quadratic"}) {

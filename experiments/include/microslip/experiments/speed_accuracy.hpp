@@ -56,8 +56,8 @@ struct SpeedAccuracyParameters {
 SpeedAccuracyParameters read_speed_accuracy(Scene& scene);
 
 /// Tables: runs (errors and work of all, failures included), fronts (runs that no other beats in
-/// both), cheapest (of given accuracies); and by measured time runs_timing, fronts_timing,
-/// cheapest_timing, rates_timing.
+/// both), cheapest (of given accuracies), claims; and by measured time runs_timing, fronts_timing,
+/// cheapest_timing.
 std::vector<Table> speed_accuracy(const SpeedAccuracyParameters& parameters,
                                   const Progress& progress);
 

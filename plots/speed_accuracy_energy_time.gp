@@ -1,0 +1,11 @@
+# A cylinder from rest down a slope: balance of energy, and its motion, against measured time.
+cost = "time"
+problems = "cylinder cylinder"
+quantities = "energy motion"
+titles = "'missing energy' 'velocity'"
+errors = "'relative error [1]' ''"
+names = "'direct verlet' 'direct midpoint' 'material verlet' 'direct leapfrog' 'material midpoint' 'material leapfrog'"
+labels = names
+bases = ""
+front = "all"
+load scripts."/speed_accuracy.gpi"

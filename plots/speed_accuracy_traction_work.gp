@@ -1,0 +1,11 @@
+# Error of the tractions against counted work.
+cost = "work"
+problems = "plane strip"
+quantities = "traction traction"
+titles = "'plane strain' 'strip of one contact length'"
+errors = "'largest error of the tractions, 1-norm [1]' ''"
+names = "standard exact calibrated trimmed aligned chebyshev"
+labels = names
+bases = "linear quadratic 'trimmed linear'"
+front = "elements"
+load scripts."/speed_accuracy.gpi"

@@ -1,0 +1,11 @@
+# From a Cattaneo shift over a third of the contact: errors against counted work.
+cost = "work"
+problems = "transient transient transient"
+quantities = "creep traction peak"
+titles = "'cumulative creep' 'tractions, 1-norm' 'height of the travelling peak'"
+errors = "'relative error [1]' '' ''"
+names = "direct relaxed material relaxed_traction fractional"
+labels = "direct relaxed material 'relaxed traction' fractional"
+bases = "linear quadratic"
+front = "all"
+load scripts."/speed_accuracy.gpi"
