@@ -51,9 +51,10 @@ Table times_table(const std::vector<Run>& runs) {
   for (const char* quantity : quantity_names) {
     columns.push_back({std::string(quantity) + "_error", "1", "as in runs"});
   }
-  columns.insert(columns.end(), {{"work", "1", "counted operations"},
-                                 {"time", "s", "for a solution, least of the repeats"},
-                                 {"rate", "ns", "time for an operation"}});
+  columns.insert(columns.end(),
+                 {{"work", "1", "counted operations"},
+                  {"time", "s", "of the processor, for a solution, least of the repeats"},
+                  {"rate", "ns", "time for an operation"}});
   Table table("runs_timing", "measured time of every run that succeeded", columns);
   for (const Run& run : runs) {
     if (run.status != "ok") continue;
@@ -171,7 +172,7 @@ std::vector<Table> speed_accuracy(const SpeedAccuracyParameters& p, const Progre
     progress(k + 1, all.size());
   }
   const Cost work{"work", "1", "counted operations for a solution", &Run::work};
-  const Cost time{"time", "s", "measured, for a solution", &Run::time};
+  const Cost time{"time", "s", "of the processor, for a solution", &Run::time};
   return {runs_table(runs),
           fronts_table("fronts", work, runs),
           cheapest_table("cheapest", work, runs),
