@@ -123,7 +123,7 @@ class AllocationsOfAScheme : public testing::TestWithParam<Case> {
     EXPECT_EQ(allocations_between_steps(rolling, 50, length, force), 0);
     EXPECT_EQ(stick_zones(rolling.state()), zones);
     const PrescribedCreepage creepage{rolling.state().creepage};
-    allocations_between_steps(rolling, 50, length, creepage);
+    allocations_between_steps(rolling, warm_up, length, creepage);
     EXPECT_EQ(allocations_between_steps(rolling, 50, length, creepage), 0);
   }
 };
@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(Schemes, AllocationsOfAScheme,
                                          Case{"relaxed_traction", RelaxedTraction{1}, 0.3},
                                          Case{"material", MaterialFixed{}, 1},
                                          Case{"material, c = 0.3", MaterialFixed{}, 0.3},
-                                         Case{"material, c = 0.05", MaterialFixed{}, 0.05},
+                                         Case{"material, c = 0.1", MaterialFixed{}, 0.1},
                                          Case{"material, c = 2.5", MaterialFixed{}, 2.5}));
 
 }  // namespace
