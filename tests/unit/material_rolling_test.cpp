@@ -278,5 +278,23 @@ TEST(MaterialRolling, ValuesAtTheNodesAreThoseOfTheTraction) {
   }
 }
 
+// Rounding of the distance would split each of them in two, after some ten thousand.
+TEST(MaterialRolling, ManyStepsOfWholeElementsStayWhole) {
+  const Eigen::Index n = 20;
+  TransientRolling rolling({.kernel = PlaneKernel({1, 0.28}, 200),
+                            .bound = HertzBound(1, 1),
+                            .grid = Grid({.half_width = 1, .elements = n}),
+                            .basis = constant_basis(),
+                            .scheme = MaterialFixed{}},
+                           CattaneoShift{-1});
+  for (int step = 0; step < 30000; ++step) {
+    rolling.step(2.0 / n * 1.3, PrescribedForce{-1});
+    rolling.step(2.0 / n * 0.7, PrescribedForce{-1});
+  }
+  EXPECT_NEAR(rolling.state().distance, 60000 * 2.0 / n, 1e-10);
+  rolling.step(2.0 / n, PrescribedForce{-1});
+  EXPECT_EQ(rolling.state().iterations, 1);
+}
+
 }  // namespace
 }  // namespace microslip

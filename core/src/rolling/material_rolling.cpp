@@ -145,7 +145,10 @@ void MaterialRolling::step(const MaterialState& from, double length, const Load&
   step.dissipation = 0;
   step.mean_dissipation = 0;
   step.mean_force = 0;
-  const double end = from.distance + length;
+  // Compensated, or steps of whole elements would be split after some ten thousand.
+  const double added = length - from.distance_error;
+  const double end = from.distance + added;
+  const double error = (end - from.distance) - added;
   double rest = length;
   for (double next = from.entered + 1; end / window_.spacing() - next > MaterialWindow::rounding;
        ++next) {
@@ -154,6 +157,7 @@ void MaterialRolling::step(const MaterialState& from, double length, const Load&
     rest -= part;
   }
   roll_part(step, rest, end, load);
+  step.end.distance_error = error;
   step.mean_force /= length;
 }
 

@@ -238,6 +238,7 @@ VectorXd TransientRolling::displacement() const {
 void TransientRolling::move_to(double distance) {
   state_.distance = distance;
   material_state_.distance = distance;
+  material_state_.distance_error = 0;
 }
 
 double TransientRolling::elastic_energy() const {

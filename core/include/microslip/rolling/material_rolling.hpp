@@ -39,8 +39,9 @@ class Approach {
 
 /// What a step on a grid that is fixed to the material starts from.
 struct MaterialState {
-  double distance = 0;  ///< rolled  [mm]
-  double entered = 0;   ///< nodes, since the start
+  double distance = 0;        ///< rolled  [mm]
+  double distance_error = 0;  ///< what rounding added to it  [mm]
+  double entered = 0;         ///< nodes, since the start
 
   /// At the nodes of the window; zones are slip where there is no bound. Slip and creepage are
   /// displacements [mm], summed over the parts of the step that led here, and so are the partitions
