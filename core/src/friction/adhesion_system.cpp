@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "microslip/linalg/index_view.hpp"
-#include "microslip/support/not_converged.hpp"
 #include "microslip/support/work.hpp"
 
 namespace microslip {
@@ -136,27 +135,17 @@ void AdhesionSystem::factorise() {
   border(left_out);
 }
 
-/// False where the block is small, or, if the solver may choose, next to singular: for c -> 0 a
-/// difference of influence coefficients turns antisymmetric, and LU with pivots keeps more digits.
-bool AdhesionSystem::invert_block(const std::vector<Index>& elements) {
-  if (!block_ || base_.size() <= small_base) return false;
-  try {
-    block_->choose(elements);
-    block_->solve(VectorXd::Ones(static_cast<Index>(elements.size())), unit_slip_);
-  } catch (const NotConverged&) {
-    if (solver_.type == Solver::Type::fft || size() > Solver::most_dense) throw;
-    return false;
-  }
-  base_weights_ = weights_(elements);
-  factors_rcond_ = 1;
-  return true;
-}
-
 void AdhesionSystem::factorise_base() {
   const Index stuck = static_cast<Index>(base_.size()) - 1;
   const std::vector<Index> elements(base_.begin(), base_.end() - 1);
-  by_block_ = invert_block(elements);
-  if (by_block_) return;
+  by_block_ = block_.has_value() && base_.size() > small_base;
+  if (by_block_) {
+    block_->choose(elements);
+    block_->solve(VectorXd::Ones(stuck), unit_slip_);
+    base_weights_ = weights_(elements);
+    factors_rcond_ = 1;
+    return;
+  }
   MatrixXd matrix(stuck + 1, stuck + 1);
   matrix.topLeftCorner(stuck, stuck) = response_.block(elements);
   for (Index k = 0; k <= stuck; ++k) {

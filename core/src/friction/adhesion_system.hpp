@@ -73,7 +73,6 @@ class AdhesionSystem {
   double entry(Index i, Index j) const;
 
   void factorise();
-  bool invert_block(const std::vector<Index>& elements);
   void factorise_base();
   void border(const std::vector<Index>& arrivals);
   void factorise_schur();
