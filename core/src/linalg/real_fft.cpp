@@ -13,7 +13,8 @@ namespace microslip {
 
 using Eigen::Index;
 
-/// They are never destroyed: there are few sizes, and threads may outlive main().
+/// They are never destroyed: there are few sizes, and threads may outlive main(). Nor is the map
+/// that holds them, or they would count as lost.
 struct RealFftPlans {
   fftw_plan forward;
   fftw_plan backward;
@@ -35,7 +36,7 @@ double work_of(Index size) {
 /// at a time only.
 const RealFftPlans* plans_for(Index size, double* values, fftw_complex* spectrum) {
   static std::mutex mutex;
-  static std::map<Index, RealFftPlans> known;
+  static auto& known = *new std::map<Index, RealFftPlans>;
   const std::lock_guard lock(mutex);
   const auto [place, is_new] = known.try_emplace(size);
   if (is_new) {
