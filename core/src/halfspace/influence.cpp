@@ -184,21 +184,25 @@ Eigen::MatrixXd influence_difference_matrix(const Kernel& kernel, const Basis& b
 
 namespace {
 
-/// \param toeplitz_of  of a shape, \param dense  of the basis
+/// \param toeplitz_of  of a shape
 template <class ToeplitzOf>
 SquareMatrix arranged(const Basis& basis, Eigen::Index n, const Solver& solver,
                       const ToeplitzOf& toeplitz_of) {
-  const bool equal = basis.shapes().size() == 1;
-  if (!equal && solver.type == Solver::Type::fft) {
-    throw std::invalid_argument("solver.type = 'fft': expected auto or dense for basis = '" +
-                                basis.name() + "', the functions of which are not all equal");
-  }
-  if (equal && by_fft(solver, n)) return toeplitz_of(basis.shapes().front());
+  if (by_fft(solver, basis, n)) return toeplitz_of(basis.shapes().front());
   require_dense(n);
   return assemble(basis, n, toeplitz_of);
 }
 
 }  // namespace
+
+bool by_fft(const Solver& solver, const Basis& basis, Eigen::Index n) {
+  const bool equal = basis.shapes().size() == 1;
+  if (!equal && solver.type == Solver::Type::fft) {
+    throw std::invalid_argument("solver.type = 'fft': expected auto or dense for basis = '" +
+                                basis.name() + "', the functions of which are not all equal");
+  }
+  return equal && by_fft(solver, n);
+}
 
 SquareMatrix influence_operator(const Kernel& kernel, const Basis& basis, double spacing,
                                 Eigen::Index n, const Solver& solver) {
@@ -216,7 +220,13 @@ SquareMatrix influence_difference_operator(const Kernel& kernel, const Basis& ba
 }
 
 SquareMatrix strain_operator(const Kernel& kernel, const Basis& basis, double spacing,
-                             Eigen::Index n, double step_ratio, const Solver& solver) {
+                             Eigen::Index n, double step_ratio, const Solver& wanted) {
+  constexpr double least_step_ratio = 0.01;
+  Solver solver = wanted;
+  const bool chooses = wanted.type == Solver::Type::automatic;
+  if (chooses && step_ratio < least_step_ratio && n <= Solver::most_dense) {
+    solver.type = Solver::Type::dense;
+  }
   return arranged(basis, n, solver, [&](const ShapeFunction& shape) {
     return influence_difference_toeplitz(kernel, shape, spacing, n, step_ratio)
         .times(1 / (step_ratio * spacing));

@@ -28,22 +28,9 @@ namespace {
 /// stick zone.
 constexpr double another_zone = 1e-3;
 
-/// For c -> 0 a difference of influence coefficients turns antisymmetric, which is singular for an
-/// odd number of elements in adhesion: then LU with pivots keeps more digits than GMRES.
-Solver solver_for(const SteadyProblem& problem, double step_ratio) {
-  constexpr double least_step_ratio = 0.01;
-  Solver solver = problem.solver;
-  const bool chooses = solver.type == Solver::Type::automatic;
-  if (chooses && step_ratio < least_step_ratio && problem.grid.size() <= Solver::most_dense) {
-    solver.type = Solver::Type::dense;
-  }
-  return solver;
-}
-
 /// -du/dx of the tractions, the last row of which may have been replaced.
 SquareMatrix strain_of(const SteadyProblem& problem, const Differences& differences) {
-  const auto& [kernel, bound, grid, basis, method, load, wanted] = problem;
-  const Solver solver = solver_for(problem, differences.step_ratio);
+  const auto& [kernel, bound, grid, basis, method, load, solver] = problem;
   const Index n = grid.size();
   const double dx = grid.spacing();
   if (!differences.edge_displacement) {

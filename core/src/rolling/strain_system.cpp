@@ -2,7 +2,6 @@
 #include "strain_system.hpp"
 
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 #include "microslip/halfspace/influence.hpp"
@@ -46,15 +45,10 @@ void StrainSystem::assemble(double spacing) {
   if (known) return;
   spacing_ = spacing;
   const double unit = 1 / (spacing * compliance(material_of(kernel_)));
-  const bool equal = basis_.shapes().size() == 1;
-  if (!equal && solver_.type == Solver::Type::fft) {
-    throw std::invalid_argument("solver.type = 'fft': expected auto or dense for basis = '" +
-                                basis_.name() + "', the functions of which are not all equal");
-  }
   const auto toeplitz_of = [&](const ShapeFunction& shape) {
     return influence_difference_toeplitz(kernel_, shape, spacing, elements_ + 1, 1).times(unit);
   };
-  if (equal && by_fft(solver_, elements_)) {
+  if (by_fft(solver_, basis_, elements_)) {
     matrix_ = toeplitz_of(basis_.shapes().front());
     return;
   }

@@ -54,10 +54,12 @@ Eigen::MatrixXd influence_matrix(const Kernel& kernel, const Basis& basis, doubl
 Eigen::MatrixXd influence_difference_matrix(const Kernel& kernel, const Basis& basis,
                                             double spacing, Eigen::Index n, double step_ratio);
 
-// The same arranged for a solver: Toeplitz where all functions are equal and the solver takes FFT,
-// else all entries.
-// \throws std::invalid_argument if FFT is asked for other functions, or n is too large for all
-//                               entries
+/// Whether FFT is for these coefficients: where all functions are equal, if the solver says so.
+/// \throws std::invalid_argument if it is asked for other functions
+bool by_fft(const Solver& solver, const Basis& basis, Eigen::Index n);
+
+// Coefficients arranged for a solver: Toeplitz if by_fft(), else all entries.
+// \throws std::invalid_argument as by_fft(), or if n is too large for all entries
 
 SquareMatrix influence_operator(const Kernel& kernel, const Basis& basis, double spacing,
                                 Eigen::Index n, const Solver& solver);
@@ -65,7 +67,9 @@ SquareMatrix influence_operator(const Kernel& kernel, const Basis& basis, double
 SquareMatrix influence_difference_operator(const Kernel& kernel, const Basis& basis, double spacing,
                                            Eigen::Index n, double step_ratio, const Solver& solver);
 
-/// (A - A')/dq, the negative of the strain by differences over dq  [mm^2/N]
+/// (A - A')/dq, the negative of the strain by differences over dq  [mm^2/N]. For c -> 0 it turns
+/// antisymmetric, and so singular for an odd number of elements in adhesion: below c = 0.01 a
+/// solver that may choose takes all entries, as LU with pivots keeps more digits than GMRES.
 SquareMatrix strain_operator(const Kernel& kernel, const Basis& basis, double spacing,
                              Eigen::Index n, double step_ratio, const Solver& solver);
 
