@@ -7,10 +7,9 @@
 
 namespace microslip {
 
-/// Solves A x = double residual;  ///< |b - A x| / |b| as the iteration knows it, without rounding
-/// without assembling anything: GMRES (Saad and Schultz 1986), preconditioned from the right, with
-/// the preconditioned directions kept (Saad 1993), so that an iteration costs one preconditioning.
-/// Never restarted: it is for preconditioners that need few iterations.
+/// Solves A x = b without assembling anything: GMRES (Saad and Schultz 1986), preconditioned from
+/// the right, with the preconditioned directions kept (Saad 1993), so that an iteration costs one
+/// preconditioning. Never restarted: it is for preconditioners that need few iterations.
 class Gmres {
  public:
   /// y = matrix times x; y has the size of x.
