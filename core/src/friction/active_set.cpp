@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "adhesion_system.hpp"
 #include "microslip/support/format.hpp"
@@ -24,9 +25,6 @@ constexpr double tolerance = 1e-12;
 
 /// Of what relieves a violation, so that not all end at once.
 constexpr double margin = 0.1;
-
-/// How often the block exchange may release one element before it counts as unsettled.
-constexpr int release_limit = 1;
 
 /// A good partition to start from is fewer exchanges away.
 constexpr int most_exchanges_from_given = 60;
@@ -153,15 +151,15 @@ class ContactSearch {
            wrong_slip(zone(i), response_.slip[i]) > tolerance * slip_scale_;
   }
 
-  /// Thesis 3.1.1; false if the partitions do not settle.
+  /// Thesis 3.1.1; false if the partitions do not settle: an element is to be released again.
   bool exchange_blocks() {
-    releases_.assign(zones_.size(), 0);
+    released_.assign(zones_.size(), 0);
     while (carries_load()) {
       respond();
       bool released = false;
       for (Index i = 0; i < size(); ++i) {
         if (!above_bound(i)) continue;
-        if (++releases_[static_cast<std::size_t>(i)] > release_limit) return false;
+        if (std::exchange(released_[static_cast<std::size_t>(i)], 1) != 0) return false;
         zone(i) = slip_zone(response_.traction[i]);
         released = true;
       }
@@ -178,19 +176,20 @@ class ContactSearch {
   }
 
   struct Exchange {
-    double height;
+    double part;
     Index element;
     Zone zone;
   };
 
-  /// The first exchange on the way down from the bound g + height, on which traction and slip are
-  /// those of g plus height times `rise`. The element of the last one cannot be the next.
-  std::optional<Exchange> next_exchange(const SlipConditions& higher, const Response& rise,
+  /// The first exchange on the way on which the part of a relief that is left falls to zero, and
+  /// traction and slip are the response plus that part of `rise`. The element of the last one
+  /// cannot be the next.
+  std::optional<Exchange> next_exchange(const SlipConditions& relief, const Response& rise,
                                         Index last) const {
     std::optional<Exchange> next;
     const auto consider = [&](double violation, double slope, double scale, Index i, Zone to) {
       if (slope <= 0 || violation <= tolerance * scale) return;
-      if (!next || violation > slope * next->height) next = {violation / slope, i, to};
+      if (!next || violation > slope * next->part) next = {violation / slope, i, to};
     };
     for (Index i = 0; i < size(); ++i) {
       if (i == last || conditions_->bound[i] <= 0) continue;
@@ -202,7 +201,7 @@ class ContactSearch {
       for (const Zone to : {Zone::slip_negative, Zone::slip_positive}) {
         const double s = static_cast<double>(to);
         consider(s * response_.traction[i] - conditions_->bound[i],
-                 higher.bound[i] - s * rise.traction[i], bound_scale_, i, to);
+                 relief.bound[i] - s * rise.traction[i], bound_scale_, i, to);
       }
     }
     return next;
@@ -230,42 +229,42 @@ class ContactSearch {
     return relief;
   }
 
-  /// From the bounds and offsets of a partition's relief down to the given ones. False if the end
-  /// is not reached in so many exchanges.
+  /// From a partition that the system follows, with its relief, to the given bounds and offsets.
+  /// False if the end is not reached in so many exchanges.
   bool follow_path(const SlipConditions& relief, Index most_exchanges) {
     const Index limit = iterations_ + most_exchanges;
-    for (Index last = -1; carries_load();) {
-      respond();
+    for (Index last = -1; iterations_ < limit;) {
       answer(relief, 0, rise_);
       const auto next = next_exchange(relief, rise_, last);
       if (!next) return largest_violation() <= acceptable_violation;
-      if (iterations_ >= limit) return false;
       zone(next->element) = next->zone;
       last = next->element;
+      if (!carries_load()) return false;
+      respond();
     }
     return false;
   }
 
-  /// Where there is no bound, elements slip.
-  void start_from(const std::vector<Zone>& first) {
+  /// Where there is no bound, elements slip. False if none is left to carry the load.
+  bool start_from(const std::vector<Zone>& first) {
     zones_ = first;
     for (Index i = 0; i < size(); ++i) {
       if (conditions_->bound[i] <= 0 && zone(i) == Zone::adhesion) zone(i) = Zone::slip_positive;
     }
+    if (!carries_load()) return false;
+    respond();
+    return true;
   }
 
   bool follow_path_from(const std::vector<Zone>& first) {
-    start_from(first);
-    if (!carries_load()) return false;
-    respond();
-    return follow_path(relieved(), most_exchanges_from_given);
+    return start_from(first) && follow_path(relieved(), most_exchanges_from_given);
   }
 
   bool follow_path_from_adhesion() {
-    start_from(std::vector<Zone>(zones_.size(), Zone::adhesion));
     SlipConditions higher = unchanged();
     higher.bound = (conditions_->bound.array() > 0).cast<double>();
-    return follow_path(higher, 20 * size() + 100);
+    return start_from(std::vector<Zone>(zones_.size(), Zone::adhesion)) &&
+           follow_path(higher, 20 * size() + 100);
   }
 
   double largest_violation() const {
@@ -289,7 +288,7 @@ class ContactSearch {
   double bound_scale_ = 0;
   double slip_scale_ = 0;
   std::vector<Zone> zones_;
-  std::vector<int> releases_;
+  std::vector<char> released_;  ///< by the block exchange
   Response response_;
   Response rise_;  ///< of the path
   AdhesionSystem::Unknowns unknowns_;

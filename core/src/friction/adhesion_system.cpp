@@ -41,7 +41,6 @@ AdhesionSystem::AdhesionSystem(SquareMatrix response, VectorXd weights, const So
       stuck_(to_size(size() + 1), 0),
       position_(to_size(size() + 1), -1) {
   stuck_.back() = 1;
-  force_prescribed_ = true;
   if (const Toeplitz* toeplitz = response_.toeplitz()) {
     if (toeplitz->is_symmetric()) constant_ = -(*toeplitz)(size() - 1, 0);
     block_.emplace(toeplitz->plus(constant_), 1e-3 * solver.tolerance);

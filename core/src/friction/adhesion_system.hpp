@@ -88,7 +88,7 @@ class AdhesionSystem {
   Solver solver_;
   double scale_;  ///< makes the added row and column as large as the others
   double force_scale_;
-  bool force_prescribed_ = false;
+  bool force_prescribed_ = true;
   std::optional<SoftElement> soft_;
 
   std::vector<char> stuck_;      ///< the unknowns; the creepage always is one
