@@ -24,11 +24,6 @@ constexpr Index shown_nodes = 100;
 constexpr Index fewest_elements = 16;
 constexpr Index most_elements = 1 << 20;
 
-void require_target(double target) {
-  require(target >= finest_target && target <= coarsest_target, "target_error", target,
-          "a number in [1e-11, 0.1]");
-}
-
 SteadyProblem problem_of(const SteadyContact& contact, Index elements, const SteadyMethod& method) {
   return {.kernel = contact.kernel,
           .bound = contact.bound,
@@ -39,8 +34,7 @@ SteadyProblem problem_of(const SteadyContact& contact, Index elements, const Ste
 }
 
 /// What is not prescribed.
-template <class Solution>
-double answer(const Load& load, const Solution& solution) {
+double answer(const Load& load, const ChebyshevSolution& solution) {
   return std::holds_alternative<PrescribedForce>(load) ? solution.creepage() : solution.force();
 }
 
@@ -53,12 +47,11 @@ double relative(double difference, double value) {
 }
 
 /// Rounding is estimated from what other numbers of unknowns make of it, and so is truncation.
-double chebyshev_error(const SteadyContact& contact, Index unknowns) {
+double chebyshev_error(const SteadyContact& contact, Index unknowns, double found) {
   const auto value = [&](Index n) {
     return answer(contact.load,
                   ChebyshevRolling(contact.kernel, contact.bound, n).solve(contact.load));
   };
-  const double found = value(unknowns);
   double largest = 0;
   for (const Index more : {3, 6, 9}) {
     largest = std::max(largest, std::abs(value(unknowns + more) - found));
@@ -73,8 +66,9 @@ std::optional<EstimatedSteady> by_chebyshev(const SteadyContact& contact) {
     const Index unknowns = ChebyshevRolling(contact.kernel, contact.bound).unknowns();
     if (unknowns > most_compared) return std::nullopt;
     const SteadyProblem problem = problem_of(contact, shown_nodes, ChebyshevCollocation{});
-    return EstimatedSteady{problem, solve_steady(problem), unknowns,
-                           chebyshev_error(contact, unknowns)};
+    const SteadySolution solution = solve_steady(problem);
+    return EstimatedSteady{problem, solution, unknowns,
+                           chebyshev_error(contact, unknowns, answer(contact.load, solution))};
   } catch (const NotConverged&) {
   } catch (const std::invalid_argument&) {
   }
@@ -83,14 +77,19 @@ std::optional<EstimatedSteady> by_chebyshev(const SteadyContact& contact) {
 
 }  // namespace
 
+void require_target_error(double target) {
+  require(target >= finest_target && target <= coarsest_target, "target_error", target,
+          "a number in [1e-11, 0.1]");
+}
+
 EstimatedSteady solve_steady_to(const SteadyContact& contact, double target) {
-  require_target(target);
+  require_target_error(target);
   std::optional<EstimatedSteady> found = by_chebyshev(contact);
   return found && found->error <= target ? *found : estimate_by_elements(contact, target);
 }
 
 EstimatedSteady estimate_by_elements(const SteadyContact& contact, double target) {
-  require_target(target);
+  require_target_error(target);
   Index elements = fewest_elements;
   for (;;) {
     const SteadyProblem problem = problem_of(contact, elements, Calibrated{});

@@ -225,8 +225,7 @@ SteadyTarget read_steady_target(Scene& scene) {
     }
   }
   const double target = scene.number("target_error");
-  require(target >= finest_target && target <= coarsest_target, "target_error", target,
-          "a number in [1e-11, 0.1]");
+  require_target_error(target);
   const Material material = read_material(scene);
   const TractionBound bound = read_bound(scene);
   const Kernel kernel = read_kernel(scene, material);

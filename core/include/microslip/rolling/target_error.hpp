@@ -26,6 +26,9 @@ struct EstimatedSteady {
 inline constexpr double coarsest_target = 0.1;
 inline constexpr double finest_target = 1e-11;
 
+/// \throws std::invalid_argument outside them
+void require_target_error(double target);
+
 /// By what is cheapest in the study speed_accuracy: Chebyshev collocation where the bound is
 /// smooth, the strip wide enough and one zone sticks; else as estimate_by_elements(). \param target
 /// in [1e-11, 0.1]  [1] \throws std::invalid_argument for loads and targets out of their ranges
