@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-
 #include "bench.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/require.hpp"
@@ -8,17 +6,6 @@
 namespace microslip::bench {
 
 namespace {
-
-Sizes read_sizes(Scene& scene, const std::string& key) {
-  Sizes sizes;
-  for (const double size : scene.numbers(key)) {
-    require(
-        size >= 2 && size <= static_cast<double>(Grid::max_elements) && std::floor(size) == size,
-        key, size, "whole numbers from 2 to 4e6");
-    sizes.push_back(static_cast<Eigen::Index>(size));
-  }
-  return sizes;
-}
 
 Timing read_timing(Scene& scene) {
   const double least_time = scene.number("timing.least_time");
@@ -40,18 +27,19 @@ BenchParameters read_bench(Scene& scene) {
   const PlaneKernel plane(material, scene.number("kernel.length"));
   const double part = scene.number("load.part");
   require(part > 0 && part < 1, "load.part", part, "a number in (0, 1)");
+  const auto sizes = [&](const char* key) { return scene.wholes(key, 2, Grid::max_elements); };
   return {.bound = bound,
           .kernels = {{"strip", strip}, {"plane", plane}},
           .force = {-part * bound.total()},
           .creepage = {scene.number("load.creepage")},
           .tolerance = scene.number("solve.tolerance"),
-          .parts = read_sizes(scene, "sizes.parts"),
-          .steady = read_sizes(scene, "sizes.steady"),
-          .points = read_sizes(scene, "sizes.points"),
-          .unknowns = read_sizes(scene, "sizes.unknowns"),
-          .step = read_sizes(scene, "sizes.step"),
-          .rolling = read_sizes(scene, "sizes.rolling"),
-          .memory = read_sizes(scene, "sizes.memory"),
+          .parts = sizes("sizes.parts"),
+          .steady = sizes("sizes.steady"),
+          .points = sizes("sizes.points"),
+          .unknowns = sizes("sizes.unknowns"),
+          .step = sizes("sizes.step"),
+          .rolling = sizes("sizes.rolling"),
+          .memory = sizes("sizes.memory"),
           .dense_product = scene.whole("dense.product"),
           .dense_solve = scene.whole("dense.solve"),
           .dense_steady = scene.whole("dense.steady"),

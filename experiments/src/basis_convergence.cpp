@@ -42,15 +42,14 @@ BasisConvergenceParameters read_basis_convergence(Scene& scene) {
   BasisConvergenceParameters parameters{.material = material,
                                         .length = scene.number("kernel.length"),
                                         .bound = bound,
-                                        .sizes = {},
+                                        .sizes = scene.wholes("grid.sizes", 3, 10000),
                                         .leading_offset = scene.number("grid.leading_offset", 1),
                                         .trailing_offset = scene.number("grid.trailing_offset", 1),
                                         .step_ratio = scene.number("step.ratio", 1),
                                         .stick_ratio = scene.number("load.stick_ratio")};
-  for (const double size : scene.numbers("grid.sizes")) {
-    require(size >= 3 && size <= 10000 && std::fmod(size, 2) == 1, "grid.sizes", size,
-            "odd whole numbers in [3, 10000], so that a node lies at the centre");
-    parameters.sizes.push_back(static_cast<Eigen::Index>(size));
+  for (const Eigen::Index size : parameters.sizes) {
+    require(size % 2 == 1, "grid.sizes", static_cast<double>(size),
+            "odd numbers, so that a node lies at the centre");
   }
   require(parameters.sizes.size() > 1, "grid.sizes", static_cast<double>(parameters.sizes.size()),
           "at least two sizes");

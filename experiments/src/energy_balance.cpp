@@ -280,11 +280,7 @@ Table claims_of(const Tables& tables, double period) {
 
 EnergyBalanceParameters read_energy_balance(Scene& scene) {
   const auto sizes = [&](const char* key) {
-    std::vector<Index> all;
-    for (const double value : scene.numbers(key)) {
-      require(value == std::round(value) && value >= 2, key, value, "whole numbers >= 2");
-      all.push_back(static_cast<Index>(value));
-    }
+    std::vector<Index> all = scene.wholes(key, 2, Grid::max_elements);
     require(all.size() >= 3, key, static_cast<double>(all.size()), "at least three sizes");
     return all;
   };

@@ -181,18 +181,12 @@ FourierInverseParameters read_fourier_inverse(Scene& scene) {
                .spacing = scene.number("grid.spacing"),
                .elements = scene.whole("grid.elements"),
                .step_ratios = scene.numbers("step.ratios"),
-               .sizes = {}};
-  const auto require_size = [](const char* key, double n) {
-    require(n >= 4 && n <= 10000 && std::floor(n) == n, key, n, "whole numbers in [4, 10000]");
-  };
+               .sizes = scene.wholes("grid.sizes", 4, 10000)};
   require_positive("grid.spacing", p.spacing);
-  require_size("grid.elements", static_cast<double>(p.elements));
+  require(p.elements >= 4 && p.elements <= 10000, "grid.elements", static_cast<double>(p.elements),
+          "a whole number from 4 to 10000");
   for (const double c : p.step_ratios) {
     require(c >= min_step_ratio, "step.ratios", c, "numbers >= 1e-15");
-  }
-  for (const double n : scene.numbers("grid.sizes")) {
-    require_size("grid.sizes", n);
-    p.sizes.push_back(static_cast<Index>(n));
   }
   return p;
 }

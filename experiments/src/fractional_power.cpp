@@ -194,22 +194,14 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const CostTabl
 }  // namespace
 
 FractionalPowerParameters read_fractional_power(Scene& scene) {
-  const auto whole_numbers = [&](const char* key) {
-    std::vector<Index> all;
-    for (const double value : scene.numbers(key)) {
-      require(is_whole(value) && value > 0, key, value, "whole numbers > 0");
-      all.push_back(static_cast<Index>(value));
-    }
-    return all;
-  };
   FractionalPowerParameters p{.rolling = read_cattaneo_to_carter(scene),
                               .step_ratios = scene.numbers("step.ratios"),
                               .distances = scene.numbers("motion.elements"),
                               .step_ratio = scene.number("step.ratio"),
                               .refinement = scene.whole("reference.refinement"),
                               .shape_elements = scene.whole("shapes.elements"),
-                              .steps = whole_numbers("shapes.steps"),
-                              .cost_sizes = whole_numbers("cost.sizes"),
+                              .steps = scene.wholes("shapes.steps", 1, Grid::max_elements),
+                              .cost_sizes = scene.wholes("cost.sizes", 1, Grid::max_elements),
                               .largest_schur = scene.whole("cost.largest_schur")};
   const auto demand_odd = [](const char* key, Index value, Index least) {
     require(value % 2 == 1 && value >= least, key, static_cast<double>(value),

@@ -322,7 +322,7 @@ LeadingEdgeParameters read_leading_edge(Scene& scene) {
   LeadingEdgeParameters p{.material = material,
                           .length = scene.number("kernel.length"),
                           .bound = bound,
-                          .sizes = {},
+                          .sizes = scene.wholes("grid.sizes", 3, 10000),
                           .leading_offsets = scene.numbers("grid.leading_offsets"),
                           .trailing_offsets = scene.numbers("grid.trailing_offsets"),
                           .stick_ratios = scene.numbers("load.stick_ratios"),
@@ -332,11 +332,9 @@ LeadingEdgeParameters read_leading_edge(Scene& scene) {
   const auto in_open_unit = [](const char* key, double value) {
     require(value > 0 && value < 1, key, value, "numbers in (0, 1)");
   };
-  for (const double size : scene.numbers("grid.sizes")) {
-    const bool doubled = p.sizes.empty() || size == 2 * static_cast<double>(p.sizes.back());
-    require(size >= 3 && size <= 10000 && std::floor(size) == size && doubled, "grid.sizes", size,
-            "whole numbers in [3, 10000], each twice the one before");
-    p.sizes.push_back(static_cast<Eigen::Index>(size));
+  for (std::size_t k = 1; k < p.sizes.size(); ++k) {
+    require(p.sizes[k] == 2 * p.sizes[k - 1], "grid.sizes", static_cast<double>(p.sizes[k]),
+            "sizes that are each twice the one before");
   }
   require(p.sizes.size() > 1, "grid.sizes", static_cast<double>(p.sizes.size()),
           "at least two sizes");

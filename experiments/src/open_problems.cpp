@@ -101,15 +101,6 @@ OpenProblemsParameters read_open_problems(Scene& scene) {
   if (polynomial == nullptr) throw std::invalid_argument("missing key 'contact.bound_polynomial'");
   const double length = scene.number("kernel.length");
   const double a = polynomial->half_width();
-  const auto whole_numbers = [&](const char* key, double least, double most) {
-    std::vector<Eigen::Index> numbers;
-    for (const double value : scene.numbers(key)) {
-      require(value >= least && value <= most && std::floor(value) == value, key, value,
-              "whole numbers from " + format_short(least) + " to " + format_short(most));
-      numbers.push_back(static_cast<Eigen::Index>(value));
-    }
-    return numbers;
-  };
   const std::vector<double> stick_ratios = scene.numbers("cases.stick_ratios");
   require(stick_ratios.size() == 2, "cases.stick_ratios", static_cast<double>(stick_ratios.size()),
           "two numbers");
@@ -119,7 +110,7 @@ OpenProblemsParameters read_open_problems(Scene& scene) {
       .material = material,
       .length = length,
       .bound = *polynomial,
-      .sizes = whole_numbers("grid.sizes", 3, 2000),
+      .sizes = scene.wholes("grid.sizes", 3, 2000),
       .cases = static_cast<int>(scene.whole("cases.number")),
       .least_stick_ratio = stick_ratios[0],
       .most_stick_ratio = stick_ratios[1],
@@ -136,7 +127,7 @@ OpenProblemsParameters read_open_problems(Scene& scene) {
       .motion_ratios = scene.numbers("motion.step_ratios"),
       .widths = scene.numbers("curve.widths"),
       .curve_points = static_cast<int>(scene.whole("curve.points")),
-      .unknowns = whole_numbers("curve.unknowns", 1, 63)};
+      .unknowns = scene.wholes("curve.unknowns", 1, 63)};
   require(p.sizes.size() >= 2, "grid.sizes", static_cast<double>(p.sizes.size()),
           "at least two sizes");
   for (std::size_t k = 1; k < p.sizes.size(); ++k) {

@@ -116,14 +116,6 @@ SpeedAccuracyParameters read_speed_accuracy(Scene& scene) {
     require_positive(key, value);
     return value;
   };
-  const auto whole = [&](const char* key, double most) {
-    std::vector<Index> all;
-    for (const double value : within(key, 0, most)) {
-      require(value == std::round(value), key, value, "whole numbers");
-      all.push_back(static_cast<Index>(value));
-    }
-    return all;
-  };
   const HertzBound hertz(a, polynomial->total() / full_sliding_force(HertzBound(a, 1)));
   const double full = full_sliding_force(hertz);
   SpeedAccuracyParameters p{
@@ -131,12 +123,12 @@ SpeedAccuracyParameters read_speed_accuracy(Scene& scene) {
       .material = material,
       .length = scene.number("kernel.length"),
       .width = positive("kernel.width"),
-      .sizes = whole("grid.sizes", 200000),
+      .sizes = scene.wholes("grid.sizes", 1, 200000),
       .repeats = positive("timing.repeats"),
       .steady = {.limit = {positive("steady.operations")},
                  .stick_ratios = within("steady.stick_ratios", 0, 0.99),
                  .step_ratios = within("steady.step_ratios", 0, 4),
-                 .unknowns = whole("steady.unknowns", 64)},
+                 .unknowns = scene.wholes("steady.unknowns", 1, 64)},
       .transient = {.limit = {positive("transient.operations")},
                     .bound = hertz,
                     .force = full * within("transient.force_ratio", 0, 0.99).front(),

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <boost/property_tree/info_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
+#include <cmath>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
 
 #include "columns.hpp"
 #include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
 #include "number.hpp"
 
 namespace microslip {
@@ -198,6 +200,19 @@ Eigen::Index Scene::whole(const std::string& key) {
   if (!value) reject(key, text(key), "a whole number");
   parameters_.emplace_back(key, std::to_string(*value));
   return *value;
+}
+
+std::vector<Eigen::Index> Scene::wholes(const std::string& key, Eigen::Index least,
+                                        Eigen::Index most) {
+  std::vector<Eigen::Index> values;
+  for (const double value : numbers(key)) {
+    require(value >= static_cast<double>(least) && value <= static_cast<double>(most) &&
+                value == std::floor(value),
+            key, value,
+            "whole numbers from " + std::to_string(least) + " to " + std::to_string(most));
+    values.push_back(static_cast<Eigen::Index>(value));
+  }
+  return values;
 }
 
 std::vector<Eigen::VectorXd> Scene::columns(const std::string& key,

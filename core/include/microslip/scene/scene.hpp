@@ -67,6 +67,9 @@ class Scene {
   /// A whole number.
   Eigen::Index whole(const std::string& key);
 
+  /// A list of them, separated by blanks; not empty, and all within a range.
+  std::vector<Eigen::Index> wholes(const std::string& key, Eigen::Index least, Eigen::Index most);
+
   /// What `use` makes of columns of numbers in a table file that the key names: a line of column
   /// names, then rows, both separated by blanks or tabs; lines that begin with # are comments.
   /// Other columns may hold anything. Messages name key, file and, where there is one, line.
