@@ -12,10 +12,6 @@ namespace {
 
 using Eigen::Index;
 
-/// After about 10^4 steps, rounding of the distance makes a step of one element two on the
-/// material.
-constexpr int most_steps = 4000;
-
 struct NamedScheme {
   std::string name;
   AdvectionScheme scheme;
@@ -55,8 +51,7 @@ Work steady_steps(const BenchParameters& p, const NamedScheme& scheme, Index n, 
   const double length = grid_of(p, n).spacing();
   // Until what is made once is made, and the partition is that of the step before.
   for (int i = 0; i < 4; ++i) rolling->step(length, p.force);
-  return [rolling, length, load = p.force, start = steady.traction, steps = 0]() mutable {
-    if (++steps % most_steps == 0) rolling->start_from(start);
+  return [rolling, length, load = p.force] {
     rolling->step(length, load);
     return rolling->state().iterations;
   };
