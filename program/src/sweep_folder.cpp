@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "checksum.hpp"
 #include "command_line.hpp"
@@ -167,11 +168,11 @@ void SweepFolder::finish(std::size_t index, const Parameters& parameters, const 
   write_files(folder_of(index).parent_path(), {output_of(row_of(index, result), program_, head)});
 }
 
-std::vector<Column> SweepFolder::merged_columns() const {
-  std::vector<Column> columns;
+std::vector<WrittenTable> SweepFolder::rows() const {
+  std::vector<WrittenTable> rows;
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < plan_.rows(); ++i) {
-    const auto row = read(i);
+    auto row = read(i);
     if (!row) {
       missing.push_back(i);
       continue;
@@ -181,27 +182,27 @@ std::vector<Column> SweepFolder::merged_columns() const {
     if (std::mismatch(head.begin(), head.end(), there.begin(), there.end()).first != head.end()) {
       throw std::invalid_argument(file_of(i).string() + ": not a case of this sweep; remove it");
     }
-    add_columns(columns, row->table.columns());
+    rows.push_back(std::move(*row));
   }
   if (!missing.empty()) {
     throw std::invalid_argument(path_.string() + ": " + std::to_string(missing.size()) + " of " +
                                 std::to_string(plan_.rows()) + " cases are missing, the first is " +
                                 case_label(plan_, missing.front()));
   }
-  return columns;
+  return rows;
 }
 
 MergedSweep SweepFolder::merged() const {
-  const std::vector<Column> columns = merged_columns();
+  const std::vector<WrittenTable> all = rows();
+  std::vector<Column> columns;
+  for (const WrittenTable& row : all) add_columns(columns, row.table.columns());
   MergedSweep merged{
       .table = {"sweep", "all cases of a sweep; the last key varies fastest", columns},
       .parameters = common_,
       .statuses = {}};
-  for (std::size_t i = 0; i < plan_.rows(); ++i) {
-    const auto row = read(i);
-    if (!row) throw std::runtime_error(file_of(i).string() + " has just been removed");
-    merged.table.add(cells_in(row->table, 0, columns));
-    merged.statuses.push_back(status_in(*row));
+  for (const WrittenTable& row : all) {
+    merged.table.add(cells_in(row.table, 0, columns));
+    merged.statuses.push_back(status_in(row));
   }
   return merged;
 }

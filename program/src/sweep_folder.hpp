@@ -63,7 +63,7 @@ class SweepFolder {
   Parameters head_of(std::size_t index, const Parameters& parameters) const;
   Table row_of(std::size_t index, const CaseResult& result) const;
   std::optional<WrittenTable> read(std::size_t index) const;
-  std::vector<Column> merged_columns() const;
+  std::vector<WrittenTable> rows() const;
 
   std::filesystem::path path_;
   std::string program_;
