@@ -11,6 +11,7 @@
 
 #include "microslip/linalg/real_fft.hpp"
 #include "microslip/rolling/transient.hpp"
+#include "stick_zones.hpp"
 
 namespace {
 long allocations = 0;
@@ -86,15 +87,6 @@ long allocations_between_steps(TransientRolling& rolling, int steps, double leng
   return allocations - before;
 }
 
-int stick_zones(const TransientState& state) {
-  int zones = 0;
-  for (std::size_t i = 0; i < state.zones.size(); ++i) {
-    const bool begins = i == 0 || state.zones[i - 1] != Zone::adhesion;
-    zones += begins && state.zones[i] == Zone::adhesion ? 1 : 0;
-  }
-  return zones;
-}
-
 struct Case {
   std::string name;
   AdvectionScheme scheme;
@@ -121,7 +113,7 @@ class AllocationsOfAScheme : public testing::TestWithParam<Case> {
     const int warm_up = static_cast<int>(4 * n / step_ratio);
     EXPECT_GT(allocations_between_steps(rolling, warm_up, length, force), 0);
     EXPECT_EQ(allocations_between_steps(rolling, 50, length, force), 0);
-    EXPECT_EQ(stick_zones(rolling.state()), zones);
+    EXPECT_EQ(stick_zones(rolling.state().zones), zones);
     const PrescribedCreepage creepage{rolling.state().creepage};
     allocations_between_steps(rolling, warm_up, length, creepage);
     EXPECT_EQ(allocations_between_steps(rolling, 50, length, creepage), 0);

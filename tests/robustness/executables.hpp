@@ -15,8 +15,8 @@ namespace microslip {
 
 namespace fs = std::filesystem;
 
-inline const std::string good_scene = R"(
-problem steady
+/// What good scenes of all problems have in common.
+inline const std::string good_contact = R"(
 material { shear_modulus 1
   poisson_ratio 0.28 }
 contact { half_width 1
@@ -24,18 +24,11 @@ contact { half_width 1
 kernel { type strip
   width 40 }
 grid { elements 20 }
-load { creepage 0.4 }
 )";
 
-inline const std::string good_transient = R"(
-problem transient
-material { shear_modulus 1
-  poisson_ratio 0.28 }
-contact { half_width 1
-  peak_traction 1 }
-kernel { type strip
-  width 40 }
-grid { elements 20 }
+inline const std::string good_scene = "problem steady" + good_contact + "load { creepage 0.4 }\n";
+
+inline const std::string good_transient = "problem transient" + good_contact + R"(
 start { type cattaneo }
 step { ratio "1 0.5" }
 motion { distance 0.33 }

@@ -4,29 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
 #include <sstream>
-#include <stdexcept>
 
 #include "microslip/scene/model.hpp"
 #include "microslip/scene/table.hpp"
+#include "scene_text.hpp"
 
 namespace microslip {
 namespace {
-
-Scene scene_of(const std::string& text) {
-  std::istringstream in(text);
-  return Scene::parse(in, "test");
-}
-
-std::string message(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(Scene, ReadsNestedKeys) {
   Scene scene = scene_of("problem steady\ngrid { elements 12 ; comment\n}\nlist \"1 2.5 1e-3\"");

@@ -4,30 +4,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <functional>
-#include <sstream>
-#include <stdexcept>
+
+#include "scene_text.hpp"
 
 namespace microslip {
 namespace {
 
 using Texts = std::vector<std::string>;
 
-Scene scene_of(const std::string& text, const std::string& folder = "") {
-  std::istringstream in(text);
-  return Scene::parse(in, "test", folder);
-}
-
 Texts values(const std::string& text) { return swept_values("key", text); }
-
-std::string message(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST(SweptValues, ListsKeepTheirTexts) {
   EXPECT_EQ(values("0.10 1e-3\t7"), (Texts{"0.10", "1e-3", "7"}));

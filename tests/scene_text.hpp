@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "microslip/scene/scene.hpp"
+
+namespace microslip {
+
+inline Scene scene_of(const std::string& text, const std::string& folder = "") {
+  std::istringstream in(text);
+  return Scene::parse(in, "test", folder);
+}
+
+/// What an action is rejected with; empty if it is not.
+inline std::string message(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace microslip
