@@ -29,4 +29,13 @@ Table empty_summary(const std::string& description) {
            {"unit", "1", "unit of the value"}}};
 }
 
+void add_evidence(Table& summary, const Evidence& evidence, double condition, int iterations,
+                  const Solver& accepted) {
+  require_evidence(evidence, condition, iterations, accepted);
+  summary.add({"residual", evidence.residual, "1"});
+  summary.add({"bound_violation", evidence.bound_violation, "1"});
+  summary.add({"slip_violation", evidence.slip_violation, "1"});
+  summary.add({"condition", condition, "1"});
+}
+
 }  // namespace microslip::experiments

@@ -14,8 +14,8 @@ Table nodes(const SteadySolution& solution) {
 }
 
 Table summary_of(const std::string& description, const SteadySolution& solution,
-                 const TractionBound& bound) {
-  const double full_sliding = full_sliding_force(bound);
+                 const SteadyProblem& problem) {
+  const double full_sliding = full_sliding_force(problem.bound);
   Table summary = empty_summary(description);
   summary.add({"force", solution.force, "N/mm"});
   summary.add({"creepage", solution.creepage, "1"});
@@ -25,8 +25,8 @@ Table summary_of(const std::string& description, const SteadySolution& solution,
   summary.add({"adhesion_elements", static_cast<double>(solution.adhesion_elements()), "1"});
   summary.add({"slip_elements", static_cast<double>(solution.slip_elements()), "1"});
   summary.add({"iterations", static_cast<double>(solution.iterations), "1"});
-  summary.add({"residual", solution.residual, "1"});
   summary.add({"dissipation", solution.dissipation, "N/mm"});
+  add_evidence(summary, solution.evidence, solution.condition, solution.iterations, problem.solver);
   return summary;
 }
 
@@ -34,8 +34,7 @@ Table summary_of(const std::string& description, const SteadySolution& solution,
 
 std::vector<Table> steady_scene(const SteadyProblem& problem) {
   const SteadySolution solution = solve_steady(problem);
-  return {nodes(solution),
-          summary_of("steady rolling, the whole contact", solution, problem.bound)};
+  return {nodes(solution), summary_of("steady rolling, the whole contact", solution, problem)};
 }
 
 std::vector<Table> steady_scene(const SteadyTarget& target) {
@@ -46,7 +45,7 @@ std::vector<Table> steady_scene(const SteadyTarget& target) {
                      std::to_string(found.unknowns)
                : "method chebyshev, " + std::to_string(found.unknowns) + " unknowns";
   Table summary = summary_of("steady rolling, the whole contact; picked: " + picked, found.solution,
-                             target.contact.bound);
+                             found.problem);
   summary.add({"unknowns", static_cast<double>(found.unknowns), "1"});
   summary.add({"estimated_error", found.error, "1"});
   return {nodes(found.solution), summary};

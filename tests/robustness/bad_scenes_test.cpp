@@ -127,6 +127,23 @@ TEST_F(BadScenes, Solvers) {
   EXPECT_LE(value_of("--set solver.type=fft", "residual"), 1e-12);
 }
 
+// Exit status 2, and no result, when it is worse than what is accepted.
+TEST_F(BadScenes, ResultsWorseThanAccepted) {
+  for (const std::string& scene : {good_scene, good_transient}) {
+    const Outcome outcome = run(scene, "--set solver.condition=2");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_NE(outcome.error.find("condition is "), std::string::npos) << outcome.error;
+    EXPECT_NE(outcome.error.find("expected at most solver.condition = 2"), std::string::npos);
+    EXPECT_FALSE(fs::exists(out()));
+  }
+  expect_rejected(good_scene, "--set solver.condition=0.5", "solver.condition = 0.5: expected");
+  expect_rejected(good_scene, "--set solver.violation=0", "solver.violation = 0: expected");
+  EXPECT_EQ(run(good_scene, "").error, "");
+  EXPECT_GT(summary_value("condition"), 1);
+  EXPECT_LE(summary_value("bound_violation"), 1e-3);
+  EXPECT_LE(summary_value("slip_violation"), 1e-3);
+}
+
 TEST_F(BadScenes, TargetErrors) {
   const std::string free = "--set grid.elements= ";
   expect_rejected(good_scene, free + "--target-error 0.5",

@@ -36,7 +36,8 @@ TEST(CalibratedRolling, HasCartersForceAndTractionsWithFewElements) {
       const CalibratedSolution solution = rolling.solve(PrescribedCreepage{carter.creepage()});
       EXPECT_NEAR(solution.force() / carter.force(), 1, 1e-12);
       EXPECT_NEAR(solution.stick_edge(), 2 - 4 * stick_ratio, 1e-12);
-      EXPECT_LT(solution.violation(), 1e-12);
+      EXPECT_LT(solution.evidence().bound_violation, 1e-12);
+      EXPECT_LT(solution.evidence().slip_violation, 1e-12);
       for (const double x : {-1.9, 0.1, 1.7, 1.99}) {
         EXPECT_NEAR(solution.traction(x), carter.traction(x), 1e-10) << x;
       }

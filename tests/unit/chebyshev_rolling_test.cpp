@@ -70,7 +70,8 @@ TEST(ChebyshevRolling, ConvergesForStrips) {
         EXPECT_NEAR(solution.traction(x), expected.traction(x), 1e-11) << x;
         EXPECT_NEAR(solution.slip(x), expected.slip(x), 1e-11) << x;
       }
-      EXPECT_LT(solution.violation(), 1e-12);
+      EXPECT_LT(solution.evidence().bound_violation, 1e-12);
+      EXPECT_LT(solution.evidence().slip_violation, 1e-12);
       if (solution.stick_edge() == 1) continue;
       // In adhesion w = du/dx everywhere.
       constexpr double h = 1e-4;

@@ -60,8 +60,8 @@ TEST_P(StructuredSteady, IsTheDenseSolution) {
       EXPECT_LT((solution.slip - expected.slip).lpNorm<Eigen::Infinity>(), 1e-9);
       EXPECT_LT((solution.displacement - expected.displacement).lpNorm<Eigen::Infinity>(), 1e-10);
       EXPECT_EQ(solution.zones, expected.zones);
-      EXPECT_LE(solution.residual, 1e-12);
-      EXPECT_LE(expected.residual, 1e-12);
+      EXPECT_LE(solution.evidence.residual, 1e-12);
+      EXPECT_LE(expected.evidence.residual, 1e-12);
     }
   }
 }
@@ -82,7 +82,7 @@ TEST(StructuredSteady, NumberOfRoundsDoesNotGrow) {
       const SteadySolution solution =
           solve_steady(steady(PlaneKernel(material, 10), n, Differences{c}, PrescribedForce{-1.0}));
       EXPECT_LE(solution.iterations, 12) << n << " " << c;
-      EXPECT_LE(solution.residual, 1e-11);
+      EXPECT_LE(solution.evidence.residual, 1e-11);
     }
   }
 }
@@ -140,7 +140,7 @@ TEST_P(StructuredTransient, IsTheDenseSolutionWithSeveralStickZonesToo) {
           << step;
       ASSERT_NEAR(rolling.state().creepage, expected.state().creepage, 1e-9);
       ASSERT_EQ(rolling.state().zones, expected.state().zones);
-      ASSERT_LE(rolling.state().residual, 1e-12);
+      ASSERT_LE(rolling.state().evidence.residual, 1e-12);
       most_zones = std::max(most_zones, stick_zones(rolling.state().zones));
     }
     EXPECT_GT(most_zones, 1);
@@ -157,7 +157,7 @@ TEST(Solver, TakesFactorsForTinySteps) {
     for (const Index n : {100, 147, 201}) {
       SteadyProblem problem =
           steady(PlaneKernel(material, 10), n, Differences{c}, PrescribedForce{-1});
-      EXPECT_LE(solve_steady(problem).residual, 1e-11) << c << " " << n;
+      EXPECT_LE(solve_steady(problem).evidence.residual, 1e-11) << c << " " << n;
     }
   }
 }

@@ -83,7 +83,7 @@ class ContactSearch {
     state.zones = zones_;
     state.creepage = response_.creepage;
     state.iterations = iterations_;
-    state.residual = response_.residual;
+    state.evidence = evidence();
   }
 
  private:
@@ -267,18 +267,27 @@ class ContactSearch {
            follow_path(higher, 20 * size() + 100);
   }
 
-  double largest_violation() const {
-    double worst = carries_load() ? 0 : std::numeric_limits<double>::infinity();
+  /// Of the last answer.
+  Evidence evidence() const {
+    Evidence found{.residual = response_.residual};
     for (Index i = 0; i < size(); ++i) {
-      if (above_bound(i)) {
-        worst = std::max(
-            worst, excess_over_bound(response_.traction[i], conditions_->bound[i]) / bound_scale_);
-      }
-      if (slips_wrongly(i)) {
-        worst = std::max(worst, wrong_slip(zone(i), response_.slip[i]) / slip_scale_);
+      if (conditions_->bound[i] <= 0) continue;
+      if (zone(i) == Zone::adhesion) {
+        found.bound_violation = std::max(
+            found.bound_violation,
+            excess_over_bound(response_.traction[i], conditions_->bound[i]) / bound_scale_);
+      } else if (slip_scale_ > 0) {
+        found.slip_violation =
+            std::max(found.slip_violation, wrong_slip(zone(i), response_.slip[i]) / slip_scale_);
       }
     }
-    return worst;
+    return found;
+  }
+
+  double largest_violation() const {
+    if (!carries_load()) return std::numeric_limits<double>::infinity();
+    const Evidence found = evidence();
+    return std::max(found.bound_violation, found.slip_violation);
   }
 
   AdhesionSystem system_;
@@ -335,6 +344,8 @@ ContactState ActiveSet::solve(const SlipConditions& conditions, const Load& load
   solve(conditions, load, state);
   return state;
 }
+
+double ActiveSet::condition() const { return search_->system().condition(); }
 
 const SquareMatrix& ActiveSet::response() const { return search_->system().response(); }
 

@@ -325,4 +325,9 @@ void AdhesionSystem::solve(const VectorXd& slip, double prescribed, Unknowns& un
   }
 }
 
+double AdhesionSystem::condition() const {
+  if (base_.size() < 2) return 1;
+  return (by_block_ ? block_->condition() : 1 / factors_rcond_) / schur_rcond_;
+}
+
 }  // namespace microslip

@@ -54,6 +54,10 @@ class AdhesionSystem {
   /// \param prescribed  that of the added row
   void solve(const Eigen::VectorXd& slip, double prescribed, Unknowns& unknowns);
 
+  /// Estimate of the condition number in the 1-norm, of the factors times that of the border; 1
+  /// without elements.
+  double condition() const;
+
  private:
   using Index = Eigen::Index;
 

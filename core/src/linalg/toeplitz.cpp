@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/linalg/toeplitz.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace microslip {
@@ -19,6 +21,16 @@ Toeplitz Toeplitz::plus(double constant) const {
 }
 
 Toeplitz Toeplitz::times(double factor) const { return {column_ * factor, row_ * factor}; }
+
+double Toeplitz::norm() const {
+  double sum = column_.lpNorm<1>();
+  double largest = sum;
+  for (Eigen::Index j = 1; j < size(); ++j) {
+    sum += std::abs(row_[j]) - std::abs(column_[size() - j]);
+    largest = std::max(largest, sum);
+  }
+  return largest;
+}
 
 Eigen::MatrixXd Toeplitz::dense() const {
   return Eigen::MatrixXd::NullaryExpr(

@@ -86,4 +86,15 @@ void ToeplitzBlock::solve(const VectorXd& b, VectorXd& x) {
                x);
 }
 
+double ToeplitzBlock::condition() const {
+  double worst = 1;
+  for (const Interval& interval : intervals_) {
+    const auto* factors = std::get_if<SmallInverse>(&interval.inverse);
+    worst = std::max(worst, factors != nullptr
+                                ? 1 / factors->rcond()
+                                : std::get<ToeplitzInverse>(interval.inverse).condition());
+  }
+  return worst;
+}
+
 }  // namespace microslip

@@ -5,6 +5,7 @@
 
 #include "microslip/linalg/circulant_inverse.hpp"
 #include "microslip/linalg/gmres.hpp"
+#include "microslip/linalg/inverse_norm.hpp"
 #include "microslip/linalg/toeplitz_product.hpp"
 #include "microslip/support/not_converged.hpp"
 
@@ -34,7 +35,7 @@ VectorXd moved_down(const VectorXd& v) {
 }  // namespace
 
 ToeplitzInverse::ToeplitzInverse(const Toeplitz& matrix)
-    : size_(matrix.size()), fft_(RealFft::good_size(2 * size_)) {
+    : size_(matrix.size()), norm_(matrix.norm()), fft_(RealFft::good_size(2 * size_)) {
   const ToeplitzProduct product(matrix);
   const CirculantInverse circulant(matrix);
   Gmres gmres(most_iterations);
@@ -96,6 +97,20 @@ void ToeplitzInverse::apply(const Eigen::Ref<const VectorXd>& b, VectorXd& x) co
   fft_.spectrum().array() = sum_.array() + fft_.spectrum().array() * second_lower_.array();
   fft_.backward();
   x = fft_.values().head(size_);
+}
+
+/// Turned upside down and left to right, a Toeplitz matrix is its transpose.
+double ToeplitzInverse::condition() const {
+  VectorXd solution;
+  const auto solve = [&](VectorXd& x) {
+    apply(x, solution);
+    x = solution;
+  };
+  const auto solve_transposed = [&](VectorXd& x) {
+    apply(x.reverse(), solution);
+    x = solution.reverse();
+  };
+  return norm_ * inverse_norm(size_, solve, solve_transposed);
 }
 
 }  // namespace microslip

@@ -126,6 +126,8 @@ StickLattice CalibratedRolling::make_lattice(double stick_edge) {
           .residual = residual};
 }
 
+double CalibratedRolling::condition() const { return system_->condition(); }
+
 CreepageForce CalibratedRolling::at(double stick_edge) {
   const StickLattice& found = lattice(stick_edge);
   return {stick_edge, found.creepage, found.force - sliding_.force()};
@@ -149,13 +151,14 @@ LoadedState CalibratedRolling::meet(const Load& load) {
 CalibratedSolution CalibratedRolling::solve(const Load& load) { return {*this, meet(load)}; }
 
 CalibratedSolution::CalibratedSolution(CalibratedRolling& rolling, const LoadedState& loaded)
-    : LoadedSolution(loaded, 0),
+    : LoadedSolution(loaded),
       kernel_(rolling.kernel()),
       bound_(rolling.bound()),
       sliding_(rolling.sliding()) {
   if (loaded.state.stick_edge >= half_width_of(bound_)) return;
   lattice_ = rolling.lattice(loaded.state.stick_edge);
   residual_ = lattice_->residual;
+  condition_ = rolling.condition();
   const Index n = lattice_->x.size();
   const Index middle = n / 2;
   anchor_ = lattice_->x[middle];
@@ -263,7 +266,7 @@ double CalibratedSolution::displacement(double x) const {
   return -loaded_.direction * loaded_.part * u;
 }
 
-double CalibratedSolution::violation() const {
+Evidence CalibratedSolution::evidence() const {
   constexpr int samples = 200;
   const double a = half_width_of(bound_);
   const auto bound_at = [&](double x) {
@@ -282,7 +285,9 @@ double CalibratedSolution::violation() const {
     worst_traction = std::max({worst_traction, -removed(x), removed(x) - 2 * bound_at(x)});
   }
   const double creepage = loaded_.state.creepage;
-  return std::max(worst_traction / peak, creepage > 0 ? worst_slip / creepage : worst_slip);
+  return {.residual = residual_,
+          .bound_violation = worst_traction / peak,
+          .slip_violation = creepage > 0 ? worst_slip / creepage : worst_slip};
 }
 
 }  // namespace microslip

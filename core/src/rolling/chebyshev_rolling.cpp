@@ -47,10 +47,13 @@ double tail_of(const VectorXd& coefficients) {
 }  // namespace
 
 ChebyshevSolution::ChebyshevSolution(const LoadedState& loaded, ChebyshevField sliding,
-                                     std::optional<ChebyshevField> adhesion, double residual)
-    : LoadedSolution(loaded, residual),
-      sliding_(std::move(sliding)),
-      adhesion_(std::move(adhesion)) {}
+                                     const std::optional<Adhesion>& adhesion)
+    : LoadedSolution(loaded), sliding_(std::move(sliding)) {
+  if (!adhesion) return;
+  adhesion_ = adhesion->field;
+  residual_ = adhesion->residual;
+  condition_ = adhesion->condition;
+}
 
 double ChebyshevSolution::traction(double x) const {
   const double stuck = adhesion_ ? adhesion_->traction()(x) : 0;
@@ -68,7 +71,7 @@ double ChebyshevSolution::displacement(double x) const {
   return -loaded_.direction * (sliding_.displacement(x) - stuck);
 }
 
-double ChebyshevSolution::violation() const {
+Evidence ChebyshevSolution::evidence() const {
   constexpr int samples = 200;
   const double a = sliding_.traction().half_length();
   double peak = 0;
@@ -81,8 +84,10 @@ double ChebyshevSolution::violation() const {
     worst_traction = std::max(worst_traction, std::abs(traction(x)) - g);
     worst_slip = std::max(worst_slip, -loaded_.direction * slip(x));
   }
-  return std::max(worst_traction / peak,
-                  loaded_.state.creepage > 0 ? worst_slip / loaded_.state.creepage : worst_slip);
+  const double creepage = loaded_.state.creepage;
+  return {.residual = residual_,
+          .bound_violation = worst_traction / peak,
+          .slip_violation = creepage > 0 ? worst_slip / creepage : worst_slip};
 }
 
 ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bound, Index unknowns)
@@ -151,9 +156,10 @@ ChebyshevRolling::Zone ChebyshevRolling::zone(double stick_edge) const {
   const VectorXd strain =
       x.unaryExpr([&](double xi) { return sliding_.continued_strain(xi) / compliance; });
   count_work(2.0 / 3 * std::pow(n + 1, 3));
-  const VectorXd unknowns = matrix.partialPivLu().solve(strain);
+  const Eigen::PartialPivLU<MatrixXd> factors(matrix);
+  const VectorXd unknowns = factors.solve(strain);
   const double residual = (strain - matrix * unknowns).norm() / strain.norm();
-  return {unknowns.head(n), compliance * unknowns[n], residual};
+  return {unknowns.head(n), compliance * unknowns[n], residual, 1 / factors.rcond()};
 }
 
 CreepageForce ChebyshevRolling::at(double stick_edge) const {
@@ -174,15 +180,15 @@ ChebyshevSolution ChebyshevRolling::solve(const Load& load) const {
   const LoadedState loaded = meet_load(curve(), load);
   const double edge = loaded.state.stick_edge;
   const double a = sliding_.traction().half_length();
-  std::optional<ChebyshevField> adhesion;
-  double residual = 0;
+  std::optional<ChebyshevSolution::Adhesion> adhesion;
   if (edge < a) {
     const Zone found = zone(edge);
-    adhesion.emplace(kernel_, ChebyshevTraction(edge, a, found.coefficients));
-    residual = found.residual;
+    adhesion = {ChebyshevField(kernel_, ChebyshevTraction(edge, a, found.coefficients)),
+                found.residual, found.condition};
   }
-  ChebyshevSolution solution(loaded, sliding_, std::move(adhesion), residual);
-  const double violation = solution.violation();
+  ChebyshevSolution solution(loaded, sliding_, adhesion);
+  const Evidence evidence = solution.evidence();
+  const double violation = std::max(evidence.bound_violation, evidence.slip_violation);
   if (violation > tolerance) {
     throw NotConverged("Chebyshev collocation: more than one stick zone", loaded.evaluations,
                        violation);

@@ -141,7 +141,7 @@ void MaterialRolling::step(const MaterialState& from, double length, const Load&
   step.end.contact.slip.setZero();
   step.end.contact.creepage = 0;
   step.end.contact.iterations = 0;
-  step.end.contact.residual = 0;
+  step.end.contact.evidence = {};
   step.dissipation = 0;
   step.mean_dissipation = 0;
   step.mean_force = 0;
@@ -237,7 +237,7 @@ void MaterialRolling::roll_part(MaterialStep& step, double length, double end, c
   state.contact.slip += slip;
   state.contact.creepage += contact_.creepage;
   state.contact.iterations += contact_.iterations;
-  state.contact.residual = std::max(state.contact.residual, contact_.residual);
+  state.contact.evidence = worst_of(state.contact.evidence, contact_.evidence);
 }
 
 }  // namespace microslip

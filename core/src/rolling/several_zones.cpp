@@ -69,7 +69,8 @@ SteadySolution with_several_zones(const SteadyProblem& problem) {
                        .creepage = contact.creepage,
                        .dissipation = 0,
                        .iterations = contact.iterations,
-                       .residual = contact.residual};
+                       .evidence = contact.evidence,
+                       .condition = active_set.condition()};
   state.dissipation = -state.creepage * state.force;
   for (const double xi : x) {
     const double place = std::round((xi - lattice.x[0]) / h);

@@ -55,7 +55,19 @@ SquareMatrix strain_of(const SteadyProblem& problem, const Differences& differen
   return strain;
 }
 
-ContactState contact_by_differences(const SteadyProblem& problem, const Differences& differences);
+ActiveSet active_set_of(const SteadyProblem& problem, const Differences& differences) {
+  const Grid& grid = problem.grid;
+  return {strain_of(problem, differences), problem.basis.weights(grid.spacing(), grid.size()),
+          problem.solver};
+}
+
+ContactState contact_by(ActiveSet& active_set, const SteadyProblem& problem,
+                        const Differences& differences);
+
+std::vector<Zone> zones_of(const SteadyProblem& problem, const Differences& differences) {
+  ActiveSet active_set = active_set_of(problem, differences);
+  return contact_by(active_set, problem, differences).zones;
+}
 
 /// Where to start from: adhesion everywhere; or the partition of a grid of fewer elements, so that
 /// the number of rounds does not grow with that of elements; or, for small steps, that of a whole
@@ -67,12 +79,12 @@ std::vector<Zone> first_zones(const SteadyProblem& problem, const Differences& d
   if (differences.step_ratio < 1) {
     Differences whole = differences;
     whole.step_ratio = 1;
-    return contact_by_differences(problem, whole).zones;
+    return zones_of(problem, whole);
   }
   if (n < ratio * coarsest) return std::vector<Zone>(static_cast<std::size_t>(n), Zone::adhesion);
   SteadyProblem coarse = problem;
   coarse.grid = problem.grid.with_elements(n / ratio);
-  const std::vector<Zone> known = contact_by_differences(coarse, differences).zones;
+  const std::vector<Zone> known = zones_of(coarse, differences);
   const VectorXd x = problem.grid.nodes();
   const VectorXd coarse_x = coarse.grid.nodes();
   std::vector<Zone> zones;
@@ -84,7 +96,8 @@ std::vector<Zone> first_zones(const SteadyProblem& problem, const Differences& d
   return zones;
 }
 
-ContactState contact_by_differences(const SteadyProblem& problem, const Differences& differences) {
+ContactState contact_by(ActiveSet& active_set, const SteadyProblem& problem,
+                        const Differences& differences) {
   const Grid& grid = problem.grid;
   const Index n = grid.size();
   SlipConditions conditions{.bound = bound_at(problem.bound, grid.nodes()),
@@ -94,8 +107,6 @@ ContactState contact_by_differences(const SteadyProblem& problem, const Differen
     conditions.offset[n - 1] =
         -*differences.edge_displacement / (grid.leading_offset() * grid.spacing());
   }
-  ActiveSet active_set(strain_of(problem, differences), problem.basis.weights(grid.spacing(), n),
-                       problem.solver);
   return active_set.solve(conditions, problem.load, first_zones(problem, differences));
 }
 
@@ -103,7 +114,8 @@ SteadySolution by_differences(const SteadyProblem& problem, const Differences& d
   const Grid& grid = problem.grid;
   const Index n = grid.size();
   const VectorXd x = grid.nodes();
-  const ContactState state = contact_by_differences(problem, differences);
+  ActiveSet active_set = active_set_of(problem, differences);
+  const ContactState state = contact_by(active_set, problem, differences);
   const VectorXd weights = problem.basis.weights(grid.spacing(), n);
   return {.x = x,
           .bound = bound_at(problem.bound, x),
@@ -117,12 +129,14 @@ SteadySolution by_differences(const SteadyProblem& problem, const Differences& d
           .creepage = state.creepage,
           .dissipation = -weights.cwiseProduct(state.traction).dot(state.slip),
           .iterations = state.iterations,
-          .residual = state.residual};
+          .evidence = state.evidence,
+          .condition = active_set.condition()};
 }
 
 /// \param solution  as functions of x, with one stick zone
 template <class Solution>
-SteadySolution sampled(const SteadyProblem& problem, const Solution& solution, int iterations) {
+SteadySolution sampled(const SteadyProblem& problem, const Solution& solution,
+                       const Evidence& evidence) {
   const VectorXd x = problem.grid.nodes();
   SteadySolution state{
       .x = x,
@@ -134,8 +148,9 @@ SteadySolution sampled(const SteadyProblem& problem, const Solution& solution, i
       .force = solution.force(),
       .creepage = solution.creepage(),
       .dissipation = solution.dissipation(),
-      .iterations = iterations,
-      .residual = solution.residual(),
+      .iterations = solution.evaluations(),
+      .evidence = evidence,
+      .condition = solution.condition(),
       .stick_edge = solution.stick_edge()};
   const Zone slipping = solution.creepage() < 0 ? Zone::slip_positive : Zone::slip_negative;
   for (const double xi : x) state.zones.push_back(solution.sticks(xi) ? Zone::adhesion : slipping);
@@ -151,13 +166,14 @@ SteadySolution solve_steady(const SteadyProblem& problem) {
   if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
     const ChebyshevRolling rolling(problem.kernel, problem.bound);
     const ChebyshevSolution solution = rolling.solve(problem.load);
-    return sampled(problem, solution, solution.evaluations());
+    return sampled(problem, solution, solution.evidence());
   }
   CalibratedRolling rolling(problem.kernel, problem.bound, problem.basis, problem.grid.size(),
                             problem.solver);
   const CalibratedSolution solution = rolling.solve(problem.load);
-  if (solution.violation() > another_zone) return with_several_zones(problem);
-  return sampled(problem, solution, solution.evaluations());
+  const Evidence evidence = solution.evidence();
+  const bool one_zone = std::max(evidence.bound_violation, evidence.slip_violation) <= another_zone;
+  return one_zone ? sampled(problem, solution, evidence) : with_several_zones(problem);
 }
 
 }  // namespace microslip

@@ -137,4 +137,9 @@ StrainSystem::Unknowns StrainSystem::solve(double spacing, const VectorXd& strai
           .residual = residual};
 }
 
+double StrainSystem::condition() const {
+  const auto* factors = std::get_if<0>(&factors_);
+  return factors != nullptr ? 1 / factors->rcond() : std::get<1>(factors_).condition();
+}
+
 }  // namespace microslip

@@ -36,6 +36,9 @@ class StrainSystem {
   /// \throws NotConverged if the residual is above the tolerance
   Unknowns solve(double spacing, const Eigen::VectorXd& strain);
 
+  /// Estimate of the condition number of the last factors in the 1-norm.
+  double condition() const;
+
  private:
   using Index = Eigen::Index;
 

@@ -171,7 +171,7 @@ void TransientRolling::describe(double distance, const ContactState& contact, do
   state.mean_dissipation = std::numeric_limits<double>::quiet_NaN();
   state.mean_force = state.force;
   state.iterations = contact.iterations;
-  state.residual = contact.residual;
+  state.evidence = contact.evidence;
   state.adhesion_elements = 0;
   state.slip_elements = 0;
   for (Index i = 0; i < bound.size(); ++i) {
@@ -245,6 +245,10 @@ double TransientRolling::elastic_energy() const {
   const VectorXd& p = state_.traction;
   const VectorXd displacement = material_ ? material_->respond(p) : (active_set_->response() * p);
   return weights_.cwiseProduct(p).dot(displacement) / 2;
+}
+
+double TransientRolling::condition() const {
+  return material_ ? material_->condition() : active_set_->condition();
 }
 
 void TransientRolling::roll(double distance, const std::vector<double>& lengths, const Load& load,

@@ -74,6 +74,8 @@ Solver read_solver(Scene& scene) {
                         : type == "fft" ? Solver::Type::fft
                                         : Solver::Type::automatic};
   solver.tolerance = scene.number("solver.tolerance", solver.tolerance);
+  solver.violation = scene.number("solver.violation", solver.violation);
+  solver.condition = scene.number("solver.condition", solver.condition);
   validate(solver);
   return solver;
 }

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "microslip/friction/evidence.hpp"
 #include "microslip/linalg/solver.hpp"
 #include "microslip/linalg/square_matrix.hpp"
 
@@ -51,8 +52,7 @@ struct ContactState {
   std::vector<Zone> zones;   ///< n
   double creepage = 0;       ///< w, prescribed or found, in the unit of the slip
   int iterations = 0;        ///< partitions tried
-  /// What is left of the equations in adhesion, over their largest term  [1]
-  double residual = 0;
+  Evidence evidence = {};
 };
 
 /// Finds tractions, slip and their partition: in adhesion s = 0 and |p| <= bound, in slip
@@ -100,6 +100,10 @@ class ActiveSet {
   ContactState solve(const SlipConditions& conditions, const Load& load);
   ContactState solve(const SlipConditions& conditions, const Load& load,
                      const std::vector<Zone>& first);
+
+  /// Estimate of the condition number of the equations in adhesion of the last partition, in the
+  /// 1-norm; 1 if nothing sticks. The first time for a Toeplitz response some five solves.
+  double condition() const;
 
   const SquareMatrix& response() const;
 

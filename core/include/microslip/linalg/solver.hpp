@@ -19,6 +19,12 @@ struct Solver {
   /// Within [1e-12, 1e-3].
   double tolerance = 1e-10;
 
+  /// Largest violation of the contact conditions that require_evidence() accepts, in (0, 1].
+  double violation = 1e-3;
+
+  /// Largest condition number that it accepts, >= 1: rounding may cost up to 2e-16 times as much.
+  double condition = 1e13;
+
   /// Of unknowns; dense systems of fewer are solved faster, bench/toeplitz_bench.cpp
   static constexpr Eigen::Index crossover = 96;
 
@@ -32,7 +38,7 @@ bool by_fft(const Solver& solver, Eigen::Index n);
 /// \throws std::invalid_argument if a dense matrix of n rows would be too large
 void require_dense(Eigen::Index n);
 
-/// \throws std::invalid_argument if the tolerance is out of its range
+/// \throws std::invalid_argument if the tolerance or another limit is out of its range
 void validate(const Solver& solver);
 
 }  // namespace microslip

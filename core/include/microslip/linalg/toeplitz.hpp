@@ -28,6 +28,9 @@ class Toeplitz {
     return i >= j ? column_[i - j] : row_[j - i];
   }
 
+  /// Its 1-norm, the largest sum of absolute values in a column. O(n)
+  double norm() const;
+
   /// The full matrix: n^2 numbers.
   Eigen::MatrixXd dense() const;
 

@@ -27,6 +27,9 @@ class ToeplitzBlock {
   /// with these indices has been before, see Gmres.
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
 
+  /// Estimate of the condition number in the 1-norm: the worst of the intervals'.
+  double condition() const;
+
  private:
   using SmallInverse = Eigen::PartialPivLU<Eigen::MatrixXd>;
 

@@ -25,12 +25,16 @@ class ToeplitzInverse {
   /// one refinement or two leave rounding.
   void apply(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x) const;
 
+  /// Estimate of the condition number of T in the 1-norm, see inverse_norm().
+  double condition() const;
+
  private:
   /// Spectra of triangular Toeplitz matrices.
   Eigen::VectorXcd lower(const Eigen::VectorXd& first_column);
   Eigen::VectorXcd upper(const Eigen::VectorXd& first_row);
 
   Eigen::Index size_;
+  double norm_;  ///< of T
   int iterations_ = 0;
   mutable RealFft fft_;
   // T^-1 = L U + L' U', factors of the transforms and the corner of T^-1 included

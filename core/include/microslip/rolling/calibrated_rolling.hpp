@@ -82,6 +82,9 @@ class CalibratedRolling {
   /// The reference holds until the next call.
   const StickLattice& lattice(double stick_edge);
 
+  /// Estimate of the condition number of the last lattice's equations, in the 1-norm.
+  double condition() const;
+
   /// A point of the creepage-force curve.
   CreepageForce at(double stick_edge);
 
@@ -114,9 +117,8 @@ class CalibratedSolution : public LoadedSolution {
   double slip(double x) const;          ///< s(x) inside the contact  [1]
   double displacement(double x) const;  ///< u(x) inside the contact  [mm]
 
-  /// Largest violation of the contact conditions |p| <= g and s p <= 0, over the peak of the bound
-  /// and the creepage, at the nodes in adhesion and at 200 points in slip  [1]
-  double violation() const;
+  /// At the nodes in adhesion and at 200 points in slip.
+  Evidence evidence() const;
 
  private:
   double removed(double x) const;

@@ -13,20 +13,25 @@ namespace microslip {
 /// A steady state as functions of the position.
 class ChebyshevSolution : public LoadedSolution {
  public:
-  /// \param sliding    that of the bound
-  /// \param adhesion   of what adhesion takes away from it; none in full sliding
-  /// \param residual   see residual()
+  /// What adhesion takes away from full sliding, and what its equations were like.
+  struct Adhesion {
+    ChebyshevField field;
+    double residual;   ///< of the equations, over the strain  [1]
+    double condition;  ///< of the same, in the 1-norm
+  };
+
+  /// \param sliding   that of the bound
+  /// \param adhesion  none in full sliding
   ChebyshevSolution(const LoadedState& loaded, ChebyshevField sliding,
-                    std::optional<ChebyshevField> adhesion, double residual);
+                    const std::optional<Adhesion>& adhesion);
 
   bool sticks(double x) const { return adhesion_ && x >= stick_edge(); }
   double traction(double x) const;      ///< p(x), zero outside the contact  [N/mm^2]
   double slip(double x) const;          ///< s(x) inside the contact  [1]
   double displacement(double x) const;  ///< u(x)  [mm]
 
-  /// Largest violation of the contact conditions |p| <= g and s p <= 0, over the peak of the bound
-  /// and the creepage, at 200 points  [1]
-  double violation() const;
+  /// At 200 points.
+  Evidence evidence() const;
 
  private:
   ChebyshevField sliding_;
@@ -66,6 +71,7 @@ class ChebyshevRolling {
     Eigen::VectorXd coefficients;
     double creepage;
     double residual;
+    double condition;
   };
   void tabulate();
   Zone zone(double stick_edge) const;

@@ -41,18 +41,18 @@ class LoadedSolution {
   double stick_edge() const { return loaded_.state.stick_edge; }  ///< b; a in full sliding  [mm]
   int evaluations() const { return loaded_.evaluations; }         ///< of systems of equations
 
-  /// What is left of the equations in adhesion, over the strain; 0 in full sliding  [1]
-  double residual() const { return residual_; }
+  /// Estimate for the equations in adhesion, in the 1-norm; 1 in full sliding
+  double condition() const { return condition_; }
 
   /// -w F, the energy lost per mm rolled and mm width  [N/mm]
   double dissipation() const { return -loaded_.state.creepage * loaded_.state.force; }
 
  protected:
-  LoadedSolution(const LoadedState& loaded, double residual)
-      : loaded_(loaded), residual_(residual) {}
+  explicit LoadedSolution(const LoadedState& loaded) : loaded_(loaded) {}
 
   LoadedState loaded_;
-  double residual_;
+  double residual_ = 0;  ///< of the equations in adhesion, over the strain  [1]
+  double condition_ = 1;
 };
 
 /// \param near   look there first, [mm], with this uncertainty  [mm]

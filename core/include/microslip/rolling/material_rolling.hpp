@@ -45,7 +45,7 @@ struct MaterialState {
 
   /// At the nodes of the window; zones are slip where there is no bound. Slip and creepage are
   /// displacements [mm], summed over the parts of the step that led here, and so are the partitions
-  /// tried; the residual is the largest. The slip of the coming node is 0 in adhesion.
+  /// tried; the evidence is the worst. The slip of the coming node is 0 in adhesion.
   ContactState contact;
 
   double sliding_direction = 0;  ///< of the traction at the trailing edge when aligned; 0 in
@@ -115,6 +115,9 @@ class MaterialRolling {
 
   /// A times tractions at the nodes of the window  [mm]
   Eigen::VectorXd respond(const Eigen::VectorXd& traction) const;
+
+  /// As ActiveSet::condition.
+  double condition() const { return active_set_.condition(); }
 
  private:
   MaterialRolling(const Kernel& kernel, const TractionBound& bound, const Grid& grid,

@@ -60,8 +60,8 @@ struct SteadySolution {
   double creepage;     ///< w  [1]
   double dissipation;  ///< -integral of p s over x: energy per mm rolled and mm width  [N/mm]
   int iterations;      ///< partitions tried on this grid, or systems solved
-  /// What is left of the equations in adhesion, over their largest term  [1]
-  double residual;
+  Evidence evidence;
+  double condition;  ///< estimate for the equations in adhesion, in the 1-norm; 1 if all slides
   /// The stick-slip point b, where a method finds it between nodes; a in full sliding  [mm]
   std::optional<double> stick_edge = std::nullopt;
 

@@ -58,7 +58,7 @@ struct TransientState {
   double mean_dissipation;
   double mean_force;               ///< over the step, linear in it or in each of its parts  [N/mm]
   int iterations;                  ///< stick/slip partitions tried
-  double residual;                 ///< of the equations in adhesion, over their largest term  [1]
+  Evidence evidence;               ///< of the step, the worst of its parts
   Eigen::Index adhesion_elements;  ///< of those with a bound above zero
   Eigen::Index slip_elements;      ///< likewise
 };
@@ -95,6 +95,9 @@ class TransientRolling {
 
   /// Half of p A p  [N]. N^2 operations.
   double elastic_energy() const;
+
+  /// Estimate of the condition number of the equations of the last step, see ActiveSet::condition.
+  double condition() const;
 
   /// Makes these the tractions, with nothing rolled. On a grid fixed to the material their ratio to
   /// the bound is interpolated.

@@ -33,7 +33,8 @@ Basis read_basis(Scene& scene, const Grid& grid);
 /// basis constant|linear (constant), for what needs one function for all nodes
 ShapeFunction read_shape(Scene& scene);
 
-/// solver.type auto|dense|fft (auto), solver.tolerance (1e-10)
+/// solver.type auto|dense|fft (auto), solver.tolerance (1e-10), solver.violation (1e-3),
+/// solver.condition (1e13)
 Solver read_solver(Scene& scene);
 
 /// load.creepage or load.force

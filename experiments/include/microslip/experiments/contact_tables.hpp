@@ -29,4 +29,10 @@ Table traction_table(const std::string& description, const NodeValues& values);
 /// The table `summary`, a row a quantity, without rows.
 Table empty_summary(const std::string& description);
 
+/// Adds what a result shows of its own correctness to such a table, if the solver accepts it.
+/// \param iterations  that the result took
+/// \throws as require_evidence
+void add_evidence(Table& summary, const Evidence& evidence, double condition, int iterations,
+                  const Solver& accepted);
+
 }  // namespace microslip::experiments
