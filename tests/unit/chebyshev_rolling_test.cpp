@@ -103,7 +103,11 @@ TEST(ChebyshevRolling, KnowsFullSlidingAndRest) {
   EXPECT_EQ(rolling.solve(PrescribedCreepage{1e-14}).creepage(), 1e-14);
   const ChebyshevSolution rest = rolling.solve(PrescribedCreepage{0});
   EXPECT_EQ(rest.force(), 0);
-  EXPECT_NEAR(rest.traction(0.3), 0, 1e-14);
+  EXPECT_EQ(rest.traction(0.3), 0);
+  const ChebyshevSolution little = rolling.solve(PrescribedCreepage{1e-10});
+  const ChebyshevSolution twice = rolling.solve(PrescribedCreepage{2e-10});
+  EXPECT_NEAR(twice.force() / little.force(), 2, 1e-7);
+  EXPECT_NEAR(twice.traction(0.3) / little.traction(0.3), 2, 1e-6);
   EXPECT_THROW(rolling.solve(PrescribedForce{some_bound().total()}), std::invalid_argument);
 }
 

@@ -250,7 +250,7 @@ double CalibratedSolution::slip_behind(double x) const {
   const double creepage = loaded_.state.creepage;
   if (!lattice_) return creepage - sliding_.strain(x);
   const double from = std::max(std::min(x, behind_elements()), -half_width_of(bound_));
-  const double slip = creepage - sliding_.strain(from) + removed_strain(from);
+  const double slip = creepage - loaded_.part * (sliding_.strain(from) - removed_strain(from));
   return slip * std::sqrt((stick_edge() - x) / (stick_edge() - from));
 }
 

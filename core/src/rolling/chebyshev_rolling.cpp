@@ -57,18 +57,18 @@ ChebyshevSolution::ChebyshevSolution(const LoadedState& loaded, ChebyshevField s
 
 double ChebyshevSolution::traction(double x) const {
   const double stuck = adhesion_ ? adhesion_->traction()(x) : 0;
-  return -loaded_.direction * (sliding_.traction()(x) - stuck);
+  return -loaded_.direction * loaded_.part * (sliding_.traction()(x) - stuck);
 }
 
 double ChebyshevSolution::slip(double x) const {
   if (sticks(x)) return 0;
   const double stuck = adhesion_ ? adhesion_->strain(x) : 0;
-  return loaded_.direction * (loaded_.state.creepage - sliding_.strain(x) + stuck);
+  return loaded_.direction * (loaded_.state.creepage - loaded_.part * (sliding_.strain(x) - stuck));
 }
 
 double ChebyshevSolution::displacement(double x) const {
   const double stuck = adhesion_ ? adhesion_->displacement(x) : 0;
-  return -loaded_.direction * (sliding_.displacement(x) - stuck);
+  return -loaded_.direction * loaded_.part * (sliding_.displacement(x) - stuck);
 }
 
 Evidence ChebyshevSolution::evidence() const {

@@ -16,6 +16,11 @@ namespace {
 /// Of a point of the curve, relative to itself.
 constexpr double rounding = 2e-15;
 
+/// Of the contact's half, and at least so much slides: the force is a difference to that of full
+/// sliding, and would lose more digits below. What is carried by less is in proportion to that but
+/// for a part of this size.
+constexpr double least_sliding = 2e-8;
+
 /// A load as a positive number that grows along the curve.
 struct Target {
   bool force;
@@ -58,18 +63,18 @@ LoadedState meet_load(const CreepageForceCurve& curve, const Load& load, double 
   if (!target.force && target.size >= curve.full_sliding_creepage) {
     return {{a, target.size, -curve.full_sliding_force}, 1, target.direction, 0};
   }
-  double low = std::max(-a, near - uncertainty);
+  const double least = -a * (1 - least_sliding);
+  double low = std::max(least, near - uncertainty);
   double high = std::min(a, near + uncertainty);
   const double at_full_sliding =
       (target.force ? curve.full_sliding_force : curve.full_sliding_creepage) - target.size;
   double at_low = excess(low);
-  if (at_low > 0 && low > -a) at_low = excess(low = -a);
+  if (at_low > 0 && low > least) at_low = excess(low = least);
   if (at_low >= 0) {
-    // Adhesion everywhere.
-    const CreepageForce all = curve.at(-a);
+    const CreepageForce all = curve.at(least);
     const double reached = target.reached_by(all);
     const double part = reached > 0 ? target.size / reached : 0;
-    return {{-a, part * all.creepage, part * all.force}, part, target.direction, evaluations};
+    return {{least, part * all.creepage, part * all.force}, part, target.direction, evaluations};
   }
   double at_high = high < a ? excess(high) : at_full_sliding;
   if (at_high < 0) {

@@ -26,8 +26,8 @@ struct CreepageForceCurve {
 /// Where on the curve a load is met.
 struct LoadedState {
   CreepageForce state;
-  /// Loads below that of adhesion everywhere, which errors of discretisation may let the curve have
-  /// at b = -a, are met by this part of that state; else 1  [1]
+  /// Loads below that of next to full adhesion, which errors of discretisation may make larger, are
+  /// met by this part of that state; else 1  [1]
   double part;
   double direction;  ///< of the creepage, +-1
   int evaluations;   ///< of the curve
