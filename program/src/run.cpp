@@ -32,11 +32,14 @@ void run_scene(const Program& program, Scene& scene, const Given& given, int arg
       work(progress_on_terminal(program.name, given.count("quiet") != 0));
   std::vector<OutputFile> files;
   for (const Table& table : tables) {
-    files.push_back(output_of(table, program.name, scene.parameters()));
+    files.push_back(output_of(table, program.name, scene.origin()));
   }
   files.push_back({"provenance.txt",
                    provenance(program.name, argc, argv, std::chrono::steady_clock::now() - start)});
   write_files(given["out"].as<std::string>(), files);
+  for (const std::string& line : scene.warnings()) {
+    std::cerr << program.name << ": warning: " << line << '\n';
+  }
 }
 
 }  // namespace

@@ -147,6 +147,22 @@ Outcome solve_cases(const Program& program, const SweepPlan& plan, const SweepFo
   return outcome;
 }
 
+/// One line on stderr if a case has a warning.
+void report_warnings(const Program& program, const SweepPlan& plan) {
+  std::size_t warned = 0;
+  std::string first;
+  for (std::size_t i = 0; i < plan.cases.size(); ++i) {
+    const Parameters& origin = plan.cases[i].parameters;
+    const auto warning = std::find_if(origin.begin(), origin.end(),
+                                      [](const auto& entry) { return entry.first == "warning"; });
+    if (warning == origin.end()) continue;
+    if (++warned == 1) first = case_label(plan.table, i) + ": " + warning->second;
+  }
+  if (warned == 0) return;
+  std::cerr << program.name << ": warning: " << warned << " of " << plan.cases.size()
+            << " cases have warnings, the first is " << first << '\n';
+}
+
 /// The exit status, with one line on stderr if a case has no solution.
 int report_failures(const Program& program, const Table& plan, const Outcome& outcome) {
   const auto failed = [](const std::string& status) { return status != "ok"; };
@@ -191,6 +207,7 @@ int sweep_scene(const Program& program, const Given& given, int argc, const char
     std::cout << program.name << ": " << outcome.cases.size() << " cases, "
               << outcome.finished_before << " of them finished before\n";
   }
+  report_warnings(program, plan);
   return report_failures(program, plan.table, outcome);
 }
 

@@ -33,9 +33,9 @@ Case read_case(const Program& program, Scene scene) {
   try {
     const Work work = program.prepare(scene);
     scene.reject_unread();
-    return {scene.parameters(), work};
+    return {scene.origin(), work};
   } catch (const NotConverged& error) {  // as if it had failed later: others may have solutions
-    return {scene.parameters(), [error](const Progress&) -> std::vector<Table> { throw error; }};
+    return {scene.origin(), [error](const Progress&) -> std::vector<Table> { throw error; }};
   }
 }
 

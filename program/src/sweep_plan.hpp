@@ -10,7 +10,7 @@ namespace microslip::program {
 
 /// A case whose scene has been read and accepted.
 struct Case {
-  Parameters parameters;
+  Parameters parameters;  ///< and warnings
   Work work;
 };
 

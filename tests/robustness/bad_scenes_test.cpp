@@ -99,7 +99,7 @@ TEST_F(BadScenes, MethodsOfSteadyRolling) {
                   "kernel.width = 0.01: expected at least 0.02 half-widths");
   expect_rejected(good_scene, "--set grid.elements=1", "grid.elements = 1: expected at least 2");
   for (const char* method : {"leading_edge=standard", "leading_edge=exact", "method=chebyshev",
-                             "leading_edge=trimmed --set basis=linear"}) {
+                             "leading_edge=trimmed --set basis=linear --set grid.elements=21"}) {
     EXPECT_EQ(run(good_scene, "--set " + std::string(method)).error, "") << method;
   }
   const Outcome outcome = run(good_scene, "--set method=chebyshev --set kernel.width=0.1");
@@ -142,6 +142,30 @@ TEST_F(BadScenes, ResultsWorseThanAccepted) {
   EXPECT_GT(summary_value("condition"), 1);
   EXPECT_LE(summary_value("bound_violation"), 1e-3);
   EXPECT_LE(summary_value("slip_violation"), 1e-3);
+}
+
+// Outside of safe ranges a scene is solved as asked for, with a line on stderr and in the tables.
+TEST_F(BadScenes, UnsafeValuesAreWarnedOf) {
+  const auto expect_warned = [&](const std::string& scene, const std::string& options,
+                                 const std::string& line) {
+    const Outcome outcome = run(scene, options);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.error, "microslip: warning: " + line + "\n");
+    EXPECT_NE(text_of(out() / "summary.tsv").find("#   warning = " + line), std::string::npos);
+  };
+  const std::string standard = "--set leading_edge=standard --set grid.elements=51 ";
+  expect_warned(good_scene, standard + "--set step.ratio=0.1",
+                "step.ratio = 0.1: this scheme is safe from 0.7 to 1.5; leading_edge calibrated is "
+                "safe for any");
+  expect_warned(
+      good_scene, standard + "--set grid.elements=4",
+      "grid.elements = 4: this scheme is safe from 11 on; leading_edge calibrated is safe "
+      "for any");
+  expect_warned(good_transient, "--set step.scheme=direct --set step.ratio=0.1",
+                "step.ratio = 0.1: this scheme is safe from 0.5 to 1.3; step.scheme material is "
+                "safe for any");
+  EXPECT_EQ(run(good_scene, standard + "--set step.ratio=0.7").error, "");
+  EXPECT_EQ(run(good_transient, "--set step.ratio=0.01").error, "");
 }
 
 TEST_F(BadScenes, TargetErrors) {

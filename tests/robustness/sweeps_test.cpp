@@ -22,7 +22,7 @@ using Files = std::map<std::string, std::string>;
 const std::string good_sweep = good_scene + R"(
 sweep {
   leading_edge "calibrated standard"
-  grid { elements "10:5:20" }
+  grid { elements "15:5:25" }
   load { creepage "0.1:log3:1" }
 }
 )";
@@ -121,7 +121,7 @@ TEST_F(Sweeps, ACaseIsWhatItsSceneGivesAlone) {
   EXPECT_EQ(column(table, "grid.elements").size(), static_cast<std::size_t>(cases));
   EXPECT_EQ(column(table, "status"), std::vector<std::string>(cases, "ok"));
   EXPECT_EQ(column(table, "leading_edge")[16], "standard");
-  EXPECT_EQ(column(table, "grid.elements")[16], "20");
+  EXPECT_EQ(column(table, "grid.elements")[16], "25");
   EXPECT_EQ(column(table, "load.creepage")[16], "0.316227766016838");
   const std::string force = column(table, "force")[16];
   const auto tractions = column(out() / "cases" / "17" / "traction.tsv", "traction");
@@ -129,7 +129,8 @@ TEST_F(Sweeps, ACaseIsWhatItsSceneGivesAlone) {
 
   fs::remove_all(out());
   EXPECT_EQ(run_program("microslip", "", good_scene,
-                        "--set leading_edge=standard --set load.creepage=0.316227766016838")
+                        "--set leading_edge=standard --set load.creepage=0.316227766016838 "
+                        "--set grid.elements=25")
                 .status,
             0);
   EXPECT_EQ(column(out() / "summary.tsv", "value")[0], force);
@@ -233,7 +234,7 @@ TEST_F(Sweeps, MergeSaysWhatIsMissing) {
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(outcome.error, "microslip: " + out().string() +
                                ": 12 of 18 cases are missing, the first is case 1 of 18 "
-                               "(leading_edge = calibrated, grid.elements = 10, load.creepage = "
+                               "(leading_edge = calibrated, grid.elements = 15, load.creepage = "
                                "0.1)\n");
   EXPECT_EQ(files(), before);
   fs::remove_all(out());

@@ -8,6 +8,7 @@
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/chebyshev_rolling.hpp"
+#include "microslip/scene/safe_ranges.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/interpolation.hpp"
 #include "microslip/support/require.hpp"
@@ -155,6 +156,19 @@ Eigen::VectorXd traction_at_nodes(const std::vector<Eigen::VectorXd>& columns,
 /// A history of more rows would take more than 300 MB.
 constexpr double most_steps = 1e6;
 
+/// \param instead  what is safe for any value
+void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, double value,
+                  const std::string& instead) {
+  if (safe.holds(value)) return;
+  const std::string least = format_short(safe.least);
+  const std::string range = safe.least == safe.most ? "at " + least
+                            : std::isfinite(safe.most)
+                                ? "from " + least + " to " + format_short(safe.most)
+                                : "from " + least + " on";
+  scene.warn(key + " = " + format_short(value) + ": this scheme is safe " + range + "; " + instead +
+             " is safe for any");
+}
+
 /// \param names  of all schemes, the default first
 AdvectionScheme read_scheme(Scene& scene, std::initializer_list<std::string_view> names) {
   const std::string name = scene.word_or_first("step.scheme", names);
@@ -216,6 +230,10 @@ SteadyProblem read_steady(Scene& scene) {
     }
     problem.basis = trimmed_linear_basis(problem.grid.leading_offset());
   }
+  const std::string instead = "leading_edge calibrated";
+  warn_outside(scene, safe_difference, "step.ratio", step_ratio, instead);
+  warn_outside(scene, safe_elements(problem.basis), "grid.elements",
+               static_cast<double>(problem.grid.size()), instead);
   return problem;
 }
 
@@ -258,6 +276,7 @@ TransientScene read_transient(Scene& scene) {
   const std::vector<double> step_ratios = scene.numbers("step.ratio");
   for (const double ratio : step_ratios) {
     require(ratio >= min_step_ratio, "step.ratio", ratio, "numbers >= 1e-15");
+    warn_outside(scene, safe_steps(problem.scheme), "step.ratio", ratio, "step.scheme material");
   }
   const double distance = scene.number("motion.distance");
   require_positive("motion.distance", distance);
@@ -289,6 +308,8 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
                          .distance = scene.number("motion.distance")};
   require_positive("motion.distance", cylinder.distance);
   require_few_steps(cylinder.distance, cylinder.step_ratio * model.grid.spacing());
+  warn_outside(scene, safe_steps(scheme), "step.ratio", cylinder.step_ratio,
+               "step.scheme material");
   return cylinder;
 }
 

@@ -250,6 +250,12 @@ void Scene::reject_unread() const {
   }
 }
 
+Parameters Scene::origin() const {
+  Parameters origin = parameters_;
+  for (const std::string& line : warnings_) origin.emplace_back("warning", line);
+  return origin;
+}
+
 std::string Scene::known_keys() const {
   std::string keys;
   for (const auto& [key, value] : parameters_) keys += (keys.empty() ? "" : ", ") + key;

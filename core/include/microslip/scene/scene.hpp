@@ -93,6 +93,13 @@ class Scene {
   /// What was read so far.
   const Parameters& parameters() const { return parameters_; }
 
+  /// Adds a line that the program tells its user, and puts into its tables.
+  void warn(std::string line) { warnings_.push_back(std::move(line)); }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+  /// What was read so far, and a "warning" for each: what tables show of their origin.
+  Parameters origin() const;
+
  private:
   struct Value {
     std::string text;
@@ -109,6 +116,7 @@ class Scene {
   std::map<std::string, Value> values_;
   std::size_t next_place_ = 0;
   Parameters parameters_;
+  std::vector<std::string> warnings_;
   FileReader read_file_;
 };
 

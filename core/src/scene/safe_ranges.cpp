@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/scene/safe_ranges.hpp"
+
+#include <limits>
+#include <variant>
+
+namespace microslip {
+
+namespace {
+
+constexpr double any = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+SafeRange safe_elements(const Basis& basis) {
+  if (basis.name() == "constant") return {11, any};
+  return {basis.name() == "quadratic" ? 51.0 : 21.0, any};
+}
+
+SafeRange safe_steps(const AdvectionScheme& scheme) {
+  if (std::holds_alternative<MaterialFixed>(scheme)) return {0, any};
+  if (std::holds_alternative<Direct>(scheme)) return {0.5, 1.3};
+  if (std::holds_alternative<Fractional>(scheme)) return {1, 1};
+  return {0.01, 1.3};
+}
+
+}  // namespace microslip
