@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "microslip/friction/traction_bound.hpp"
+#include "microslip/halfspace/material.hpp"
+#include "microslip/scene/scene.hpp"
+#include "microslip/scene/table.hpp"
+#include "microslip/support/progress.hpp"
+
+namespace microslip::experiments {
+
+/// What happens where nobody tunes? One or two parameters at a time go to their extremes; all
+/// others keep their ordinary values.
+struct ExtremesParameters {
+  Material material;
+  HertzBound bound;
+  double length;          ///< L0 of plane strain  [mm]
+  Eigen::Index elements;  ///< N; odd, for quadratic functions and fractional powers
+  double stick_ratio;     ///< a'  [1]
+
+  /// Beyond these a result has failed.
+  struct Limits {
+    double error;       ///< of force or creepage, relative  [1]
+    double wiggle;      ///< amplitude over the peak of the bound  [1]
+    double operations;  ///< of one case; those expected to take more are not run
+  } limits;
+
+  struct {
+    std::vector<double> ratios;  ///< c  [1]
+    std::vector<Eigen::Index> sizes;
+    std::vector<double> ratios_of_large;
+    std::vector<Eigen::Index> large;  ///< sizes, run whatever they take
+  } steps;
+
+  struct {
+    std::vector<double> ratios;  ///< strip width over dx  [1]
+    std::vector<double> poisson_ratios;
+  } widths;
+
+  struct {
+    std::vector<double> stuck;    ///< a'  [1]
+    std::vector<double> sliding;  ///< 1 - a'  [1]
+  } loads;
+
+  std::vector<double> offsets;  ///< alpha and beta  [dx]
+
+  struct {
+    std::vector<double> ratios;  ///< c  [1]
+    std::vector<Eigen::Index> sizes;
+    double distance;  ///< rolled, or as far as most_steps go  [dx]
+    Eigen::Index most_steps;
+  } transient;
+
+  struct {
+    std::vector<double> ratios;        ///< c  [1]
+    std::vector<Eigen::Index> states;  ///< steps after which the state is taken, ascending
+  } endurance;
+
+  std::vector<double> scales;  ///< factors of G, a and mu p0, one at a time and all at once  [1]
+};
+
+/// material.*, contact.*, kernel.length, grid.elements, load.stick_ratio, limits.*, steps.*,
+/// widths.*, loads.*, offsets, transient.*, endurance.*, scales: see the scene of the study.
+ExtremesParameters read_extremes(Scene& scene);
+
+/// Tables: steps (c and N of steady rolling), widths (strip width and Poisson ratio), loads (from
+/// full stick to full sliding), offsets (of both edges), transient (c and N), endurance (many
+/// steps), each with a row a case, failures included; scales (what is left of scale invariance);
+/// ranges (where each scheme is safe) and claims.
+std::vector<Table> extremes(const ExtremesParameters& parameters, const Progress& progress);
+
+}  // namespace microslip::experiments

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "microslip/experiments/claims.hpp"
+#include "microslip/experiments/extremes.hpp"
+#include "microslip/friction/evidence.hpp"
+
+namespace microslip::experiments {
+
+/// What a result at an extreme is worth.
+struct Finding {
+  double error = not_given;   ///< of what is not prescribed, or of the force; relative  [1]
+  double wiggle = not_given;  ///< see wiggle_of()  [1]
+  double condition = not_given;
+  Evidence evidence;
+  double iterations = not_given;
+  double work = not_given;  ///< counted operations
+};
+
+/// The amplitude of an error where it alternates over four nodes in a row or more: half the least
+/// of their differences to the mean of their neighbours. Nothing of a smooth error, of one at an
+/// edge, and of a peak that has been flattened.
+double wiggle_of(const Eigen::VectorXd& error);
+
+/// One scheme at one place of a map.
+struct Case {
+  std::string scheme;
+  std::vector<double> place;  ///< coordinates
+  double size;                ///< N
+  /// How many cases back the same with fewer elements is; 0 without one.
+  std::size_t smaller = 0;
+  std::function<Finding()> solve;
+};
+
+/// A case and what came out.
+struct Outcome {
+  Case at;
+  Finding finding;
+  /// ok, wiggles, inaccurate, refused (bad input), no_solution, or not_run (too much work)
+  std::string verdict;
+  std::string message;  ///< of what was thrown
+};
+
+/// A set of cases in one table.
+struct Map {
+  std::string name;
+  std::string description;
+  std::vector<Column> coordinates;
+  /// Values that ranges of the others are given for; not_given for a coordinate that follows from
+  /// the others.
+  std::vector<double> ordinary;
+  std::vector<Case> cases;
+};
+
+/// Runs one case; those before it are done.
+Outcome outcome_of(const std::vector<Outcome>& before, const Case& at,
+                   const ExtremesParameters::Limits& limits);
+
+Table table_of(const Map& map, const std::vector<Outcome>& outcomes);
+
+/// Where each scheme is safe: a row a scheme and coordinate.
+Table empty_ranges();
+
+/// Adds the ranges of one map: with all other coordinates ordinary, from the ordinary value on up
+/// to the last case before one fails.
+void add_ranges(Table& ranges, const Map& map, const std::vector<Outcome>& outcomes);
+
+// The maps.
+Map steps_map(const ExtremesParameters& p);
+Map widths_map(const ExtremesParameters& p);
+Map loads_map(const ExtremesParameters& p);
+Map offsets_map(const ExtremesParameters& p);
+Map transient_map(const ExtremesParameters& p);
+Map endurance_map(const ExtremesParameters& p);
+
+/// The table of what is left of scale invariance.
+Table scales_table(const ExtremesParameters& p);
+
+}  // namespace microslip::experiments

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "extremes_cases.hpp"
+#include "microslip/reference/carter.hpp"
+#include "microslip/rolling/chebyshev_rolling.hpp"
+#include "microslip/rolling/steady.hpp"
+#include "microslip/support/interpolation.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+/// A scheme that a table can name.
+struct Scheme {
+  std::string name;
+  std::string edge;
+  std::string basis = "constant";
+};
+
+const Scheme standard{"standard", "standard"};
+const Scheme standard_linear{"standard linear", "standard", "linear"};
+const Scheme standard_quadratic{"standard quadratic", "standard", "quadratic"};
+const Scheme exact_edge{"exact", "exact"};
+const Scheme trimmed{"trimmed", "trimmed", "linear"};
+const Scheme calibrated{"calibrated", "calibrated"};
+const Scheme chebyshev{"chebyshev", "chebyshev"};
+
+/// The solution for one load, and both ways to prescribe it.
+struct Truth {
+  double creepage;
+  double force;
+  std::function<double(double x)> traction;
+};
+
+struct Setting {
+  Kernel kernel;
+  HertzBound bound;
+  std::shared_ptr<const Truth> truth;
+};
+
+/// Plane strain, where a part 1 - `sliding` of the contact sticks.
+Setting carter_setting(const ExtremesParameters& p, double sliding) {
+  const double creepage = compliance(p.material) * p.bound.peak() * sliding;
+  const Carter carter = Carter::from_creepage(p.material, p.bound, creepage);
+  return {PlaneKernel(p.material, p.length), p.bound,
+          std::make_shared<const Truth>(
+              Truth{.creepage = creepage,
+                    .force = -p.bound.total() * sliding * (2 - sliding),
+                    .traction = [carter](double x) { return carter.traction(x); }})};
+}
+
+SteadyMethod method_of(const Scheme& scheme, const Setting& setting, const Load& load,
+                       double step_ratio) {
+  if (scheme.edge == "calibrated") return Calibrated{};
+  if (scheme.edge == "chebyshev") return ChebyshevCollocation{};
+  if (scheme.edge != "exact") return Differences{.step_ratio = step_ratio};
+  const double displacement = ChebyshevRolling(setting.kernel, setting.bound)
+                                  .solve(load)
+                                  .displacement(setting.bound.half_width());
+  return Differences{.step_ratio = step_ratio, .edge_displacement = displacement};
+}
+
+/// The larger of each.
+Finding worst_of(const Finding& a, const Finding& b) {
+  return {.error = std::max(a.error, b.error),
+          .wiggle = std::max(a.wiggle, b.wiggle),
+          .condition = std::max(a.condition, b.condition),
+          .evidence = worst_of(a.evidence, b.evidence),
+          .iterations = std::max(a.iterations, b.iterations)};
+}
+
+double relative(double value, double exact, double scale) {
+  return std::abs(value - exact) / (exact == 0 ? scale : std::abs(exact));
+}
+
+Finding solve(const Scheme& scheme, const Setting& setting, const Grid& grid, double step_ratio,
+              const Load& load) {
+  SteadyProblem problem{.kernel = setting.kernel,
+                        .bound = setting.bound,
+                        .grid = grid,
+                        .basis = make_basis(scheme.basis),
+                        .method = method_of(scheme, setting, load, step_ratio),
+                        .load = load};
+  if (scheme.edge == "trimmed") problem.basis = trimmed_linear_basis(grid.leading_offset());
+  const SteadySolution found = solve_steady(problem);
+  const Truth& truth = *setting.truth;
+  const bool by_force = std::holds_alternative<PrescribedForce>(load);
+  const VectorXd exact = found.x.unaryExpr([&](double x) { return truth.traction(x); });
+  return {.error = by_force
+                       ? relative(found.creepage, truth.creepage,
+                                  compliance(material_of(setting.kernel)) * setting.bound.peak())
+                       : relative(found.force, truth.force, setting.bound.total()),
+          .wiggle = wiggle_of(found.traction - exact) / setting.bound.peak(),
+          .condition = found.condition,
+          .evidence = found.evidence,
+          .iterations = static_cast<double>(found.iterations)};
+}
+
+/// Under the creepage and under the force: the worst of both.
+Case case_of(const Scheme& scheme, const Setting& setting, const Grid::Parameters& grid,
+             double step_ratio, std::vector<double> place) {
+  return {.scheme = scheme.name,
+          .place = std::move(place),
+          .size = static_cast<double>(grid.elements),
+          .solve = [=] {
+            const Grid nodes(grid);
+            const Truth& truth = *setting.truth;
+            return worst_of(
+                solve(scheme, setting, nodes, step_ratio, PrescribedCreepage{truth.creepage}),
+                solve(scheme, setting, nodes, step_ratio, PrescribedForce{truth.force}));
+          }};
+}
+
+Grid::Parameters grid_of(const ExtremesParameters& p, Index elements) {
+  return {.half_width = p.bound.half_width(), .elements = elements};
+}
+
+/// Of a strip: Chebyshev collocation where it may be used, else the most that elements give.
+std::shared_ptr<const Truth> strip_truth(const Kernel& kernel, const HertzBound& bound,
+                                         const ExtremesParameters& p) {
+  const double force = -bound.total() * (1 - p.stick_ratio) * (1 + p.stick_ratio);
+  try {
+    const auto solution = std::make_shared<const ChebyshevSolution>(
+        ChebyshevRolling(kernel, bound).solve(PrescribedForce{force}));
+    return std::make_shared<const Truth>(
+        Truth{solution->creepage(), force, [=](double x) { return solution->traction(x); }});
+  } catch (const std::exception&) {  // too narrow
+  }
+  SteadyProblem problem{.kernel = kernel,
+                        .bound = bound,
+                        .grid = Grid(grid_of(p, 9 * p.elements)),
+                        .load = PrescribedForce{force}};
+  const auto truth_of = [&] {
+    const SteadySolution found = solve_steady(problem);
+    return std::make_shared<const Truth>(
+        Truth{found.creepage, force, [x = found.x, traction = found.traction](double at) {
+                return interpolated(x, traction, VectorXd::Constant(1, at))[0];
+              }});
+  };
+  try {
+    return truth_of();
+  } catch (const std::invalid_argument&) {  // still too narrow
+    problem.method = Differences{};
+    return truth_of();
+  }
+}
+
+}  // namespace
+
+Map steps_map(const ExtremesParameters& p) {
+  Map map{"steps",
+          "steady rolling in plane strain, from tiny to huge steps and grids",
+          {{"step_ratio", "1", "c = dq/dx; 1 where it has no role"}, {"elements", "1", "N"}},
+          {1, static_cast<double>(p.elements)},
+          {}};
+  const Setting setting = carter_setting(p, 1 - p.stick_ratio);
+  const auto add = [&](const Scheme& scheme, double c, const std::vector<Index>& sizes) {
+    for (const Index n : sizes) {
+      map.cases.push_back(case_of(scheme, setting, grid_of(p, n), c, {c, static_cast<double>(n)}));
+      map.cases.back().smaller = n == sizes.front() ? 0 : 1;
+    }
+  };
+  for (const Scheme& scheme :
+       {standard, standard_linear, standard_quadratic, exact_edge, trimmed}) {
+    for (const double c : p.steps.ratios) add(scheme, c, p.steps.sizes);
+  }
+  for (const Scheme& scheme : {standard, standard_linear}) {
+    for (const double c : p.steps.ratios_of_large) {
+      for (const Index n : p.steps.large) add(scheme, c, {n});
+    }
+  }
+  for (const Scheme& scheme : {calibrated, chebyshev}) {
+    add(scheme, 1, p.steps.sizes);
+    for (const Index n : p.steps.large) add(scheme, 1, {n});
+  }
+  return map;
+}
+
+Map widths_map(const ExtremesParameters& p) {
+  Map map{"widths",
+          "steady rolling on strips of any width",
+          {{"width", "dx", "strip width"}, {"poisson_ratio", "1", "nu"}},
+          {1000, p.material.poisson_ratio},
+          {}};
+  const double dx = Grid(grid_of(p, p.elements)).spacing();
+  for (const double nu : p.widths.poisson_ratios) {
+    for (const double width : p.widths.ratios) {
+      const Kernel kernel = StripKernel({p.material.shear_modulus, nu}, width * dx);
+      const Setting setting{kernel, p.bound, strip_truth(kernel, p.bound, p)};
+      for (const Scheme& scheme : {standard, standard_linear, calibrated, chebyshev}) {
+        map.cases.push_back(case_of(scheme, setting, grid_of(p, p.elements), 1, {width, nu}));
+      }
+    }
+  }
+  return map;
+}
+
+Map loads_map(const ExtremesParameters& p) {
+  Map map{"loads",
+          "steady rolling in plane strain, from full stick to full sliding",
+          {{"stuck", "1", "a', part of the contact that sticks"}, {"sliding", "1", "1 - a'"}},
+          {p.stick_ratio, not_given},
+          {}};
+  const auto add = [&](double stuck, double sliding) {
+    const Setting setting = carter_setting(p, sliding);
+    for (const Scheme& scheme : {standard, standard_linear, exact_edge, calibrated, chebyshev}) {
+      map.cases.push_back(case_of(scheme, setting, grid_of(p, p.elements), 1, {stuck, sliding}));
+    }
+  };
+  for (const double sliding : p.loads.sliding) add(1 - sliding, sliding);
+  add(p.stick_ratio, 1 - p.stick_ratio);
+  for (const double stuck : p.loads.stuck) add(stuck, 1 - stuck);
+  return map;
+}
+
+Map offsets_map(const ExtremesParameters& p) {
+  Map map{"offsets",
+          "steady rolling in plane strain, with the edges anywhere within an element",
+          {{"leading_offset", "dx", "beta, from the last node to the leading edge"},
+           {"trailing_offset", "dx", "alpha, from the trailing edge to the first node"}},
+          {0.5, 0.5},
+          {}};
+  const Setting setting = carter_setting(p, 1 - p.stick_ratio);
+  for (const Scheme& scheme :
+       {standard, standard_linear, standard_quadratic, exact_edge, trimmed, calibrated}) {
+    for (const double beta : p.offsets) {
+      for (const double alpha : p.offsets) {
+        Grid::Parameters grid = grid_of(p, p.elements);
+        grid.leading_offset = beta;
+        grid.trailing_offset = alpha;
+        map.cases.push_back(case_of(scheme, setting, grid, 1, {beta, alpha}));
+      }
+    }
+  }
+  return map;
+}
+
+}  // namespace microslip::experiments

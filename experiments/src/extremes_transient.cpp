@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include "extremes_cases.hpp"
+#include "microslip/experiments/cattaneo_to_carter.hpp"
+#include "microslip/reference/carter.hpp"
+#include "microslip/support/interpolation.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+struct Scheme {
+  std::string name;
+  AdvectionScheme scheme;
+};
+
+/// With under-relaxation from a whole element, or from the step if that is larger.
+std::vector<Scheme> schemes_for(double step_ratio) {
+  const double relaxation = std::max(1.0, step_ratio);
+  return {{"direct", Direct{}},
+          {"relaxed", Relaxed{relaxation}},
+          {"relaxed_traction", RelaxedTraction{relaxation}},
+          {"fractional", Fractional{}},
+          {"material", MaterialFixed{}}};
+}
+
+CattaneoToCarter rolling_of(const ExtremesParameters& p, Index elements) {
+  const double force_ratio = (1 - p.stick_ratio) * (1 + p.stick_ratio);
+  return {.kernel = PlaneKernel(p.material, p.length),
+          .bound = p.bound,
+          .grid = Grid({.half_width = p.bound.half_width(), .elements = elements}),
+          .basis = constant_basis(),
+          .force = -force_ratio * p.bound.total()};
+}
+
+/// Tractions, at any place, after a distance. Carter's once the start has long been left behind.
+class Truth {
+ public:
+  explicit Truth(const ExtremesParameters& p) : p_(p) {}
+
+  VectorXd at(const VectorXd& x, Index elements, double distance) {
+    constexpr double contacts = 3;
+    constexpr Index refinement = 4;
+    const CattaneoToCarter rolling = rolling_of(p_, elements);
+    if (distance >= contacts * static_cast<double>(elements)) {
+      const Carter carter = Carter::from_force(p_.material, p_.bound, rolling.force);
+      return x.unaryExpr([&](double xi) { return carter.traction(xi); });
+    }
+    const auto [known, is_new] = fine_.try_emplace({elements, distance});
+    if (is_new) {
+      const TransientRolling fine = rolling.refined(distance, refinement);
+      known->second = {fine.x(), fine.state().traction};
+    }
+    return interpolated(known->second.x, known->second.traction, x);
+  }
+
+ private:
+  struct Fine {
+    VectorXd x;
+    VectorXd traction;
+  };
+
+  ExtremesParameters p_;
+  std::map<std::pair<Index, double>, Fine> fine_;
+};
+
+Finding roll(const ExtremesParameters& p, const Scheme& scheme, Index elements, double step_ratio,
+             double distance, Truth& truth) {
+  const CattaneoToCarter start = rolling_of(p, elements);
+  const double dx = start.grid.spacing();
+  TransientRolling rolling(start.problem(scheme.scheme), CattaneoShift{start.force});
+  Finding found;
+  found.iterations = 0;
+  rolling.roll(distance * dx, {step_ratio * dx}, PrescribedForce{start.force},
+               [&](const TransientState& state) {
+                 found.evidence = worst_of(found.evidence, state.evidence);
+                 found.iterations =
+                     std::max(found.iterations, static_cast<double>(state.iterations));
+               });
+  const VectorXd x = start.grid.nodes();
+  const VectorXd traction = interpolated(rolling.x(), rolling.traction_at_nodes(), x);
+  const VectorXd error = traction - truth.at(x, elements, distance);
+  found.error = dx * error.lpNorm<1>() / std::abs(start.force);
+  found.wiggle = wiggle_of(error) / p.bound.peak();
+  found.condition = rolling.condition();
+  return found;
+}
+
+}  // namespace
+
+Map transient_map(const ExtremesParameters& p) {
+  Map map{"transient",
+          "a Cattaneo shift that rolls on in steps of any length; error: integral of |p - exact| "
+          "over the force",
+          {{"step_ratio", "1", "c = dq/dx"},
+           {"elements", "1", "N"},
+           {"distance", "dx", "rolled; the least that the study allows, or two steps"}},
+          {1, static_cast<double>(p.elements), not_given},
+          {}};
+  const auto truth = std::make_shared<Truth>(p);
+  for (std::size_t k = 0; k < schemes_for(1).size(); ++k) {
+    for (const double c : p.transient.ratios) {
+      for (const Index n : p.transient.sizes) {
+        const double distance = std::max(
+            std::min(p.transient.distance, c * static_cast<double>(p.transient.most_steps)), 2 * c);
+        const Scheme scheme = schemes_for(c)[k];
+        map.cases.push_back(
+            {.scheme = scheme.name,
+             .place = {c, static_cast<double>(n), distance},
+             .size = static_cast<double>(n),
+             .smaller = n == p.transient.sizes.front() ? std::size_t{0} : std::size_t{1},
+             .solve = [=] { return roll(p, scheme, n, c, distance, *truth); }});
+      }
+    }
+  }
+  return map;
+}
+
+Map endurance_map(const ExtremesParameters& p) {
+  Map map{"endurance",
+          "the same over many steps; error: integral of |p - exact| over the force",
+          {{"step_ratio", "1", "c = dq/dx"},
+           {"steps", "1", "made so far"},
+           {"distance", "dx", "rolled"}},
+          {1, static_cast<double>(p.endurance.states.front()), not_given},
+          {}};
+  const auto truth = std::make_shared<Truth>(p);
+  for (std::size_t k = 0; k < schemes_for(1).size(); ++k) {
+    for (const double c : p.endurance.ratios) {
+      for (const Index steps : p.endurance.states) {
+        const double distance = c * static_cast<double>(steps);
+        const Scheme scheme = schemes_for(c)[k];
+        const bool costly = std::holds_alternative<Fractional>(scheme.scheme);
+        map.cases.push_back(
+            {.scheme = scheme.name,
+             .place = {c, static_cast<double>(steps), distance},
+             .size = static_cast<double>(steps),
+             .smaller =
+                 costly && steps != p.endurance.states.front() ? std::size_t{1} : std::size_t{0},
+             .solve = [=] { return roll(p, scheme, p.elements, c, distance, *truth); }});
+      }
+    }
+  }
+  return map;
+}
+
+}  // namespace microslip::experiments

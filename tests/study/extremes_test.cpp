@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/extremes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "microslip/scene/safe_ranges.hpp"
+#include "study_tables.hpp"
+
+namespace microslip::experiments {
+namespace {
+
+/// Fewer places than in the study, but those on which the safe ranges rest.
+ExtremesParameters parameters() {
+  return {.material = {1, 0.28},
+          .bound = HertzBound(1, 1),
+          .length = 10,
+          .elements = 51,
+          .stick_ratio = 0.6,
+          .limits = {.error = 0.1, .wiggle = 0.01, .operations = 1e8},
+          .steps = {.ratios = {1e-12, 1e-6, 1e-3, 0.1, 0.3, 0.7, 1, 1.5, 2, 10, 1000},
+                    .sizes = {1, 2, 11, 21, 51, 101},
+                    .ratios_of_large = {1},
+                    .large = {10001}},
+          .widths = {.ratios = {1e-3, 0.1, 1, 10, 1000, 1e8}, .poisson_ratios = {0, 0.28, 0.5}},
+          .loads = {.stuck = {0, 1e-6, 1e-3, 0.1}, .sliding = {0, 1e-12, 1e-9, 1e-6, 1e-3, 0.1}},
+          .offsets = {0, 1e-9, 0.5, 0.8253, 1},
+          .transient = {.ratios = {1e-12, 1e-3, 0.01, 0.1, 0.3, 0.5, 0.8, 1, 1.3, 2, 100, 1000},
+                        .sizes = {11, 25, 51},
+                        .distance = 20,
+                        .most_steps = 2000},
+          .endurance = {.ratios = {1, 0.3}, .states = {1000, 10000}},
+          .scales = {1e-12, 1e12}};
+}
+
+class Extremes : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    tables_ = new std::vector<Table>(extremes(parameters(), [](std::size_t, std::size_t) {}));
+  }
+  static void TearDownTestSuite() { delete tables_; }
+
+  static const Table& table(const std::string& name) { return table_named(*tables_, name); }
+
+  static std::string text(const Table& table, std::size_t row, const std::string& column) {
+    return std::get<std::string>(table.at(row, column));
+  }
+
+  /// Calls with each row of a scheme.
+  template <class Do>
+  static void for_rows(const std::string& map, const std::string& scheme, const Do& each) {
+    const Table& rows = table(map);
+    int found = 0;
+    for (std::size_t i = 0; i < rows.rows(); ++i) {
+      if (!scheme.empty() && text(rows, i, "scheme") != scheme) continue;
+      ++found;
+      each(rows, i);
+    }
+    EXPECT_GT(found, 0) << map << " " << scheme;
+  }
+
+ private:
+  static inline std::vector<Table>* tables_ = nullptr;
+};
+
+// Results have residuals of rounding wherever there is one, and no other exception than bad input
+// and no solution comes out.
+TEST_F(Extremes, WhatIsReturnedMeetsTheContactConditions) {
+  for (const char* map : {"steps", "widths", "loads", "offsets", "transient", "endurance"}) {
+    for_rows(map, "", [&](const Table& rows, std::size_t i) {
+      const double residual = rows.number(i, "residual");
+      if (std::isnan(residual)) return;
+      EXPECT_LE(residual, 1e-12) << map << " row " << i;
+      EXPECT_LE(rows.number(i, "violation"), 1e-9) << map << " row " << i;
+      EXPECT_TRUE(std::isfinite(rows.number(i, "error"))) << map << " row " << i;
+    });
+  }
+}
+
+TEST_F(Extremes, ResultsAreScaleInvariantToRounding) {
+  const Table& scales = table("scales");
+  EXPECT_EQ(scales.rows(), 8 * 4 * 2U);
+  for (std::size_t i = 0; i < scales.rows(); ++i) {
+    EXPECT_LE(scales.number(i, "deviation"), 1e-12)
+        << text(scales, i, "scheme") << " " << text(scales, i, "scaled");
+  }
+}
+
+// The ranges of which the scene reader warns: safe inside, and not much further.
+TEST_F(Extremes, SteadyDifferencesAreSafeWhereTheReaderSaysSo) {
+  for (const std::string basis : {"constant", "linear", "quadratic"}) {
+    const std::string scheme = basis == "constant" ? "standard" : "standard " + basis;
+    const SafeRange elements = safe_elements(make_basis(basis));
+    for_rows("steps", scheme, [&](const Table& rows, std::size_t i) {
+      const double c = rows.number(i, "step_ratio");
+      const double n = rows.number(i, "elements");
+      const std::string verdict = text(rows, i, "verdict");
+      if (verdict == "not_run") return;
+      if (safe_difference.holds(c) && elements.holds(n)) {
+        EXPECT_EQ(verdict, "ok") << scheme << " " << c << " " << n;
+      }
+      if (n <= 2 || (n == 51 && (c <= 0.3 || c >= 2))) {
+        EXPECT_NE(verdict, "ok") << scheme << " " << c << " " << n;
+      }
+    });
+  }
+}
+
+TEST_F(Extremes, TransientsAreSafeWhereTheReaderSaysSo) {
+  const std::vector<std::pair<std::string, AdvectionScheme>> schemes{
+      {"direct", Direct{}},
+      {"relaxed", Relaxed{1}},
+      {"relaxed_traction", RelaxedTraction{1}},
+      {"fractional", Fractional{}},
+      {"material", MaterialFixed{}}};
+  for (const auto& [name, scheme] : schemes) {
+    const SafeRange safe = safe_steps(scheme);
+    for (const char* map : {"transient", "endurance"}) {
+      for_rows(map, name, [&, &name = name](const Table& rows, std::size_t i) {
+        const double c = rows.number(i, "step_ratio");
+        const std::string verdict = text(rows, i, "verdict");
+        if (verdict == "not_run") return;
+        if (safe.holds(c)) {
+          EXPECT_EQ(verdict, "ok") << map << " " << name << " " << c;
+        } else if (c >= 100) {
+          EXPECT_EQ(verdict, "inaccurate") << name << " " << c;
+        }
+      });
+    }
+  }
+  EXPECT_EQ(table("ranges").latest(
+                {{"map", "transient"}, {"scheme", "direct"}, {"parameter", "step_ratio"}}, "most"),
+            1.3);
+}
+
+// Ours are safe everywhere, with errors that say so.
+TEST_F(Extremes, CalibratedAndChebyshevHoldFromFullSlidingToFullStick) {
+  for (const std::string scheme : {"calibrated", "chebyshev"}) {
+    for_rows("loads", scheme, [&](const Table& rows, std::size_t i) {
+      if (rows.number(i, "stuck") == 0) {
+        EXPECT_EQ(text(rows, i, "verdict"), "refused");  // a force of full sliding
+      } else {
+        EXPECT_LE(rows.number(i, "error"), 3e-8) << scheme << " row " << i;
+      }
+    });
+  }
+  for_rows("offsets", "calibrated",
+           [](const Table& rows, std::size_t i) { EXPECT_LE(rows.number(i, "error"), 1e-14); });
+  for_rows("transient", "material", [](const Table& rows, std::size_t i) {
+    const bool fine = rows.number(i, "elements") == 51;
+    EXPECT_LE(rows.number(i, "error"), fine ? 0.007 : 0.1);
+  });
+}
+
+// Next to full stick, where the displacement at the edge is a difference, too.
+TEST_F(Extremes, DifferencesHoldFromFullSlidingToFullStick) {
+  for (const std::string scheme : {"standard", "standard linear", "exact"}) {
+    for_rows("loads", scheme, [&](const Table& rows, std::size_t i) {
+      if (text(rows, i, "verdict") == "refused") return;
+      EXPECT_LE(rows.number(i, "error"), 0.07) << scheme << " row " << i;
+    });
+  }
+}
+
+TEST_F(Extremes, ManyStepsDoNotDrift) {
+  for_rows("endurance", "material", [](const Table& rows, std::size_t i) {
+    EXPECT_NEAR(rows.number(i, "error"), 0.0020076, 1e-7);
+  });
+}
+
+TEST_F(Extremes, ClaimsHold) {
+  const Table& claims = table("claims");
+  ASSERT_EQ(claims.rows(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(text(claims, i, "verdict"), "reproduced");
+}
+
+}  // namespace
+}  // namespace microslip::experiments
