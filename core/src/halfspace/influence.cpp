@@ -80,18 +80,21 @@ double influence(const Kernel& kernel, const ShapeFunction& shape, double spacin
                       spacing * integrate_decay(kernel, spacing, reach, weight));
   };
   if (offset >= last) {
+    const ShapeFunction local = shape.about(last);
     Reach reach{offset - last, {}};
-    for (const double s : shape.breakpoints()) reach.add(last - s);
-    return by_parts(reach, [&](double t) { return shape.integral(last - t, t); });
+    for (const double s : local.breakpoints()) reach.add(-s);
+    return by_parts(reach, [&](double t) { return local.integral(-t, t); });
   }
   if (offset <= first) {
+    const ShapeFunction local = shape.about(first);
     Reach reach{first - offset, {}};
-    for (const double s : shape.breakpoints()) reach.add(s - first);
-    return by_parts(reach, [&](double t) { return shape.integral(first, t); });
+    for (const double s : local.breakpoints()) reach.add(s);
+    return by_parts(reach, [&](double t) { return local.integral(0, t); });
   }
+  const ShapeFunction local = shape.about(offset);
   Reach reach{0, {0}};
-  for (const double s : shape.breakpoints()) reach.add(std::abs(offset - s));
-  return by_parts(reach, [&](double t) { return shape.integral(offset - t, 2 * t); });
+  for (const double s : local.breakpoints()) reach.add(std::abs(s));
+  return by_parts(reach, [&](double t) { return local.integral(-t, 2 * t); });
 }
 
 double influence_difference(const Kernel& kernel, const ShapeFunction& shape, double spacing,
@@ -102,31 +105,38 @@ double influence_difference(const Kernel& kernel, const ShapeFunction& shape, do
   const double last = shape.breakpoints().back();
   const double scale = spacing * spacing;
   if (offset >= last) {
+    const ShapeFunction local = shape.about(last);
     Reach reach{offset - last, {}};
-    for (const double s : shape.breakpoints()) {
-      reach.add(last - s);
-      reach.add(last - s + shift);
+    for (const double s : local.breakpoints()) {
+      reach.add(-s);
+      reach.add(-s + shift);
     }
     return scale * integrate_decay(kernel, spacing, reach,
-                                   [&](double t) { return shape.integral(last - t, shift); });
+                                   [&](double t) { return local.integral(-t, shift); });
   }
   if (offset + shift <= first) {
+    const ShapeFunction local = shape.about(first);
     Reach reach{first - (offset + shift), {}};
-    for (const double s : shape.breakpoints()) {
-      reach.add(s - first);
-      reach.add(s - first + shift);
+    for (const double s : local.breakpoints()) {
+      reach.add(s);
+      reach.add(s + shift);
     }
-    return -scale * integrate_decay(kernel, spacing, reach, [&](double t) {
-      return shape.integral(first + t - shift, shift);
-    });
+    return -scale * integrate_decay(kernel, spacing, reach,
+                                    [&](double t) { return local.integral(t - shift, shift); });
   }
-  Reach reach{0, {0}};
-  for (const double s : shape.breakpoints()) {
-    reach.add(std::abs(offset - s));
-    reach.add(std::abs(offset + shift - s));
-  }
+  const ShapeFunction here = shape.about(offset);
+  const ShapeFunction there = shape.about(offset + shift);
+  Reach reach{0, {0, shift / 2}};
+  for (const double s : here.breakpoints()) reach.add(std::abs(s));
+  for (const double s : there.breakpoints()) reach.add(std::abs(s));
+  // The same remains of the tractions within z of either point. The shorter intervals are taken:
+  // what the longer ones share would cancel, as the values would where the function is smooth.
   return scale * integrate_decay(kernel, spacing, reach, [&](double t) {
-           return shape.integral(offset - t, shift) - shape.integral(offset + t, shift);
+           if (const auto* piece = here.piece_over(-t, t + shift)) {
+             return -2 * t * shift * (piece->c[1] + piece->c[2] * shift);
+           }
+           return 2 * t < shift ? here.integral(-t, 2 * t) - there.integral(-t, 2 * t)
+                                : here.integral(-t, shift) - here.integral(t, shift);
          });
 }
 

@@ -49,6 +49,23 @@ double ShapeFunction::integral(double from, double length) const {
   return sum;
 }
 
+const ShapeFunction::Piece* ShapeFunction::piece_over(double from, double to) const {
+  for (const Piece& piece : pieces_) {
+    if (from >= piece.begin && to <= piece.end) return &piece;
+  }
+  return nullptr;
+}
+
+ShapeFunction ShapeFunction::about(double origin) const {
+  std::vector<Piece> moved = pieces_;
+  for (Piece& piece : moved) {
+    const double slope = piece.c[1] + 2 * piece.c[2] * origin;
+    piece = {
+        piece.begin - origin, piece.end - origin, {polynomial(piece, origin), slope, piece.c[2]}};
+  }
+  return ShapeFunction(std::move(moved));
+}
+
 double ShapeFunction::weight() const {
   return integral(breakpoints_.front(), breakpoints_.back() - breakpoints_.front());
 }

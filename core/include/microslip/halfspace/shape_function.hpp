@@ -33,6 +33,13 @@ class ShapeFunction {
   /// lengths.
   double integral(double from, double length) const;
 
+  /// The piece that holds all of [from, to], or none.
+  const Piece* piece_over(double from, double to) const;
+
+  /// The same function with positions counted from `origin`, so that they and what is next to a
+  /// zero keep their digits there.
+  ShapeFunction about(double origin) const;
+
   /// Integral over the whole support.
   double weight() const;
 
