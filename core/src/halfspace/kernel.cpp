@@ -45,10 +45,11 @@ double StripKernel::integral(double z) const {
 }
 
 double StripKernel::double_integral(double z) const {
-  const double radius = std::hypot(z, half_width_);
-  const double along = half_width_ * (z * std::asinh(z / half_width_) - radius);
+  const double rise = z * z / (half_width_ + std::hypot(z, half_width_));
+  const double along = z * std::asinh(z / half_width_);
   const double across = z == 0 ? 0 : z * z / 2 * std::asinh(half_width_ / std::abs(z));
-  return log_factor_ * (across + half_width_ / 2 * radius + along) + plain_factor_ * along;
+  return log_factor_ * (across + half_width_ * (along - rise / 2)) +
+         plain_factor_ * half_width_ * (along - rise);
 }
 
 PlaneKernel::PlaneKernel(const Material& material, double length)
