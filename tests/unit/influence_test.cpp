@@ -7,95 +7,11 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 #include "microslip/halfspace/basis.hpp"
-#include "reference_influence.hpp"
 
 namespace microslip {
 namespace {
-
-using test::Digits50;
-
-struct Case {
-  std::string name;
-  ShapeFunction shape;
-  double nu;
-  double width;  ///< Dy/dx; 0 for plane strain
-};
-
-std::vector<Case> cases() {
-  std::vector<Case> all;
-  const Basis quadratic = quadratic_basis();
-  for (const auto& [name, shape] :
-       {std::pair("constant", constant_shape()), std::pair("linear", linear_shape()),
-        std::pair("quadratic bubble", quadratic.shapes()[0]),
-        std::pair("quadratic vertex", quadratic.shapes()[1]),
-        std::pair("trimmed linear", trimmed_linear_basis(0.4).shapes()[1]),
-        std::pair("edge constant", edge_constant_basis().shapes()[1])}) {
-    for (const double width : {1e-2, 0.1, 1.0, 40.0, 1e6, 0.0}) {
-      for (const double nu : {0.0, 0.28, 0.5}) all.push_back({name, shape, nu, width});
-    }
-  }
-  return all;
-}
-
-std::string describe(const Case& c, double offset, double shift) {
-  return c.name + ", Dy/dx = " + std::to_string(c.width) + ", nu = " + std::to_string(c.nu) +
-         ", offset " + std::to_string(offset) + ", shift " + std::to_string(shift);
-}
-
-Kernel kernel_of(const Case& c) {
-  const Material material{1, c.nu};
-  if (c.width == 0) return PlaneKernel(material, 1);
-  return StripKernel(material, c.width);
-}
-
-test::ReferenceInfluence reference_of(const Case& c) {
-  return {.nu = c.nu, .width = c.width, .shape = test::reference_pieces(c.shape)};
-}
-
-double relative_error(double value, const Digits50& exact, const Digits50& scale) {
-  return static_cast<double>(abs(value - exact) / abs(scale));
-}
-
-// Worst met: 1.0e-15 (constant, plane strain, nu = 0, offset 1).
-TEST(Influence, AgreesWithFiftyDigitsAtAllDistances) {
-  for (const Case& c : cases()) {
-    const auto reference = reference_of(c);
-    const Kernel kernel = kernel_of(c);
-    for (const double offset : {0.0, 1.0, -2.0, 7.0, 0.3, 0.5, -0.77, 100.0, -1e6}) {
-      const double value = influence(kernel, c.shape, 1, offset);
-      const Digits50 exact = reference(offset);
-      EXPECT_LT(relative_error(value, exact, exact), 1e-14) << describe(c, offset, 0);
-    }
-  }
-}
-
-// The diagonal entry vanishes like c^2 and, for c = -2 offset, an entry vanishes by symmetry: those
-// are held against the largest entry of the row.
-// Worst met, relative: 1.8e-13 (quadratic vertex, Dy = 0.1 dx, nu = 0.5, c = 0.77, offset -2: the
-// function changes sign); of the row's largest: 2.2e-14 (quadratic vertex, Dy = 0.01 dx, nu = 0, c
-// = 2).
-TEST(InfluenceDifference, AgreesWithFiftyDigitsAtAllDistancesAndShifts) {
-  for (const Case& c : cases()) {
-    const auto reference = reference_of(c);
-    const Kernel kernel = kernel_of(c);
-    for (const double shift : {1e-10, 1e-3, 0.3, 0.5, 0.77, 1.0, 2.0}) {
-      const auto exact_at = [&](double offset) {
-        return Digits50(reference(offset) - reference(Digits50(offset) + Digits50(shift)));
-      };
-      const Digits50 largest = std::max(abs(exact_at(0)), abs(exact_at(-1)));
-      for (const double offset : {0.0, 1.0, -1.0, 2.0, -2.0, -7.0, 100.0, 1e6, -1e6}) {
-        const double value = influence_difference(kernel, c.shape, 1, offset, shift);
-        const Digits50 exact = exact_at(offset);
-        const bool small = offset == 0 || shift == -2 * offset;
-        EXPECT_LT(relative_error(value, exact, small ? largest : exact), 4e-13)
-            << describe(c, offset, shift);
-      }
-    }
-  }
-}
 
 TEST(Influence, AgreesWithQuadratureOfKernelTimesShape) {
   boost::math::quadrature::tanh_sinh<double> integrator;

@@ -20,16 +20,16 @@ namespace microslip {
 /// A(offset): displacement at a distance `offset` dx from the node.
 /// \param spacing  dx, in (0, inf)  [mm]
 /// \return         thesis (2.15), (6.10)  [mm^3/N]
-/// Accuracy: 1e-15 relative, tests/unit/influence_test.cpp
+/// Accuracy: 2e-15 relative, for strips from 0.001 dx to 1e8 dx and plane strain, nu from 0 to 0.5,
+/// offsets up to 1e6, tests/digits/influence_test.cpp
 double influence(const Kernel& kernel, const ShapeFunction& shape, double spacing, double offset);
 
 /// A(offset) - A(offset + shift), without the cancellation of the difference.
 /// \param shift  upstream distance in units of dx, in (0, inf)
 /// \return       thesis (A.4)-(A.6)  [mm^3/N]
-/// Accuracy: 2e-13 relative, for strips from 0.01 dx to 1e6 dx and plane strain, nu from 0 to 0.5,
-/// offsets up to 1e6, shifts from 1e-10 to 2; for offset 0, where the entry vanishes as shift^2,
-/// and where it vanishes by symmetry, 3e-14 of the largest entry of its row.
-/// tests/unit/influence_test.cpp
+/// Accuracy: 2e-13 relative, and 2e-15 in plane strain, for strips, nu and offsets likewise, shifts
+/// from 1e-15 to 1000; for offset 0, where the entry vanishes as shift^2, and where it vanishes by
+/// symmetry, of the largest entry of its row. tests/digits/influence_test.cpp
 double influence_difference(const Kernel& kernel, const ShapeFunction& shape, double spacing,
                             double offset, double shift);
 

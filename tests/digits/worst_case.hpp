@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Errors against values in many digits, the worst of which is part of a test's name.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cmath>
+#include <cstdio>
+#include <initializer_list>
+#include <ostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace microslip::test {
+
+using Digits50 = boost::multiprecision::cpp_bin_float_50;
+using Digits100 = boost::multiprecision::cpp_bin_float_100;
+
+/// A number with its 6 leading digits as a part of a test's name: -2.5e-13 is m2p5em13.
+inline std::string in_a_name(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  std::string name;
+  for (const char* c = text; *c != '\0'; ++c) {
+    if (*c == '-') name += 'm';
+    if (*c == '.') name += 'p';
+    const bool zero_of_exponent =
+        *c == '0' && !name.empty() && (name.ends_with("e") || name.ends_with("em"));
+    if (std::isalnum(static_cast<unsigned char>(*c)) != 0 && !zero_of_exponent) name += *c;
+  }
+  return name;
+}
+
+/// Where an error is met: {{"c", 1e-12}, {"offset", 0}} is c_1em12_offset_0.
+inline std::string place(std::initializer_list<std::pair<const char*, double>> coordinates) {
+  std::string name;
+  for (const auto& [coordinate, value] : coordinates) {
+    if (!name.empty()) name += '_';
+    name += coordinate + ('_' + in_a_name(value));
+  }
+  return name;
+}
+
+/// |value - exact| / scale. Scales are those of the terms that make the value up, where it vanishes
+/// by symmetry or by their cancelling; the value itself elsewhere.
+template <class Digits>
+double relative_error(double value, const Digits& exact, const Digits& scale) {
+  if (!std::isfinite(value)) return HUGE_VAL;
+  const Digits error = abs(Digits(value) - exact);
+  return error == 0 ? 0 : static_cast<double>(Digits(error / abs(scale)));
+}
+
+template <class Digits>
+double relative_error(double value, const Digits& exact) {
+  return relative_error(value, exact, exact);
+}
+
+/// The largest of the errors met.
+class WorstCase {
+ public:
+  void meet(double error, const std::string& where) {
+    places_.push_back(where);
+    if (places_.size() > 1 && error <= error_) return;
+    error_ = error;
+    where_ = where;
+  }
+
+  double error() const { return error_; }
+  const std::string& where() const { return where_; }
+  bool has_met(const std::string& where) const {
+    return std::find(places_.begin(), places_.end(), where) != places_.end();
+  }
+
+ private:
+  double error_ = 0;
+  std::string where_;
+  std::vector<std::string> places_;
+};
+
+/// The worst case as a test's name states it: the error rounded up to one digit, and its place.
+struct Stated {
+  std::string subject;
+  double error;
+  std::string where;
+
+  std::string name() const { return subject + "_worst_" + in_a_name(error) + "_at_" + where; }
+};
+
+inline std::ostream& operator<<(std::ostream& out, const Stated& stated) {
+  return out << stated.name();
+}
+
+/// Other machines round otherwise: up to twice the stated error is accepted. A name that states far
+/// more than there is, or a place that is not met any longer, is out of date.
+inline void expect_as_stated(const Stated& stated, const WorstCase& worst) {
+  const auto met = [&] {
+    return "met " + in_a_name(worst.error()) + " at " + worst.where() + ", stated " + stated.name();
+  };
+  EXPECT_LE(worst.error(), 2 * stated.error) << met();
+  EXPECT_GE(worst.error(), stated.error / 10) << met();
+  EXPECT_TRUE(worst.has_met(stated.where)) << met();
+}
+
+/// For INSTANTIATE_TEST_SUITE_P, of parameters derived from Stated.
+inline constexpr auto name_of = [](const auto& info) { return info.param.name(); };
+
+}  // namespace microslip::test
