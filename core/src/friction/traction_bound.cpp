@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "microslip/support/require.hpp"
+#include "microslip/support/sine.hpp"
 
 namespace microslip {
 
@@ -19,14 +20,36 @@ HertzBound::HertzBound(double half_width, double peak) : half_width_(half_width)
 }
 
 double HertzBound::operator()(double x) const {
-  const double r = x / half_width_;
-  return peak_ * std::sqrt(std::max(0.0, (1 - r) * (1 + r)));
+  return peak_ * height(half_width_ + x, half_width_ - x);
+}
+
+/// g / peak, at distances from the edges
+double HertzBound::height(double to_trailing, double to_leading) const {
+  return std::sqrt(std::max(0.0, to_trailing / half_width_ * (to_leading / half_width_)));
+}
+
+/// From the heights at its ends: the trapezium under a chord of the unit circle, and the segment
+/// beyond the chord.
+double HertzBound::integral(double heights, double length) const {
+  const double width = length / half_width_;
+  return half_width_ * peak_ / 2 * (heights * width + x_minus_sine(2 * std::atan2(width, heights)));
 }
 
 double HertzBound::integral(double x) const {
-  const double r = std::clamp(x / half_width_, -1.0, 1.0);
-  return half_width_ * peak_ / 2 *
-         (r * std::sqrt((1 - r) * (1 + r)) + std::asin(r) + std::numbers::pi / 2);
+  if (x <= -half_width_) return 0;
+  if (x >= half_width_) return total();
+  return integral(height(half_width_ + x, half_width_ - x), half_width_ + x);
+}
+
+double HertzBound::mean_around(double x, double width) const {
+  const double to_trailing = half_width_ + x;
+  const double to_leading = half_width_ - x;
+  const double behind = std::min(width / 2, to_trailing);
+  const double before = std::min(width / 2, to_leading);
+  if (behind + before <= 0) return 0;
+  const double heights = height(to_trailing - behind, to_leading + behind) +
+                         height(to_trailing + before, to_leading - before);
+  return integral(heights, behind + before) / width;
 }
 
 double HertzBound::total() const { return std::numbers::pi / 2 * half_width_ * peak_; }
@@ -80,6 +103,13 @@ ChebyshevTraction polynomial_traction(double half_width, double peak,
 PolynomialBound::PolynomialBound(double half_width, double peak, const VectorXd& coefficients)
     : traction_(polynomial_traction(half_width, peak, coefficients)) {}
 
+double PolynomialBound::mean_around(double x, double width) const {
+  const double behind = std::min(width / 2, half_width() + x);
+  const double before = std::min(width / 2, half_width() - x);
+  if (behind + before <= 0) return 0;
+  return std::max(0.0, traction_.integral(x, behind, before)) / width;
+}
+
 std::optional<ChebyshevTraction> chebyshev_traction(const TractionBound& bound) {
   if (const auto* hertz = std::get_if<HertzBound>(&bound)) {
     return ChebyshevTraction(-hertz->half_width(), hertz->half_width(),
@@ -117,8 +147,7 @@ double TabulatedBound::operator()(double x) const {
   const Index i = after - x_.begin();
   const double width = x_[i] - x_[i - 1];
   if (width <= 0) return values_[i];
-  const double part = (x - x_[i - 1]) / width;
-  return (1 - part) * values_[i - 1] + part * values_[i];
+  return ((x_[i] - x) * values_[i - 1] + (x - x_[i - 1]) * values_[i]) / width;
 }
 
 double TabulatedBound::integral(double x) const {
@@ -130,6 +159,24 @@ double TabulatedBound::integral(double x) const {
     sum += (end - x_[i - 1]) * (begin_value + end_value) / 2;
   }
   return sum;
+}
+
+double TabulatedBound::mean_around(double x, double width) const {
+  double sum = 0;
+  const auto first = std::upper_bound(x_.begin() + 1, x_.end() - 1, x - width / 2);
+  for (Index i = first - x_.begin(); i < x_.size(); ++i) {
+    // From x, as the width may be next to nothing against it.
+    const double begin = std::max(x_[i - 1] - x, -width / 2);
+    const double end = std::min(x_[i] - x, width / 2);
+    if (begin >= width / 2) break;
+    if (begin >= end) continue;
+    const double middle = (begin + end) / 2;
+    const double value =
+        ((x_[i] - x - middle) * values_[i - 1] + (x - x_[i - 1] + middle) * values_[i]) /
+        (x_[i] - x_[i - 1]);
+    sum += (end - begin) * value;
+  }
+  return sum / width;
 }
 
 double half_width_of(const TractionBound& bound) {
@@ -159,9 +206,7 @@ VectorXd bound_at(const TractionBound& bound, const VectorXd& x) {
 
 VectorXd mean_bound_around(const TractionBound& bound, const VectorXd& x, double width) {
   const auto values = [&](const auto& b) -> VectorXd {
-    return x.unaryExpr([&](double xi) {
-      return std::max(0.0, b.integral(xi + width / 2) - b.integral(xi - width / 2)) / width;
-    });
+    return x.unaryExpr([&](double xi) { return b.mean_around(xi, width); });
   };
   return std::visit(values, bound);
 }

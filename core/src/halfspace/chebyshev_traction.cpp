@@ -2,6 +2,7 @@
 #include "microslip/halfspace/chebyshev_traction.hpp"
 
 #include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -11,6 +12,13 @@
 namespace microslip {
 
 using Eigen::Index;
+
+namespace {
+
+/// Radians of the highest cosine that 15 Gauss points integrate to rounding.
+constexpr double longest_panel = 5;
+
+}  // namespace
 
 ChebyshevTraction::ChebyshevTraction(double begin, double end, Eigen::VectorXd coefficients)
     : begin_(begin), end_(end), coefficients_(std::move(coefficients)) {}
@@ -40,6 +48,38 @@ double ChebyshevTraction::integral(double x) const {
     above += coefficients_[n] * (std::sin(k * angle) / k - std::sin((k + 2) * angle) / (k + 2));
   }
   return force() - half_length() / 2 * above;
+}
+
+double ChebyshevTraction::integral(double x, double behind, double before) const {
+  using boost::math::quadrature::gauss;
+  // As an integral over the angle from the nearer end, of sin^2 times a cosine series: 15 points a
+  // panel are exact for it to rounding, and do not cancel.
+  const double half = half_length();
+  const double to_begin = (x - begin_) / half;
+  const double to_end = (end_ - x) / half;
+  const bool from_begin = to_begin < to_end;
+  const double inwards = (from_begin ? before : behind) / half;
+  const double outwards = (from_begin ? behind : before) / half;
+  const double distance = std::min(to_begin, to_end);
+  const auto sine = [](double d) { return std::sqrt(std::max(0.0, d * (2 - d))); };
+  const double near = std::max(0.0, distance - outwards);
+  const double first = std::atan2(sine(near), 1 - near);
+  const double range = 2 * std::atan2(inwards + outwards, sine(near) + sine(distance + inwards));
+  const auto panels =
+      std::ceil(range * static_cast<double>(coefficients_.size() + 1) / longest_panel);
+  const double panel = range / panels;
+  const auto integrand = [&](double angle) {
+    const double s = std::sin(angle);
+    const double t = std::cos(angle);
+    return s * s * polynomial(centre() + half * (from_begin ? -t : t));
+  };
+  double sum = 0;
+  for (double k = 0; k < panels; ++k) {
+    const double begin = first + k * panel;
+    const auto within = [&](double part) { return integrand(begin + part * panel); };
+    sum += panel * gauss<double, 15>::integrate(within, 0.0, 1.0);
+  }
+  return half * sum;
 }
 
 double ChebyshevTraction::force() const {

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "microslip/support/sine.hpp"
+
 namespace microslip {
 
 namespace {
@@ -16,16 +18,7 @@ namespace {
 using std::numbers::pi;
 
 /// sin(x)/x - 1
-double sinc_less_one(double x) {
-  if (x > 0.5) return std::sin(x) / x - 1;
-  double term = 1;
-  double sum = 0;
-  for (int k = 1; k < 10; ++k) {
-    term *= -x * x / (2 * k * (2 * k + 1));
-    sum += term;
-  }
-  return sum;
-}
+double sinc_less_one(double x) { return x == 0 ? 0 : -x_minus_sine(x) / x; }
 
 /// (1 + y)^n - 1
 double power_less_one(double y, int n) { return std::expm1(n * std::log1p(y)); }

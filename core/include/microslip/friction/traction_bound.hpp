@@ -9,6 +9,11 @@
 
 namespace microslip {
 
+// Accuracy of values, integrals and means, up to 1e-15 half-widths from the edges and for elements
+// down to that width: 1e-15 relative; of polynomials, 2e-15 up to degree 2 and 3e-14 at degree 32,
+// of Hertz's times the sum of the coefficients' sizes, and of integrals, of the whole.
+// tests/digits/bound_test.cpp
+
 /// g(x) = mu p_n(x) of a Hertzian line contact: peak sqrt(1 - (x/a)^2), zero outside [-a, a].
 class HertzBound {
  public:
@@ -26,10 +31,16 @@ class HertzBound {
   /// The integral of g up to x, from the trailing edge  [N/mm]
   double integral(double x) const;
 
+  /// Its mean from x - width/2 to x + width/2, width in (0, inf)  [N/mm^2]
+  double mean_around(double x, double width) const;
+
   /// The force of full sliding, (pi/2) a peak  [N/mm]
   double total() const;
 
  private:
+  double height(double to_trailing, double to_leading) const;
+  double integral(double heights, double length) const;
+
   double half_width_;
   double peak_;
 };
@@ -53,6 +64,9 @@ class PolynomialBound {
 
   /// The integral of g up to x, from the trailing edge  [N/mm]
   double integral(double x) const { return traction_.integral(x); }
+
+  /// Its mean from x - width/2 to x + width/2, width in (0, inf)  [N/mm^2]
+  double mean_around(double x, double width) const;
 
   /// The force of full sliding  [N/mm]
   double total() const { return traction_.force(); }
@@ -80,6 +94,9 @@ class TabulatedBound {
 
   /// The integral of g up to x, from the trailing edge  [N/mm]
   double integral(double x) const;
+
+  /// Its mean from x - width/2 to x + width/2, width in (0, inf)  [N/mm^2]
+  double mean_around(double x, double width) const;
 
   /// The force of full sliding: its integral  [N/mm]
   double total() const { return integral(half_width_); }
