@@ -16,49 +16,62 @@ double direction_of(double creepage) { return creepage < 0 ? -1 : 1; }
 }  // namespace
 
 Carter::Carter(const Material& material, const HertzBound& bound, double stick_ratio,
-               double direction)
+               double slip_ratio, double direction)
     : compliance_(compliance(material)),
       bound_(bound),
       stick_ratio_(stick_ratio),
+      slip_ratio_(slip_ratio),
       direction_(direction) {}
 
 Carter Carter::from_creepage(const Material& material, const HertzBound& bound, double creepage) {
   const double sliding = compliance(material) * bound.peak();
   require(true, "load.creepage", creepage, "a finite number");
-  return {material, bound, std::max(0.0, 1 - std::abs(creepage) / sliding), direction_of(creepage)};
+  const double size = std::min(std::abs(creepage), sliding);
+  return {material, bound, (sliding - size) / sliding, size / sliding, direction_of(creepage)};
 }
 
 Carter Carter::from_stick_ratio(const Material& material, const HertzBound& bound,
                                 double stick_ratio) {
   require(stick_ratio >= 0 && stick_ratio <= 1, "stick ratio", stick_ratio, "a number in [0, 1]");
-  return from_creepage(material, bound, compliance(material) * bound.peak() * (1 - stick_ratio));
+  return {material, bound, stick_ratio, 1 - stick_ratio, 1};
 }
 
 Carter Carter::from_force(const Material& material, const HertzBound& bound, double force) {
   const double sliding = bound.total();
-  require(std::abs(force) <= sliding, "load.force", force,
+  const double size = std::abs(force);
+  require(size <= sliding, "load.force", force,
           "an absolute value up to full sliding, " + format_short(sliding));
-  return {material, bound, std::sqrt(1 - std::abs(force) / sliding), direction_of(-force)};
+  const double stick_ratio = std::sqrt((sliding - size) / sliding);
+  return {material, bound, stick_ratio, size / sliding / (1 + stick_ratio), direction_of(-force)};
 }
 
-double Carter::creepage() const {
-  return direction_ * compliance_ * bound_.peak() * (1 - stick_ratio_);
-}
+double Carter::creepage() const { return direction_ * compliance_ * bound_.peak() * slip_ratio_; }
 
 double Carter::force() const {
-  return -direction_ * bound_.total() * (1 - stick_ratio_) * (1 + stick_ratio_);
+  return -direction_ * bound_.total() * slip_ratio_ * (1 + stick_ratio_);
+}
+
+/// Distance from the stick-slip point towards the leading edge, over a. It counts from the edge
+/// that the point is nearer to.
+double Carter::into_adhesion(double x) const {
+  const double a = bound_.half_width();
+  return slip_ratio_ < stick_ratio_ ? (a + x) / a - 2 * slip_ratio_
+                                    : 2 * stick_ratio_ - (a - x) / a;
 }
 
 double Carter::traction(double x) const {
-  // Inside the stick zone, sqrt(a'^2 - (r - d)^2) with d = 1 - a', from the distances to its ends.
-  const double r = x / bound_.half_width();
-  const double stuck = std::max(0.0, (1 - r) * (r - 1 + 2 * stick_ratio_));
-  return -direction_ * (bound_(x) - bound_.peak() * std::sqrt(stuck));
+  const double inside = into_adhesion(x);
+  if (inside <= 0 || std::abs(x) >= bound_.half_width()) return -direction_ * bound_(x);
+  // The bound less the smaller ellipse, by the difference of their squares.
+  const double to_leading = (bound_.half_width() - x) / bound_.half_width();
+  const double to_trailing = (bound_.half_width() + x) / bound_.half_width();
+  return -direction_ * bound_.peak() * 2 * slip_ratio_ * std::sqrt(to_leading) /
+         (std::sqrt(to_trailing) + std::sqrt(inside));
 }
 
 double Carter::slip(double x) const {
-  const double r = x / bound_.half_width();
-  const double beyond = std::max(0.0, (1 - r) * (1 - 2 * stick_ratio_ - r));
+  const double to_leading = (bound_.half_width() - x) / bound_.half_width();
+  const double beyond = std::max(0.0, to_leading * -into_adhesion(x));
   return direction_ * compliance_ * bound_.peak() * std::sqrt(beyond);
 }
 

@@ -12,24 +12,34 @@ namespace microslip {
 Cattaneo::Cattaneo(const Material& material, const HertzBound& bound, double force)
     : compliance_(compliance(material)), bound_(bound), direction_(force < 0 ? -1 : 1) {
   const double sliding = bound.total();
-  require(std::abs(force) <= sliding, "force", force,
+  const double size = std::abs(force);
+  require(size <= sliding, "force", force,
           "an absolute value up to full sliding, " + format_short(sliding));
-  stick_ratio_ = std::sqrt(1 - std::abs(force) / sliding);
+  force_ratio_ = size / sliding;
+  held_ratio_ = (sliding - size) / sliding;
+  stick_ratio_ = std::sqrt(held_ratio_);
 }
 
 double Cattaneo::traction(double x) const {
-  const double r = x / bound_.half_width();
-  const double stuck = std::max(0.0, (stick_ratio_ - r) * (stick_ratio_ + r));
-  return direction_ * (bound_(x) - bound_.peak() * std::sqrt(stuck));
+  const double a = bound_.half_width();
+  const double r = x / a;
+  const double under_bound = (a - x) / a * ((a + x) / a);
+  // k^2 - r^2, from what is small: next to full adhesion the edge of the stick zone is that of the
+  // contact.
+  const double stuck = force_ratio_ < 0.5 ? under_bound - force_ratio_ : held_ratio_ - r * r;
+  if (stuck <= 0 || under_bound <= 0) return direction_ * bound_(x);
+  // The difference of the ellipses, by that of their squares.
+  return direction_ * bound_.peak() * force_ratio_ / (std::sqrt(under_bound) + std::sqrt(stuck));
 }
 
 double Cattaneo::displacement(double length) const {
   require_positive("kernel.length", length);
   // Of an ellipse of unit height and half-width k, in its middle: k^2 (ln(2 L0 / k) + 1/2) / 2.
-  const double k = stick_ratio_;
   const double whole = std::log(2 * length / bound_.half_width()) + 0.5;
-  const double removed = k > 0 ? k * k * (whole - std::log(k)) : 0;
-  return direction_ * compliance_ * bound_.peak() * bound_.half_width() * (whole - removed) / 2;
+  const double log_held = force_ratio_ < 0.5 ? std::log1p(-force_ratio_) : std::log(held_ratio_);
+  const double of_edge = held_ratio_ > 0 ? held_ratio_ * log_held / 2 : 0;
+  return direction_ * compliance_ * bound_.peak() * bound_.half_width() *
+         (force_ratio_ * whole + of_edge) / 2;
 }
 
 }  // namespace microslip

@@ -8,6 +8,9 @@ namespace microslip {
 
 /// Carter's and Fromm's exact solution of steady rolling: plane strain, Hertzian bound. The stick
 /// zone is the part of length 2 a' a next to the leading edge. Thesis (10.1), with a dimension.
+/// Accuracy: 2e-15 relative, with loads from 1e-12 of full sliding to 1e-12 below it and up to
+/// 1e-15 a from the edges, beyond what a rounding of the load or of the distance from the nearer
+/// edge changes; tests/digits/closed_form_test.cpp
 class Carter {
  public:
   /// \param creepage  w, finite; |w| >= compliance * peak is full sliding  [1]
@@ -31,6 +34,9 @@ class Carter {
   /// a': stick length over contact length, in [0, 1].
   double stick_ratio() const { return stick_ratio_; }
 
+  /// 1 - a', of which no digit is lost next to full adhesion.
+  double slip_ratio() const { return slip_ratio_; }
+
   /// w, opposite in sign to the tractions; the least one in full sliding  [1]
   double creepage() const;
 
@@ -44,11 +50,14 @@ class Carter {
   double slip(double x) const;
 
  private:
-  Carter(const Material& material, const HertzBound& bound, double stick_ratio, double direction);
+  Carter(const Material& material, const HertzBound& bound, double stick_ratio, double slip_ratio,
+         double direction);
+  double into_adhesion(double x) const;
 
   double compliance_;
   HertzBound bound_;
   double stick_ratio_;
+  double slip_ratio_;
   double direction_;  ///< sign of the creepage
 };
 
