@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/friction/full_sliding.hpp"
 
+#include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 
@@ -105,8 +106,18 @@ double FullSliding::displacement(double x) const {
 double FullSliding::difference(double x, double shift) const {
   if (shift > small_shift * half_width_) return displacement(x) - displacement(x + shift);
   using boost::math::quadrature::gauss;
-  return shift *
-         gauss<double, 7>::integrate([&](double s) { return strain(x + s * shift); }, 0.0, 1.0);
+  // Behind the contact the strain is a series in the root of the distance from the trailing edge.
+  const double farthest = std::max(0.0, -half_width_ - x);
+  const double behind = std::min(farthest, shift);
+  const double nearest = std::sqrt(farthest - behind);
+  const double range = behind > 0 ? behind / (std::sqrt(farthest) + nearest) : 0;
+  const auto at_root = [&](double s) {
+    const double root = nearest + s * range;
+    return 2 * root * strain(-half_width_ - root * root);
+  };
+  const auto after = [&](double s) { return strain(x + behind + s * (shift - behind)); };
+  return (range > 0 ? range * gauss<double, 7>::integrate(at_root, 0.0, 1.0) : 0) +
+         (behind < shift ? (shift - behind) * gauss<double, 7>::integrate(after, 0.0, 1.0) : 0);
 }
 
 }  // namespace microslip

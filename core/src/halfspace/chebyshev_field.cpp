@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/halfspace/chebyshev_field.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -50,8 +51,9 @@ double antiderivative(const VectorXd& c, const Values& f) {
   return sum;
 }
 
-/// Outside [-1, 1], where T_k(t) becomes r^k: |r| < 1.
-double decaying_root(double t) { return 1 / (t + std::copysign(std::sqrt((t - 1) * (t + 1)), t)); }
+/// 1 / |r| - 1 outside [-1, 1], where T_k(t) becomes r^k.
+/// \param beyond  |t| - 1
+double growth(double beyond) { return beyond + std::sqrt(beyond * (2 + beyond)); }
 
 VectorXd chebyshev_values(double t, Index size) {
   VectorXd values(size);
@@ -109,10 +111,16 @@ double ChebyshevField::continued_strain(double x) const {
   return log_strain_ * strain_series(traction_.coefficients(), position(x)) + regular_strain(x);
 }
 
+/// Distance from the nearer end over the half-length, from the end itself: it keeps its digits.
+double ChebyshevField::beyond_ends(double x) const {
+  return std::max(traction_.begin() - x, x - traction_.end()) / traction_.half_length();
+}
+
 double ChebyshevField::strain(double x) const {
-  const double t = position(x);
-  if (std::abs(t) <= 1) return continued_strain(x);
-  return log_strain_ * power_series(traction_.coefficients(), decaying_root(t)) + regular_strain(x);
+  const double beyond = beyond_ends(x);
+  if (beyond <= 0) return continued_strain(x);
+  const double r = std::copysign(1 / (1 + growth(beyond)), position(x));
+  return log_strain_ * power_series(traction_.coefficients(), r) + regular_strain(x);
 }
 
 double ChebyshevField::continued_displacement(double x) const {
@@ -126,12 +134,13 @@ double ChebyshevField::continued_displacement(double x) const {
 }
 
 double ChebyshevField::displacement(double x) const {
-  const double t = position(x);
-  if (std::abs(t) <= 1) return continued_displacement(x);
+  const double beyond = beyond_ends(x);
+  if (beyond <= 0) return continued_displacement(x);
   const VectorXd& c = traction_.coefficients();
-  const double r = decaying_root(t);
+  const double r = std::copysign(1 / (1 + growth(beyond)), position(x));
   const double logarithms =
-      c[0] * (std::numbers::ln2 - std::log(traction_.half_length()) + std::log(std::abs(r))) / 2;
+      c[0] * (std::numbers::ln2 - std::log(traction_.half_length()) - std::log1p(growth(beyond))) /
+      2;
   return -log_strain_ * traction_.half_length() *
              (antiderivative(c, [&](Index k) { return std::pow(r, static_cast<double>(k)); }) -
               logarithms) +

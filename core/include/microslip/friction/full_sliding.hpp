@@ -10,6 +10,8 @@
 namespace microslip {
 
 /// Strain and displacement by a TabulatedBound, with integrals of the kernel. Cost: O(rows).
+/// Accuracy: 3e-15 as of ChebyshevField, up to three half-widths from the middle; farther on,
+/// displacements lose digits with the square of the distance. tests/digits/field_test.cpp
 class PolygonField {
  public:
   PolygonField(const Kernel& kernel, const TabulatedBound& bound);
@@ -45,6 +47,8 @@ class FullSliding {
 
   /// u(x) - u(x + shift), likewise, without cancellation for small shifts  [mm]
   /// \param shift  >= 0  [mm]
+  /// Accuracy: 1e-12 of the shift times the largest strain, by a bound that is no table; up to and
+  /// across the trailing edge. tests/digits/field_test.cpp
   double difference(double x, double shift) const;
 
  private:

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What tractions and bounds do to the half-space, inside, next to their ends, and far away.
+#include <gtest/gtest.h>
+
+#include <boost/math/quadrature/tanh_sinh.hpp>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "digits/reference_kernel.hpp"
+#include "microslip/friction/full_sliding.hpp"
+#include "microslip/halfspace/chebyshev_field.hpp"
+
+namespace microslip {
+namespace {
+
+using namespace test;
+
+constexpr double begin = -0.375, end = 1.125, centre = 0.375, half = 0.75;
+constexpr double nu = 0.28;
+constexpr double length = 7;
+
+ChebyshevTraction some_traction() { return {begin, end, Eigen::Vector4d(0.7, -0.3, 0.2, 0.15)}; }
+
+/// Displacement and strain by quadrature over the angle, y = centre + half cos(angle), where the
+/// traction is a sum of sines: the strain is the integral of the kernel over its slope.
+struct ExactField {
+  ReferenceKernel<Digits50> kernel;
+
+  Digits50 displacement(const Digits50& x) const { return integral(x, false); }
+  Digits50 strain(const Digits50& x) const { return integral(x, true); }
+
+  Digits50 integral(const Digits50& x, bool of_slope) const {
+    using boost::math::constants::pi;
+    static boost::math::quadrature::tanh_sinh<Digits50> integrator(9);
+    const Digits50 t = (x - centre) / half;
+    const auto weighted = [&](const Digits50& sine, const Digits50& cosine,
+                              const Digits50& distance) {
+      Digits50 value = 0, s = sine, c = cosine;
+      const Eigen::VectorXd coefficients = some_traction().coefficients();
+      for (int n = 0; n < 4; ++n) {
+        value += coefficients[n] * (of_slope ? Digits50((n + 1) * c) : Digits50(half * s * sine));
+        const Digits50 next = s * cosine + c * sine;
+        c = c * cosine - s * sine;
+        s = next;
+      }
+      return distance == 0 ? Digits50(0) : Digits50(value * kernel.displacement(distance));
+    };
+    const Digits50 tolerance("1e-20");  // then the error is about its square
+    if (abs(t) > 1) {
+      return integrator.integrate(
+          [&](const Digits50& angle) {
+            return weighted(sin(angle), cos(angle), abs(x - centre - half * cos(angle)));
+          },
+          Digits50(0), pi<Digits50>(), tolerance);
+    }
+    // From the angle of x to both sides: the distance keeps its digits there.
+    const Digits50 middle = acos(t);
+    const auto side = [&](int sign, const Digits50& range) {
+      return integrator.integrate(
+          [&](const Digits50& away) {
+            const Digits50 angle = middle + sign * away;
+            const Digits50 distance = 2 * half * abs(sin((angle + middle) / 2)) * sin(away / 2);
+            return weighted(sin(angle), cos(angle), distance);
+          },
+          Digits50(0), range, tolerance);
+    };
+    return side(1, pi<Digits50>() - middle) + side(-1, middle);
+  }
+};
+
+/// Per unit of the coefficients' sizes: a strain, and the logarithm of a displacement
+double strain_scale() { return compliance({1, nu}) * 1.35; }
+double displacement_scale(double width) {
+  return strain_scale() * half *
+         std::max(1.0, std::abs(std::log((width > 0 ? width : length) / half)));
+}
+
+std::vector<double> places() {
+  std::vector<double> all = {-0.2, 0.3750001, end, 4, -1e6};
+  for (const double away : {1e-15, 1e-9}) {
+    all.push_back(begin * (1 + away));
+    all.push_back(end * (1 - away));
+    all.push_back(end * (1 + away));
+  }
+  return all;
+}
+
+struct FieldCase : Stated {
+  std::vector<double> widths;  ///< 0 for plane strain
+  double documented;
+};
+
+class FieldDigits : public testing::TestWithParam<FieldCase> {};
+class DifferenceDigits : public testing::TestWithParam<FieldCase> {};
+class TableDigits : public testing::TestWithParam<FieldCase> {};
+
+TEST_P(FieldDigits, AgreesWith50Digits) {
+  WorstCase worst;
+  const bool strain = GetParam().subject.find("strain") == 0;
+  for (const double width : GetParam().widths) {
+    const ChebyshevField field(kernel_of({1, nu}, width, length), some_traction());
+    const ExactField exact{{nu, width, length, 1}};
+    for (const double x : places()) {
+      const double value = strain ? field.strain(x) : field.displacement(x);
+      worst.meet(strain ? relative_error(value, exact.strain(x), Digits50(strain_scale()))
+                        : relative_error(value, exact.displacement(x),
+                                         Digits50(displacement_scale(width))),
+                 place({{"x", x}, {"width", width}}));
+    }
+  }
+  expect_as_stated(GetParam(), worst);
+  EXPECT_LE(worst.error(), GetParam().documented);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Digits, FieldDigits,
+    testing::Values(
+        FieldCase{{"strain_plane", 3e-16, "x_m0p375_width_0"}, {0}, 2e-15},
+        FieldCase{{"strain_strip", 9e-16, "x_m0p375_width_0p015"}, {0.015, 0.8, 1e8}, 2e-15},
+        FieldCase{{"displacement_plane", 5e-16, "x_m1e6_width_0"}, {0}, 2e-15},
+        FieldCase{{"displacement_strip", 8e-16, "x_m1e6_width_0p015"}, {0.015, 0.8, 1e8}, 2e-15}),
+    name_of);
+
+// Of a bound that is the same traction, moved to the middle; positions are known up to a rounding.
+TEST_P(DifferenceDigits, AgreesWith50Digits) {
+  WorstCase worst;
+  for (const double width : GetParam().widths) {
+    const ChebyshevTraction traction(-half, half, some_traction().coefficients());
+    const FullSliding sliding(kernel_of({1, nu}, width, length), PolynomialBound(traction));
+    const ExactField exact{{nu, width, length, 1}};
+    for (const double x : {-0.74, 0.1, -0.75 - 1e-6, -0.75 - 1e-4}) {
+      const Digits50 there = Digits50(x) + centre;
+      const Digits50 displacement = exact.displacement(there);
+      for (const double shift : {1e-12, 2e-6, 7.4e-4, 8e-4}) {
+        const Digits50 difference = displacement - exact.displacement(there + shift);
+        worst.meet(relative_error(sliding.difference(x, shift), difference,
+                                  Digits50(shift * strain_scale())),
+                   place({{"shift", shift}, {"x", x}, {"width", width}}));
+      }
+    }
+  }
+  expect_as_stated(GetParam(), worst);
+  EXPECT_LE(worst.error(), GetParam().documented);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Digits, DifferenceDigits,
+    testing::Values(FieldCase{{"plane", 3e-13, "shift_0p0008_x_m0p74_width_0"}, {0}, 1e-12},
+                    FieldCase{
+                        {"strip", 4e-13, "shift_0p0008_x_0p1_width_0p015"}, {0.015, 1e8}, 1e-12}),
+    name_of);
+
+// A bound of 65 rows on whole numbers of 1/32, so that its slopes are exact.
+TEST_P(TableDigits, AgreesWith100Digits) {
+  WorstCase worst;
+  const bool strain = GetParam().subject.find("strain") == 0;
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(65, -32, 32) / 32;
+  const Eigen::VectorXd g = x.unaryExpr([](double xi) { return 1 - xi * xi; });
+  std::vector<ShapeFunction::Piece> pieces;
+  for (Eigen::Index i = 1; i < x.size(); ++i) {
+    const double slope = (g[i] - g[i - 1]) * 32;
+    pieces.push_back({x[i - 1], x[i], {g[i - 1] - slope * x[i - 1], slope, 0}});
+  }
+  for (const double width : GetParam().widths) {
+    const PolygonField field(kernel_of({1, nu}, width, length), TabulatedBound(1, x, g));
+    const ReferenceInfluence<Digits100> exact({nu, width, length, 1}, ShapeFunction(pieces));
+    for (const double at : {0.0, 0.3, -0.51, 0.999, -1.0, -1.1, -3.0}) {
+      const Digits100 h("1e-25");
+      const Digits100 u = exact(at);
+      const Digits100 slope = (exact(at - h) - exact(at + h)) / (2 * h);
+      worst.meet(
+          strain ? relative_error(field.strain(at), slope, Digits100(strain_scale()))
+                 : relative_error(field.displacement(at), u, Digits100(displacement_scale(width))),
+          place({{"x", at}, {"width", width}}));
+    }
+  }
+  expect_as_stated(GetParam(), worst);
+  EXPECT_LE(worst.error(), GetParam().documented);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Digits, TableDigits,
+    testing::Values(
+        FieldCase{{"strain_plane", 3e-16, "x_0p999_width_0"}, {0}, 3e-15},
+        FieldCase{{"strain_strip", 2e-15, "x_0p999_width_1e6"}, {1e-3, 0.3, 20, 1e6}, 3e-15},
+        FieldCase{{"displacement_plane", 4e-16, "x_0_width_0"}, {0}, 3e-15},
+        FieldCase{{"displacement_strip", 6e-16, "x_m3_width_0p3"}, {1e-3, 0.3, 20, 1e6}, 3e-15}),
+    name_of);
+
+}  // namespace
+}  // namespace microslip
