@@ -27,6 +27,13 @@ double StripKernel::decay(double z) const {
   return half_width_ / radius * (log_factor_ / z + plain_factor_ * z / (radius * radius));
 }
 
+std::complex<double> StripKernel::decay(std::complex<double> z) const {
+  // Next to its singularities at +-i half_width_ the radius keeps its digits as a product.
+  const std::complex<double> radius =
+      std::sqrt(z + std::complex(0.0, half_width_)) * std::sqrt(z - std::complex(0.0, half_width_));
+  return half_width_ / radius * (log_factor_ / z + plain_factor_ * z / (radius * radius));
+}
+
 double StripKernel::regular_displacement(double z) const {
   const double radius = std::sqrt(z * z + half_width_ * half_width_);
   return log_factor_ * std::log(half_width_ + radius) + plain_factor_ * half_width_ / radius;
@@ -62,6 +69,8 @@ PlaneKernel::PlaneKernel(const Material& material, double length)
 double PlaneKernel::displacement(double z) const { return -factor_ * std::log(z / length_); }
 
 double PlaneKernel::decay(double z) const { return factor_ / z; }
+
+std::complex<double> PlaneKernel::decay(std::complex<double> z) const { return factor_ / z; }
 
 double PlaneKernel::regular_displacement(double) const { return factor_ * std::log(length_); }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <complex>
 #include <variant>
 
 #include "microslip/halfspace/material.hpp"
@@ -14,7 +15,8 @@ namespace microslip {
 //
 // The `regular` parts are what remains without the logarithm of plane strain: of K(z) without
 // -log_factor ln z, and of its decay without log_factor / z. They are analytic at z = 0, too, where
-// the first is even in z and the second odd.
+// the first is even in z and the second odd. The decay goes on into complex z with a positive real
+// part.
 //
 // Accuracy: 1e-15 relative, for z from 1e-12 to 1e12 of the strip's width or L0; where a logarithm
 // or terms that cancel make a value vanish, of the sum of the terms' sizes.
@@ -30,6 +32,7 @@ class StripKernel {
 
   double displacement(double z) const;
   double decay(double z) const;
+  std::complex<double> decay(std::complex<double> z) const;
   double regular_displacement(double z) const;
   double regular_decay(double z) const;
   double integral(double z) const;         ///< of K, from 0; odd in z
@@ -55,6 +58,7 @@ class PlaneKernel {
 
   double displacement(double z) const;
   double decay(double z) const;
+  std::complex<double> decay(std::complex<double> z) const;
   double regular_displacement(double z) const;
   double regular_decay(double z) const;
   double integral(double z) const;         ///< of K, from 0; odd in z

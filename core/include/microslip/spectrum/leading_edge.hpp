@@ -35,7 +35,7 @@ struct LeadingEdgeConstants {
 /// b = 2 sin(theta/2) sum over all m of shape^(theta + 2 pi m) / |theta + 2 pi m|.
 /// \param basis  constant or linear
 /// \throws std::invalid_argument for others
-/// Accuracy: 1e-13, tests/unit/leading_edge_constants_test.cpp
+/// Accuracy: 1e-15, tests/digits/spectrum_test.cpp
 LeadingEdgeConstants leading_edge_constants(const Basis& basis);
 
 }  // namespace microslip
