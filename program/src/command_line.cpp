@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -10,7 +11,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "microslip/scene/text.hpp"
 #include "microslip/support/not_converged.hpp"
+#include "microslip/support/shown.hpp"
 #include "provenance.hpp"
 
 namespace microslip::program {
@@ -18,6 +21,9 @@ namespace microslip::program {
 namespace {
 
 namespace options = boost::program_options;
+
+/// Of bytes; the keys of a scene that are known to its model take some hundred.
+constexpr std::size_t longest_message = 900;
 
 Scene parse_text(const std::string& text, const std::string& name) {
   std::istringstream in(text);
@@ -27,9 +33,9 @@ Scene parse_text(const std::string& text, const std::string& name) {
 Scene parse_file(const std::string& path) {
   const std::string text = [&] {
     try {
-      return file_text(path);
+      return file_text(path, Scene::most_text);
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("--scene " + path + ": " + error.what());
+      throw std::invalid_argument("--scene " + shown(path) + ": " + error.what());
     }
   }();
   std::istringstream in(text);
@@ -57,14 +63,21 @@ void add_common_options(Options& options, const std::string& default_out) {
 
 Given parse(const Options& options, int argc, const char* const* argv) {
   Given given;
-  options::store(options::command_line_parser(argc, argv)
-                     .options(options)
-                     .positional({})
-                     .style(options::command_line_style::default_style ^
-                            options::command_line_style::allow_guessing)
-                     .run(),
-                 given);
-  options::notify(given);
+  try {
+    options::store(options::command_line_parser(argc, argv)
+                       .options(options)
+                       .positional({})
+                       .style(options::command_line_style::default_style ^
+                              options::command_line_style::allow_guessing)
+                       .run(),
+                   given);
+    options::notify(given);
+  } catch (const options::error_with_option_name& error) {
+    // Boost's message is a template, and filling in a name that is a placeholder never ends.
+    const std::string name = error.get_option_name();
+    if (name.find('%') == std::string::npos) throw;
+    throw std::invalid_argument("option '" + shown(name) + "': expected one that --help lists");
+  }
   return given;
 }
 
@@ -79,14 +92,22 @@ bool answers(const Given& given, const Options& options, const std::string& name
   return help || given.count("version") != 0;
 }
 
-std::string file_text(const std::string& path) {
-  std::ifstream in(path);
-  std::ostringstream text;
-  if (in && in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
-  if (in.bad() || !in.is_open() || text.fail()) {
+std::string file_text(const std::string& path, std::size_t most) {
+  std::ifstream in(path, std::ios::binary);
+  std::string text;
+  for (std::array<char, 1 << 16> part; in.read(part.data(), part.size()) || in.gcount() > 0;) {
+    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
+    if (text.size() > most) {
+      throw std::invalid_argument("expected at most " + std::to_string(most) + " bytes");
+    }
+    if (text.find('\0', text.size() - static_cast<std::size_t>(in.gcount())) != std::string::npos) {
+      break;  // no text, however it goes on
+    }
+  }
+  if (in.bad() || !in.is_open()) {
     throw std::invalid_argument(std::string("cannot read it: ") + std::strerror(errno));
   }
-  return text.str();
+  return plain_text(std::move(text));
 }
 
 Scene read_scene(const Program& program, const Given& given) {
@@ -102,7 +123,7 @@ Scene read_scene(const Program& program, const Given& given) {
   for (const auto& [name, key, help] : program.key_options) {
     if (given.count(name) != 0) scene.set(key + "=" + given[name].as<std::string>());
   }
-  scene.read_files_by(file_text);
+  scene.read_files_by([](const std::string& path) { return file_text(path); });
   return scene;
 }
 
@@ -115,9 +136,11 @@ Progress progress_on_terminal(const std::string& name, bool quiet) {
   };
 }
 
+std::string one_line(const std::exception& error) { return shown(error.what(), longest_message); }
+
 int status_of(const std::string& name, const std::function<int()>& action) {
   const auto fail = [&](const std::exception& error, int status) {
-    std::cerr << name << ": " << error.what() << '\n';
+    std::cerr << name << ": " << one_line(error) << '\n';
     return status;
   };
   try {

@@ -19,7 +19,7 @@ void add_scene_options(Options& options, const Program& program);
 void add_common_options(Options& options, const std::string& default_out);
 
 /// \param argv  without the program's name, or with it as its first
-/// \throws boost::program_options::error in one line
+/// \throws boost::program_options::error or std::invalid_argument
 Given parse(const Options& options, int argc, const char* const* argv);
 
 /// Prints what --help or --version asks for; false if neither is given.
@@ -29,11 +29,16 @@ bool answers(const Given& given, const Options& options, const std::string& name
 /// The scene of --scene, or the built-in one, with what --quick and --set change in it.
 Scene read_scene(const Program& program, const Given& given);
 
-/// \throws std::invalid_argument if it cannot be read
-std::string file_text(const std::string& path);
+/// The plain text of a file; what is larger than a table of the finest grid is none of ours.
+/// \param most  of bytes, which also bounds what is read of a device or pipe without an end
+/// \throws std::invalid_argument if it cannot be read, is larger, or is not text
+std::string file_text(const std::string& path, std::size_t most = std::size_t{1} << 30);
 
 /// Shows progress on a terminal, unless told to be quiet.
 Progress progress_on_terminal(const std::string& name, bool quiet);
+
+/// What a message of our own or of a library says, in one line of a bounded length.
+std::string one_line(const std::exception& error);
 
 /// The exit status of an action: what it returns; 2 for NotConverged and 1 for other exceptions,
 /// with one line on stderr.

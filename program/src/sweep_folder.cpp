@@ -138,7 +138,7 @@ std::optional<WrittenTable> SweepFolder::read(std::size_t index) const {
   if (!fs::exists(file)) return std::nullopt;
   try {
     WrittenTable row = read_table(name_of(index), file_text(file));
-    if (row.table.rows() == 1) return row;
+    if (row.table.rows() == 1 && row.table.columns().back().name == "status") return row;
   } catch (const std::invalid_argument&) {  // damaged, which is as good as missing
   }
   return std::nullopt;

@@ -44,7 +44,7 @@ TEST(Scene, OverlayReplacesAndAdds) {
 }
 
 TEST(Scene, RejectsTextThatIsNoFiniteDecimalNumber) {
-  for (const char* text : {"abc", "1x", "nan", "inf", "1,5", "0x10", "1e400", "1 2", "+1"}) {
+  for (const char* text : {"abc", "1x", "nan", "inf", "1,5", "0x10", "1e400", "1 2", "+-1"}) {
     Scene scene;
     scene.set(std::string("a=") + text);
     EXPECT_NE(message([&] { scene.number("a"); }).find("a = '"), std::string::npos) << text;
@@ -52,7 +52,7 @@ TEST(Scene, RejectsTextThatIsNoFiniteDecimalNumber) {
 }
 
 TEST(Scene, RejectsWholeNumbersThatAreNot) {
-  for (const char* text : {"1.5", "1e3", "99999999999999999999"}) {
+  for (const char* text : {"1.5", "1e400", "1e16", "99999999999999999999"}) {
     Scene scene;
     scene.set(std::string("a=") + text);
     EXPECT_NE(message([&] { scene.whole("a"); }), "") << text;
@@ -73,7 +73,7 @@ TEST(Scene, NamesTheUnknownKeyAndTheKnownOnes) {
 
 TEST(Scene, RejectsRepeatedKeysAndBrokenFiles) {
   EXPECT_NE(message([] { scene_of("a 1\na 2"); }).find("'a' is given twice"), std::string::npos);
-  EXPECT_NE(message([] { scene_of("a { b 1"); }).find("test, line"), std::string::npos);
+  EXPECT_NE(message([] { scene_of("a { b 1"); }).find("test: line"), std::string::npos);
   EXPECT_NE(message([] { scene_of("a 1 { b 2 }"); }).find("'a' has both"), std::string::npos);
   EXPECT_NE(message([] { Scene().set("novalue"); }).find("key=value"), std::string::npos);
 }

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "microslip/support/shown.hpp"
 #include "number.hpp"
 
 namespace microslip {
@@ -43,7 +44,7 @@ std::vector<Eigen::VectorXd> read_columns(std::istream& in, const std::vector<st
     const auto found = std::find(header.begin(), header.end(), name);
     if (found == header.end()) {
       fail("expected a column '" + name +
-           "' among the names in the first line, which are: " + joined(header));
+           "' among the names in the first line, which are: " + shown(joined(header)));
     }
     places.push_back(static_cast<std::size_t>(found - header.begin()));
   }
@@ -55,11 +56,15 @@ std::vector<Eigen::VectorXd> read_columns(std::istream& in, const std::vector<st
     }
     for (std::size_t k = 0; k < names.size(); ++k) {
       const auto value = finite_number(words[places[k]]);
-      if (!value)
-        fail("column '" + names[k] + "': '" + words[places[k]] + "' is not a finite number");
+      if (!value) {
+        const std::string& word = words[places[k]];
+        fail("column '" + names[k] + "': '" + shown(word) + "' is not a finite number" +
+             advice(word));
+      }
       values[k].push_back(*value);
     }
   }
+  if (!names.empty() && values.front().empty()) fail("expected at least one row below the names");
   std::vector<Eigen::VectorXd> columns;
   for (const std::vector<double>& column : values) {
     columns.emplace_back(

@@ -1,26 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace microslip {
 
-/// The whole text as a decimal number.
+/// The text without a plus sign in front of a number, which std::from_chars does not take.
+inline std::string_view without_plus(std::string_view text) {
+  const bool has_plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+  return has_plus ? text.substr(1) : text;
+}
+
+/// The whole text as a decimal number, with a point whatever the locale.
 template <class Number>
-std::optional<Number> converted(const std::string& text) {
+std::optional<Number> converted(std::string_view text) {
   Number value{};
+  text = without_plus(text);
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc() || stop != end) return std::nullopt;
   return value;
 }
 
-inline std::optional<double> finite_number(const std::string& text) {
+/// Nothing also for what is too small for a double and not zero: 1e-400 would silently become 0.
+inline std::optional<double> finite_number(std::string_view text) {
   const auto value = converted<double>(text);
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
+
+/// Also if it is written as 1e5 or 20.0; such a one up to 2^53, below which no digit is lost.
+std::optional<Eigen::Index> whole_number(std::string_view text);
+
+/// How to write what is nearly a number, e.g. " with a decimal point" for 1,5: to follow "a number"
+/// in a message. Empty if there is nothing to say.
+std::string advice(const std::string& text);
 
 }  // namespace microslip

@@ -5,13 +5,16 @@
 #include <boost/property_tree/info_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
 
 #include "columns.hpp"
+#include "microslip/scene/text.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
+#include "microslip/support/shown.hpp"
 #include "number.hpp"
 
 namespace microslip {
@@ -20,25 +23,61 @@ namespace {
 
 using Tree = boost::property_tree::ptree;
 
+/// Of characters; the names of sections before it are part of a key.
+constexpr std::size_t longest_key = 200;
+
+/// Trees are taken down recursively.
+constexpr std::ptrdiff_t most_sections = 1000;
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
+
+void require_short(const std::string& key) {
+  if (key.size() <= longest_key) return;
+  throw std::invalid_argument("key '" + shown(key) + "': expected at most " +
+                              std::to_string(longest_key) + " characters");
+}
+
+/// Rejects what Boost's reader of INFO would take: files that are included, and nesting of any
+/// depth. In INFO, whatever begins with # is a directive.
+void require_plain_info(const std::string& text) {
+  if (text.size() > Scene::most_text) {
+    throw std::invalid_argument("expected at most " + std::to_string(Scene::most_text) + " bytes");
+  }
+  if (std::count(text.begin(), text.end(), '{') > most_sections) {
+    throw std::invalid_argument("expected at most " + std::to_string(most_sections) +
+                                " sections, { ... }");
+  }
+  std::istringstream lines(text);
+  int number = 1;
+  for (std::string line; std::getline(lines, line); ++number) {
+    const std::size_t first = line.find_first_not_of(" \t\v\f\r");
+    if (first == std::string::npos || line[first] != '#') continue;
+    throw std::invalid_argument("line " + std::to_string(number) + ": '" +
+                                shown(line.substr(first)) +
+                                "': expected ; before comments, and no other files");
+  }
+}
+
 /// \param store  takes key and text; false if the key is there already
 template <class Store>
 void flatten(const Tree& tree, const std::string& prefix, const Store& store) {
   for (const auto& [name, child] : tree) {
     const std::string key = prefix + name;
+    require_short(key);
     if (!child.data().empty() && !child.empty()) {
-      throw std::invalid_argument("key '" + key + "' has both a value and keys below it");
+      throw std::invalid_argument("key '" + shown(key) + "' has both a value and keys below it");
     }
     if (!child.empty()) {
       flatten(child, key + ".", store);
     } else if (!store(key, child.data())) {
-      throw std::invalid_argument("key '" + key + "' is given twice");
+      throw std::invalid_argument("key '" + shown(key) + "' is given twice");
     }
   }
 }
 
 [[noreturn]] void reject(const std::string& key, const std::string& text,
                          const std::string& accepted) {
-  throw std::invalid_argument(key + " = '" + text + "': expected " + accepted);
+  throw std::invalid_argument(key + " = '" + shown(text) + "': expected " + accepted);
 }
 
 std::string listed(std::initializer_list<std::string_view> words) {
@@ -75,7 +114,7 @@ std::string suggestion(const std::string& key, const Candidates& candidates) {
     best = distance;
     nearest = candidate;
   }
-  return nearest.empty() ? "" : " (did you mean '" + nearest + "'?)";
+  return nearest.empty() ? "" : " (did you mean '" + shown(nearest) + "'?)";
 }
 
 }  // namespace
@@ -83,10 +122,15 @@ std::string suggestion(const std::string& key, const Candidates& candidates) {
 Scene Scene::parse(std::istream& in, const std::string& name, const std::string& folder) {
   Tree tree;
   try {
-    boost::property_tree::read_info(in, tree);
+    const std::string text = plain_text({std::istreambuf_iterator<char>(in), {}});
+    require_plain_info(text);
+    std::istringstream plain(text);
+    boost::property_tree::read_info(plain, tree);
   } catch (const boost::property_tree::info_parser_error& error) {
-    throw std::invalid_argument(name + ", line " + std::to_string(error.line()) + ": " +
+    throw std::invalid_argument(name + ": line " + std::to_string(error.line()) + ": " +
                                 error.message());
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(name + ": " + error.what());
   }
   Scene scene;
   flatten(tree, "", [&](const std::string& key, const std::string& text) {
@@ -97,6 +141,14 @@ Scene Scene::parse(std::istream& in, const std::string& name, const std::string&
 
 /// Replaces the text of a key that is there, at its place. False if it was.
 bool Scene::put(const std::string& key, const std::string& text, const std::string& folder) {
+  require_short(key);
+  const bool bad_key = std::any_of(key.begin(), key.end(), is_control);
+  const auto bad_in_text = [](char c) { return is_control(c) && c != '\t'; };
+  if (bad_key || std::any_of(text.begin(), text.end(), bad_in_text)) {
+    throw std::invalid_argument(
+        (bad_key ? "key '" + shown(key) : shown(key) + " = '" + shown(text)) +
+        "': expected no control characters");
+  }
   const auto [at, is_new] = values_.try_emplace(key, Value{text, folder, next_place_});
   if (is_new) {
     ++next_place_;
@@ -141,7 +193,7 @@ std::vector<std::string> Scene::keys() const {
 void Scene::set(std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == 0 || equals == std::string_view::npos) {
-    throw std::invalid_argument("--set '" + std::string(assignment) + "': expected key=value");
+    throw std::invalid_argument("--set '" + shown(assignment) + "': expected key=value");
   }
   const std::string key(assignment.substr(0, equals));
   const std::string value(assignment.substr(equals + 1));
@@ -171,7 +223,7 @@ bool Scene::has_second(const std::string& first, const std::string& second) cons
 
 double Scene::number(const std::string& key) {
   const auto value = finite_number(text(key));
-  if (!value) reject(key, text(key), "a finite number");
+  if (!value) reject(key, text(key), "a finite number" + advice(text(key)));
   parameters_.emplace_back(key, format_short(*value));
   return *value;
 }
@@ -187,7 +239,9 @@ std::vector<double> Scene::numbers(const std::string& key) {
   std::istringstream words(text(key));
   for (std::string word; words >> word;) {
     const auto value = finite_number(word);
-    if (!value) reject(key, text(key), "finite numbers separated by blanks");
+    if (!value) {
+      reject(key, text(key), "finite numbers" + advice(word) + ", separated by blanks");
+    }
     values.push_back(*value);
   }
   if (values.empty()) reject(key, text(key), "at least one number");
@@ -196,7 +250,7 @@ std::vector<double> Scene::numbers(const std::string& key) {
 }
 
 Eigen::Index Scene::whole(const std::string& key) {
-  const auto value = converted<Eigen::Index>(text(key));
+  const auto value = whole_number(text(key));
   if (!value) reject(key, text(key), "a whole number");
   parameters_.emplace_back(key, std::to_string(*value));
   return *value;
@@ -243,9 +297,9 @@ std::string Scene::word_or_first(const std::string& key,
 
 void Scene::reject_unread() const {
   for (const auto& [key, value] : values_) {
-    const auto read = [&](const auto& parameter) { return parameter.first == key; };
+    const auto read = [&key = key](const auto& parameter) { return parameter.first == key; };
     if (std::any_of(parameters_.begin(), parameters_.end(), read)) continue;
-    throw std::invalid_argument("unknown key '" + key + "'" + suggestion(key, parameters_) +
+    throw std::invalid_argument("unknown key '" + shown(key) + "'" + suggestion(key, parameters_) +
                                 "; known to this model: " + known_keys());
   }
 }

@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "microslip/support/format.hpp"
+#include "microslip/support/shown.hpp"
 #include "number.hpp"
 
 namespace microslip {
@@ -21,7 +22,8 @@ constexpr int digits = 15;
 
 [[noreturn]] void reject(const std::string& key, const std::string& text,
                          const std::string& accepted) {
-  throw std::invalid_argument("sweep." + key + " = '" + text + "': expected " + accepted);
+  throw std::invalid_argument("sweep." + shown(key) + " = '" + shown(text) + "': expected " +
+                              accepted);
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -65,12 +67,12 @@ std::optional<std::vector<std::string>> linear_range(double first, double step, 
 }
 
 std::optional<std::vector<std::string>> logarithmic_range(double first, int count, double last) {
-  if (count < 2 || static_cast<std::size_t>(count) > Sweep::max_cases || !(first * last > 0)) {
-    return std::nullopt;
-  }
+  const double ratio = last / first;
+  if (count < 2 || static_cast<std::size_t>(count) > Sweep::max_cases) return std::nullopt;
+  if (!(ratio > 0) || !std::isfinite(ratio)) return std::nullopt;
   std::vector<std::string> values{format_short(first)};
   for (int i = 1; i < count - 1; ++i) {
-    const double value = first * std::pow(last / first, static_cast<double>(i) / (count - 1));
+    const double value = first * std::pow(ratio, static_cast<double>(i) / (count - 1));
     values.push_back(rounded(value, value));
   }
   values.push_back(format_short(last));
@@ -99,6 +101,9 @@ std::vector<std::string> swept_values(const std::string& key, const std::string&
   for (const std::string& part : has_lists ? split(text, '|') : words_of(text)) {
     const std::string value = in_one_line(part);
     if (value.empty()) reject(key, text, "a value on both sides of |");
+    if (values.size() > Sweep::max_cases) {
+      reject(key, text, "at most " + std::to_string(Sweep::max_cases) + " values");
+    }
     const std::vector<std::string> parts = split(value, ':');
     if (parts.size() == 1 || !finite_number(parts[0])) {
       values.push_back(value);
@@ -123,7 +128,8 @@ Sweep::Sweep(Scene scene) : common_(std::move(scene)), section_(common_.take_sec
     size_ *= keys_.back().values.size();
     if (size_ > max_cases) {
       throw std::invalid_argument("sweep: expected at most " + std::to_string(max_cases) +
-                                  " cases, not " + std::to_string(size_) + " with sweep." + key);
+                                  " cases, not " + std::to_string(size_) + " with sweep." +
+                                  shown(key));
     }
   }
   if (keys_.empty()) {

@@ -98,9 +98,9 @@ class Lines {
   }
 
   std::vector<Cell> cells() {
+    std::string line = up_to("\n") + '\t';
     std::vector<Cell> row;
-    std::istringstream line(up_to("\n"));
-    for (std::string cell; std::getline(line, cell, '\t');) row.emplace_back(cell);
+    for (Lines rest(line); !rest.at_end();) row.emplace_back(rest.up_to("\t"));
     return row;
   }
 
@@ -113,7 +113,7 @@ class Lines {
 WrittenTable read_table(const std::string& name, const std::string& text) {
   Lines lines(text);
   lines.up_to("# ");
-  lines.up_to(": ");
+  const std::string program = lines.up_to(": ");
   const std::string description = lines.up_to("\n");
   lines.up_to("# parameters\n");
   Parameters parameters;
@@ -138,6 +138,10 @@ WrittenTable read_table(const std::string& name, const std::string& text) {
       throw std::invalid_argument("expected as many cells as names");
     table.add(row);
   }
+  std::ostringstream again;
+  table.write(again, program, parameters);
+  if (again.str() != text)
+    throw std::invalid_argument("expected a table as this program writes it");
   return {table, parameters};
 }
 

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "microslip/support/shown.hpp"
+
 namespace microslip {
 
 /// Keys and values in the order in which a program resolved them, defaults included.
@@ -22,10 +24,14 @@ using Parameters = std::vector<std::pair<std::string, std::string>>;
 /// rejected at the end.
 class Scene {
  public:
+  /// Of bytes; a scene holds some dozens of keys.
+  static constexpr std::size_t most_text = 1 << 20;
+
   /// The text of a file. \throws std::invalid_argument if it cannot be read
   using FileReader = std::function<std::string(const std::string& path)>;
 
-  /// Reads a property tree in INFO format.
+  /// Reads a property tree in INFO format, without its #include: at most most_text bytes of UTF-8,
+  /// with lines that end in \n or \r\n.
   /// \param name    of the source, for messages
   /// \param folder  to which relative file names in it refer; ends in '/' unless empty
   static Scene parse(std::istream& in, const std::string& name, const std::string& folder = "");
@@ -57,14 +63,15 @@ class Scene {
   /// Whether the second of two keys is given. \throws std::invalid_argument unless one of them is
   bool has_second(const std::string& first, const std::string& second) const;
 
-  /// A finite decimal number.
+  /// A finite decimal number, with a point in any locale: 1.5, .5, +5, -1e-3. One that is too small
+  /// for a double, 1e-400, is rejected like one that is too large.
   double number(const std::string& key);
   double number(const std::string& key, double fallback);
 
   /// A list of them, separated by blanks; not empty.
   std::vector<double> numbers(const std::string& key);
 
-  /// A whole number.
+  /// A whole number, also as 1e5.
   Eigen::Index whole(const std::string& key);
 
   /// A list of them, separated by blanks; not empty, and all within a range.
@@ -78,7 +85,7 @@ class Scene {
     try {
       return use(columns(key, names));
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(key + " = '" + text(key) + "': " + error.what());
+      throw std::invalid_argument(key + " = '" + shown(text(key)) + "': " + error.what());
     }
   }
 

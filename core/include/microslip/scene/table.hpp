@@ -56,7 +56,7 @@ struct WrittenTable {
 };
 
 /// Reads what Table::write wrote; written again, it is the same bytes.
-/// \throws std::invalid_argument if the text is something else, or only the begin of it
+/// \throws std::invalid_argument if the text is something else, or only the beginning of it
 WrittenTable read_table(const std::string& name, const std::string& text);
 
 }  // namespace microslip
