@@ -2,12 +2,10 @@
 #include "microslip/program/sweep.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <functional>
 #include <iostream>
 #include <new>
-#include <optional>
 #include <stdexcept>
 
 #include "command_line.hpp"
@@ -16,6 +14,7 @@
 #include "outputs.hpp"
 #include "provenance.hpp"
 #include "sweep_folder.hpp"
+#include "sweep_options.hpp"
 #include "sweep_plan.hpp"
 
 namespace microslip::program {
@@ -23,78 +22,11 @@ namespace microslip::program {
 namespace {
 
 namespace fs = std::filesystem;
-namespace options = boost::program_options;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* sweep_purpose =
     "solves all cases of a scene with a section 'sweep'; what is done already is left out";
 constexpr const char* merge_purpose = "puts the cases of a sweep into one table, sweep.tsv";
-constexpr const char* default_out = "out/sweep";
-constexpr int most_threads = 4096;
-
-/// Cases i, i + n, i + 2n ... of a sweep.
-struct Shard {
-  std::size_t number;  ///< i, 1 ... n
-  std::size_t count;   ///< n
-};
-
-struct Settings {
-  fs::path out;
-  int threads;
-  std::optional<Shard> shard;
-  bool keeps_tables;
-  bool quiet;
-};
-
-std::optional<std::size_t> positive(const std::string& text) {
-  std::size_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end || value == 0) return std::nullopt;
-  return value;
-}
-
-Shard shard_of(const std::string& text) {
-  const std::size_t slash = text.find('/');
-  const auto number = positive(text.substr(0, slash));
-  const auto count = slash == std::string::npos ? std::nullopt : positive(text.substr(slash + 1));
-  if (!number || !count || *number > *count) {
-    throw std::invalid_argument("--shard '" + text + "': expected i/n with i from 1 to n");
-  }
-  return {*number, *count};
-}
-
-int threads_of(const std::string& text) {
-  const auto threads = positive(text);
-  if (!threads || *threads > most_threads) {
-    throw std::invalid_argument("--threads '" + text + "': expected a whole number from 1 to " +
-                                std::to_string(most_threads));
-  }
-  return static_cast<int>(*threads);
-}
-
-Options sweep_options(const Program& program) {
-  Options all("Options of sweep");
-  add_scene_options(all, program);
-  all.add_options()("threads", options::value<std::string>(),
-                    "cases at once (default: the number of cores)")(
-      "shard", options::value<std::string>(),
-      "i/n: only cases i, i + n, i + 2n ...; run merge when all shards are done")(
-      "tables", "keep all tables of each case, in a folder of its own");
-  add_common_options(all, default_out);
-  return all;
-}
-
-Settings settings_of(const Given& given) {
-  const auto has = [&](const char* name) { return given.count(name) != 0; };
-  return {.out = given["out"].as<std::string>(),
-          .threads =
-              has("threads") ? threads_of(given["threads"].as<std::string>()) : available_cores(),
-          .shard = has("shard") ? std::optional(shard_of(given["shard"].as<std::string>()))
-                                : std::nullopt,
-          .keeps_tables = has("tables"),
-          .quiet = has("quiet")};
-}
 
 std::string in_one_line(std::string text) {
   std::replace_if(
@@ -120,7 +52,7 @@ struct Outcome {
 };
 
 Outcome solve_cases(const Program& program, const SweepPlan& plan, const SweepFolder& folder,
-                    const Settings& settings) {
+                    const SweepSettings& settings) {
   const Shard shard = settings.shard.value_or(Shard{1, 1});
   Outcome outcome;
   std::vector<std::size_t> open;
@@ -190,7 +122,7 @@ Outcome write_merged(const Program& program, const SweepFolder& folder, const fs
 
 int sweep_scene(const Program& program, const Given& given, int argc, const char* const* argv) {
   const auto start = Clock::now();
-  const Settings settings = settings_of(given);
+  const SweepSettings settings = sweep_settings(given);
   const SweepPlan plan = plan_of(program, read_scene(program, given));
   const SweepFolder folder =
       SweepFolder::begin(settings.out, program.name, plan.table, plan.common);
@@ -226,7 +158,7 @@ int merge(const Program& program, int argc, const char* const* argv) {
   return status_of(program.name, [&] {
     const auto start = Clock::now();
     Options known("Options of merge");
-    add_common_options(known, default_out);
+    add_common_options(known, default_sweep_out);
     const Given given = parse(known, argc - 1, argv + 1);
     if (answers(given, known, program.name + " merge", merge_purpose)) return 0;
     const fs::path out = given["out"].as<std::string>();

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+
+#include "command_line.hpp"
+
+namespace microslip::program {
+
+/// Folder of a sweep, unless --out says otherwise.
+inline constexpr const char* default_sweep_out = "out/sweep";
+
+/// Cases i, i + n, i + 2n ... of a sweep.
+struct Shard {
+  std::size_t number;  ///< i, 1 ... n
+  std::size_t count;   ///< n, up to the most cases that a sweep may have
+};
+
+/// What the options of a sweep say.
+struct SweepSettings {
+  std::filesystem::path out;
+  int threads;
+  std::optional<Shard> shard;
+  bool keeps_tables;
+  bool quiet;
+};
+
+/// Those of a program, and --threads, --shard and --tables.
+Options sweep_options(const Program& program);
+
+/// \throws std::invalid_argument for --threads and --shard out of their ranges
+SweepSettings sweep_settings(const Given& given);
+
+}  // namespace microslip::program
