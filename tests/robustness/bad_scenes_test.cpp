@@ -56,20 +56,10 @@ TEST_F(BadScenes, ValuesOutOfRange) {
   expect_rejected(good_scene, "--set contact.half_width=-1", "contact.half_width");
   expect_rejected(good_scene, "--set contact.peak_traction=0", "contact.peak_traction");
   expect_rejected(good_scene, "--set grid.elements=0", "grid.elements");
-  expect_rejected(good_scene, "--set grid.elements=1000000000", "grid.elements");
   expect_rejected(good_scene, "--set basis=quadratic", "grid.elements = 20: expected an odd");
   expect_rejected(good_scene, "--set grid.leading_offset=1.5", "grid.leading_offset");
   expect_rejected(good_scene, "--set grid.trailing_offset=-1", "grid.trailing_offset");
   expect_rejected(good_scene, "--set load.creepage= --set load.force=-2", "load.force = -2");
-}
-
-TEST_F(BadScenes, TextForANumber) {
-  expect_rejected(good_scene, "--set grid.elements=many", "grid.elements");
-  expect_rejected(good_scene, "--set grid.elements=10.5", "grid.elements");
-  expect_rejected(good_scene, "--set load.creepage=nan", "load.creepage");
-  expect_rejected(good_scene, "--set load.creepage=inf", "load.creepage");
-  expect_rejected(good_scene, "--set load.creepage=1e400", "load.creepage");
-  expect_rejected(good_scene, "--set load.creepage=0,4", "load.creepage");
 }
 
 TEST_F(BadScenes, UnknownAndMissingKeys) {
@@ -78,7 +68,6 @@ TEST_F(BadScenes, UnknownAndMissingKeys) {
   expect_rejected(good_scene, "--set grid.elements=", "missing key 'grid.elements'");
   expect_rejected(good_scene, "--set kernel.type=", "missing key 'kernel.type'");
   expect_rejected(good_scene, "--set problem=", "missing key 'problem'");
-  expect_rejected("", "", "missing key 'problem'");
 }
 
 TEST_F(BadScenes, UnknownWords) {
@@ -232,11 +221,6 @@ TEST_F(BadScenes, BoundFiles) {
     scene.replace(scene.find("peak_traction 1"), 15, "bound_file bound.tsv");
     expect_rejected(scene, "", "contact.bound_file = 'bound.tsv': " + named);
   };
-  rejected("", "line 0: expected a column 'x'");
-  rejected("x\tg\n0\t1\n", "line 1: expected a column 'bound'");
-  rejected("# comment\nx\tbound\n0\tone\n", "line 3: column 'bound': 'one' is not");
-  rejected("x\tbound\n0\t1\n0.5\n", "line 3: expected 2 values, found 1");
-  rejected("x\tbound\n", "0 rows: expected at least one");
   rejected("x\tbound\n0\t1\n0\t2\n", "x = 0: expected ascending positions");
   rejected("x\tbound\n2\t1\n", "x = 2: expected positions from -half_width to half_width");
   rejected("x\tbound\n0\t-1\n", "bound = -1: expected a number >= 0");
@@ -250,10 +234,6 @@ TEST_F(BadScenes, BoundFiles) {
   }
   expect_rejected(good_scene, "--set contact.bound_file=b.tsv",
                   "only one of 'contact.peak_traction' and 'contact.bound_file'");
-  expect_rejected(good_scene, "--set contact.peak_traction= --set contact.bound_file=none.tsv",
-                  "contact.bound_file = 'none.tsv': cannot read it: No such file");
-  expect_rejected(good_scene, "--set contact.peak_traction= --set contact.bound_file=/",
-                  "contact.bound_file = '/': cannot read it: Is a directory");
 }
 
 TEST_F(BadScenes, TheGoodTransientIsSolvedAndStartsTheNext) {
@@ -343,10 +323,11 @@ TEST_F(BadScenes, StartFiles) {
   rejected("material", "1.5\t0\n2\t0\n", "number of rows = 0: expected at least one where");
 }
 
-TEST_F(BadScenes, BrokenFilesAndOptions) {
-  expect_rejected("grid { elements 20", "", "scene.info, line");
+TEST_F(BadScenes, Options) {
   expect_rejected(good_scene, "--set grid.elements", "key=value");
   expect_rejected(good_scene, "--colour", "--colour");
+  expect_rejected(good_scene, "--%canonical_option%",
+                  "option '--%canonical_option%': expected one");
   expect_rejected(good_scene, "stray", "positional");
 }
 
