@@ -5,8 +5,10 @@
 #include "microslip/experiments/cylinder_scene.hpp"
 #include "microslip/experiments/steady_scene.hpp"
 #include "microslip/experiments/transient_scene.hpp"
+#include "microslip/program/memory.hpp"
 #include "microslip/program/run.hpp"
 #include "microslip/program/sweep.hpp"
+#include "microslip/scene/memory.hpp"
 #include "microslip/scene/model.hpp"
 
 namespace {
@@ -22,6 +24,17 @@ void reject_sweep(const Scene& scene) {
   }
 }
 
+const Grid& grid_of(const SteadyProblem& problem) { return problem.grid; }
+const Grid& grid_of(const TransientScene& scene) { return scene.problem.grid; }
+const Grid& grid_of(const CylinderScene& scene) { return scene.contact.grid; }
+
+/// What was read, if there is memory to solve it.
+template <class Read>
+Read affordable(Read read) {
+  program::require_memory("grid.elements", grid_of(read).size(), memory_needed(read));
+  return read;
+}
+
 program::Work prepare(Scene& scene) {
   reject_sweep(scene);
   const std::string problem = scene.word("problem", {"steady", "transient", "cylinder"});
@@ -34,16 +47,16 @@ program::Work prepare(Scene& scene) {
     };
   }
   if (problem == "steady") {
-    return [steady = read_steady(scene)](const Progress&) {
+    return [steady = affordable(read_steady(scene))](const Progress&) {
       return experiments::steady_scene(steady);
     };
   }
   if (problem == "cylinder") {
-    return [cylinder = read_cylinder(scene)](const Progress& progress) {
+    return [cylinder = affordable(read_cylinder(scene))](const Progress& progress) {
       return experiments::cylinder_scene(cylinder, progress);
     };
   }
-  return [transient = read_transient(scene)](const Progress& progress) {
+  return [transient = affordable(read_transient(scene))](const Progress& progress) {
     return experiments::transient_scene(transient, progress);
   };
 }

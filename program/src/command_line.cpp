@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "microslip/program/memory.hpp"
 #include "microslip/scene/text.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/shown.hpp"
@@ -144,9 +145,12 @@ int status_of(const std::string& name, const std::function<int()>& action) {
     return status;
   };
   try {
+    limit_memory();
     return action();
   } catch (const NotConverged& error) {
     return fail(error, 2);
+  } catch (const std::bad_alloc&) {
+    return fail(std::runtime_error("not enough memory"), 1);
   } catch (const std::exception& error) {
     return fail(error, 1);
   }

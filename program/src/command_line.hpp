@@ -41,7 +41,7 @@ Progress progress_on_terminal(const std::string& name, bool quiet);
 std::string one_line(const std::exception& error);
 
 /// The exit status of an action: what it returns; 2 for NotConverged and 1 for other exceptions,
-/// with one line on stderr.
+/// with one line on stderr. More memory than the machine has is one of them, see limit_memory().
 int status_of(const std::string& name, const std::function<int()>& action);
 
 }  // namespace microslip::program

@@ -67,7 +67,7 @@ Outcome solve_cases(const Program& program, const SweepPlan& plan, const SweepFo
   const Progress progress = progress_on_terminal(program.name, settings.quiet);
   Interrupts interrupts(program.name +
                         ": interrupted; what is done is kept, and the same command goes on");
-  for_each_case(open.size(), settings.threads, [&](std::size_t k) {
+  const auto solve_open = [&](std::size_t k) {
     const std::size_t i = outcome.cases[open[k]];
     const CaseResult result = solve(plan.cases[i].work);
     interrupts.critical([&] {
@@ -75,7 +75,13 @@ Outcome solve_cases(const Program& program, const SweepPlan& plan, const SweepFo
       outcome.statuses[open[k]] = result.status;
       progress(++done, outcome.cases.size());
     });
-  });
+  };
+  try {
+    for_each_case(open.size(), settings.threads, solve_open);
+  } catch (const std::bad_alloc&) {
+    throw std::runtime_error("not enough memory for " + std::to_string(settings.threads) +
+                             " cases at once; what is done is kept, --threads 1 may go on");
+  }
   return outcome;
 }
 

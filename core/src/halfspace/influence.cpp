@@ -229,15 +229,19 @@ SquareMatrix influence_difference_operator(const Kernel& kernel, const Basis& ba
   });
 }
 
-SquareMatrix strain_operator(const Kernel& kernel, const Basis& basis, double spacing,
-                             Eigen::Index n, double step_ratio, const Solver& wanted) {
+Solver strain_solver(const Solver& wanted, Eigen::Index n, double step_ratio) {
   constexpr double least_step_ratio = 0.01;
   Solver solver = wanted;
   const bool chooses = wanted.type == Solver::Type::automatic;
   if (chooses && step_ratio < least_step_ratio && n <= Solver::most_dense) {
     solver.type = Solver::Type::dense;
   }
-  return arranged(basis, n, solver, [&](const ShapeFunction& shape) {
+  return solver;
+}
+
+SquareMatrix strain_operator(const Kernel& kernel, const Basis& basis, double spacing,
+                             Eigen::Index n, double step_ratio, const Solver& wanted) {
+  return arranged(basis, n, strain_solver(wanted, n, step_ratio), [&](const ShapeFunction& shape) {
     return influence_difference_toeplitz(kernel, shape, spacing, n, step_ratio)
         .times(1 / (step_ratio * spacing));
   });

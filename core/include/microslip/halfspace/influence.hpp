@@ -67,9 +67,12 @@ SquareMatrix influence_operator(const Kernel& kernel, const Basis& basis, double
 SquareMatrix influence_difference_operator(const Kernel& kernel, const Basis& basis, double spacing,
                                            Eigen::Index n, double step_ratio, const Solver& solver);
 
-/// (A - A')/dq, the negative of the strain by differences over dq  [mm^2/N]. For c -> 0 it turns
-/// antisymmetric, and so singular for an odd number of elements in adhesion: below c = 0.01 a
-/// solver that may choose takes all entries, as LU with pivots keeps more digits than GMRES.
+/// How strain_operator is arranged. For c -> 0 it turns antisymmetric, and so singular for an odd
+/// number of elements in adhesion: below c = 0.01 a solver that may choose takes all entries, as LU
+/// with pivots keeps more digits than GMRES.
+Solver strain_solver(const Solver& wanted, Eigen::Index n, double step_ratio);
+
+/// (A - A')/dq, the negative of the strain by differences over dq  [mm^2/N].
 SquareMatrix strain_operator(const Kernel& kernel, const Basis& basis, double spacing,
                              Eigen::Index n, double step_ratio, const Solver& solver);
 
