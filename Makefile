@@ -7,10 +7,12 @@ MAKEFLAGS += --no-builtin-rules
 
 JOBS ?= $(shell nproc)
 BUILD := build/release
+FUZZ_SECONDS ?= 60
+READERS := $(patsubst fuzz/targets/%.cpp,%,$(wildcard fuzz/targets/*.cpp))
 STUDIES := $(patsubst studies/%/study.info,%,$(wildcard studies/*/study.info))
-SOURCES = $(shell find core experiments program apps studies bench tests -name '*.[ch]pp')
+SOURCES = $(shell find core experiments program apps studies bench tests fuzz -name '*.[ch]pp')
 
-.PHONY: help deps build figures quick bench test sanitize format check-format clean $(STUDIES)
+.PHONY: help deps build figures quick bench test sanitize fuzz keep-corpus format check-format clean $(STUDIES)
 
 help:
 	@echo 'make figures      build, run every study, draw every figure into results/figures'
@@ -18,7 +20,9 @@ help:
 	@echo 'make quick        every study, coarser, into results/quick'
 	@echo 'make bench        times against N into results/bench, with figures; about five minutes'
 	@echo 'make test         build and run all tests'
-	@echo 'make sanitize     the unit tests under the address and undefined-behaviour sanitizers'
+	@echo 'make sanitize     the unit tests and the corpus under the address and undefined-behaviour sanitizers'
+	@echo 'make fuzz         libFuzzer on every reader of input, FUZZ_SECONDS=$(FUZZ_SECONDS) each, with both sanitizers'
+	@echo 'make keep-corpus  what it found that reaches new code, into fuzz/corpus'
 	@echo 'make build        only build the programs, into $(BUILD)/bin'
 	@echo 'make format       clang-format all sources; make check-format only looks'
 	@echo 'make clean        remove the build and the results'
@@ -79,8 +83,27 @@ test: deps
 	ctest --preset release -j $(JOBS)
 
 sanitize: deps
-	@$(call cmake_build,debug,--target unit_tests)
-	ctest --preset debug -L unit -j $(JOBS)
+	@$(call cmake_build,debug,--target unit_tests corpus)
+	ctest --preset debug -L 'unit|corpus' -j $(JOBS)
+
+# What ends a reader is written to build/fuzz/findings; what is new stays in build/fuzz/corpus.
+fuzz:
+	@tools/deps.sh build fuzz
+	@$(call cmake_build,fuzz,--target corpus)
+	@mkdir -p build/fuzz/findings $(READERS:%=build/fuzz/corpus/%)
+	@for reader in $(READERS); do \
+	  echo "$$reader: $(FUZZ_SECONDS) s"; \
+	  build/fuzz/bin/fuzz_$$reader -dict=fuzz/dictionary -max_total_time=$(FUZZ_SECONDS) -max_len=8000 \
+	    -timeout=20 -artifact_prefix=build/fuzz/findings/$$reader- -print_final_stats=1 \
+	    build/fuzz/corpus/$$reader fuzz/corpus/$$reader >build/fuzz/$$reader.log 2>&1 || \
+	    { tail -n 40 build/fuzz/$$reader.log; exit 1; }; \
+	  grep number_of_executed_units build/fuzz/$$reader.log; \
+	done
+
+keep-corpus:
+	@for reader in $(READERS); do \
+	  build/fuzz/bin/fuzz_$$reader -merge=1 -max_len=8000 fuzz/corpus/$$reader build/fuzz/corpus/$$reader; \
+	done
 
 format:
 	@clang-format -i $(SOURCES)

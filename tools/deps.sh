@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what the project needs and this machine lacks. Usage: tools/deps.sh build|figures|bench ...
+# Installs what the project needs and this machine lacks. Usage: tools/deps.sh build|figures|bench|fuzz ...
 # Does nothing, and prints nothing, when all is there. DEPS=skip turns it off.
 set -euo pipefail
 [ "${DEPS:-}" = skip ] && exit 0
@@ -20,7 +20,13 @@ LIST
       ;;
     figures) echo "gnuplot-nox gnuplot" ;;
     bench) echo "libbenchmark-dev /usr/include/benchmark/benchmark.h" ;;
-    *) echo "deps.sh: unknown group '$1'; known: build, figures, bench" >&2; return 1 ;;
+    fuzz) cat <<'LIST'
+clang clang++
+libclang-rt-14-dev /usr/lib/llvm-14/lib/clang/14.0.6/include/fuzzer/FuzzedDataProvider.h
+libomp-14-dev /usr/lib/llvm-14/lib/libomp.so
+LIST
+      ;;
+    *) echo "deps.sh: unknown group '$1'; known: build, figures, bench, fuzz" >&2; return 1 ;;
   esac
 }
 

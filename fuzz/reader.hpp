@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all targets hold readers to.
+#pragma once
+
+#include <boost/program_options/errors.hpp>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "microslip/support/not_converged.hpp"
+
+/// The entry of libFuzzer, which each target defines.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace microslip::fuzz {
+
+inline void require_that(bool holds, std::string_view what, std::string_view found) {
+  if (holds) return;
+  std::cerr << "expected " << what << ", not: " << found << std::endl;
+  std::abort();
+}
+
+/// A message is one short line; the longest are those that list all keys of a model.
+inline void require_one_line(std::string_view message) {
+  const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
+  bool plain = true;
+  for (const char c : message) plain = plain && !is_control(c);
+  require_that(plain && !message.empty(), "a message in one line", message);
+  require_that(message.size() < 1000, "a message of less than 1000 bytes", message);
+}
+
+/// Runs a reader, which accepts its input or rejects it in one line; anything else that it throws
+/// ends the program, as what the sanitizers find does.
+template <class Read>
+void accepts_or_rejects(Read read) {
+  try {
+    read();
+  } catch (const std::invalid_argument& error) {
+    require_one_line(error.what());
+  } catch (const NotConverged& error) {
+    require_one_line(error.what());
+  }
+}
+
+inline std::string text_of(const std::uint8_t* data, std::size_t size) {
+  return {data, data + size};
+}
+
+}  // namespace microslip::fuzz
