@@ -11,7 +11,7 @@ namespace microslip::program {
 
 Interrupts::Interrupts(std::string message) : message_(std::move(message)) {
   sigemptyset(&signals_);
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction action {};
     sigaction(signal, nullptr, &action);
     if (action.sa_handler != SIG_IGN) sigaddset(&signals_, signal);
@@ -23,7 +23,7 @@ Interrupts::Interrupts(std::string message) : message_(std::move(message)) {
 }
 
 Interrupts::~Interrupts() {
-  critical([this] { over_ = true; });
+  last([] {});
   pthread_kill(watcher_.native_handle(), SIGUSR1);
   watcher_.join();
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);
@@ -32,6 +32,13 @@ Interrupts::~Interrupts() {
 void Interrupts::critical(const std::function<void()>& part) {
   const std::lock_guard lock(mutex_);
   part();
+}
+
+void Interrupts::last(const std::function<void()>& part) {
+  critical([&] {
+    part();
+    over_ = true;
+  });
 }
 
 void Interrupts::wait() {

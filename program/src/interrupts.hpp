@@ -9,9 +9,9 @@
 
 namespace microslip::program {
 
-/// As long as it lives, SIGINT and SIGTERM end the process between two critical parts, with exit
-/// status 128 + signal and one line on stderr. Make it before other threads, which inherit that
-/// they do not take these signals. A signal that is ignored stays so.
+/// As long as it lives, SIGINT, SIGTERM and SIGHUP end the process between two critical parts, with
+/// exit status 128 + signal and one line on stderr. Make it before other threads, which inherit
+/// that they do not take these signals. A signal that is ignored stays so.
 class Interrupts {
  public:
   explicit Interrupts(std::string message);
@@ -21,6 +21,9 @@ class Interrupts {
 
   /// Runs a critical part, one at a time.
   void critical(const std::function<void()>& part);
+
+  /// The same for the part with which all is done: a signal that comes during it is too late.
+  void last(const std::function<void()>& part);
 
  private:
   void wait();

@@ -6,7 +6,9 @@
 #include <sstream>
 
 #include "command_line.hpp"
+#include "interrupts.hpp"
 #include "outputs.hpp"
+#include "process.hpp"
 #include "provenance.hpp"
 
 namespace microslip::program {
@@ -23,11 +25,16 @@ Options options_of(const Program& program) {
   return options;
 }
 
+/// A run is written when all of it is done: the longest study takes a minute, and tables of half a
+/// study would need parameters of their own. Many cases that must not be lost are a sweep.
 void run_scene(const Program& program, Scene& scene, const Given& given, int argc,
                const char* const* argv) {
   const auto start = std::chrono::steady_clock::now();
+  Interrupts interrupts(program.name + ": interrupted, nothing is written");
+  const std::string out = given["out"].as<std::string>();
   const auto work = program.prepare(scene);
   scene.reject_unread();
+  require_writable(out);
   const std::vector<Table> tables =
       work(progress_on_terminal(program.name, given.count("quiet") != 0));
   std::vector<OutputFile> files;
@@ -36,7 +43,7 @@ void run_scene(const Program& program, Scene& scene, const Given& given, int arg
   }
   files.push_back({"provenance.txt",
                    provenance(program.name, argc, argv, std::chrono::steady_clock::now() - start)});
-  write_files(given["out"].as<std::string>(), files);
+  interrupts.last([&] { write_files(out, files); });
   for (const std::string& line : scene.warnings()) {
     std::cerr << program.name << ": warning: " << line << '\n';
   }
@@ -45,7 +52,7 @@ void run_scene(const Program& program, Scene& scene, const Given& given, int arg
 }  // namespace
 
 int run(const Program& program, int argc, const char* const* argv) {
-  return status_of(program.name, [&] {
+  return run_process(program.name, [&] {
     const Options options = options_of(program);
     const Given given = parse(options, argc, argv);
     if (answers(given, options, program.name, program.question)) return 0;

@@ -12,6 +12,7 @@
 #include "interrupts.hpp"
 #include "microslip/support/parallel.hpp"
 #include "outputs.hpp"
+#include "process.hpp"
 #include "provenance.hpp"
 #include "sweep_folder.hpp"
 #include "sweep_options.hpp"
@@ -52,7 +53,7 @@ struct Outcome {
 };
 
 Outcome solve_cases(const Program& program, const SweepPlan& plan, const SweepFolder& folder,
-                    const SweepSettings& settings) {
+                    const SweepSettings& settings, Interrupts& interrupts) {
   const Shard shard = settings.shard.value_or(Shard{1, 1});
   Outcome outcome;
   std::vector<std::size_t> open;
@@ -65,8 +66,6 @@ Outcome solve_cases(const Program& program, const SweepPlan& plan, const SweepFo
   outcome.finished_before = outcome.cases.size() - open.size();
   std::size_t done = outcome.finished_before;
   const Progress progress = progress_on_terminal(program.name, settings.quiet);
-  Interrupts interrupts(program.name +
-                        ": interrupted; what is done is kept, and the same command goes on");
   const auto solve_open = [&](std::size_t k) {
     const std::size_t i = outcome.cases[open[k]];
     const CaseResult result = solve(plan.cases[i].work);
@@ -117,10 +116,11 @@ int report_failures(const Program& program, const Table& plan, const Outcome& ou
 /// Writes sweep.tsv, and returns what became of the cases.
 /// \param origin  the text of provenance.txt, asked for when the rest is done
 Outcome write_merged(const Program& program, const SweepFolder& folder, const fs::path& out,
-                     const std::function<std::string()>& origin) {
+                     const std::function<std::string()>& origin, Interrupts& interrupts) {
   const MergedSweep merged = folder.merged();
-  write_files(out, {output_of(merged.table, program.name, merged.parameters),
-                    {"provenance.txt", origin()}});
+  const std::vector<OutputFile> files{output_of(merged.table, program.name, merged.parameters),
+                                      {"provenance.txt", origin()}};
+  interrupts.last([&] { write_files(out, files); });
   Outcome outcome{.cases = {}, .statuses = merged.statuses};
   for (std::size_t i = 0; i < merged.statuses.size(); ++i) outcome.cases.push_back(i);
   return outcome;
@@ -129,17 +129,22 @@ Outcome write_merged(const Program& program, const SweepFolder& folder, const fs
 int sweep_scene(const Program& program, const Given& given, int argc, const char* const* argv) {
   const auto start = Clock::now();
   const SweepSettings settings = sweep_settings(given);
+  Interrupts interrupts(program.name +
+                        ": interrupted; what is done is kept, and the same command goes on");
+  require_writable(settings.out);
   const SweepPlan plan = plan_of(program, read_scene(program, given));
-  const SweepFolder folder =
-      SweepFolder::begin(settings.out, program.name, plan.table, plan.common);
-  const Outcome outcome = solve_cases(program, plan, folder, settings);
+  std::optional<SweepFolder> folder;
+  interrupts.critical(
+      [&] { folder = SweepFolder::begin(settings.out, program.name, plan.table, plan.common); });
+  const Outcome outcome = solve_cases(program, plan, *folder, settings, interrupts);
   const auto origin = [&] { return provenance(program.name, argc, argv, Clock::now() - start); };
   if (settings.shard) {
     const std::string shard =
         std::to_string(settings.shard->number) + "_of_" + std::to_string(settings.shard->count);
-    write_files(settings.out, {{"provenance_" + shard + ".txt", origin()}});
+    const OutputFile file{"provenance_" + shard + ".txt", origin()};
+    interrupts.last([&] { write_files(settings.out, {file}); });
   } else {
-    write_merged(program, folder, settings.out, origin);
+    write_merged(program, *folder, settings.out, origin, interrupts);
   }
   if (!settings.quiet) {
     std::cout << program.name << ": " << outcome.cases.size() << " cases, "
@@ -152,7 +157,7 @@ int sweep_scene(const Program& program, const Given& given, int argc, const char
 }  // namespace
 
 int sweep(const Program& program, int argc, const char* const* argv) {
-  return status_of(program.name, [&] {
+  return run_process(program.name, [&] {
     const Options known = sweep_options(program);
     const Given given = parse(known, argc - 1, argv + 1);
     if (answers(given, known, program.name + " sweep", sweep_purpose)) return 0;
@@ -161,17 +166,17 @@ int sweep(const Program& program, int argc, const char* const* argv) {
 }
 
 int merge(const Program& program, int argc, const char* const* argv) {
-  return status_of(program.name, [&] {
+  return run_process(program.name, [&] {
     const auto start = Clock::now();
     Options known("Options of merge");
     add_common_options(known, default_sweep_out);
     const Given given = parse(known, argc - 1, argv + 1);
     if (answers(given, known, program.name + " merge", merge_purpose)) return 0;
     const fs::path out = given["out"].as<std::string>();
+    Interrupts interrupts(program.name + " merge: interrupted, nothing is written");
     const SweepFolder folder = SweepFolder::open(out, program.name);
-    const Outcome outcome = write_merged(program, folder, out, [&] {
-      return provenance(program.name, argc, argv, Clock::now() - start);
-    });
+    const auto origin = [&] { return provenance(program.name, argc, argv, Clock::now() - start); };
+    const Outcome outcome = write_merged(program, folder, out, origin, interrupts);
     return report_failures(program, folder.plan(), outcome);
   });
 }

@@ -33,7 +33,8 @@ struct Program {
 
 /// Parses the command line, runs the program and writes its tables, with provenance.txt last.
 /// Returns the exit status: 0, 1 for bad input or a failed write, 2 for NotConverged; the last two
-/// with one line on stderr, and no file written.
+/// with one line on stderr, and no file written. So do SIGINT, SIGTERM and SIGHUP until the tables
+/// are being written, with 130, 143 and 129; files of an earlier run stay whole.
 int run(const Program& program, int argc, const char* const* argv);
 
 /// The same for a study: `read` takes its parameters from a scene, `measure` makes the tables.

@@ -13,7 +13,8 @@ namespace microslip::program {
 /// an interrupted sweep goes on. All scenes are read before the first is solved. Ends with merge
 /// unless a shard was asked for. The files do not depend on threads, shards and interrupts.
 /// Returns the exit status: 0; 1 for bad input or a failed write, 2 if a case has no solution, both
-/// with one line on stderr. SIGINT and SIGTERM end it between two files with 130 and 143.
+/// with one line on stderr. SIGINT, SIGTERM and SIGHUP end it between two files with
+/// 130, 143 and 129.
 int sweep(const Program& program, int argc, const char* const* argv);
 
 /// Puts the rows of all cases of a sweep into one table, sweep.tsv. Returns the exit status: 0; 1,

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace microslip::program {
+
+/// status_of for all that a process does. What goes wrong with files and standard streams is a
+/// failed write with one line on stderr, not the end by a signal: a reader that has gone (SIGPIPE),
+/// a limit of the size of files (SIGXFSZ), a full disk behind standard output.
+int run_process(const std::string& name, const std::function<int()>& action);
+
+}  // namespace microslip::program
