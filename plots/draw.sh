@@ -1,18 +1,42 @@
 #!/usr/bin/env bash
 # Draws one figure. Usage: plots/draw.sh FIGURE.gp TABLES_FOLDER OUTPUT.svg
-# A gnuplot warning is a failure, and a failure leaves no figure.
+# A gnuplot warning is a failure, as is a table without content, and a failure leaves no figure.
 set -euo pipefail
 script=$1 tables=$2 output=$3
-command -v gnuplot >/dev/null || { echo "draw: gnuplot is not installed" >&2; exit 1; }
+plots=$(dirname "$0")
+fail() {
+  echo "draw: $script: $1" >&2
+  exit 1
+}
+
+rm -f "$output"
+command -v gnuplot >/dev/null || fail "gnuplot is not installed"
+
+# All that the figure names, itself or in what it loads. gnuplot would say neither which table is
+# empty nor that one is cut off between two rows.
+mapfile -t loaded < <(sed -n "s|^load scripts\.\"/\(.*\)\"|$plots/\1|p" "$script")
+for table in $(grep -oh '"/[a-z_]*\.tsv"' "$script" "${loaded[@]}" | tr -d '"' | sort -u); do
+  table=$tables$table
+  [ -r "$table" ] || fail "$table: no such table"
+  [ -z "$(tail -c 1 "$table")" ] || fail "$table: cut off, its last line has no end"
+  problem=$(awk -F '\t' '
+    /^#/ { next }
+    !columns { columns = NF; next }
+    NF != columns { print "cut off, a row has " NF " cells, not " columns; exit }
+    { rows++; for (i = 1; i <= NF; i++) if ($i !~ /^-?nan$/) cells++ }
+    END { if (NF == columns || !rows) print !rows ? "no rows" : !cells ? "nothing but nan" : "" }' "$table")
+  [ -z "$problem" ] || fail "$table: $problem"
+done
+
 mkdir -p "$(dirname "$output")"
-partial=$(dirname "$output")/.$(basename "$output").part
+partial=$(dirname "$output")/.$(basename "$output").$$.part
 trap 'rm -f "$partial" "$partial.log"' EXIT
 status=0
-gnuplot -e "tables='$tables'; scripts='$(dirname "$0")'" "$(dirname "$0")/style.gp" "$script" \
-  >"$partial" 2>"$partial.log" || status=$?
-if [ $status -ne 0 ] || [ -s "$partial.log" ] || [ ! -s "$partial" ]; then
-  echo "draw: $script failed" >&2
+gnuplot -e "tables='$tables'; scripts='$plots'" "$plots/style.gp" "$script" >"$partial" 2>"$partial.log" || status=$?
+# gnuplot takes no notice of a full disk.
+tail -c 10 "$partial" | grep -q "</svg>" || status=1
+if [ $status -ne 0 ] || [ -s "$partial.log" ]; then
   cat "$partial.log" >&2
-  exit 1
+  fail "gnuplot failed"
 fi
 mv "$partial" "$output"
