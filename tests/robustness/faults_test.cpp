@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is not the fault of the input: signals, full disks, folders that are none, others who write
 // to the same folder. One line, a fitting exit status, and in the folder all of one run.
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/types.h>
 
 #include <algorithm>
@@ -343,6 +345,18 @@ TEST_F(Faults, OfRunsIntoOneFolderOneIsThereWhole) {
     const Files left = files();
     ASSERT_TRUE(left == one || left == two) << round;
   }
+}
+
+TEST_F(Faults, ARunWaitsUntilAnotherHasWritten) {
+  fs::create_directory(out());
+  const int other = open(out().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  ASSERT_EQ(flock(other, LOCK_EX), 0);
+  const pid_t run = start(solve());
+  std::this_thread::sleep_for(300ms);
+  EXPECT_EQ(files(), Files());
+  close(other);
+  EXPECT_EQ(status_of(run), 0);
+  EXPECT_EQ(files().size(), 3U);
 }
 
 TEST_F(Faults, SweepsIntoOneFolderAreOneSweep) {
