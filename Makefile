@@ -10,9 +10,10 @@ BUILD := build/release
 FUZZ_SECONDS ?= 60
 READERS := $(patsubst fuzz/targets/%.cpp,%,$(wildcard fuzz/targets/*.cpp))
 STUDIES := $(patsubst studies/%/study.info,%,$(wildcard studies/*/study.info))
-SOURCES = $(shell find core experiments program apps studies bench tests fuzz -name '*.[ch]pp')
+SOURCES = $(shell find core experiments program apps studies bench tests tools fuzz -name '*.[ch]pp')
 
-.PHONY: help deps build figures quick bench test sanitize fuzz keep-corpus format check-format clean $(STUDIES)
+.PHONY: help deps build figures quick bench test verify references sanitize fuzz keep-corpus format \
+  check-format clean $(STUDIES)
 
 help:
 	@echo 'make figures      build, run every study, draw every figure into results/figures'
@@ -20,6 +21,8 @@ help:
 	@echo 'make quick        every study, coarser, into results/quick'
 	@echo 'make bench        times against N into results/bench, with figures; about five minutes'
 	@echo 'make test         build and run all tests'
+	@echo 'make verify       two clean builds: the same bytes, and agreement with tests/reference_tables'
+	@echo 'make references   make the tables of this build those of tests/reference_tables'
 	@echo 'make sanitize     the unit tests and the corpus under the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz         libFuzzer on every reader of input, FUZZ_SECONDS=$(FUZZ_SECONDS) each, with both sanitizers'
 	@echo 'make keep-corpus  what it found that reaches new code, into fuzz/corpus'
@@ -81,6 +84,15 @@ bench:
 test: deps
 	@$(call cmake_build,release)
 	ctest --preset release -j $(JOBS)
+
+verify: deps
+	@tools/verify.sh build/verify $(JOBS)
+
+references: deps
+	@$(call cmake_build,release,--target programs compare_tables)
+	rm -rf build/references
+	tools/quick_tables.sh $(BUILD)/bin build/references $(JOBS)
+	$(BUILD)/bin/compare_tables --update build/references tests/reference_tables
 
 sanitize: deps
 	@$(call cmake_build,debug,--target unit_tests corpus)

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "comparison.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+namespace microslip::tools {
+
+namespace {
+
+std::optional<double> number_in(const std::string& text) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && stop == end ? std::optional(value) : std::nullopt;
+}
+
+const std::string& text_at(const Table& table, std::size_t row, const std::string& column) {
+  return std::get<std::string>(table.at(row, column));
+}
+
+double largest_in(const Table& table, const std::string& column) {
+  double largest = 0;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const double value = number_in(text_at(table, row, column)).value_or(0);
+    if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+  }
+  return largest;
+}
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// The difference of two words over what is allowed; infinite if they are not both numbers.
+double excess_of_word(const std::string& word, const std::string& reference,
+                      const Tolerance& tolerance, double largest) {
+  if (word == reference) return 0;
+  const auto value = number_in(word);
+  const auto expected = number_in(reference);
+  if (!value || !expected || !std::isfinite(*value) || !std::isfinite(*expected)) return infinite;
+  const double allowed = tolerance.relative * std::abs(*expected) + tolerance.of_largest * largest +
+                         tolerance.absolute;
+  return allowed > 0 ? std::abs(*value - *expected) / allowed : infinite;
+}
+
+/// The same of cells, which may be sentences with numbers in them.
+double excess(const std::string& cell, const std::string& reference, const Tolerance& tolerance,
+              double largest) {
+  double worst = 0;
+  std::istringstream words(cell);
+  std::istringstream references(reference);
+  for (std::string word, expected; words >> word;) {
+    if (!(references >> expected)) return infinite;
+    worst = std::max(worst, excess_of_word(word, expected, tolerance, largest));
+  }
+  return (references >> std::ws).eof() ? worst : infinite;
+}
+
+/// What differs besides cells; empty if nothing does.
+std::string difference_of_heads(const WrittenTable& table, const WrittenTable& reference) {
+  if (table.parameters != reference.parameters) {
+    const auto [here, there] =
+        std::mismatch(table.parameters.begin(), table.parameters.end(),
+                      reference.parameters.begin(), reference.parameters.end());
+    const auto text = [](const auto& at, const Parameters& all) {
+      return at == all.end() ? "none" : "'" + at->first + " = " + at->second + "'";
+    };
+    return "parameter " + text(here, table.parameters) + ", reference " +
+           text(there, reference.parameters);
+  }
+  const auto names = [](const Table& of) {
+    std::string all;
+    for (const Column& column : of.columns()) all += " " + column.name + " [" + column.unit + "]";
+    return all;
+  };
+  if (names(table.table) != names(reference.table)) {
+    return "columns" + names(table.table) + ", reference" + names(reference.table);
+  }
+  if (table.table.rows() != reference.table.rows()) {
+    return std::to_string(table.table.rows()) + " rows, reference " +
+           std::to_string(reference.table.rows());
+  }
+  return "";
+}
+
+}  // namespace
+
+WrittenTable thinned(const WrittenTable& whole, std::size_t kept) {
+  const Table& table = whole.table;
+  if (table.rows() <= kept) return whole;
+  const std::string rows = std::to_string(kept) + " of " + std::to_string(table.rows());
+  WrittenTable part{Table(table.name(), "rows of a larger table", table.columns()),
+                    {{"rows", rows}}};
+  part.parameters.insert(part.parameters.end(), whole.parameters.begin(), whole.parameters.end());
+  for (std::size_t i = 0; i < kept; ++i) {
+    std::vector<Cell> row;
+    for (const Column& column : table.columns()) {
+      row.push_back(table.at(i * (table.rows() - 1) / (kept - 1), column.name));
+    }
+    part.table.add(row);
+  }
+  return part;
+}
+
+Comparison compare(const std::string& name, const WrittenTable& table,
+                   const WrittenTable& reference, const Tolerances& tolerances) {
+  const std::string heads = difference_of_heads(table, reference);
+  if (!heads.empty()) return {Verdict::differs, heads};
+  std::size_t different = 0;
+  std::size_t beyond = 0;
+  double worst = 0;
+  std::string where;
+  for (const auto& [column, unit, meaning] : reference.table.columns()) {
+    const Tolerance tolerance = tolerances.of(name, column);
+    const double largest = largest_in(reference.table, column);
+    for (std::size_t row = 0; row < reference.table.rows(); ++row) {
+      const std::string& text = text_at(table.table, row, column);
+      const std::string& expected = text_at(reference.table, row, column);
+      if (text != expected) ++different;
+      const double size = excess(text, expected, tolerance, largest);
+      if (size > 1) ++beyond;
+      if (size <= worst) continue;
+      worst = size;
+      where =
+          column + " in row " + std::to_string(row + 1) + ": " + text + ", reference " + expected;
+    }
+  }
+  if (different == 0) return {Verdict::identical, ""};
+  std::ostringstream text;
+  text.precision(2);
+  text << (beyond > 0 ? beyond : different) << (beyond > 0 ? " cells beyond" : " cells within")
+       << " the tolerance; the largest difference is " << worst << " of it, in " << where;
+  return {beyond > 0 ? Verdict::differs : Verdict::agrees, text.str()};
+}
+
+}  // namespace microslip::tools

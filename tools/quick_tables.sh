@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# All tables that are made in seconds: every study, quick, the examples, and a sweep.
+# Usage: tools/quick_tables.sh PROGRAMS_FOLDER OUT THREADS
+set -euo pipefail
+programs=$1 out=$2 threads=$3
+root=$(dirname "$0")/..
+export OMP_NUM_THREADS=$threads
+for scene in "$root"/studies/*/study.info; do
+  study=$(basename "$(dirname "$scene")")
+  "$programs/$study" --quick --out "$out/$study"
+done
+for problem in steady transient cylinder; do
+  "$programs/microslip" --scene "$root/examples/$problem.info" --out "$out/example_$problem"
+done
+"$programs/microslip" sweep --quiet --threads "$threads" --scene "$root/examples/sweep.info" --out "$out/example_sweep"
