@@ -43,10 +43,31 @@ void write_part(const fs::path& target, const std::string& content) {
   if (!out) throw cannot_write(target, std::strerror(errno));
 }
 
+constexpr const char* provenance_name = "provenance.txt";
+constexpr const char* tables_line = "tables:";
+
+/// Tables of the run that is in a folder which are not among those to be written.
+std::vector<fs::path> outdated(const fs::path& folder, const std::vector<fs::path>& targets) {
+  std::vector<fs::path> tables;
+  if (targets.empty() || targets.back().filename() != provenance_name) return tables;
+  std::ifstream in(folder / provenance_name);
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with(tables_line)) continue;
+    std::istringstream names(line.substr(std::strlen(tables_line)));
+    for (std::string name; names >> name;) {
+      const fs::path table = folder / fs::path(name).filename();
+      if (std::find(targets.begin(), targets.end(), table) == targets.end())
+        tables.push_back(table);
+    }
+  }
+  return tables;
+}
+
 /// Renames the parts of all files, or of none: what was there before comes back. One file alone is
 /// replaced at once. Of more, the last goes first and comes last, so that a folder that has it has
 /// the others of the same run, even if the process is killed in between.
-void put_in_place(const std::vector<fs::path>& targets) {
+/// \param removed  files that go when the others are there
+void put_in_place(const std::vector<fs::path>& targets, const std::vector<fs::path>& removed) {
   std::vector<std::pair<fs::path, fs::path>> moved;
   const auto move = [&](const fs::path& from, const fs::path& to, const fs::path& target) {
     std::error_code error;
@@ -54,12 +75,14 @@ void put_in_place(const std::vector<fs::path>& targets) {
     if (error) throw cannot_write(target, error.message());
     moved.emplace_back(from, to);
   };
+  std::vector<fs::path> former = removed;
+  former.insert(former.end(), targets.begin(), targets.end());
   std::error_code ignored;
   try {
-    for (auto target = targets.rbegin(); target != targets.rend(); ++target) {
+    for (auto target = former.rbegin(); target != former.rend(); ++target) {
       if (fs::is_directory(*target)) throw cannot_write(*target, std::strerror(EISDIR));
-      const bool replaced = fs::exists(fs::symlink_status(*target));
-      if (targets.size() > 1 && replaced) move(*target, former_of(*target), *target);
+      const bool there = fs::exists(fs::symlink_status(*target));
+      if (former.size() > 1 && there) move(*target, former_of(*target), *target);
     }
     for (const fs::path& target : targets) move(part_of(target), target, target);
   } catch (const std::exception&) {
@@ -68,7 +91,7 @@ void put_in_place(const std::vector<fs::path>& targets) {
     }
     throw;
   }
-  for (const fs::path& target : targets) fs::remove(former_of(target), ignored);
+  for (const fs::path& target : former) fs::remove(former_of(target), ignored);
 }
 
 /// Makes a folder, and takes it away again, with the parents it made, if it remains empty.
@@ -111,6 +134,12 @@ OutputFile output_of(const Table& table, const std::string& program, const Param
   return {table.name() + ".tsv", text.str()};
 }
 
+OutputFile provenance_of(const std::string& text, const std::vector<OutputFile>& tables) {
+  std::string line = tables_line;
+  for (const OutputFile& table : tables) line += " " + table.name;
+  return {provenance_name, text + line + "\n"};
+}
+
 void require_writable(const fs::path& folder) {
   if (folder.empty()) throw std::invalid_argument("--out '': expected the name of a folder");
   try {
@@ -133,7 +162,7 @@ void write_files(const fs::path& folder, const std::vector<OutputFile>& files) {
     const FolderLock lock(folder);
     try {
       for (std::size_t i = 0; i < files.size(); ++i) write_part(targets[i], files[i].content);
-      put_in_place(targets);
+      put_in_place(targets, outdated(folder, targets));
     } catch (const std::exception&) {
       std::error_code ignored;
       for (const fs::path& target : targets) fs::remove(part_of(target), ignored);

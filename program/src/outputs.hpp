@@ -17,6 +17,9 @@ struct OutputFile {
 /// <name of the table>.tsv
 OutputFile output_of(const Table& table, const std::string& program, const Parameters& parameters);
 
+/// provenance.txt: a text that differs from run to run, and the names of the run's tables.
+OutputFile provenance_of(const std::string& text, const std::vector<OutputFile>& tables);
+
 /// Finds out before a long work that a folder, or the one in which it would be made, is not there
 /// to write in. Makes nothing.
 /// \throws std::invalid_argument if it has no name, std::runtime_error that names it
@@ -24,7 +27,9 @@ void require_writable(const std::filesystem::path& folder);
 
 /// Writes all files under temporary names, which are this process's own, then renames them; on a
 /// failure it removes what it wrote, and what was there before stays. Makes the folder if needed.
-/// Of several processes with one folder, each writes all its files before the next one does.
+/// Of several processes with one folder, each writes all its files before the next one does. If
+/// provenance.txt is the last of the files, tables go that the one before it names and this does not:
+/// the folder holds one run.
 /// \throws std::runtime_error that names the file
 void write_files(const std::filesystem::path& folder, const std::vector<OutputFile>& files);
 

@@ -41,8 +41,8 @@ void run_scene(const Program& program, Scene& scene, const Given& given, int arg
   for (const Table& table : tables) {
     files.push_back(output_of(table, program.name, scene.origin()));
   }
-  files.push_back({"provenance.txt",
-                   provenance(program.name, argc, argv, std::chrono::steady_clock::now() - start)});
+  files.push_back(provenance_of(
+      provenance(program.name, argc, argv, std::chrono::steady_clock::now() - start), files));
   interrupts.last([&] { write_files(out, files); });
   for (const std::string& line : scene.warnings()) {
     std::cerr << program.name << ": warning: " << line << '\n';

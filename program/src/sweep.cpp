@@ -118,9 +118,9 @@ int report_failures(const Program& program, const Table& plan, const Outcome& ou
 Outcome write_merged(const Program& program, const SweepFolder& folder, const fs::path& out,
                      const std::function<std::string()>& origin, Interrupts& interrupts) {
   const MergedSweep merged = folder.merged();
-  const std::vector<OutputFile> files{output_of(merged.table, program.name, merged.parameters),
-                                      {"provenance.txt", origin()}};
-  interrupts.last([&] { write_files(out, files); });
+  const OutputFile table = output_of(merged.table, program.name, merged.parameters);
+  const OutputFile provenance = provenance_of(origin(), {table});
+  interrupts.last([&] { write_files(out, {table, provenance}); });
   Outcome outcome{.cases = {}, .statuses = merged.statuses};
   for (std::size_t i = 0; i < merged.statuses.size(); ++i) outcome.cases.push_back(i);
   return outcome;

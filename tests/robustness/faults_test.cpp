@@ -148,7 +148,7 @@ TEST_F(Faults, SignalsAtAnyTimeLeaveAllOfOneRun) {
   const Files one = files_of(solve());
   ASSERT_NE(one, two);
   int through = 0;
-  for (auto delay = 0us; through < 5; delay += 250us) {
+  for (auto delay = 0us; through < 5; delay += 250us + delay / 16) {
     const pid_t run = start(other);
     std::this_thread::sleep_for(delay);
     kill(run, SIGTERM);
@@ -168,7 +168,7 @@ TEST_F(Faults, AKilledRunLeavesNoProvenanceWithTablesOfTwo) {
   const Files two = files_of(other);
   const Files one = files_of(solve());
   int through = 0;
-  for (auto delay = 0us; through < 5; delay += 250us) {
+  for (auto delay = 0us; through < 5; delay += 250us + delay / 16) {
     const pid_t run = start(other);
     std::this_thread::sleep_for(delay);
     kill(run, SIGKILL);
@@ -345,6 +345,24 @@ TEST_F(Faults, OfRunsIntoOneFolderOneIsThereWhole) {
     const Files left = files();
     ASSERT_TRUE(left == one || left == two) << round;
   }
+}
+
+TEST_F(Faults, TablesOfAnEarlierRunGoWithIt) {
+  const Files steady = files_of(solve());
+  std::ofstream(folder_ / "transient.info") << good_transient;
+  const std::string transient = microslip_bin + " --scene '" +
+                                (folder_ / "transient.info").string() + "' --out '" +
+                                out().string() + "'";
+  Files both = files_of(transient);
+  EXPECT_EQ(both.count("history.tsv"), 1U);
+  std::ofstream(out() / "notes.tsv") << "not of a run";
+  EXPECT_EQ(run_command(in_a_shell("ulimit -f 1; " + solve())).status, 1);
+  both["notes.tsv"] = "not of a run";
+  EXPECT_EQ(files(), both);
+  EXPECT_EQ(run_command(solve()).status, 0);
+  Files left = files();
+  EXPECT_EQ(left.extract("notes.tsv").mapped(), "not of a run");
+  EXPECT_EQ(left, steady);
 }
 
 TEST_F(Faults, ARunWaitsUntilAnotherHasWritten) {
