@@ -9,12 +9,16 @@ rm -rf "$work"
 mkdir -p "$work"
 work=$(cd "$work" && pwd)
 
-# Sources, programs and tables each have another path in b. Compilers that remember are of no use.
+# Sources, programs and tables each have another path in b.
+for source in "$work/a" "$work/another/b"; do
+  mkdir -p "$source"
+  tar -C "$root" --exclude=./.git --exclude=./build --exclude=./results -c . | tar -C "$source" -x
+done
+# What a compiler cache remembers of one build is no second build.
 export CCACHE_DISABLE=1
 build_and_run() {
   local source=$1 build=$2 tables=$3 threads=$4
-  mkdir -p "$source" "$build"
-  tar -C "$root" --exclude=./.git --exclude=./build --exclude=./results -c . | tar -C "$source" -x
+  mkdir -p "$build"
   echo "verify: building in $build"
   if ! { cmake -S "$source" -B "$build" -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF &&
          cmake --build "$build" -j "$jobs" --target programs compare_tables; } >"$build/log" 2>&1; then
