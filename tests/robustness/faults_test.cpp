@@ -24,9 +24,9 @@ using Files = std::map<std::string, std::string>;
 const std::string microslip_bin = std::string(MICROSLIP_BIN) + "/microslip";
 const std::string carter_bin = std::string(MICROSLIP_BIN) + "/carter";
 
-/// Half a second of work, and many minutes.
+/// A third of a second of work, and many minutes.
 const std::string slow_options =
-    "--set grid.elements=1000 --set step.ratio=0.1 --set motion.distance=1";
+    "--set grid.elements=1000 --set step.ratio=0.1 --set motion.distance=0.4";
 const std::string endless_options =
     "--set grid.elements=1000 --set step.ratio=0.01 --set motion.distance=10";
 
@@ -88,6 +88,15 @@ class Faults : public Executables {
     return child;
   }
 
+  /// Until a run takes signals, in a thread of its own.
+  static void wait_for_work(pid_t run) {
+    const fs::path threads = "/proc/" + std::to_string(run) + "/task";
+    std::error_code ended;
+    while (std::distance(fs::directory_iterator(threads, ended), {}) == 1) {
+      std::this_thread::sleep_for(1ms);
+    }
+  }
+
   /// 128 + signal for one that a signal ended, as in a shell.
   static int status_of(pid_t child) {
     int status = 0;
@@ -121,7 +130,7 @@ TEST_F(Faults, SignalsEndARunWithOneLineAndNoFile) {
   for (const auto& [signal, status] : statuses) {
     for (const std::string& command : {solve(endless_options), study}) {
       const pid_t run = start(command);
-      std::this_thread::sleep_for(200ms);
+      wait_for_work(run);
       kill(run, signal);
       EXPECT_EQ(status_of(run), status) << command;
       const std::string name = command == study ? "carter" : "microslip";
@@ -135,7 +144,7 @@ TEST_F(Faults, AnIgnoredSignalStaysIgnored) {
   std::ofstream(scene_file()) << good_transient;
   std::ofstream(folder_ / "ignore.sh") << "trap '' INT HUP\nexec " << solve(slow_options) << '\n';
   const pid_t run = start("sh '" + (folder_ / "ignore.sh").string() + "'");
-  std::this_thread::sleep_for(100ms);
+  wait_for_work(run);
   kill(run, SIGHUP);
   kill(run, SIGINT);
   EXPECT_EQ(status_of(run), 0);
@@ -308,7 +317,7 @@ TEST_F(Faults, AFolderThatVanishesIsMadeAgain) {
   const std::string slow = solve(slow_options);
   const Files once = files_of(slow);
   const pid_t run = start(slow);
-  std::this_thread::sleep_for(100ms);
+  wait_for_work(run);
   fs::remove_all(out());
   EXPECT_EQ(status_of(run), 0);
   EXPECT_EQ(files(), once);
