@@ -49,13 +49,11 @@ done
 draw "$work/another/b" "$work/b-drawn" "$work/b-figures"
 
 status=0
-if diff -rq -x 'provenance*.txt' -x '*_timing.tsv' "$work/a/tables" "$work/b-tables" &&
-   diff -rq "$work/a/figures" "$work/b-figures"; then
+diff -rq -x 'provenance*.txt' -x '*_timing.tsv' "$work/a/tables" "$work/b-tables" || status=1
+diff -rq "$work/a/figures" "$work/b-figures" || status=1
+[ $status -ne 0 ] ||
   echo "verify: $(find "$work/a/tables" -name '*.tsv' ! -name '*_timing.tsv' | wc -l) tables and" \
     "$(find "$work/a/figures" -name '*.svg' | wc -l) figures are the same bytes in both"
-else
-  status=1
-fi
 "$work/a/build/bin/compare_tables" "$work/a/tables" "$root/tests/reference_tables" || status=1
 case $status in
   0) echo "verify: all is the same, or agrees within the tolerances" ;;
