@@ -12,8 +12,8 @@ READERS := $(patsubst fuzz/targets/%.cpp,%,$(wildcard fuzz/targets/*.cpp))
 STUDIES := $(patsubst studies/%/study.info,%,$(wildcard studies/*/study.info))
 SOURCES = $(shell find core experiments program apps studies bench tests tools fuzz -name '*.[ch]pp')
 
-.PHONY: help deps build figures quick bench test verify references sanitize fuzz keep-corpus format \
-  check-format clean $(STUDIES)
+.PHONY: help deps build figures quick bench test verify references coverage sanitize fuzz keep-corpus \
+  format check-format clean $(STUDIES)
 
 help:
 	@echo 'make figures      build, run every study, draw every figure into results/figures'
@@ -23,6 +23,7 @@ help:
 	@echo 'make test         build and run all tests'
 	@echo 'make verify       two clean builds: the same bytes, and agreement with tests/reference_tables'
 	@echo 'make references   make the tables of this build those of tests/reference_tables'
+	@echo 'make coverage     the lines of core that the tests run; at least 95 %'
 	@echo 'make sanitize     the unit tests and the corpus under the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz         libFuzzer on every reader of input, FUZZ_SECONDS=$(FUZZ_SECONDS) each, with both sanitizers'
 	@echo 'make keep-corpus  what it found that reaches new code, into fuzz/corpus'
@@ -93,6 +94,15 @@ references: deps
 	rm -rf build/references
 	tools/quick_tables.sh $(BUILD)/bin build/references $(JOBS)
 	$(BUILD)/bin/compare_tables --update build/references tests/reference_tables
+
+# Tests of studies assert other things and would run for minutes; those of faults kill programs that
+# write their counts, and let them run out of disk.
+coverage:
+	@tools/deps.sh build figures coverage
+	@$(call cmake_build,coverage,--target unit_tests order_tests reference_tests robustness_tests programs)
+	find build/coverage -name '*.gcda' -delete
+	ctest --preset coverage -j $(JOBS)
+	gcovr --root . --filter core/ --exclude-throw-branches --fail-under-line 95 build/coverage
 
 sanitize: deps
 	@$(call cmake_build,debug,--target unit_tests corpus)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what the project needs and this machine lacks. Usage: tools/deps.sh build|figures|bench|fuzz ...
+# Installs what the project needs and this machine lacks. Usage: tools/deps.sh build|figures|bench|fuzz|coverage ...
 # Does nothing, and prints nothing, when all is there. DEPS=skip turns it off.
 set -euo pipefail
 [ "${DEPS:-}" = skip ] && exit 0
@@ -26,7 +26,8 @@ libclang-rt-14-dev /usr/lib/llvm-14/lib/clang/14.0.6/include/fuzzer/FuzzedDataPr
 libomp-14-dev /usr/lib/llvm-14/lib/libomp.so
 LIST
       ;;
-    *) echo "deps.sh: unknown group '$1'; known: build, figures, bench, fuzz" >&2; return 1 ;;
+    coverage) echo "gcovr gcovr" ;;
+    *) echo "deps.sh: unknown group '$1'; known: build, figures, bench, fuzz, coverage" >&2; return 1 ;;
   esac
 }
 
