@@ -28,8 +28,8 @@ void require_writable(const std::filesystem::path& folder);
 /// Writes all files under temporary names, which are this process's own, then renames them; on a
 /// failure it removes what it wrote, and what was there before stays. Makes the folder if needed.
 /// Of several processes with one folder, each writes all its files before the next one does. If
-/// provenance.txt is the last of the files, tables go that the one before it names and this does not:
-/// the folder holds one run.
+/// provenance.txt is the last of the files, tables go that the one before it names and this does
+/// not: the folder holds one run.
 /// \throws std::runtime_error that names the file
 void write_files(const std::filesystem::path& folder, const std::vector<OutputFile>& files);
 
