@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <initializer_list>
@@ -40,7 +41,7 @@ inline std::string place(std::initializer_list<std::pair<const char*, double>> c
   std::string name;
   for (const auto& [coordinate, value] : coordinates) {
     if (!name.empty()) name += '_';
-    name += coordinate + ('_' + in_a_name(value));
+    name.append(coordinate).append("_").append(in_a_name(value));
   }
   return name;
 }
