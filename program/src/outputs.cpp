@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "folder_lock.hpp"
+#include "microslip/support/shown.hpp"
 
 namespace microslip::program {
 
@@ -31,7 +32,7 @@ fs::path part_of(const fs::path& target) { return beside(target, ".part"); }
 fs::path former_of(const fs::path& target) { return beside(target, ".former"); }
 
 std::runtime_error cannot_write(const fs::path& path, const std::string& why) {
-  return std::runtime_error("cannot write " + path.string() + ": " + why);
+  return std::runtime_error("cannot write " + shown(path.string()) + ": " + why);
 }
 
 /// There is no fsync: close reports a full disk and a quota, also on NFS, and what is lost with the

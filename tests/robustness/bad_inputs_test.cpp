@@ -187,7 +187,9 @@ TEST_F(BadInputs, Scenes) {
         "unknown key 'l\\xe4nge'; known to this model: problem, method, leading_edge, "
         "material.shear_modulus, material.poisson_ratio, contact.half_width, "
         "contact.peak_traction, kernel.type, kernel.width, grid.elements, grid.leading_offset, "
-        "grid.trailing_offset, basis, load.creepage, solver.type, solver.tolerance"},
+        "grid.trailing_offset, basis, load.creepage, solver.type, solver.tolerance, "
+        "solver.violation, "
+        "solver.condition"},
        {"a long value", "problem " + repeated("x", 1000000),
         "problem = '" + repeated("x", 160) +
             "... (1000000 characters)': expected steady or transient or cylinder"},

@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "microslip/support/shown.hpp"
 #include "robustness/executables.hpp"
 
 namespace microslip {
@@ -291,7 +292,8 @@ TEST_F(Faults, FoldersThatAreNone) {
   const Files before = files_in(folder_);
   for (const auto& [path, reason] : reasons) {
     const std::string options = " --scene '" + scene_file().string() + "' --out '" + path + "'";
-    expect_line(run_command(microslip_bin + options), 1, "cannot write " + path + ": " + reason);
+    expect_line(run_command(microslip_bin + options), 1,
+                "cannot write " + shown(path) + ": " + reason);
     EXPECT_EQ(
         run_command(microslip_bin + " sweep --set 'sweep.grid.elements=10 20'" + options).status,
         1);

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <string>
 #include <vector>
@@ -85,8 +86,11 @@ TEST_F(Memory, WhatIsNotForeseenIsOneLine) {
             ? "--set grid.elements=1000000"
             : "--scene '" + scene_file().string() + "' --set sweep.load.creepage=1:1:100000");
     EXPECT_EQ(outcome.status, 1);
-    EXPECT_EQ(outcome.error, std::string(program).substr(0, std::string(program).find(' ')) +
-                                 ": not enough memory\n");
+    // Of a sweep, what is left may be too little for the next case to be read.
+    EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
+    EXPECT_TRUE(outcome.error.ends_with(": not enough memory\n") ||
+                outcome.error.ends_with(" GB are available\n"))
+        << outcome.error;
     EXPECT_FALSE(fs::exists(out()));
   }
 }
