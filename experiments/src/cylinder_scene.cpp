@@ -82,8 +82,7 @@ std::vector<Table> cylinder_scene(const CylinderScene& scene, const Progress& pr
   summary.add({"slip_elements", static_cast<double>(last.slip_elements), "1"});
   summary.add({"energy_error", energy.total() / -energy.potential, "1"});
   summary.add({"mean_energy_error", energy.mean_total() / -energy.potential, "1"});
-  add_evidence(summary, evidence, body.contact().condition(), most_iterations,
-               scene.contact.solver);
+  add_evidence(summary, evidence, body.condition(), most_iterations, scene.contact.solver);
   return {traction_table("a cylinder rolls down a slope, values at the nodes at the end",
                          {body.contact().x(), body.contact().bound_at_nodes(),
                           body.contact().traction_at_nodes(), last.slip,

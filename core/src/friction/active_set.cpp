@@ -59,6 +59,7 @@ class ContactSearch {
       : system_(std::move(response), std::move(weights), solver) {}
 
   const AdhesionSystem& system() const { return system_; }
+  double condition() { return system_.condition(); }
 
   void run(const SlipConditions& conditions, const Load& load, ContactState& state) {
     conditions_ = &conditions;
@@ -345,7 +346,7 @@ ContactState ActiveSet::solve(const SlipConditions& conditions, const Load& load
   return state;
 }
 
-double ActiveSet::condition() const { return search_->system().condition(); }
+double ActiveSet::condition() { return search_->condition(); }
 
 const SquareMatrix& ActiveSet::response() const { return search_->system().response(); }
 

@@ -325,7 +325,8 @@ void AdhesionSystem::solve(const VectorXd& slip, double prescribed, Unknowns& un
   }
 }
 
-double AdhesionSystem::condition() const {
+double AdhesionSystem::condition() {
+  if (!changes_.empty()) factorise();
   if (base_.size() < 2) return 1;
   return (by_block_ ? block_->condition() : 1 / factors_rcond_) / schur_rcond_;
 }

@@ -54,9 +54,9 @@ class AdhesionSystem {
   /// \param prescribed  that of the added row
   void solve(const Eigen::VectorXd& slip, double prescribed, Unknowns& unknowns);
 
-  /// Estimate of the condition number in the 1-norm, of the factors times that of the border; 1
-  /// without elements.
-  double condition() const;
+  /// Estimate of the condition number in the 1-norm; 1 without elements. What borders the factors
+  /// becomes part of new ones, or the estimate would be that of the way that led here.
+  double condition();
 
  private:
   using Index = Eigen::Index;

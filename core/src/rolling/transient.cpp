@@ -247,7 +247,7 @@ double TransientRolling::elastic_energy() const {
   return weights_.cwiseProduct(p).dot(displacement) / 2;
 }
 
-double TransientRolling::condition() const {
+double TransientRolling::condition() {
   return material_ ? material_->condition() : active_set_->condition();
 }
 

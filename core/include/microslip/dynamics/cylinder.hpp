@@ -72,6 +72,9 @@ class RollingCylinder {
 
   const CylinderState& state() const { return state_; }
   const TransientRolling& contact() const { return contact_; }
+
+  /// Of the contact's last step, see there.
+  double condition() { return contact_.condition(); }
   EnergyLedger ledger() const;
 
   /// \throws std::runtime_error if the cylinder stalls or rolls backwards

@@ -102,8 +102,9 @@ class ActiveSet {
                      const std::vector<Zone>& first);
 
   /// Estimate of the condition number of the equations in adhesion of the last partition, in the
-  /// 1-norm; 1 if nothing sticks. The first time for a Toeplitz response some five solves.
-  double condition() const;
+  /// 1-norm; 1 if nothing sticks. New factors where the last ones are bordered, and some five
+  /// solves.
+  double condition();
 
   const SquareMatrix& response() const;
 

@@ -117,7 +117,7 @@ class MaterialRolling {
   Eigen::VectorXd respond(const Eigen::VectorXd& traction) const;
 
   /// As ActiveSet::condition.
-  double condition() const { return active_set_.condition(); }
+  double condition() { return active_set_.condition(); }
 
  private:
   MaterialRolling(const Kernel& kernel, const TractionBound& bound, const Grid& grid,

@@ -97,7 +97,7 @@ class TransientRolling {
   double elastic_energy() const;
 
   /// Estimate of the condition number of the equations of the last step, see ActiveSet::condition.
-  double condition() const;
+  double condition();
 
   /// Makes these the tractions, with nothing rolled. On a grid fixed to the material their ratio to
   /// the bound is interpolated.
