@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "microslip/linalg/index_view.hpp"
 #include "microslip/support/work.hpp"
@@ -28,16 +29,7 @@ ToeplitzBlock::ToeplitzBlock(const Toeplitz& matrix, double tolerance)
       gmres_(most_iterations),
       all_(VectorXd::Zero(matrix.size())) {}
 
-ToeplitzBlock::Interval ToeplitzBlock::interval(Index first, Index size) {
-  const auto known =
-      std::find_if(intervals_.begin(), intervals_.end(),
-                   [&](const Interval& candidate) { return candidate.size == size; });
-  if (known != intervals_.end()) {
-    Interval same = std::move(*known);
-    intervals_.erase(known);
-    same.first = first;
-    return same;
-  }
+ToeplitzBlock::Interval ToeplitzBlock::inverted(Index first, Index size) const {
   const Toeplitz block = matrix_.leading(size);
   if (size <= small) {
     count_work(2.0 / 3 * std::pow(size, 3));
@@ -48,15 +40,25 @@ ToeplitzBlock::Interval ToeplitzBlock::interval(Index first, Index size) {
 
 void ToeplitzBlock::choose(const std::vector<Index>& indices) {
   indices_ = indices;
-  std::vector<Interval> intervals;
+  std::vector<Interval> known = std::exchange(intervals_, {});
+  std::vector<std::pair<Index, Index>> others;
   for (std::size_t begin = 0, end = 0; begin < indices.size(); begin = end) {
     while (end < indices.size() &&
            indices[end] - indices[begin] == static_cast<Index>(end - begin)) {
       ++end;
     }
-    intervals.push_back(interval(static_cast<Index>(begin), static_cast<Index>(end - begin)));
+    const auto first = static_cast<Index>(begin), size = static_cast<Index>(end - begin);
+    const auto same = std::ranges::find(known, size, &Interval::size);
+    if (same == known.end()) {
+      others.emplace_back(first, size);
+      continue;
+    }
+    intervals_.push_back(std::move(*same));
+    intervals_.back().first = first;
+    known.erase(same);
   }
-  intervals_ = std::move(intervals);
+  known.clear();  // before new ones take memory
+  for (const auto& [first, size] : others) intervals_.push_back(inverted(first, size));
 }
 
 void ToeplitzBlock::invert_intervals(const VectorXd& b, VectorXd& x) {

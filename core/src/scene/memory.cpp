@@ -39,7 +39,7 @@ double memory_needed(const SteadyProblem& problem) {
   if (const auto* differences = std::get_if<Differences>(&problem.method)) {
     const Solver solver = strain_solver(problem.solver, n, differences->step_ratio);
     const bool fft = !differences->edge_displacement && by_fft(solver, problem.basis, n);
-    return memory_by({.element = 750, .matrices = 2.7}, fft, n);
+    return memory_by({.element = 1000, .matrices = 2.7}, fft, n);
   }
   return memory_by({.element = 750, .matrices = 5}, by_fft(problem.solver, problem.basis, n), n);
 }

@@ -40,7 +40,7 @@ class ToeplitzBlock {
     Eigen::VectorXd solution;
   };
 
-  Interval interval(Eigen::Index first, Eigen::Index size);
+  Interval inverted(Eigen::Index first, Eigen::Index size) const;
   void invert_intervals(const Eigen::VectorXd& b, Eigen::VectorXd& x);
   void multiply(const Eigen::VectorXd& x, Eigen::VectorXd& y);
 

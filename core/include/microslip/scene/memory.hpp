@@ -9,7 +9,7 @@ namespace microslip {
 //
 //                           Toeplitz, per element   dense, per N^2 numbers
 //   steady, calibrated      750                     5
-//   steady, differences     750                     2.7
+//   steady, differences     1000                    2.7
 //   steady, chebyshev       600
 //   transient               1600                    4.1
 //   cylinder                1600                    5
