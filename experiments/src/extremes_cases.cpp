@@ -95,8 +95,7 @@ Table table_of(const Map& map, const std::vector<Outcome>& outcomes) {
     const Evidence& evidence = found.evidence;
     const auto of_result = [&](double value) { return has_result ? value : not_given; };
     row.insert(row.end(), {outcome.verdict, found.error, found.wiggle, found.condition,
-                           of_result(evidence.residual),
-                           of_result(std::max(evidence.bound_violation, evidence.slip_violation)),
+                           of_result(evidence.residual), of_result(evidence.violation()),
                            found.iterations, outcome.message.empty() ? "-" : outcome.message});
     table.add(row);
   }

@@ -270,25 +270,24 @@ class ContactSearch {
 
   /// Of the last answer.
   Evidence evidence() const {
-    Evidence found{.residual = response_.residual};
+    double excess = 0;
+    double wrong = 0;
     for (Index i = 0; i < size(); ++i) {
-      if (conditions_->bound[i] <= 0) continue;
+      const double bound = conditions_->bound[i];
+      if (bound <= 0) continue;
       if (zone(i) == Zone::adhesion) {
-        found.bound_violation = std::max(
-            found.bound_violation,
-            excess_over_bound(response_.traction[i], conditions_->bound[i]) / bound_scale_);
-      } else if (slip_scale_ > 0) {
-        found.slip_violation =
-            std::max(found.slip_violation, wrong_slip(zone(i), response_.slip[i]) / slip_scale_);
+        excess = std::max(excess, excess_over_bound(response_.traction[i], bound));
+      } else {
+        wrong = std::max(wrong, wrong_slip(zone(i), response_.slip[i]));
       }
     }
-    return found;
+    return {.residual = response_.residual,
+            .bound_violation = excess > 0 ? excess / bound_scale_ : 0,
+            .slip_violation = wrong > 0 ? wrong / slip_scale_ : 0};
   }
 
   double largest_violation() const {
-    if (!carries_load()) return std::numeric_limits<double>::infinity();
-    const Evidence found = evidence();
-    return std::max(found.bound_violation, found.slip_violation);
+    return carries_load() ? evidence().violation() : std::numeric_limits<double>::infinity();
   }
 
   AdhesionSystem system_;

@@ -10,13 +10,12 @@ namespace microslip {
 
 void require_evidence(const Evidence& evidence, double condition, int iterations,
                       const Solver& accepted) {
-  const double violation = std::max(evidence.bound_violation, evidence.slip_violation);
   const auto check = [&](const std::string& name, double value, const std::string& key,
                          double limit) {
     if (value <= limit) return;
     throw NotConverged("the result's " + name + " is " + format_short(value) +
                            ": expected at most " + key + " = " + format_short(limit),
-                       iterations, violation);
+                       iterations, evidence.violation());
   };
   check("residual", evidence.residual, "solver.tolerance", accepted.tolerance);
   check("bound_violation", evidence.bound_violation, "solver.violation", accepted.violation);

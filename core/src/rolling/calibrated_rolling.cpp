@@ -284,10 +284,7 @@ Evidence CalibratedSolution::evidence() const {
     const double x = lattice_->x[j];
     worst_traction = std::max({worst_traction, -removed(x), removed(x) - 2 * bound_at(x)});
   }
-  const double creepage = loaded_.state.creepage;
-  return {.residual = residual_,
-          .bound_violation = worst_traction / peak,
-          .slip_violation = creepage > 0 ? worst_slip / creepage : worst_slip};
+  return evidence_of(worst_traction, peak, worst_slip);
 }
 
 }  // namespace microslip

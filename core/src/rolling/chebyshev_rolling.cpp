@@ -84,10 +84,7 @@ Evidence ChebyshevSolution::evidence() const {
     worst_traction = std::max(worst_traction, std::abs(traction(x)) - g);
     worst_slip = std::max(worst_slip, -loaded_.direction * slip(x));
   }
-  const double creepage = loaded_.state.creepage;
-  return {.residual = residual_,
-          .bound_violation = worst_traction / peak,
-          .slip_violation = creepage > 0 ? worst_slip / creepage : worst_slip};
+  return evidence_of(worst_traction, peak, worst_slip);
 }
 
 ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bound, Index unknowns)
@@ -187,8 +184,7 @@ ChebyshevSolution ChebyshevRolling::solve(const Load& load) const {
                 found.residual, found.condition};
   }
   ChebyshevSolution solution(loaded, sliding_, adhesion);
-  const Evidence evidence = solution.evidence();
-  const double violation = std::max(evidence.bound_violation, evidence.slip_violation);
+  const double violation = solution.evidence().violation();
   if (violation > tolerance) {
     throw NotConverged("Chebyshev collocation: more than one stick zone", loaded.evaluations,
                        violation);

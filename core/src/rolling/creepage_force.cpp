@@ -45,6 +45,13 @@ Target target_of(const CreepageForceCurve& curve, const Load& load) {
 
 }  // namespace
 
+Evidence LoadedSolution::evidence_of(double excess, double peak, double wrong_slip) const {
+  const double creepage = loaded_.state.creepage;
+  return {.residual = residual_,
+          .bound_violation = excess / peak,
+          .slip_violation = creepage > 0 ? wrong_slip / creepage : wrong_slip};
+}
+
 LoadedState meet_load(const CreepageForceCurve& curve, const Load& load) {
   return meet_load(curve, load, 0, curve.half_width);
 }

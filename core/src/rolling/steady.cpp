@@ -172,7 +172,7 @@ SteadySolution solve_steady(const SteadyProblem& problem) {
                             problem.solver);
   const CalibratedSolution solution = rolling.solve(problem.load);
   const Evidence evidence = solution.evidence();
-  const bool one_zone = std::max(evidence.bound_violation, evidence.slip_violation) <= another_zone;
+  const bool one_zone = evidence.violation() <= another_zone;
   return one_zone ? sampled(problem, solution, evidence) : with_several_zones(problem);
 }
 

@@ -13,6 +13,9 @@ struct Evidence {
   double bound_violation = 0;  ///< of |p| above the bound, over the largest bound  [1]
   double slip_violation = 0;   ///< of slip along the traction instead of against it, over the
                                ///< largest slip or the creepage  [1]
+
+  /// The larger of the two.
+  double violation() const { return std::max(bound_violation, slip_violation); }
 };
 
 /// The larger of each.

@@ -50,6 +50,11 @@ class LoadedSolution {
  protected:
   explicit LoadedSolution(const LoadedState& loaded) : loaded_(loaded) {}
 
+  /// \param excess      largest |p| - g, or 0  [N/mm^2]
+  /// \param peak        of the bound  [N/mm^2]
+  /// \param wrong_slip  largest slip along the traction, or 0  [1]
+  Evidence evidence_of(double excess, double peak, double wrong_slip) const;
+
   LoadedState loaded_;
   double residual_ = 0;  ///< of the equations in adhesion, over the strain  [1]
   double condition_ = 1;
