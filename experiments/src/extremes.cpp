@@ -22,12 +22,6 @@ std::vector<double> numbers_within(Scene& scene, const char* key, double least, 
   return numbers;
 }
 
-double positive(Scene& scene, const char* key) {
-  const double value = scene.number(key);
-  require_positive(key, value);
-  return value;
-}
-
 /// \param steps  its table
 Table claims_of(const Table& steps, const ExtremesParameters& p) {
   const auto wiggle = [&](double step_ratio) {
@@ -54,12 +48,12 @@ ExtremesParameters read_extremes(Scene& scene) {
   ExtremesParameters p{
       .material = read_material(scene),
       .bound = read_hertz_bound(scene),
-      .length = positive(scene, "kernel.length"),
+      .length = scene.positive("kernel.length"),
       .elements = scene.whole("grid.elements"),
       .stick_ratio = scene.number("load.stick_ratio"),
-      .limits = {.error = positive(scene, "limits.error"),
-                 .wiggle = positive(scene, "limits.wiggle"),
-                 .operations = positive(scene, "limits.operations")},
+      .limits = {.error = scene.positive("limits.error"),
+                 .wiggle = scene.positive("limits.wiggle"),
+                 .operations = scene.positive("limits.operations")},
       .steps = {.ratios = numbers_within(scene, "steps.ratios", 1e-15, 1e6),
                 .sizes = scene.wholes("steps.sizes", 1, most_elements),
                 .ratios_of_large = numbers_within(scene, "steps.ratios_of_large", 1e-2, 1e6),
@@ -71,7 +65,7 @@ ExtremesParameters read_extremes(Scene& scene) {
       .offsets = numbers_within(scene, "offsets", 0, 1),
       .transient = {.ratios = numbers_within(scene, "transient.ratios", 1e-15, 1e6),
                     .sizes = scene.wholes("transient.sizes", 1, most_elements),
-                    .distance = positive(scene, "transient.distance"),
+                    .distance = scene.positive("transient.distance"),
                     .most_steps = scene.whole("transient.most_steps")},
       .endurance = {.ratios = numbers_within(scene, "endurance.ratios", 1e-15, 1e6),
                     .states = scene.wholes("endurance.states", 1, 10000000)},

@@ -111,36 +111,31 @@ SpeedAccuracyParameters read_speed_accuracy(Scene& scene) {
     }
     return numbers;
   };
-  const auto positive = [&](const char* key) {
-    const double value = scene.number(key);
-    require_positive(key, value);
-    return value;
-  };
   const HertzBound hertz(a, polynomial->total() / full_sliding_force(HertzBound(a, 1)));
   const double full = full_sliding_force(hertz);
   SpeedAccuracyParameters p{
       .bound = *polynomial,
       .material = material,
       .length = scene.number("kernel.length"),
-      .width = positive("kernel.width"),
+      .width = scene.positive("kernel.width"),
       .sizes = scene.wholes("grid.sizes", 1, 200000),
-      .repeats = positive("timing.repeats"),
-      .steady = {.limit = {positive("steady.operations")},
+      .repeats = scene.positive("timing.repeats"),
+      .steady = {.limit = {scene.positive("steady.operations")},
                  .stick_ratios = within("steady.stick_ratios", 0, 0.99),
                  .step_ratios = within("steady.step_ratios", 0, 4),
                  .unknowns = scene.wholes("steady.unknowns", 1, 64)},
-      .transient = {.limit = {positive("transient.operations")},
+      .transient = {.limit = {scene.positive("transient.operations")},
                     .bound = hertz,
                     .force = full * within("transient.force_ratio", 0, 0.99).front(),
                     .step_ratios = within("transient.step_ratios", 0, 4),
                     .reference = scene.whole("transient.reference")},
-      .rolling = {.limit = {positive("cylinder.operations")},
+      .rolling = {.limit = {scene.positive("cylinder.operations")},
                   .cylinder = {.mass = scene.number("cylinder.mass"),
                                .inertia = scene.number("cylinder.inertia"),
                                .radius = scene.number("cylinder.radius"),
                                .slope_force = scene.number("cylinder.slope_force")},
                   .length = scene.number("cylinder.length"),
-                  .distance = positive("cylinder.distance"),
+                  .distance = scene.positive("cylinder.distance"),
                   .step_ratios = within("cylinder.step_ratios", 0, 4),
                   .reference = scene.whole("cylinder.reference")}};
   for (const Index n : p.sizes) {

@@ -234,6 +234,12 @@ double Scene::number(const std::string& key, double fallback) {
   return fallback;
 }
 
+double Scene::positive(const std::string& key) {
+  const double value = number(key);
+  require_positive(key, value);
+  return value;
+}
+
 std::vector<double> Scene::numbers(const std::string& key) {
   std::vector<double> values;
   std::istringstream words(text(key));
@@ -302,6 +308,11 @@ void Scene::reject_unread() const {
     throw std::invalid_argument("unknown key '" + shown(key) + "'" + suggestion(key, parameters_) +
                                 "; known to this model: " + known_keys());
   }
+}
+
+void Scene::warn(const std::string& line) {
+  const bool is_new = std::find(warnings_.begin(), warnings_.end(), line) == warnings_.end();
+  if (is_new) warnings_.push_back(line);
 }
 
 Parameters Scene::origin() const {

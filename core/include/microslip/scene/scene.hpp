@@ -68,6 +68,9 @@ class Scene {
   double number(const std::string& key);
   double number(const std::string& key, double fallback);
 
+  /// One above zero.
+  double positive(const std::string& key);
+
   /// A list of them, separated by blanks; not empty.
   std::vector<double> numbers(const std::string& key);
 
@@ -100,8 +103,8 @@ class Scene {
   /// What was read so far.
   const Parameters& parameters() const { return parameters_; }
 
-  /// Adds a line that the program tells its user, and puts into its tables.
-  void warn(std::string line) { warnings_.push_back(std::move(line)); }
+  /// Adds a line, unless it is there, that the program tells its user, and puts into its tables.
+  void warn(const std::string& line);
   const std::vector<std::string>& warnings() const { return warnings_; }
 
   /// What was read so far, and a "warning" for each: what tables show of their origin.
