@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/contact_tables.hpp"
 
+#include <algorithm>
+
 namespace microslip::experiments {
 
 std::string region(Zone zone) { return zone == Zone::adhesion ? "A" : "S"; }
@@ -27,6 +29,11 @@ Table empty_summary(const std::string& description) {
           {{"quantity", "1", "name"},
            {"value", "see unit", "value"},
            {"unit", "1", "unit of the value"}}};
+}
+
+void WorstOfSteps::include(const TransientState& state) {
+  evidence = worst_of(evidence, state.evidence);
+  iterations = std::max(iterations, state.iterations);
 }
 
 void add_evidence(Table& summary, const Evidence& evidence, double condition, int iterations,

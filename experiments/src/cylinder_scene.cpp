@@ -52,13 +52,11 @@ std::vector<Table> cylinder_scene(const CylinderScene& scene, const Progress& pr
   Table history = empty_history();
   add(history, body);
   constexpr std::size_t parts = 1000;
-  Evidence evidence;
-  int most_iterations = 0;
+  WorstOfSteps worst;
   while (body.state().position < scene.distance) {
     body.step();
     add(history, body);
-    evidence = worst_of(evidence, body.contact().state().evidence);
-    most_iterations = std::max(most_iterations, body.contact().state().iterations);
+    worst.include(body.contact().state());
     if (history.rows() > most_steps) {
       throw NotConverged("more steps than a history may hold", most_steps,
                          1 - body.state().position / scene.distance);
@@ -82,7 +80,7 @@ std::vector<Table> cylinder_scene(const CylinderScene& scene, const Progress& pr
   summary.add({"slip_elements", static_cast<double>(last.slip_elements), "1"});
   summary.add({"energy_error", energy.total() / -energy.potential, "1"});
   summary.add({"mean_energy_error", energy.mean_total() / -energy.potential, "1"});
-  add_evidence(summary, evidence, body.condition(), most_iterations, scene.contact.solver);
+  add_evidence(summary, worst.evidence, body.condition(), worst.iterations, scene.contact.solver);
   return {traction_table("a cylinder rolls down a slope, values at the nodes at the end",
                          {body.contact().x(), body.contact().bound_at_nodes(),
                           body.contact().traction_at_nodes(), last.slip,

@@ -6,6 +6,7 @@
 
 #include "extremes_cases.hpp"
 #include "microslip/experiments/cattaneo_to_carter.hpp"
+#include "microslip/experiments/contact_tables.hpp"
 #include "microslip/reference/carter.hpp"
 #include "microslip/support/interpolation.hpp"
 
@@ -76,21 +77,17 @@ Finding roll(const ExtremesParameters& p, const Scheme& scheme, Index elements, 
   const CattaneoToCarter start = rolling_of(p, elements);
   const double dx = start.grid.spacing();
   TransientRolling rolling(start.problem(scheme.scheme), CattaneoShift{start.force});
-  Finding found;
-  found.iterations = 0;
+  WorstOfSteps worst;
   rolling.roll(distance * dx, {step_ratio * dx}, PrescribedForce{start.force},
-               [&](const TransientState& state) {
-                 found.evidence = worst_of(found.evidence, state.evidence);
-                 found.iterations =
-                     std::max(found.iterations, static_cast<double>(state.iterations));
-               });
+               [&](const TransientState& state) { worst.include(state); });
   const VectorXd x = start.grid.nodes();
   const VectorXd traction = interpolated(rolling.x(), rolling.traction_at_nodes(), x);
   const VectorXd error = traction - truth.at(x, elements, distance);
-  found.error = dx * error.lpNorm<1>() / std::abs(start.force);
-  found.wiggle = wiggle_of(error) / p.bound.peak();
-  found.condition = rolling.condition();
-  return found;
+  return {.error = dx * error.lpNorm<1>() / std::abs(start.force),
+          .wiggle = wiggle_of(error) / p.bound.peak(),
+          .condition = rolling.condition(),
+          .evidence = worst.evidence,
+          .iterations = static_cast<double>(worst.iterations)};
 }
 
 }  // namespace

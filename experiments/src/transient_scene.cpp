@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/transient_scene.hpp"
 
-#include <algorithm>
-
 #include "microslip/experiments/contact_tables.hpp"
 
 namespace microslip::experiments {
@@ -45,15 +43,13 @@ std::vector<Table> transient_scene(const TransientScene& scene, const Progress& 
   double cumulative_creep = 0;
   double dissipated = 0;
   double before = 0;
-  Evidence evidence;
-  int most_iterations = 0;
+  WorstOfSteps worst;
   rolling.roll(scene.distance, lengths, scene.load, [&](const TransientState& state) {
     add(history, state);
     cumulative_creep += state.creepage * (state.distance - before);
     dissipated += state.dissipation * (state.distance - before);
     before = state.distance;
-    evidence = worst_of(evidence, state.evidence);
-    most_iterations = std::max(most_iterations, state.iterations);
+    worst.include(state);
     progress(history.rows() - 1, steps);
   });
 
@@ -71,7 +67,8 @@ std::vector<Table> transient_scene(const TransientScene& scene, const Progress& 
   summary.add({"slip_elements", static_cast<double>(last.slip_elements), "1"});
   summary.add({"dissipation", last.dissipation, "N/mm"});
   summary.add({"dissipated_energy", dissipated, "N"});
-  add_evidence(summary, evidence, rolling.condition(), most_iterations, scene.problem.solver);
+  add_evidence(summary, worst.evidence, rolling.condition(), worst.iterations,
+               scene.problem.solver);
   return {traction_table("transient rolling, values at the nodes at the end",
                          {rolling.x(), rolling.bound_at_nodes(), rolling.traction_at_nodes(),
                           last.slip, rolling.displacement(), last.zones}),

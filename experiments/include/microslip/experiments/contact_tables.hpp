@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "microslip/friction/active_set.hpp"
+#include "microslip/rolling/transient.hpp"
 #include "microslip/scene/table.hpp"
 
 namespace microslip::experiments {
@@ -28,6 +28,14 @@ Table traction_table(const std::string& description, const NodeValues& values);
 
 /// The table `summary`, a row a quantity, without rows.
 Table empty_summary(const std::string& description);
+
+/// What many steps show of their own correctness: the worst of each.
+struct WorstOfSteps {
+  Evidence evidence;
+  int iterations = 0;  ///< partitions tried in a step
+
+  void include(const TransientState& state);
+};
 
 /// Adds what a result shows of its own correctness to such a table, if the solver accepts it.
 /// \param iterations  that the result took
