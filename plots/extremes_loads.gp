@@ -1,7 +1,6 @@
 # Steady rolling from full sliding to full stick.
 loads = tables."/loads.tsv"
 of(name, coordinate, limit) = strcol("scheme") eq name && strcol("verdict") eq "ok" && column(coordinate) > 0 && column(coordinate) <= limit ? column(coordinate) : NaN
-shown(error) = error < 1e-16 ? 1e-16 : error
 names = "standard 'standard linear' exact calibrated chebyshev"
 
 set terminal svg size 860,420

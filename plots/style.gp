@@ -24,3 +24,6 @@ bound_line = "lines linecolor 'gray60' linewidth 1 dashtype 2"
 
 # Values that differ by less than rounding of a printed number.
 same(a, b) = abs(a - b) <= 1e-9 * abs(b)
+
+# On logarithmic axes, what is nothing but rounding.
+shown(error) = error < 1e-16 ? 1e-16 : error
