@@ -29,19 +29,13 @@ constexpr const char* sweep_purpose =
     "solves all cases of a scene with a section 'sweep'; what is done already is left out";
 constexpr const char* merge_purpose = "puts the cases of a sweep into one table, sweep.tsv";
 
-std::string in_one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
-  return text;
-}
-
 CaseResult solve(const Work& work) {
   try {
     return {work([](std::size_t, std::size_t) {}), "ok"};
   } catch (const std::bad_alloc&) {  // not of the case, but of what else the machine does
     throw;
   } catch (const std::exception& error) {
-    return {{}, in_one_line(error.what())};
+    return {{}, one_line(error)};
   }
 }
 

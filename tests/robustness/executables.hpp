@@ -11,20 +11,11 @@
 #include <sstream>
 #include <string>
 
+#include "good_scene.hpp"
+
 namespace microslip {
 
 namespace fs = std::filesystem;
-
-/// What good scenes of all problems have in common.
-inline const std::string good_contact = R"(
-material { shear_modulus 1
-  poisson_ratio 0.28 }
-contact { half_width 1
-  peak_traction 1 }
-kernel { type strip
-  width 40 }
-grid { elements 20 }
-)";
 
 inline const std::string good_scene = "problem steady" + good_contact + "load { creepage 0.4 }\n";
 
