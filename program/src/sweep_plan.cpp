@@ -7,7 +7,7 @@
 
 #include "checksum.hpp"
 #include "command_line.hpp"
-#include "microslip/scene/model.hpp"
+#include "microslip/scene/keys.hpp"
 #include "microslip/scene/sweep.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/shown.hpp"

@@ -96,6 +96,7 @@ class BadInputs : public Executables {
 };
 
 TEST_F(BadInputs, Numbers) {
+  const std::string lengths = "a number in mm or another of its kind (um, cm, m, in)";
   expect_rejected_values(
       "kernel.width",
       {{"a word", "wide", "a finite number"},
@@ -112,7 +113,11 @@ TEST_F(BadInputs, Numbers) {
        {"two signs", "+-5", "a finite number"},
        {"a minus of typography", "\u22125", "a finite number with the minus sign -"},
        {"two numbers", "1 2", "a finite number"},
-       {"a unit", "40mm", "a finite number"},
+       {"an area", "40 mm^2", lengths},
+       {"a force", "40N", lengths},
+       {"a unit of length that is not known", "40 furlong", lengths},
+       {"two lengths", "40 mm 2 mm", lengths},
+       {"too large in mm", "1e306 m", lengths},
        {"a blank", " ", "a finite number"},
        {"not a number", "nan", "a finite number"},
        {"infinite", "inf", "a finite number"},
@@ -164,9 +169,9 @@ TEST_F(BadInputs, Scenes) {
        {"a string that does not end", "a 1\nb \"x\n", "SCENE: line 2: unexpected end of line"},
        {"an unknown escape", "a \"\\q\"", "SCENE: line 1: unknown escape sequence"},
        {"a key that is there", "grid { elements 20 }\ngrid { elements 21 }",
-        "key 'grid.elements' is given twice"},
+        "SCENE: key 'grid.elements' is given twice"},
        {"a value and keys", "grid 5 { elements 20 }",
-        "key 'grid' has both a value and keys below it"},
+        "SCENE: key 'grid' has both a value and keys below it"},
        {"a comment of shells", "problem steady\n # steady\n",
         "SCENE: line 2: '# steady': " + directive},
        {"another file", "#include \"/etc/passwd\"\n",
@@ -175,14 +180,17 @@ TEST_F(BadInputs, Scenes) {
         "SCENE: line 1: '#include \"SCENE\"': " + directive},
        {"nested deeply", repeated("a {", 100000), "SCENE: expected at most 1000 sections, { ... }"},
        {"nested for long names", repeated("abc {", 100) + "b 1\n" + repeated("}", 100),
-        "key '" + repeated("abc.", 40) + "... (203 characters)': expected at most 200 characters"},
+        "SCENE: key '" + repeated("abc.", 40) +
+            "... (203 characters)': expected at most 200 characters"},
        {"UTF-16", utf16(good_scene), "--scene SCENE: line 1: expected text in UTF-8, not UTF-16"},
        {"a NUL byte", "a 1\nb x" + std::string(1, '\0') + "y",
         "--scene SCENE: line 2: expected text in UTF-8, not a NUL byte"},
-       {"a NUL byte, escaped", "a \"x\\0y\"", "a = 'x\\x00y': expected no control characters"},
-       {"a line's end in a value", "a \"x\\ny\"", "a = 'x\\x0ay': expected no control characters"},
+       {"a NUL byte, escaped", "a \"x\\0y\"",
+        "SCENE: a = 'x\\x00y': expected no control characters"},
+       {"a line's end in a value", "a \"x\\ny\"",
+        "SCENE: a = 'x\\x0ay': expected no control characters"},
        {"a terminal's commands in a key", "\"\\b\\b\" 1",
-        "key '\\x08\\x08': expected no control characters"},
+        "SCENE: key '\\x08\\x08': expected no control characters"},
        {"a key of Latin-1", "problem steady\nl\xE4nge 1\n" + good_contact + "load { creepage 1 }",
         "unknown key 'l\\xe4nge'; known to this model: problem, method, leading_edge, "
         "material.shear_modulus, material.poisson_ratio, contact.half_width, "
@@ -194,7 +202,7 @@ TEST_F(BadInputs, Scenes) {
         "problem = '" + repeated("x", 160) +
             "... (1000000 characters)': expected steady or transient or cylinder"},
        {"a long key", repeated("x", 1000000) + " 1",
-        "key '" + repeated("x", 160) +
+        "SCENE: key '" + repeated("x", 160) +
             "... (1000000 characters)': expected at most 200 characters"},
        {"too much", repeated("; a comment\n", 100000),
         "--scene SCENE: expected at most 1048576 bytes"}});

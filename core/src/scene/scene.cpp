@@ -2,17 +2,18 @@
 #include "microslip/scene/scene.hpp"
 
 #include <algorithm>
-#include <boost/property_tree/info_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
 #include "columns.hpp"
+#include "info.hpp"
+#include "microslip/scene/keys.hpp"
 #include "microslip/scene/text.hpp"
+#include "microslip/scene/units.hpp"
 #include "microslip/support/format.hpp"
+#include "microslip/support/nearest.hpp"
 #include "microslip/support/require.hpp"
 #include "microslip/support/shown.hpp"
 #include "number.hpp"
@@ -21,121 +22,36 @@ namespace microslip {
 
 namespace {
 
-using Tree = boost::property_tree::ptree;
-
-/// Of characters; the names of sections before it are part of a key.
-constexpr std::size_t longest_key = 200;
-
-/// Trees are taken down recursively.
-constexpr std::ptrdiff_t most_sections = 1000;
-
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
-
-void require_short(const std::string& key) {
-  if (key.size() <= longest_key) return;
-  throw std::invalid_argument("key '" + shown(key) + "': expected at most " +
-                              std::to_string(longest_key) + " characters");
-}
-
-/// Rejects what Boost's reader of INFO would take: files that are included, and nesting of any
-/// depth. In INFO, whatever begins with # is a directive.
-void require_plain_info(const std::string& text) {
-  if (text.size() > Scene::most_text) {
-    throw std::invalid_argument("expected at most " + std::to_string(Scene::most_text) + " bytes");
-  }
-  if (std::count(text.begin(), text.end(), '{') > most_sections) {
-    throw std::invalid_argument("expected at most " + std::to_string(most_sections) +
-                                " sections, { ... }");
-  }
-  std::istringstream lines(text);
-  int number = 1;
-  for (std::string line; std::getline(lines, line); ++number) {
-    const std::size_t first = line.find_first_not_of(" \t\v\f\r");
-    if (first == std::string::npos || line[first] != '#') continue;
-    throw std::invalid_argument("line " + std::to_string(number) + ": '" +
-                                shown(line.substr(first)) +
-                                "': expected ; before comments, and no other files");
-  }
-}
-
-/// \param store  takes key and text; false if the key is there already
-template <class Store>
-void flatten(const Tree& tree, const std::string& prefix, const Store& store) {
-  for (const auto& [name, child] : tree) {
-    const std::string key = prefix + name;
-    require_short(key);
-    if (!child.data().empty() && !child.empty()) {
-      throw std::invalid_argument("key '" + shown(key) + "' has both a value and keys below it");
-    }
-    if (!child.empty()) {
-      flatten(child, key + ".", store);
-    } else if (!store(key, child.data())) {
-      throw std::invalid_argument("key '" + shown(key) + "' is given twice");
-    }
-  }
-}
 
 [[noreturn]] void reject(const std::string& key, const std::string& text,
                          const std::string& accepted) {
   throw std::invalid_argument(key + " = '" + shown(text) + "': expected " + accepted);
 }
 
-std::string listed(std::initializer_list<std::string_view> words) {
-  std::string all;
-  for (const std::string_view word : words) {
-    if (!all.empty()) all += " or ";
-    all += word;
-  }
-  return all;
-}
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0]++;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
-    }
-  }
-  return row.back();
-}
-
-/// " (did you mean 'x'?)" if one of the candidates is within three edits.
-template <class Candidates>
-std::string suggestion(const std::string& key, const Candidates& candidates) {
-  std::size_t best = 4;
-  std::string nearest;
-  for (const auto& [candidate, value] : candidates) {
-    const std::size_t distance = edit_distance(key, candidate);
-    if (distance == 0 || distance >= best) continue;
-    best = distance;
-    nearest = candidate;
-  }
-  return nearest.empty() ? "" : " (did you mean '" + shown(nearest) + "'?)";
+/// The nearest, or one of the same name in another section.
+std::string meant(const std::string& key, const std::vector<std::string>& known) {
+  const std::string near = nearest(key, known);
+  if (!near.empty()) return near;
+  const auto last_name = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };
+  const auto found = std::find_if(known.begin(), known.end(), [&](const std::string& candidate) {
+    return last_name(candidate) == last_name(key);
+  });
+  return found == known.end() ? "" : *found;
 }
 
 }  // namespace
 
 Scene Scene::parse(std::istream& in, const std::string& name, const std::string& folder) {
-  Tree tree;
+  Scene scene;
   try {
-    const std::string text = plain_text({std::istreambuf_iterator<char>(in), {}});
-    require_plain_info(text);
-    std::istringstream plain(text);
-    boost::property_tree::read_info(plain, tree);
-  } catch (const boost::property_tree::info_parser_error& error) {
-    throw std::invalid_argument(name + ": line " + std::to_string(error.line()) + ": " +
-                                error.message());
+    read_info(plain_text({std::istreambuf_iterator<char>(in), {}}),
+              [&](const std::string& key, const std::string& text) {
+                return scene.put(key, text, folder);
+              });
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(name + ": " + error.what());
   }
-  Scene scene;
-  flatten(tree, "", [&](const std::string& key, const std::string& text) {
-    return scene.put(key, text, folder);
-  });
   return scene;
 }
 
@@ -208,7 +124,7 @@ void Scene::set(std::string_view assignment) {
 const Scene::Value& Scene::value(const std::string& key) const {
   const auto found = values_.find(key);
   if (found != values_.end()) return found->second;
-  throw std::invalid_argument("missing key '" + key + "'" + suggestion(key, values_));
+  throw std::invalid_argument("missing key '" + key + "'" + question(nearest(key, keys())));
 }
 
 bool Scene::has_second(const std::string& first, const std::string& second) const {
@@ -216,14 +132,19 @@ bool Scene::has_second(const std::string& first, const std::string& second) cons
   if (both || (!has(first) && !has(second))) {
     throw std::invalid_argument(std::string(both ? "expected only one of" : "missing key") + " '" +
                                 first + (both ? "' and '" : "' or '") + second + "'" +
-                                (both ? "" : suggestion(first, values_)));
+                                (both ? "" : question(nearest(first, keys()))));
   }
   return has(second);
 }
 
 double Scene::number(const std::string& key) {
-  const auto value = finite_number(text(key));
-  if (!value) reject(key, text(key), "a finite number" + advice(text(key)));
+  const std::string unit = unit_of_key(key);
+  const auto value = quantity(text(key), unit);
+  if (!value) {
+    reject(key, text(key),
+           has_unit(text(key)) ? "a number in " + accepted_units(unit)
+                               : "a finite number" + advice(text(key)));
+  }
   parameters_.emplace_back(key, format_short(*value));
   return *value;
 }
@@ -288,7 +209,7 @@ std::vector<Eigen::VectorXd> Scene::columns(const std::string& key,
 std::string Scene::word(const std::string& key, std::initializer_list<std::string_view> accepted) {
   const std::string& value = text(key);
   if (std::find(accepted.begin(), accepted.end(), value) == accepted.end()) {
-    reject(key, value, listed(accepted));
+    reject(key, value, joined(accepted, " or "));
   }
   parameters_.emplace_back(key, value);
   return value;
@@ -302,11 +223,16 @@ std::string Scene::word_or_first(const std::string& key,
 }
 
 void Scene::reject_unread() const {
+  std::vector<std::string> known;
+  for (const auto& [key, text] : parameters_) known.push_back(key);
   for (const auto& [key, value] : values_) {
-    const auto read = [&key = key](const auto& parameter) { return parameter.first == key; };
-    if (std::any_of(parameters_.begin(), parameters_.end(), read)) continue;
-    throw std::invalid_argument("unknown key '" + shown(key) + "'" + suggestion(key, parameters_) +
-                                "; known to this model: " + known_keys());
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    const bool elsewhere =
+        std::ranges::find(keys_of_scenes(), key, &Key::name) != keys_of_scenes().end();
+    throw std::invalid_argument(
+        (elsewhere ? "key '" + key + "' has no role here"
+                   : "unknown key '" + shown(key) + "'" + question(meant(key, known))) +
+        "; known to this model: " + joined(known, ", "));
   }
 }
 
@@ -319,12 +245,6 @@ Parameters Scene::origin() const {
   Parameters origin = parameters_;
   for (const std::string& line : warnings_) origin.emplace_back("warning", line);
   return origin;
-}
-
-std::string Scene::known_keys() const {
-  std::string keys;
-  for (const auto& [key, value] : parameters_) keys += (keys.empty() ? "" : ", ") + key;
-  return keys;
 }
 
 }  // namespace microslip

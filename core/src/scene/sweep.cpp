@@ -10,6 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "microslip/scene/keys.hpp"
+#include "microslip/scene/units.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/shown.hpp"
 #include "number.hpp"
@@ -93,6 +95,12 @@ std::optional<std::vector<std::string>> range(const std::vector<std::string>& pa
   return step ? linear_range(*first, *step, *last) : std::nullopt;
 }
 
+/// In the unit of the key, so that columns of swept values are numbers.
+std::string without_unit(const std::string& key, const std::string& value) {
+  const auto number = has_unit(value) ? quantity(value, unit_of_key(key)) : std::nullopt;
+  return number ? format_short(*number) : value;
+}
+
 }  // namespace
 
 std::vector<std::string> swept_values(const std::string& key, const std::string& text) {
@@ -106,7 +114,7 @@ std::vector<std::string> swept_values(const std::string& key, const std::string&
     }
     const std::vector<std::string> parts = split(value, ':');
     if (parts.size() == 1 || !finite_number(parts[0])) {
-      values.push_back(value);
+      values.push_back(without_unit(key, value));
       continue;
     }
     const auto expanded = range(parts);

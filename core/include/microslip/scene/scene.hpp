@@ -64,7 +64,8 @@ class Scene {
   bool has_second(const std::string& first, const std::string& second) const;
 
   /// A finite decimal number, with a point in any locale: 1.5, .5, +5, -1e-3. One that is too small
-  /// for a double, 1e-400, is rejected like one that is too large.
+  /// for a double, 1e-400, is rejected like one that is too large. After it may stand a unit, which
+  /// is converted to that of the key (unit_of_key): "2 cm" of a length is 20.
   double number(const std::string& key);
   double number(const std::string& key, double fallback);
 
@@ -121,7 +122,6 @@ class Scene {
                                        const std::vector<std::string>& names);
   const Value& value(const std::string& key) const;
   bool put(const std::string& key, const std::string& text, const std::string& folder);
-  std::string known_keys() const;
 
   std::map<std::string, Value> values_;
   std::size_t next_place_ = 0;

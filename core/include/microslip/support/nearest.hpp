@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace microslip {
+
+// For messages about names that are not known.
+
+/// Of names other than the word itself, the one that takes the least edits, three at most; empty if
+/// there is none. Cost: as the product of lengths.
+std::string nearest(const std::string& word, const std::vector<std::string>& names);
+
+/// " (did you mean 'x'?)", or nothing if that is empty.
+std::string question(const std::string& meant);
+
+/// All, with a separator between two.
+template <class Texts>
+std::string joined(const Texts& texts, const std::string& separator) {
+  std::string all;
+  for (const auto& text : texts) {
+    if (!all.empty()) all += separator;
+    all += text;
+  }
+  return all;
+}
+
+}  // namespace microslip

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/scene/units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/replace.hpp>
+#include <boost/algorithm/string/split.hpp>
+#include <boost/algorithm/string/trim.hpp>
+#include <cmath>
+#include <map>
+#include <vector>
+
+#include "number.hpp"
+
+namespace microslip {
+
+namespace {
+
+/// factor * 10^ten in mm, N and s, raised to these powers.
+struct Unit {
+  double factor = 1;
+  int ten = 0;
+  std::array<int, 3> powers = {};
+};
+
+const std::map<std::string, Unit, std::less<>> symbols{
+    {"1", {}},
+    {"%", {1, -2, {}}},
+    {"um", {1, -3, {1, 0, 0}}},
+    {"mm", {1, 0, {1, 0, 0}}},
+    {"cm", {1, 1, {1, 0, 0}}},
+    {"m", {1, 3, {1, 0, 0}}},
+    {"km", {1, 6, {1, 0, 0}}},
+    {"in", {25.4, 0, {1, 0, 0}}},
+    {"N", {1, 0, {0, 1, 0}}},
+    {"kN", {1, 3, {0, 1, 0}}},
+    {"MN", {1, 6, {0, 1, 0}}},
+    {"Pa", {1, -6, {-2, 1, 0}}},
+    {"kPa", {1, -3, {-2, 1, 0}}},
+    {"MPa", {1, 0, {-2, 1, 0}}},
+    {"GPa", {1, 3, {-2, 1, 0}}},
+    {"g", {1, -6, {-1, 1, 2}}},
+    {"kg", {1, -3, {-1, 1, 2}}},
+    {"t", {1, 0, {-1, 1, 2}}},
+    {"ms", {1, -3, {0, 0, 1}}},
+    {"s", {1, 0, {0, 0, 1}}},
+};
+
+/// What a message names besides the unit of a key.
+const std::map<std::string, std::string> others{{"mm", "um, cm, m, in"},
+                                                {"N/mm^2", "Pa, kPa, MPa, GPa"},
+                                                {"N/mm", "N/m, kN/m"},
+                                                {"N s^2/mm^2", "kg/mm, kg/m, t/m"},
+                                                {"N s^2", "kg m, kg m^2/m"}};
+
+/// "mm^2", "mm2", "mm"
+std::optional<Unit> power_of_symbol(std::string_view text) {
+  const std::size_t end = text.find_last_not_of("0123456789");
+  int power = 1;
+  if (end != std::string_view::npos && end + 1 < text.size()) {
+    const auto value = converted<int>(text.substr(end + 1));
+    if (!value || *value < 1 || *value > 9) return std::nullopt;
+    power = *value;
+    text = text.substr(0, text[end] == '^' ? end : end + 1);
+  }
+  const auto found = symbols.find(text);
+  if (found == symbols.end()) return std::nullopt;
+  Unit unit = found->second;
+  unit.factor = std::pow(unit.factor, power);
+  unit.ten *= power;
+  for (int& exponent : unit.powers) exponent *= power;
+  return unit;
+}
+
+void multiply(Unit& by, const Unit& unit, int sign) {
+  by.factor *= sign > 0 ? unit.factor : 1 / unit.factor;
+  by.ten += sign * unit.ten;
+  for (std::size_t i = 0; i < by.powers.size(); ++i) by.powers[i] += sign * unit.powers[i];
+}
+
+std::optional<Unit> unit_of(std::string_view text) {
+  namespace algorithm = boost::algorithm;
+  std::string plain(text);
+  const std::array<std::array<const char*, 2>, 6> written{{{"\u00b2", "^2"},
+                                                           {"\u00b3", "^3"},
+                                                           {"\u00b7", " "},
+                                                           {"*", " "},
+                                                           {"\u00b5", "u"},
+                                                           {"\u03bc", "u"}}};
+  for (const auto& [from, to] : written) algorithm::replace_all(plain, from, to);
+  std::vector<std::string> sides;
+  algorithm::split(sides, plain, algorithm::is_any_of("/"));
+  if (sides.size() > 2) return std::nullopt;
+  Unit unit;
+  int sign = 1;
+  for (std::string& side : sides) {
+    algorithm::trim_if(side, algorithm::is_any_of(" \t"));
+    std::vector<std::string> factors;
+    algorithm::split(factors, side, algorithm::is_any_of(" \t"), algorithm::token_compress_on);
+    for (const std::string& factor : factors) {
+      const auto next = power_of_symbol(factor);
+      if (!next) return std::nullopt;
+      multiply(unit, *next, sign);
+    }
+    sign = -1;
+  }
+  return unit;
+}
+
+/// The number that a text begins with, and what follows it, without the blanks between.
+std::pair<std::string_view, std::string_view> split_number(std::string_view text) {
+  const std::string_view digits = without_plus(text);
+  double value = 0;
+  const char* stop = std::from_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  const auto length = static_cast<std::size_t>(stop - text.data());
+  std::string_view rest = text.substr(length);
+  rest.remove_prefix(std::min(rest.size(), rest.find_first_not_of(" \t")));
+  return {text.substr(0, length), rest};
+}
+
+double scaled(double value, int ten) {
+  return ten < 0 ? value / std::pow(10.0, -ten) : value * std::pow(10.0, ten);
+}
+
+}  // namespace
+
+std::optional<double> quantity(std::string_view text, std::string_view unit) {
+  const auto [number, rest] = split_number(text);
+  const auto value = finite_number(number);
+  if (!value) return std::nullopt;
+  if (rest.empty()) return number.size() == text.size() ? value : std::nullopt;
+  const auto from = unit_of(rest);
+  const auto to = unit_of(unit);
+  if (!from || !to || from->powers != to->powers) return std::nullopt;
+  const double result = scaled(*value * (from->factor / to->factor), from->ten - to->ten);
+  return std::isfinite(result) ? std::optional(result) : std::nullopt;
+}
+
+bool is_unit(std::string_view text) { return unit_of(text).has_value(); }
+
+bool has_unit(std::string_view text) {
+  const auto [number, rest] = split_number(text);
+  if (!finite_number(number) || rest.empty()) return false;
+  const bool apart = number.size() + rest.size() < text.size();
+  const bool is_word =
+      std::string_view("+-.0123456789").find(rest.front()) == std::string_view::npos;
+  return is_unit(rest) || (apart && is_word);
+}
+
+std::string accepted_units(const std::string& unit) {
+  const auto found = others.find(unit);
+  return found == others.end() ? "no unit"
+                               : unit + " or another of its kind (" + found->second + ")";
+}
+
+}  // namespace microslip

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/scene/units.hpp"
+
+#include <gtest/gtest.h>
+
+#include "microslip/scene/keys.hpp"
+#include "microslip/scene/model.hpp"
+#include "microslip/scene/sweep.hpp"
+#include "scene_text.hpp"
+
+namespace microslip {
+namespace {
+
+TEST(Units, ConvertWithinAKind) {
+  EXPECT_EQ(quantity("20", "mm"), 20);
+  EXPECT_EQ(quantity("20 mm", "mm"), 20);
+  EXPECT_EQ(quantity("2cm", "mm"), 20);
+  EXPECT_EQ(quantity("-1e-3 m", "mm"), -1);
+  EXPECT_EQ(quantity("1 in", "mm"), 25.4);
+  EXPECT_EQ(quantity("82 GPa", "N/mm^2"), 82000);
+  EXPECT_EQ(quantity("300 N/mm2", "N/mm^2"), 300);
+  EXPECT_EQ(quantity("300 N / mm\u00b2", "N/mm^2"), 300);
+  EXPECT_EQ(quantity("3e8 Pa", "N/mm^2"), 300);
+  EXPECT_EQ(quantity("1500 kN/m", "N/mm"), 1500);
+  EXPECT_EQ(quantity("5500 kg/m", "N s^2/mm^2"), 0.0055);
+  EXPECT_EQ(quantity("5.5 N*s\u00b2/m^2", "N s^2/mm^2"), 5.5e-6);
+  EXPECT_EQ(quantity("0.77 kg\u00b7m", "N s^2"), 0.77);
+  EXPECT_EQ(quantity("0.2 %", "1"), 0.002);
+}
+
+// A power of ten divides or multiplies once: 0.009 and not 0.009000000000000001 = 9 * 0.001.
+TEST(Units, PowersOfTenAreExact) {
+  EXPECT_EQ(quantity("9 um", "mm"), 0.009);
+  EXPECT_EQ(quantity("9 \u00b5m", "mm"), 0.009);
+  EXPECT_EQ(quantity("9 \u03bcm", "mm"), 0.009);
+  EXPECT_EQ(quantity("0.1 kPa", "N/mm^2"), 1e-4);
+}
+
+TEST(Units, RejectsOtherKindsAndWhatIsNoUnit) {
+  for (const char* text :
+       {"1 N", "1 mm^2", "1 furlong", "1 mm/mm", "1 mm/s/s", "1 /mm", "1 mm/", "1 mm^", "1 mm^0",
+        "1 mm^10", "1 %", "1 mm mm", "mm", "", "1 2", "1e400 mm", "1e306 km", "nan mm", "1,5 mm"}) {
+    EXPECT_FALSE(quantity(text, "mm")) << text;
+  }
+  EXPECT_FALSE(quantity("1 mm", "1"));
+}
+
+TEST(Units, NeedNoQuotesInScenes) {
+  Scene scene = scene_of(
+      "contact { half_width 0.5 cm peak_traction 300 MPa } ; 1 mm\n"
+      "cylinder { mass 5500 kg / m\n inertia \"0.77 N s^2\" }\n"
+      "a 1 b 2\nname \"2 mm\" \"c\" 3\nlist \"1 2\"");
+  EXPECT_EQ(scene.number("contact.half_width"), 5);
+  EXPECT_EQ(scene.number("contact.peak_traction"), 300);
+  EXPECT_EQ(scene.number("cylinder.mass"), 0.0055);
+  EXPECT_EQ(scene.number("cylinder.inertia"), 0.77);
+  EXPECT_EQ(scene.whole("a"), 1);
+  EXPECT_EQ(scene.whole("b"), 2);
+  EXPECT_EQ(scene.text("name"), "2 mm");
+  EXPECT_EQ(scene.whole("c"), 3);
+  EXPECT_EQ(scene.numbers("list").size(), 2u);
+}
+
+// Tables of a scene do not show in which units it was written.
+TEST(Units, ParametersAreInTheUnitOfTheKey) {
+  Scene scene = scene_of("kernel { width 2 cm }");
+  scene.number("kernel.width");
+  EXPECT_EQ(scene.parameters(), (Parameters{{"kernel.width", "20"}}));
+}
+
+TEST(Units, SweptValuesAreNumbersInTheUnitOfTheKey) {
+  EXPECT_EQ(swept_values("kernel.width", "5 mm | 1 cm | 20"),
+            (std::vector<std::string>{"5", "10", "20"}));
+  EXPECT_EQ(swept_values("start.file", "3 mm|b"), (std::vector<std::string>{"3 mm", "b"}));
+}
+
+TEST(Keys, UnitsAreUnits) {
+  for (const Key& key : keys_of_scenes()) {
+    EXPECT_TRUE(is_unit(key.unit)) << key.name;
+    EXPECT_EQ(unit_of_key(key.name), key.unit);
+    EXPECT_EQ(accepted_units(std::string(key.unit)) == "no unit", key.unit == "1") << key.name;
+  }
+  EXPECT_EQ(unit_of_key("no.such.key"), "1");
+}
+
+}  // namespace
+}  // namespace microslip
