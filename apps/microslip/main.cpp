@@ -2,14 +2,12 @@
 #include <stdexcept>
 #include <string>
 
-#include "microslip/experiments/cylinder_scene.hpp"
-#include "microslip/experiments/steady_scene.hpp"
-#include "microslip/experiments/transient_scene.hpp"
+#include "microslip/experiments/scene_tables.hpp"
+#include "microslip/program/commands.hpp"
 #include "microslip/program/memory.hpp"
-#include "microslip/program/run.hpp"
 #include "microslip/program/sweep.hpp"
-#include "microslip/scene/memory.hpp"
-#include "microslip/scene/model.hpp"
+#include "microslip/scene/cost.hpp"
+#include "templates.hpp"
 
 namespace {
 
@@ -24,41 +22,19 @@ void reject_sweep(const Scene& scene) {
   }
 }
 
-const Grid& grid_of(const SteadyProblem& problem) { return problem.grid; }
-const Grid& grid_of(const TransientScene& scene) { return scene.problem.grid; }
-const Grid& grid_of(const CylinderScene& scene) { return scene.contact.grid; }
-
-/// What was read, if there is memory to solve it.
-template <class Read>
-Read affordable(Read read) {
-  program::require_memory("grid.elements", grid_of(read).size(), memory_needed(read));
-  return read;
-}
-
 program::Work prepare(Scene& scene) {
   reject_sweep(scene);
-  const std::string problem = scene.word("problem", {"steady", "transient", "cylinder"});
-  if (problem != "steady" && scene.has("target_error")) {
-    throw std::invalid_argument("target_error: expected in problem steady only");
-  }
-  if (scene.has("target_error")) {
-    return [target = read_steady_target(scene)](const Progress&) {
-      return experiments::steady_scene(target);
-    };
-  }
-  if (problem == "steady") {
-    return [steady = affordable(read_steady(scene))](const Progress&) {
-      return experiments::steady_scene(steady);
-    };
-  }
-  if (problem == "cylinder") {
-    return [cylinder = affordable(read_cylinder(scene))](const Progress& progress) {
-      return experiments::cylinder_scene(cylinder, progress);
-    };
-  }
-  return [transient = affordable(read_transient(scene))](const Progress& progress) {
-    return experiments::transient_scene(transient, progress);
+  const Model model = read_model(scene);
+  program::require_memory("grid.elements", elements_of(model), memory_needed(model));
+  return [model](const Progress& progress) {
+    return std::visit([&](const auto& read) { return experiments::scene_tables(read, progress); },
+                      model);
   };
+}
+
+program::Preview preview(Scene& scene) {
+  const Model model = read_model(scene);
+  return {explain(model), work_needed(model), memory_needed(model)};
 }
 
 }  // namespace
@@ -66,9 +42,7 @@ program::Work prepare(Scene& scene) {
 int main(int argc, char** argv) {
   const program::Program solver{
       .name = "microslip",
-      .question =
-          "solves one scene of your own; 'microslip sweep' solves many, and 'microslip "
-          "merge' puts\ntheir results together: see 'microslip sweep --help'",
+      .question = "solves a scene of your own: microslip SCENE.info --out FOLDER",
       .scene = "",
       .quick = "",
       .default_out = "out",
@@ -76,8 +50,17 @@ int main(int argc, char** argv) {
                        "largest relative error of the force or creepage of steady rolling; picks "
                        "method and grid"}},
       .prepare = prepare};
-  const std::string command = argc > 1 ? argv[1] : "";
-  if (command == "sweep") return program::sweep(solver, argc, argv);
-  if (command == "merge") return program::merge(solver, argc, argv);
-  return program::run(solver, argc, argv);
+  using Arguments = const char* const*;
+  const std::vector<program::Command> commands{
+      {"init", "writes a commented scene to start from",
+       [&](int n, Arguments words) { return program::init(solver.name, templates, n, words); }},
+      {"explain", "says what a scene models and what it will cost, and solves nothing",
+       [&](int n, Arguments words) { return program::explain(solver, preview, n, words); }},
+      {"plot", "draws the figure of a result",
+       [&](int n, Arguments words) { return program::plot(solver.name, n, words); }},
+      {"sweep", "solves many scenes: all combinations of lists of values",
+       [&](int n, Arguments words) { return program::sweep(solver, n, words); }},
+      {"merge", "puts the results of a sweep's shards together",
+       [&](int n, Arguments words) { return program::merge(solver, n, words); }}};
+  return program::dispatch(solver, commands, argc, argv);
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/experiments/cylinder_scene.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 #include "microslip/experiments/contact_tables.hpp"
+#include "microslip/experiments/scene_tables.hpp"
 #include "microslip/support/not_converged.hpp"
 
 namespace microslip::experiments {
@@ -47,7 +46,7 @@ void add(Table& history, const RollingCylinder& body) {
 
 }  // namespace
 
-std::vector<Table> cylinder_scene(const CylinderScene& scene, const Progress& progress) {
+std::vector<Table> scene_tables(const CylinderScene& scene, const Progress& progress) {
   RollingCylinder body(scene.contact, scene.cylinder, scene.integrator, scene.step_ratio);
   Table history = empty_history();
   add(history, body);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/experiments/steady_scene.hpp"
+#include <algorithm>
 
 #include "microslip/experiments/contact_tables.hpp"
+#include "microslip/experiments/scene_tables.hpp"
+#include "microslip/scene/cost.hpp"
+#include "microslip/support/work.hpp"
 
 namespace microslip::experiments {
 
@@ -32,12 +35,21 @@ Table summary_of(const std::string& description, const SteadySolution& solution,
 
 }  // namespace
 
-std::vector<Table> steady_scene(const SteadyProblem& problem) {
+std::vector<Table> scene_tables(const SteadyProblem& problem, const Progress& progress) {
+  constexpr std::size_t parts = 100;
+  const double part = work_needed(problem) / parts;
+  const WorkWatch watch(part, [&](double done) {
+    progress(std::min(parts - 1, static_cast<std::size_t>(done / part)), parts);
+  });
   const SteadySolution solution = solve_steady(problem);
+  progress(parts, parts);
   return {nodes(solution), summary_of("steady rolling, the whole contact", solution, problem)};
 }
 
-std::vector<Table> steady_scene(const SteadyTarget& target) {
+std::vector<Table> scene_tables(const SteadyTarget& target, const Progress& progress) {
+  constexpr double part = 1e8;
+  const WorkWatch watch(
+      part, [&](double done) { progress(static_cast<std::size_t>(done / part), unknown_total); });
   const EstimatedSteady found = solve_steady_to(target.contact, target.error);
   const bool elements = std::holds_alternative<Calibrated>(found.problem.method);
   const std::string picked =

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/experiments/transient_scene.hpp"
-
 #include "microslip/experiments/contact_tables.hpp"
+#include "microslip/experiments/scene_tables.hpp"
 
 namespace microslip::experiments {
 
@@ -34,7 +33,7 @@ void add(Table& history, const TransientState& state) {
 
 }  // namespace
 
-std::vector<Table> transient_scene(const TransientScene& scene, const Progress& progress) {
+std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress) {
   const std::vector<double> lengths = lengths_of(scene);
   const std::size_t steps = number_of_steps(scene.distance, lengths);
   TransientRolling rolling(scene.problem, scene.start);

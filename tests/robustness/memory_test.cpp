@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What would take more memory than there is, is refused before it begins, in one line that says how
 // much; and it takes what that line says.
-#include "microslip/scene/memory.hpp"
-
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "microslip/scene/cost.hpp"
 #include "robustness/executables.hpp"
 #include "scene_text.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "microslip/experiments/steady_scene.hpp"
+#include "microslip/experiments/scene_tables.hpp"
 #include "study_tables.hpp"
 
 namespace microslip::experiments {
@@ -57,12 +57,13 @@ TEST(CarterStudy, Verdicts) {
 }
 
 TEST(SteadyScene, SummaryHoldsThePromisedRows) {
-  const auto tables = steady_scene({.kernel = PlaneKernel(material, 200),
-                                    .bound = HertzBound(1, 1),
-                                    .grid = Grid({.half_width = 1, .elements = 50}),
-                                    .basis = constant_basis(),
-                                    .method = Differences{},
-                                    .load = PrescribedForce{-1}});
+  const auto tables = scene_tables(SteadyProblem{.kernel = PlaneKernel(material, 200),
+                                                 .bound = HertzBound(1, 1),
+                                                 .grid = Grid({.half_width = 1, .elements = 50}),
+                                                 .basis = constant_basis(),
+                                                 .method = Differences{},
+                                                 .load = PrescribedForce{-1}},
+                                   [](std::size_t, std::size_t) {});
   std::vector<std::string> quantities;
   for (std::size_t i = 0; i < tables[1].rows(); ++i) {
     quantities.push_back(std::get<std::string>(tables[1].at(i, "quantity")));

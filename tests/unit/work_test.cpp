@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <thread>
+#include <vector>
 
 #include "microslip/linalg/real_fft.hpp"
 #include "microslip/linalg/square_matrix.hpp"
@@ -25,6 +26,17 @@ TEST(Work, ThreadsCountForThemselves) {
   const WorkCount count;
   std::thread([] { count_work(1000); }).join();
   EXPECT_EQ(count.operations(), 0);
+}
+
+TEST(Work, IsWatched) {
+  std::vector<double> seen;
+  {
+    const WorkWatch watch(10, [&](double operations) { seen.push_back(operations); });
+    for (int i = 0; i < 6; ++i) count_work(4);
+    std::thread([] { count_work(1000); }).join();
+  }
+  count_work(1000);
+  EXPECT_EQ(seen, (std::vector<double>{12, 24}));
 }
 
 TEST(Work, OfATransformAndOfADenseProduct) {

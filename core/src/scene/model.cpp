@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numeric>
 
 #include "microslip/halfspace/influence.hpp"
@@ -324,21 +323,26 @@ CylinderScene read_cylinder(Scene& scene) {
                                                 : Integrator::leapfrog);
 }
 
-std::string unit_of_key(const std::string& key) {
-  static const std::map<std::string, std::string> units{{"material.shear_modulus", "N/mm^2"},
-                                                        {"contact.half_width", "mm"},
-                                                        {"contact.peak_traction", "N/mm^2"},
-                                                        {"kernel.width", "mm"},
-                                                        {"kernel.length", "mm"},
-                                                        {"load.force", "N/mm"},
-                                                        {"start.force", "N/mm"},
-                                                        {"motion.distance", "mm"},
-                                                        {"cylinder.mass", "N s^2/mm^2"},
-                                                        {"cylinder.inertia", "N s^2"},
-                                                        {"cylinder.radius", "mm"},
-                                                        {"cylinder.slope_force", "N/mm"}};
-  const auto found = units.find(key);
-  return found == units.end() ? "1" : found->second;
+Model read_model(Scene& scene) {
+  const std::string problem = scene.word("problem", {"steady", "transient", "cylinder"});
+  const bool has_target = scene.has("target_error");
+  if (has_target && problem != "steady") {
+    throw std::invalid_argument("target_error: expected in problem steady only");
+  }
+  if (problem == "transient") return read_transient(scene);
+  if (problem == "cylinder") return read_cylinder(scene);
+  if (has_target) return read_steady_target(scene);
+  return read_steady(scene);
+}
+
+Eigen::Index elements_of(const Model& model) {
+  struct Elements {
+    Eigen::Index operator()(const SteadyProblem& problem) const { return problem.grid.size(); }
+    Eigen::Index operator()(const SteadyTarget&) const { return 0; }
+    Eigen::Index operator()(const TransientScene& scene) const { return scene.problem.grid.size(); }
+    Eigen::Index operator()(const CylinderScene& scene) const { return scene.contact.grid.size(); }
+  };
+  return std::visit(Elements{}, model);
 }
 
 }  // namespace microslip

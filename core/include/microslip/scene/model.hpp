@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <variant>
+#include <vector>
+
 #include "microslip/dynamics/cylinder.hpp"
 #include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/target_error.hpp"
@@ -96,7 +99,14 @@ CylinderScene read_cylinder(Scene& scene);
 /// The same with a given scheme and integrator.
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator);
 
-/// Unit of a key of the scenes above; "1" for words and pure numbers.
-std::string unit_of_key(const std::string& key);
+/// What a scene describes.
+using Model = std::variant<SteadyProblem, SteadyTarget, TransientScene, CylinderScene>;
+
+/// problem steady|transient|cylinder, and the keys of that; of a steady one with target_error,
+/// those of read_steady_target.
+Model read_model(Scene& scene);
+
+/// N; 0 with target_error.
+Eigen::Index elements_of(const Model& model);
 
 }  // namespace microslip

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+
 namespace microslip {
 
 // Counted work: floating-point operations that this thread has done so far, by formulas in the
@@ -27,6 +29,27 @@ class WorkCount {
 
  private:
   double start_;
+};
+
+/// As long as it lives, an action is told of the operations on this thread since it was made, each
+/// time that as many more have been done. Of several, the last that was made.
+class WorkWatch {
+ public:
+  /// \param every  > 0
+  WorkWatch(double every, std::function<void(double operations)> action);
+  ~WorkWatch();
+  WorkWatch(const WorkWatch&) = delete;
+  WorkWatch& operator=(const WorkWatch&) = delete;
+
+ private:
+  friend void count_work(double operations);
+  void look(double now);
+
+  double start_;
+  double every_;
+  double next_;
+  std::function<void(double)> action_;
+  WorkWatch* before_;
 };
 
 }  // namespace microslip

@@ -19,8 +19,15 @@ namespace microslip {
 // and bases.
 // \throws std::invalid_argument if matrices would be too large as they must be dense
 
-double memory_needed(const SteadyProblem& problem);
-double memory_needed(const TransientScene& scene);
-double memory_needed(const CylinderScene& scene);
+// With target_error only that of the values at nodes: how many elements it takes is found out
+// later.
+double memory_needed(const Model& model);
+
+/// About how many operations, as support/work counts them, a solution takes: within a factor of
+/// three for N from 100 to 6400 (tests/unit/cost_test.cpp); nan with target_error.
+double work_needed(const Model& model);
+
+/// Steps of a transient, or of a cylinder as long as it does not swing; 0 in steady rolling.
+double steps_needed(const Model& model);
 
 }  // namespace microslip

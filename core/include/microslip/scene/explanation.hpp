@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "microslip/scene/model.hpp"
+
+namespace microslip {
+
+/// What a scene is about, besides the values of its keys. A line each.
+struct Explanation {
+  std::string title;                      ///< "steady rolling to a prescribed force"
+  std::vector<std::string> consequences;  ///< sizes and orders that follow from the keys
+  std::vector<std::string> not_modelled;
+};
+
+Explanation explain(const Model& model);
+
+}  // namespace microslip

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/scene/cost.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/support/work.hpp"
+
+namespace microslip {
+
+namespace {
+
+constexpr double row_of_history = 1000;
+
+/// Of a contact, per element where matrices are Toeplitz, and where they have all entries.
+struct Memory {
+  double element;   ///< [bytes]
+  double matrices;  ///< kept at once
+};
+
+double memory_by(const Memory& memory, bool fft, Eigen::Index elements) {
+  const auto n = static_cast<double>(elements);
+  if (fft) return memory.element * n;
+  require_dense(elements);
+  return memory.matrices * sizeof(double) * n * n;
+}
+
+bool by_fft(const SteadyProblem& problem) {
+  const Eigen::Index n = problem.grid.size();
+  const auto* differences = std::get_if<Differences>(&problem.method);
+  if (differences == nullptr) return by_fft(problem.solver, problem.basis, n);
+  const Solver solver = strain_solver(problem.solver, n, differences->step_ratio);
+  return !differences->edge_displacement && by_fft(solver, problem.basis, n);
+}
+
+bool by_fft(const TransientProblem& problem) {
+  return by_fft(problem.solver, problem.basis, problem.grid.size());
+}
+
+double log2_of(double n) { return std::log2(std::max(n, 2.0)); }
+
+struct MemoryOf {
+  double operator()(const SteadyProblem& problem) const {
+    const Eigen::Index n = problem.grid.size();
+    if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
+      return memory_by({.element = 600, .matrices = 0}, true, n);
+    }
+    const bool calibrated = std::holds_alternative<Calibrated>(problem.method);
+    return memory_by(calibrated ? Memory{.element = 750, .matrices = 5}
+                                : Memory{.element = 1000, .matrices = 2.7},
+                     by_fft(problem), n);
+  }
+  double operator()(const SteadyTarget&) const { return 0; }
+  double operator()(const TransientScene& scene) const {
+    return memory_by({.element = 1600, .matrices = 4.1}, by_fft(scene.problem),
+                     scene.problem.grid.size()) +
+           row_of_history * steps_needed(scene);
+  }
+  double operator()(const CylinderScene& scene) const {
+    return memory_by({.element = 1600, .matrices = 5}, by_fft(scene.contact),
+                     scene.contact.grid.size()) +
+           row_of_history * steps_needed(scene);
+  }
+};
+
+struct StepsOf {
+  double operator()(const SteadyProblem&) const { return 0; }
+  double operator()(const SteadyTarget&) const { return 0; }
+  double operator()(const TransientScene& scene) const {
+    const double mean = std::accumulate(scene.step_ratios.begin(), scene.step_ratios.end(), 0.0) /
+                        static_cast<double>(scene.step_ratios.size());
+    return std::ceil(scene.distance / (mean * scene.problem.grid.spacing()));
+  }
+  double operator()(const CylinderScene& scene) const {
+    return std::ceil(scene.distance / (scene.step_ratio * scene.contact.grid.spacing()));
+  }
+};
+
+/// Constants are of the runs of the study speed_accuracy.
+struct WorkOf {
+  double operator()(const SteadyProblem& problem) const {
+    const auto n = static_cast<double>(problem.grid.size());
+    const bool strip = std::holds_alternative<StripKernel>(problem.kernel);
+    if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
+      return 3e5 + (strip ? 60 * kernel_work : 60) * n;
+    }
+    const bool calibrated = std::holds_alternative<Calibrated>(problem.method);
+    const double sums = calibrated && strip ? 1000 * kernel_work * n : 0;
+    if (by_fft(problem)) return sums + (calibrated ? 2200 : 1500) * n * log2_of(n);
+    return sums + (calibrated ? n * n + 9000 : 0.4 * n * n + 5000) * n;
+  }
+  double operator()(const SteadyTarget&) const { return std::numeric_limits<double>::quiet_NaN(); }
+  double operator()(const TransientScene& scene) const {
+    return steps_needed(scene) *
+           of_step(scene.problem, std::ranges::all_of(scene.step_ratios, is_whole));
+  }
+  double operator()(const CylinderScene& scene) const {
+    const double rounds = scene.integrator == Integrator::midpoint ? 4 : 1;
+    return steps_needed(scene) * rounds * of_step(scene.contact, is_whole(scene.step_ratio));
+  }
+  static bool is_whole(double step_ratio) { return step_ratio == std::floor(step_ratio); }
+  static double of_step(const TransientProblem& problem, bool by_whole_elements) {
+    const auto n = static_cast<double>(problem.grid.size());
+    const bool power = std::holds_alternative<Fractional>(problem.scheme) && !by_whole_elements;
+    return (power ? 1200 * n * log2_of(n) : 0) +
+           (by_fft(problem) ? 150 * n * log2_of(n) : 15 * n * n);
+  }
+};
+
+}  // namespace
+
+double memory_needed(const Model& model) { return std::visit(MemoryOf{}, model); }
+
+double work_needed(const Model& model) { return std::visit(WorkOf{}, model); }
+
+double steps_needed(const Model& model) { return std::visit(StepsOf{}, model); }
+
+}  // namespace microslip

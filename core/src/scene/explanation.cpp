@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/scene/explanation.hpp"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "microslip/scene/cost.hpp"
+
+namespace microslip {
+
+namespace {
+
+std::string number(double value) {
+  std::ostringstream text;
+  text << std::setprecision(5) << value;
+  return text.str();
+}
+
+std::string kind_of(const Load& load) {
+  return std::holds_alternative<PrescribedForce>(load) ? "a force" : "a creepage";
+}
+
+std::string sliding(const TractionBound& bound) {
+  return "full sliding at " + number(full_sliding_force(bound)) + " N/mm";
+}
+
+std::string sliding(const TractionBound& bound, const Load& load) {
+  const auto* force = std::get_if<PrescribedForce>(&load);
+  if (force == nullptr) return sliding(bound);
+  return sliding(bound) + ", of which the load is " +
+         number(std::abs(force->value) / full_sliding_force(bound));
+}
+
+std::string elements_of(const Grid& grid) {
+  return std::to_string(grid.size()) + " elements of " + number(grid.spacing()) + " mm";
+}
+
+std::string method_of(const SteadyProblem& problem) {
+  const std::string functions = problem.basis.name() + " functions";
+  if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
+    return "Chebyshev collocation on the stick zone: ten digits; values at the nodes of the grid";
+  }
+  const auto* differences = std::get_if<Differences>(&problem.method);
+  if (differences == nullptr) {
+    return "calibrated elements on the stick zone, " + functions + ": second order in dx";
+  }
+  return "differences over c = " + number(differences->step_ratio) + " elements, " + functions +
+         (differences->edge_displacement ? ", displacement at the leading edge known: order 3/2"
+                                         : ": first order in dx");
+}
+
+struct SchemeText {
+  std::string operator()(const MaterialFixed&) const {
+    return "grid fixed to the material: second order in dx, for any step";
+  }
+  std::string operator()(const Direct&) const {
+    return "displacements at the nodes moved by c dx: first order, wiggles for c << 1 and smoothed "
+           "peaks unless c is whole";
+  }
+  std::string operator()(const Relaxed&) const { return relaxed; }
+  std::string operator()(const RelaxedTraction&) const { return relaxed; }
+  std::string operator()(const Fractional&) const {
+    return "fractional powers of a shift by one element: first order, peaks are kept";
+  }
+  static constexpr const char* relaxed = "under-relaxed: first order, no wiggles, smoothed peaks";
+};
+
+std::string rolled(const Model& model, double distance, const Grid& grid) {
+  return "rolls " + number(distance) + " mm, " + number(distance / (2 * grid.half_width())) +
+         " contact widths, in " + number(steps_needed(model)) + " steps";
+}
+
+const std::string normal = "the normal contact: bound and edges are given and stay as they are";
+const std::string details =
+    "lateral creepage, spin, bodies of different material, friction that depends on slip, heat, "
+    "wear";
+
+struct Explain {
+  Explanation operator()(const SteadyProblem& problem) const {
+    return steady(kind_of(problem.load), {sliding(problem.bound, problem.load),
+                                          elements_of(problem.grid), method_of(problem)});
+  }
+  Explanation operator()(const SteadyTarget& target) const {
+    return steady(
+        kind_of(target.contact.load),
+        {sliding(target.contact.bound, target.contact.load),
+         "method and grid are picked: Chebyshev collocation where it can be used, else as "
+         "many calibrated elements as the error needs"});
+  }
+  Explanation operator()(const TransientScene& scene) const {
+    return {"transient rolling under " + kind_of(scene.load),
+            {sliding(scene.problem.bound, scene.load), elements_of(scene.problem.grid),
+             rolled(scene, scene.distance, scene.problem.grid),
+             std::visit(SchemeText{}, scene.problem.scheme)},
+            {normal, "inertia of the bodies, which problem cylinder has", details}};
+  }
+  Explanation operator()(const CylinderScene& scene) const {
+    return {"a cylinder that rolls down a slope from rest",
+            {sliding(scene.contact.bound), elements_of(scene.contact.grid),
+             rolled(scene, scene.distance, scene.contact.grid) +
+                 " or more: those from rest, and of a body that swings, are shorter",
+             std::visit(SchemeText{}, scene.contact.scheme)},
+            {normal, "waves in the bodies: they deform as half-spaces at rest", details}};
+  }
+  static Explanation steady(const std::string& load, std::vector<std::string> consequences) {
+    return {"steady rolling under " + load,
+            std::move(consequences),
+            {normal, "how the bodies came to roll steadily, and their inertia", details}};
+  }
+};
+
+}  // namespace
+
+Explanation explain(const Model& model) { return std::visit(Explain{}, model); }
+
+}  // namespace microslip

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/scene/cost.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "good_scene.hpp"
+#include "microslip/scene/explanation.hpp"
+#include "microslip/support/work.hpp"
+#include "scene_text.hpp"
+
+namespace microslip {
+namespace {
+
+/// Counted operations that a model takes.
+double work_of(const Model& model) {
+  const WorkCount count;
+  if (const auto* steady = std::get_if<SteadyProblem>(&model)) {
+    solve_steady(*steady);
+  } else if (const auto* transient = std::get_if<TransientScene>(&model)) {
+    TransientRolling rolling(transient->problem, transient->start);
+    std::vector<double> lengths = transient->step_ratios;
+    for (double& length : lengths) length *= transient->problem.grid.spacing();
+    rolling.roll(transient->distance, lengths, transient->load, [](const TransientState&) {});
+  } else if (const auto* scene = std::get_if<CylinderScene>(&model)) {
+    RollingCylinder body(scene->contact, scene->cylinder, scene->integrator, scene->step_ratio);
+    while (body.state().position < scene->distance) body.step();
+  }
+  return count.operations();
+}
+
+void expect_foreseen(const std::string& text, int elements) {
+  Scene scene = scene_of(good_contact + text);
+  scene.set("grid.elements=" + std::to_string(elements));
+  const Model model = read_model(scene);
+  const double ratio = work_of(model) / work_needed(model);
+  EXPECT_LT(ratio, 3) << text << elements;
+  EXPECT_GT(ratio, 1.0 / 3) << text << elements;
+}
+
+TEST(Cost, OfSteadyRollingIsForeseenWithinAFactorOfThree) {
+  for (const std::string load : {"load { force -1 }\n", "load { creepage 0.3 }\n"}) {
+    const std::string steady = "problem steady\n" + load;
+    for (const int n : {101, 801, 6401}) {
+      expect_foreseen(steady, n);
+      expect_foreseen(steady + "kernel { length 200 }\n", n);
+      expect_foreseen(steady + "leading_edge standard\n", n);
+      expect_foreseen(steady + "leading_edge standard\nstep { ratio 0.1 }\n", n);
+      expect_foreseen(steady + "method chebyshev\n", n);
+    }
+    for (const int n : {101, 401, 801}) {
+      expect_foreseen(steady + "solver { type dense }\n", n);
+      expect_foreseen(steady + "leading_edge standard\nsolver { type dense }\n", n);
+    }
+  }
+}
+
+TEST(Cost, OfTransientsIsForeseenWithinAFactorOfThree) {
+  const std::string transient =
+      "problem transient\nload { force -1 }\nstart { type cattaneo }\n"
+      "motion { distance 0.25 }\n";
+  for (const int n : {101, 401, 801}) {
+    for (const std::string c : {"1", "0.2"}) {
+      const std::string scene = transient + "step { ratio " + c + "\n scheme ";
+      expect_foreseen(scene + "material }", n);
+      expect_foreseen(scene + "direct }", n);
+      if (n < 500) expect_foreseen(scene + "direct }\nsolver { type dense }", n);
+      if (n < 500) expect_foreseen(scene + "fractional }", n);
+    }
+  }
+}
+
+TEST(Cost, StepsAreThoseOfTheWay) {
+  Scene scene = scene_of(good_contact +
+                         "problem transient\nload { force -1 }\nstart { type rest }\n"
+                         "motion { distance 0.25 }\nstep { ratio \"1 0.5\" }");
+  EXPECT_EQ(steps_needed(read_model(scene)), std::ceil(0.25 / (0.75 * 2 / 20)));
+}
+
+TEST(Cost, WithATargetIsNotKnown) {
+  Scene scene = scene_of(good_contact + "problem steady\nload { force -1 }\ntarget_error 1e-3");
+  scene.set("grid.elements=");
+  EXPECT_TRUE(std::isnan(work_needed(read_model(scene))));
+}
+
+TEST(Explanation, SaysWhatIsNotModelled) {
+  Scene scene = scene_of(good_contact + "problem steady\nload { force -1 }");
+  const Explanation explanation = explain(read_model(scene));
+  EXPECT_EQ(explanation.title, "steady rolling under a force");
+  EXPECT_EQ(explanation.not_modelled.size(), 3u);
+  EXPECT_EQ(explanation.consequences[1], "20 elements of 0.1 mm");
+}
+
+}  // namespace
+}  // namespace microslip
