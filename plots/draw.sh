@@ -32,7 +32,7 @@ mkdir -p "$(dirname "$output")"
 partial=$(dirname "$output")/.$(basename "$output").$$.part
 trap 'rm -f "$partial" "$partial.log"' EXIT
 status=0
-gnuplot -e "tables='$tables'; scripts='$plots'" "$plots/style.gp" "$script" >"$partial" 2>"$partial.log" || status=$?
+gnuplot -e "tables='${tables//\'/\'\'}'; scripts='${plots//\'/\'\'}'" "$plots/style.gp" "$script" >"$partial" 2>"$partial.log" || status=$?
 # gnuplot takes no notice of a full disk.
 tail -c 10 "$partial" | grep -q "</svg>" || status=1
 if [ $status -ne 0 ] || [ -s "$partial.log" ]; then

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_line.hpp"
 
-#include <unistd.h>
-
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -62,12 +60,14 @@ void add_common_options(Options& options, const std::string& default_out) {
       "version", "print version and revision")("help", "print this");
 }
 
-Given parse(const Options& options, int argc, const char* const* argv) {
+Given parse(const Options& options, int argc, const char* const* argv, const std::string& word) {
   Given given;
+  options::positional_options_description words;
+  if (!word.empty()) words.add(word.c_str(), 1);
   try {
     options::store(options::command_line_parser(argc, argv)
                        .options(options)
-                       .positional({})
+                       .positional(words)
                        .style(options::command_line_style::default_style ^
                               options::command_line_style::allow_guessing)
                        .run(),
@@ -113,7 +113,8 @@ std::string file_text(const std::string& path, std::size_t most) {
 
 Scene read_scene(const Program& program, const Given& given) {
   if (program.scene.empty() && given.count("scene") == 0) {
-    throw std::invalid_argument("missing option --scene FILE");
+    throw std::invalid_argument("missing a scene: expected its file, as in '" + program.name +
+                                " scene.info'; see --help");
   }
   Scene scene = given.count("scene") != 0 ? parse_file(given["scene"].as<std::string>())
                                           : parse_text(program.scene, "built-in scene");
@@ -126,15 +127,6 @@ Scene read_scene(const Program& program, const Given& given) {
   }
   scene.read_files_by([](const std::string& path) { return file_text(path); });
   return scene;
-}
-
-Progress progress_on_terminal(const std::string& name, bool quiet) {
-  if (quiet || isatty(STDERR_FILENO) == 0) return [](std::size_t, std::size_t) {};
-  return [name](std::size_t done, std::size_t total) {
-    if (done < total && 100 * done / total == 100 * (done - 1) / total) return;
-    std::cerr << '\r' << name << ": " << done << " of " << total << (done == total ? "\n" : "")
-              << std::flush;
-  };
 }
 
 std::string one_line(const std::exception& error) { return shown(error.what(), longest_message); }

@@ -19,8 +19,10 @@ void add_scene_options(Options& options, const Program& program);
 void add_common_options(Options& options, const std::string& default_out);
 
 /// \param argv  without the program's name, or with it as its first
+/// \param word  the option that a word without -- before it is for; with none, words are rejected
 /// \throws boost::program_options::error or std::invalid_argument
-Given parse(const Options& options, int argc, const char* const* argv);
+Given parse(const Options& options, int argc, const char* const* argv,
+            const std::string& word = "");
 
 /// Prints what --help or --version asks for; false if neither is given.
 bool answers(const Given& given, const Options& options, const std::string& name,
@@ -34,7 +36,8 @@ Scene read_scene(const Program& program, const Given& given);
 /// \throws std::invalid_argument if it cannot be read, is larger, or is not text
 std::string file_text(const std::string& path, std::size_t most = std::size_t{1} << 30);
 
-/// Shows progress on a terminal, unless told to be quiet.
+/// Shows progress on a terminal after two seconds, with rate and remaining time, unless told to be
+/// quiet. The line ends when the last copy is gone.
 Progress progress_on_terminal(const std::string& name, bool quiet);
 
 /// What a message of our own or of a library says, in one line of a bounded length.

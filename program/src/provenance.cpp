@@ -15,17 +15,24 @@ namespace microslip::program {
 
 namespace {
 
-/// The revision lies beside the executable, not in it, so that a commit alone changes no program
-/// and reruns no study.
-std::string revision() {
+std::filesystem::path folder_of_executable() {
   std::error_code error;
-  const auto executable = std::filesystem::read_symlink("/proc/self/exe", error);
-  std::ifstream file(executable.parent_path() / "revision.txt");
+  return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+}
+
+/// The revision lies among the shared files, not in the executable, so that a commit alone changes
+/// no program and reruns no study.
+std::string revision() {
+  std::ifstream file(share_folder() / "revision.txt");
   std::string line;
   return std::getline(file, line) && !line.empty() ? line : "unknown";
 }
 
 }  // namespace
+
+std::filesystem::path share_folder() {
+  return folder_of_executable().parent_path() / "share/microslip";
+}
 
 std::string version_line(const std::string& program) {
   return program + " (microslip) " + version + ", revision " + revision();

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
 #include <string>
 
 namespace microslip::program {
 
-/// Version, and the revision that was built (from revision.txt beside the executable).
+/// Version, and the revision that was built (from revision.txt in share_folder).
 std::string version_line(const std::string& program);
+
+/// share/microslip of the installation, or of the build, that the executable is in.
+std::filesystem::path share_folder();
 
 /// What tables must not hold, because it differs from run to run: revision, compiler, libraries,
 /// command line, wall time.

@@ -54,7 +54,7 @@ void run_scene(const Program& program, Scene& scene, const Given& given, int arg
 int run(const Program& program, int argc, const char* const* argv) {
   return run_process(program.name, [&] {
     const Options options = options_of(program);
-    const Given given = parse(options, argc, argv);
+    const Given given = parse(options, argc, argv, "scene");
     if (answers(given, options, program.name, program.question)) return 0;
     if (given.count("print-scene") != 0) {
       std::cout << program.scene;

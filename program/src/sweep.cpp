@@ -153,7 +153,7 @@ int sweep_scene(const Program& program, const Given& given, int argc, const char
 int sweep(const Program& program, int argc, const char* const* argv) {
   return run_process(program.name, [&] {
     const Options known = sweep_options(program);
-    const Given given = parse(known, argc - 1, argv + 1);
+    const Given given = parse(known, argc - 1, argv + 1, "scene");
     if (answers(given, known, program.name + " sweep", sweep_purpose)) return 0;
     return sweep_scene(program, given, argc, argv);
   });

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "microslip/program/run.hpp"
+#include "microslip/scene/explanation.hpp"
+
+namespace microslip::program {
+
+/// A word after the program's name, for what is not a run.
+struct Command {
+  std::string name;
+  std::string purpose;  ///< a line of --help
+  std::function<int(int argc, const char* const* argv)> run;
+};
+
+/// Runs the command that argv[1] names, and the program if that is an option, a file, or not there.
+/// --help of the program lists the commands. Returns the exit status; 1 for another word, with one
+/// line on stderr that names the nearest command.
+int dispatch(const Program& program, const std::vector<Command>& commands, int argc,
+             const char* const* argv);
+
+// In all that follow, argv[1] is the word that chose them.
+
+/// A scene to start from.
+struct Template {
+  std::string name;
+  std::string text;
+};
+
+/// Writes one of them as a file, which must not be there before, or to standard output with --out
+/// -. Returns the exit status: 0; 1 for bad input or a failed write.
+int init(const std::string& name, const std::vector<Template>& templates, int argc,
+         const char* const* argv);
+
+/// What is known of a scene before it is solved.
+struct Preview {
+  Explanation explanation;
+  double work;    ///< operations, nan if not known
+  double memory;  ///< [bytes]
+};
+
+/// Prints what a scene, or a scene with a sweep, is about, and what it will cost.
+/// \param preview  as Program::prepare, but does not say whether there is memory enough
+int explain(const Program& program, const std::function<Preview(Scene&)>& preview, int argc,
+            const char* const* argv);
+
+/// Draws the figure of a result with the scripts in share/microslip/plots of the installation:
+/// <name>_<kind>.gp, the kind by the tables that are there.
+int plot(const std::string& name, int argc, const char* const* argv);
+
+}  // namespace microslip::program

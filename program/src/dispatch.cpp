@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+
+#include "microslip/program/commands.hpp"
+#include "microslip/support/nearest.hpp"
+#include "microslip/support/shown.hpp"
+#include "process.hpp"
+
+namespace microslip::program {
+
+namespace {
+
+std::string list_of(const std::string& name, const std::vector<Command>& commands) {
+  std::ostringstream text;
+  text << "\n\nCommands, each with --help of its own:\n";
+  for (const Command& command : commands) {
+    text << "  " << name << ' ' << std::left << std::setw(9) << command.name << ' '
+         << command.purpose << '\n';
+  }
+  std::string lines = text.str();
+  lines.pop_back();
+  return lines;
+}
+
+}  // namespace
+
+int dispatch(const Program& program, const std::vector<Command>& commands, int argc,
+             const char* const* argv) {
+  const std::string word = argc > 1 ? argv[1] : "";
+  const auto found = std::ranges::find(commands, word, &Command::name);
+  if (found != commands.end()) return found->run(argc, argv);
+  std::error_code unreadable;
+  if (word.empty() || word.starts_with('-') || std::filesystem::exists(word, unreadable)) {
+    Program listing = program;
+    listing.question += list_of(program.name, commands);
+    return run(listing, argc, argv);
+  }
+  return run_process(program.name, [&]() -> int {
+    std::vector<std::string> names;
+    for (const Command& command : commands) names.push_back(command.name);
+    throw std::invalid_argument("'" + shown(word) + "': expected a scene's file or a command" +
+                                question(nearest(word, names)) +
+                                "; commands: " + joined(names, ", "));
+  });
+}
+
+}  // namespace microslip::program

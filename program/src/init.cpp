@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+#include "command_line.hpp"
+#include "microslip/program/commands.hpp"
+#include "microslip/support/nearest.hpp"
+#include "microslip/support/shown.hpp"
+#include "outputs.hpp"
+#include "process.hpp"
+
+namespace microslip::program {
+
+namespace {
+
+namespace options = boost::program_options;
+namespace fs = std::filesystem;
+
+const Template& chosen(const std::vector<Template>& templates, const Given& given) {
+  std::vector<std::string> names;
+  for (const Template& one : templates) names.push_back(one.name);
+  const std::string known = "; expected " + joined(names, ", ");
+  if (given.count("kind") == 0) throw std::invalid_argument("missing the kind of scene" + known);
+  const std::string kind = given["kind"].as<std::string>();
+  const auto found = std::ranges::find(templates, kind, &Template::name);
+  if (found != templates.end()) return *found;
+  throw std::invalid_argument("no scene '" + shown(kind) + "'" + question(nearest(kind, names)) +
+                              known);
+}
+
+}  // namespace
+
+int init(const std::string& name, const std::vector<Template>& templates, int argc,
+         const char* const* argv) {
+  return run_process(name, [&] {
+    Options known("Options of init");
+    known.add_options()("kind", options::value<std::string>(),
+                        "the first word: steady, transient, cylinder or sweep")(
+        "out", options::value<std::string>(), "file (default: KIND.info); - for standard output")(
+        "version", "print version and revision")("help", "print this");
+    const Given given = parse(known, argc - 1, argv + 1, "kind");
+    if (answers(given, known, name + " init", "writes a commented scene to start from")) return 0;
+    const Template& scene = chosen(templates, given);
+    const std::string out =
+        given.count("out") != 0 ? given["out"].as<std::string>() : scene.name + ".info";
+    if (out == "-") {
+      std::cout << scene.text;
+      return 0;
+    }
+    if (fs::exists(out)) {
+      throw std::invalid_argument("--out '" + shown(out) +
+                                  "': expected a file that is not there yet");
+    }
+    const fs::path folder = fs::path(out).parent_path();
+    write_files(folder.empty() ? "." : folder, {{fs::path(out).filename(), scene.text}});
+    const std::string command = scene.name == "sweep" ? name + " sweep " : name + " ";
+    std::cout << "wrote " << out << "; solve it with: " << command << out << '\n';
+    return 0;
+  });
+}
+
+}  // namespace microslip::program

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What stands beside a run: scenes to start from, what they will cost, and the figures of results.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "microslip/scene/keys.hpp"
+#include "robustness/executables.hpp"
+
+namespace microslip {
+namespace {
+
+class Commands : public Executables {
+ protected:
+  Outcome run_in_folder(const std::string& words) const {
+    return run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip " + words);
+  }
+
+  void expect_error(const std::string& words, const std::string& error) const {
+    const Outcome outcome = run_in_folder(words);
+    EXPECT_EQ(outcome.status, 1) << words;
+    EXPECT_EQ(outcome.error, "microslip: " + error + "\n") << words;
+    EXPECT_EQ(outcome.output, "") << words;
+  }
+};
+
+TEST_F(Commands, AWordThatIsNone) {
+  const std::string known = "; commands: init, explain, plot, sweep, merge";
+  expect_error("swep",
+               "'swep': expected a scene's file or a command (did you mean 'sweep'?)" + known);
+  expect_error("my.info", "'my.info': expected a scene's file or a command" + known);
+  expect_error("", "missing a scene: expected its file, as in 'microslip scene.info'; see --help");
+  const Outcome help = run_in_folder("--help");
+  for (const char* command : {"init", "explain", "plot", "sweep", "merge"}) {
+    EXPECT_NE(help.output.find(std::string("\n  microslip ") + command), std::string::npos);
+    EXPECT_EQ(run_in_folder(std::string(command) + " --help").status, 0);
+  }
+}
+
+TEST_F(Commands, EachSceneToStartFromIsSolvedAndDrawn) {
+  for (const std::string kind : {"steady", "transient", "cylinder"}) {
+    const std::string scene = kind + ".info";
+    EXPECT_EQ(run_in_folder("init " + kind).output,
+              "wrote " + scene + "; solve it with: microslip " + scene + "\n");
+    expect_error("init " + kind, "--out '" + scene + "': expected a file that is not there yet");
+    EXPECT_EQ(run_in_folder("init " + kind + " --out -").output, text_of(folder_ / scene));
+    EXPECT_EQ(run_in_folder("explain " + scene).status, 0);
+    EXPECT_FALSE(fs::exists(folder_ / "out"));
+    EXPECT_EQ(run_in_folder(scene).error, "");
+    const Outcome drawn = run_in_folder("plot --to 'a '\\''figure'\\''.svg'");
+    EXPECT_EQ(drawn.output, "drew a 'figure'.svg\n") << drawn.error;
+    EXPECT_TRUE(text_of(folder_ / "a 'figure'.svg").ends_with("</svg>\n\n"));
+    fs::remove_all(folder_ / "out");
+  }
+  EXPECT_EQ(run_in_folder("init sweep --out its/own/many.info").output,
+            "wrote its/own/many.info; solve it with: microslip sweep its/own/many.info\n");
+  EXPECT_NE(run_in_folder("explain its/own/many.info").output.find("78 cases of: steady"),
+            std::string::npos);
+  expect_error("init stedy",
+               "no scene 'stedy' (did you mean 'steady'?); expected steady, transient, cylinder, "
+               "sweep");
+}
+
+TEST_F(Commands, ExplainSaysTheScenesErrorsAndWarnings) {
+  run_in_folder("init transient");
+  const Outcome run = run_in_folder("transient.info --set half_width=3");
+  const Outcome explained = run_in_folder("explain transient.info --set half_width=3");
+  EXPECT_EQ(explained.status, 1);
+  EXPECT_EQ(explained.error, run.error);
+  EXPECT_EQ(explained.output, "");
+  const Outcome direct =
+      run_in_folder("explain transient.info --set step.scheme=direct --set step.ratio=0.03");
+  EXPECT_NE(direct.output.find("Warnings\n  step.ratio = 0.03: this scheme is safe from 0.5"),
+            std::string::npos)
+      << direct.output;
+  EXPECT_NE(direct.output.find("in 6734 steps"), std::string::npos) << direct.output;
+}
+
+TEST_F(Commands, OnlyResultsAreDrawn) {
+  const auto rejected = [](const std::string& folder, const std::string& why) {
+    return "'" + folder + "': expected the folder of a result; " + why;
+  };
+  expect_error("plot", rejected("out", "there is no such folder"));
+  run_in_folder("init steady");
+  run_in_folder("steady.info");
+  fs::remove(folder_ / "out/provenance.txt");
+  expect_error("plot out/", rejected("out", "it has no provenance.txt"));
+  run_in_folder("sweep steady.info --set 'sweep.load.force=-1 -2' --quiet");
+  expect_error(
+      "plot out/sweep",
+      rejected("out/sweep",
+               "it is that of a sweep, the columns of sweep.tsv are for plots of your own"));
+  EXPECT_FALSE(fs::exists(folder_ / "out.svg"));
+}
+
+/// In the first column of README's tables of keys, without marks of Markdown.
+std::set<std::string> documented_keys() {
+  std::set<std::string> keys;
+  std::ifstream in(MICROSLIP_SOURCE "/README.md");
+  std::string section;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("## ")) section = line;
+    if (section != "## Your own scene" || !line.starts_with("| `")) continue;
+    keys.insert(line.substr(3, line.find('`', 3) - 3));
+  }
+  return keys;
+}
+
+TEST_F(Commands, TheReadmeKnowsAllKeys) {
+  const std::set<std::string> documented = documented_keys();
+  for (const Key& key : keys_of_scenes()) {
+    EXPECT_TRUE(documented.contains(std::string(key.name))) << key.name;
+  }
+}
+
+// Each key that a run resolves is one of the list, so that explain can say what it means.
+TEST_F(Commands, AllKeysOfRunsAreListed) {
+  std::set<std::string> listed;
+  for (const Key& key : keys_of_scenes()) listed.insert(std::string(key.name));
+  for (const std::string kind : {"steady", "transient", "cylinder"}) {
+    run_in_folder("init " + kind);
+    run_in_folder(kind + ".info --set step.scheme=" + (kind == "steady" ? "" : "relaxed"));
+    std::ifstream in(folder_ / "out/summary.tsv");
+    bool is_parameter = false;
+    for (std::string line; std::getline(in, line) && line.starts_with('#');) {
+      if (!line.starts_with("#   ")) is_parameter = line == "# parameters";
+      if (!is_parameter || !line.starts_with("#   ")) continue;
+      EXPECT_TRUE(listed.contains(line.substr(4, line.find(' ', 4) - 4))) << line;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace microslip
