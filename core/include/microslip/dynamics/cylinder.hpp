@@ -5,9 +5,11 @@
 
 namespace microslip {
 
-// A solid body of revolution that rolls down a slope, thesis chapter 9: m dv/dt = F_cm + F,
-// I dw/dt = -R F, F the force of the contact. All per mm of width; units of mm, N and s.
+/// \file
+/// A solid body of revolution that rolls down a slope, thesis chapter 9: m dv/dt = F_cm + F,
+/// I dw/dt = -R F, F the force of the contact. All per mm of width; units of mm, N and s.
 
+/// The body and what drives it.
 struct Cylinder {
   double mass;         ///< m, in (0, inf)  [N s^2/mm^2]
   double inertia;      ///< I, in (0, inf)  [N s^2]
@@ -43,6 +45,7 @@ struct EnergyLedger {
   double motion() const { return potential + translation + rotation + elastic; }
 };
 
+/// The motion after a step.
 struct CylinderState {
   double time = 0;              ///< [s]
   double position = 0;          ///< X rolled  [mm]

@@ -13,10 +13,12 @@
 
 namespace microslip {
 
+/// The bodies roll with this creepage, and the force follows.
 struct PrescribedCreepage {
   double value;  ///< relative rigid slip w, finite  [1]
 };
 
+/// The bodies carry this force, and the creepage follows.
 struct PrescribedForce {
   double value;  ///< F, less in absolute value than full sliding  [N/mm]
 };
@@ -46,6 +48,7 @@ struct SlipConditions {
   std::optional<SoftElement> soft = std::nullopt;
 };
 
+/// The answer to slip conditions.
 struct ContactState {
   Eigen::VectorXd traction;  ///< n  [N/mm^2]
   Eigen::VectorXd slip;      ///< n, zero in adhesion

@@ -9,10 +9,11 @@
 
 namespace microslip {
 
-// Accuracy of values, integrals and means, up to 1e-15 half-widths from the edges and for elements
-// down to that width: 1e-15 relative; of polynomials, 2e-15 up to degree 2 and 3e-14 at degree 32,
-// of Hertz's times the sum of the coefficients' sizes, and of integrals, of the whole.
-// tests/digits/bound_test.cpp
+/// \file
+/// Accuracy of values, integrals and means, up to 1e-15 half-widths from the edges and for elements
+/// down to that width: 1e-15 relative; of polynomials, 2e-15 up to degree 2 and 3e-14 at degree 32,
+/// of Hertz's times the sum of the coefficients' sizes, and of integrals, of the whole.
+/// tests/digits/bound_test.cpp
 
 /// g(x) = mu p_n(x) of a Hertzian line contact: peak sqrt(1 - (x/a)^2), zero outside [-a, a].
 class HertzBound {

@@ -11,6 +11,7 @@ namespace microslip {
 /// With both offsets 1/2, the nodes are the centres of N elements that fill the contact.
 class Grid {
  public:
+  /// What makes a grid.
   struct Parameters {
     double half_width;             ///< a, in (0, inf)  [mm]
     Eigen::Index elements;         ///< N, in [1, 4e6]

@@ -9,13 +9,14 @@
 
 namespace microslip {
 
-// Influence coefficients: the displacement [mm] that a shape function of unit size [N/mm^2]
-// causes, so in mm^3/N. Lengths named `offset` and `shift` are in units of the spacing dx, so
-// that grid distances are exact integers.
-//
-// Both are single integrals of the kernel's decay, which is positive, against a piecewise
-// polynomial weight that is formed without cancellation. Gauss-Legendre panels graded towards the
-// kernel's singularities make them accurate to rounding at any distance, shift and strip width.
+/// \file
+/// Influence coefficients: the displacement [mm] that a shape function of unit size [N/mm^2]
+/// causes, so in mm^3/N. Lengths named `offset` and `shift` are in units of the spacing dx, so
+/// that grid distances are exact integers.
+///
+/// Both are single integrals of the kernel's decay, which is positive, against a piecewise
+/// polynomial weight that is formed without cancellation. Gauss-Legendre panels graded towards the
+/// kernel's singularities make them accurate to rounding at any distance, shift and strip width.
 
 /// A(offset): displacement at a distance `offset` dx from the node.
 /// \param spacing  dx, in (0, inf)  [mm]

@@ -8,22 +8,25 @@
 
 namespace microslip {
 
-// A kernel K(z) is the displacement difference u_x [mm] at a distance z > 0 [mm] from a tangential
-// line load of 1 N per mm width, so in mm^2/N. It is even in z, logarithmic at z = 0, and
-// analytic elsewhere within `clear_distance` of the real axis. `decay` is -dK/dz > 0 [mm/N]; all
-// integrals of the kernel are built on it, because it never changes sign.
-//
-// The `regular` parts are what remains without the logarithm of plane strain: of K(z) without
-// -log_factor ln z, and of its decay without log_factor / z. They are analytic at z = 0, too, where
-// the first is even in z and the second odd. The decay goes on into complex z with a positive real
-// part.
-//
-// Accuracy: 1e-15 relative, for z from 1e-12 to 1e12 of the strip's width or L0; where a logarithm
-// or terms that cancel make a value vanish, of the sum of the terms' sizes.
-// tests/digits/kernel_test.cpp
+/// \file
+/// A kernel K(z) is the displacement difference u_x [mm] at a distance z > 0 [mm] from a tangential
+/// line load of 1 N per mm width, so in mm^2/N. It is even in z, logarithmic at z = 0, and
+/// analytic elsewhere within `clear_distance` of the real axis. `decay` is -dK/dz > 0 [mm/N]; all
+/// integrals of the kernel are built on it, because it never changes sign.
+///
+/// The `regular` parts are what remains without the logarithm of plane strain: of K(z) without
+/// -log_factor ln z, and of its decay without log_factor / z. They are analytic at z = 0, too,
+/// where the first is even in z and the second odd. The decay goes on into complex z with a
+/// positive real part.
+///
+/// Accuracy: 1e-15 relative, for z from 1e-12 to 1e12 of the strip's width or L0; where a logarithm
+/// or terms that cancel make a value vanish, of the sum of the terms' sizes.
+/// tests/digits/kernel_test.cpp
 
 /// The half-space loaded over a strip of finite width, observed on its centre line.
-/// Boussinesq-Cerruti, integrated over the width: thesis (10.3), (10.4).
+/// Boussinesq-Cerruti, integrated over the width \f$\Delta y=2h\f$: thesis (10.3), (10.4),
+/// \f[ K(z)=\frac{2(1-\nu)}{\pi G}\,\operatorname{arsinh}\frac hz
+///        +\frac{2\nu}{\pi G}\,\frac{h}{\sqrt{z^2+h^2}} \f]
 class StripKernel {
  public:
   /// \param width  strip width Dy, in (0, inf)  [mm]
@@ -47,7 +50,7 @@ class StripKernel {
   double plain_factor_;  ///< 2 nu / (pi G)
 };
 
-/// Plane strain: K(z) = -(2 (1 - nu) / (pi G)) ln(z / L0).
+/// Plane strain: \f$ K(z) = -\frac{2(1-\nu)}{\pi G}\,\ln\frac{z}{L_0} \f$.
 /// The limit of a strip of width Dy -> inf for L0 = Dy exp(nu / (1 - nu)); the difference falls as
 /// Dy^-2 (tests/unit/kernel_test.cpp).
 class PlaneKernel {

@@ -15,6 +15,7 @@ class Gmres {
   /// y = matrix times x; y has the size of x.
   using Apply = std::function<void(const Eigen::VectorXd& x, Eigen::VectorXd& y)>;
 
+  /// How an iteration ended.
   struct Outcome {
     int iterations;
     double residual;  ///< |b - A x| / |b| as the iteration knows it, without rounding

@@ -7,7 +7,8 @@
 namespace microslip {
 
 /// Carter's and Fromm's exact solution of steady rolling: plane strain, Hertzian bound. The stick
-/// zone is the part of length 2 a' a next to the leading edge. Thesis (10.1), with a dimension.
+/// zone is the part of length 2 a' a next to the leading edge. Thesis (10.1), with a dimension:
+/// \f[ |F| = (1-a'^2)\,F_{\max}, \qquad |w| = (1-a')\,\frac{2(1-\nu)}{G}\,\mu p_0 \f]
 /// Accuracy: 2e-15 relative, with loads from 1e-12 of full sliding to 1e-12 below it and up to
 /// 1e-15 a from the edges, beyond what a rounding of the load or of the distance from the nearer
 /// edge changes; tests/digits/closed_form_test.cpp

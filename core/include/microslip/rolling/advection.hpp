@@ -14,8 +14,9 @@
 
 namespace microslip {
 
-// How u' = A' p', the previous displacement at the place where the material was one step earlier,
-// is taken from the previous tractions p'.
+/// \file
+/// How u' = A' p', the previous displacement at the place where the material was one step earlier,
+/// is taken from the previous tractions p'.
 
 /// A' at the nodes moved upstream by c dx: thesis (3.13).
 struct Direct {};
@@ -40,6 +41,7 @@ struct MaterialFixed {};
 
 using AdvectionScheme = std::variant<Direct, Relaxed, RelaxedTraction, Fractional, MaterialFixed>;
 
+/// Makes the offsets of a step's slip conditions from the previous tractions, by a scheme.
 class Advection {
  public:
   /// \param spacing   dx, in (0, inf)  [mm]

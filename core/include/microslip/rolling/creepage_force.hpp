@@ -60,11 +60,13 @@ class LoadedSolution {
   double condition_ = 1;
 };
 
-/// \param near   look there first, [mm], with this uncertainty  [mm]
+/// Bracketing by TOMS 748 to rounding: about ten evaluations.
 /// \throws std::invalid_argument if a force is not below full sliding
 /// \throws NotConverged          if the root is not found
-/// Bracketing by TOMS 748 to rounding: about ten evaluations, five with a good guess.
 LoadedState meet_load(const CreepageForceCurve& curve, const Load& load);
+
+/// The same in about five evaluations with a good guess.
+/// \param near  look there first, with this uncertainty  [mm]
 LoadedState meet_load(const CreepageForceCurve& curve, const Load& load, double near,
                       double uncertainty);
 

@@ -32,6 +32,7 @@ class FractionalShift {
   /// First column of C, from the trailing edge  [1]
   const Eigen::VectorXd& outflow() const { return outflow_; }
 
+  /// Tractions after a fractional step.
   struct Moved {
     Eigen::VectorXd traction;
     int solves;  ///< with a matrix t + C

@@ -92,6 +92,7 @@ class MaterialRolling {
   /// \param traction  at the nodes of the window, within its bound
   MaterialState start(const Eigen::VectorXd& traction) const;
 
+  /// A shift without rolling.
   struct Shifted {
     MaterialState state;
     double shift;  ///< [mm]

@@ -14,8 +14,9 @@
 
 namespace microslip {
 
-/// The difference scheme of the thesis: collocation at the nodes, s_I = w + ((A - A') p)_I / dq,
-/// (3.5)-(3.8). If the displacement u_LE at the leading edge is known, the last equation is
+/// The difference scheme of the thesis: collocation at the nodes, (3.5)-(3.8),
+/// \f[ s_I = w + \frac{((A-A')\,p)_I}{c\,\Delta x} \f]
+/// If the displacement u_LE at the leading edge is known, the last equation is
 /// s_N = w + ((A p)_N - u_LE) / (beta dx).
 /// Accuracy: the force is first order in dx for offsets 1/2, because A' feels the leading edge
 /// about 0.825 dx beyond the last node (constant functions, c = 1); 3/2 with u_LE known

@@ -63,7 +63,8 @@ struct TransientState {
   Eigen::Index slip_elements;      ///< likewise
 };
 
-/// Implicit Euler steps, collocated at the nodes: dq s = dq w + A p - A' p', thesis (3.14)-(3.16).
+/// Implicit Euler steps, collocated at the nodes, thesis (3.14)-(3.16):
+/// \f[ \Delta q\,s = \Delta q\,w + A\,p - A'p' \f]
 ///
 /// A step whose partition is that of the step before costs two products and a solve, see ActiveSet,
 /// which also is for others. But for the fractional scheme it allocates nothing once steps of its

@@ -5,19 +5,20 @@
 
 namespace microslip {
 
-// About how much memory it takes at most to solve a scene and to write its tables  [bytes]:
-//
-//                           Toeplitz, per element   dense, per N^2 numbers
-//   steady, calibrated      750                     5
-//   steady, differences     1000                    2.7
-//   steady, chebyshev       600
-//   transient               1600                    4.1
-//   cylinder                1600                    5
-//
-// and 1 kB a step. Measured at N from 2e4 to 1e6 by FFT, and from 2000 to 4000 with all entries, as
-// the largest resident set less 12 MB that a program takes anyway; each is the largest over schemes
-// and bases.
-// \throws std::invalid_argument if matrices would be too large as they must be dense
+/// \file
+/// About how much memory it takes at most to solve a scene and to write its tables  [bytes]:
+///
+///                           Toeplitz, per element   dense, per N^2 numbers
+///   steady, calibrated      750                     5
+///   steady, differences     1000                    2.7
+///   steady, chebyshev       600
+///   transient               1600                    4.1
+///   cylinder                1600                    5
+///
+/// and 1 kB a step. Measured at N from 2e4 to 1e6 by FFT, and from 2000 to 4000 with all entries,
+/// as the largest resident set less 12 MB that a program takes anyway; each is the largest over
+/// schemes and bases. \throws std::invalid_argument if matrices would be too large as they must be
+/// dense
 
 // With target_error only that of the values at nodes: how many elements it takes is found out
 // later.

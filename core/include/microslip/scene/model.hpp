@@ -12,7 +12,8 @@
 
 namespace microslip {
 
-// Parts of a model from the keys of a scene. Each throws std::invalid_argument that names the key.
+/// \file
+/// Parts of a model from the keys of a scene. Each throws std::invalid_argument that names the key.
 
 /// material.shear_modulus, material.poisson_ratio
 Material read_material(Scene& scene);

@@ -6,11 +6,13 @@
 
 namespace microslip {
 
-// Where a scheme is safe: the force, the creepage and the tractions of the study `extremes` are
-// within 10 % there, and no wave from node to node exceeds 1 % of the peak of the bound. Measured;
-// tests/study/extremes_test.cpp holds them against the study. Outside, a scene is solved as it was
-// asked for, with a warning.
+/// \file
+/// Where a scheme is safe: the force, the creepage and the tractions of the study `extremes` are
+/// within 10 % there, and no wave from node to node exceeds 1 % of the peak of the bound. Measured;
+/// tests/study/extremes_test.cpp holds them against the study. Outside, a scene is solved as it was
+/// asked for, with a warning.
 
+/// A closed interval.
 struct SafeRange {
   double least;
   double most;  ///< inf if there is none

@@ -30,10 +30,9 @@ class Scene {
   /// The text of a file. \throws std::invalid_argument if it cannot be read
   using FileReader = std::function<std::string(const std::string& path)>;
 
-  /// Reads a property tree in INFO format, without its #include: at most most_text bytes of UTF-8,
-  /// with lines that end in \n or \r\n.
-  /// \param name    of the source, for messages
-  /// \param folder  to which relative file names in it refer; ends in '/' unless empty
+  /// Reads a property tree in INFO format, without its `#include`: at most most_text bytes of
+  /// UTF-8, with lines that end in LF or CRLF. \param name    of the source, for messages \param
+  /// folder  to which relative file names in it refer; ends in '/' unless empty
   static Scene parse(std::istream& in, const std::string& name, const std::string& folder = "");
 
   /// Without one, no key may name a file.

@@ -13,13 +13,14 @@ namespace microslip {
 
 using Cell = std::variant<double, std::string>;
 
+/// A column of a table.
 struct Column {
   std::string name;
   std::string unit;  ///< "1" if it has none
   std::string meaning;
 };
 
-/// A named result: what a program writes as <name>.tsv.
+/// A named result: what a program writes as NAME.tsv.
 class Table {
  public:
   Table(std::string name, std::string description, std::vector<Column> columns);

@@ -7,10 +7,11 @@
 
 namespace microslip {
 
-// Units of what scenes hold. Products and powers of
-//   um mm cm m km in, N kN MN, Pa kPa MPa GPa, g kg t, ms s, %
-// with blanks, * or a centred dot between them, powers as mm2, mm^2 or with a superscript, and what
-// follows one / below it: "kN/m", "N s^2/mm^2". No unit is that of a pure number, as is 1.
+/// \file
+/// Units of what scenes hold. Products and powers of
+///   um mm cm m km in, N kN MN, Pa kPa MPa GPa, g kg t, ms s, %
+/// with blanks, * or a centred dot between them, powers as mm2, mm^2 or with a superscript, and
+/// what follows one / below it: "kN/m", "N s^2/mm^2". No unit is that of a pure number, as is 1.
 
 /// A number, perhaps with a unit, in another unit of the same kind: "2 cm" in mm is 20, "20" too.
 /// Powers of ten do not round twice: "0.3 um" in mm is 0.0003.

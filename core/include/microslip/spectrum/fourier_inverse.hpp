@@ -7,8 +7,9 @@
 
 namespace microslip {
 
-// The approximate inverse of a Toeplitz matrix by Fourier transformation, step by step: thesis 6.3.
-// It ignores the boundary. All vectors are of the matrix's size n.
+/// \file
+/// The approximate inverse of a Toeplitz matrix by Fourier transformation, step by step:
+/// thesis 6.3. It ignores the boundary. All vectors are of the matrix's size n.
 
 /// Column through the middle of a matrix of size n, from 0. With n even, the next one will not do:
 /// its entries A(-n/2) - A(1 - n/2) + ... - A(n/2) add up to zero for c = 1, and step 4 divides by

@@ -48,8 +48,9 @@ class Symbol {
 };
 
 /// What a transient step of the direct scheme does to the traction exp(i k theta) in adhesion: it
-/// multiplies it by g = 1 - c dx strain / influence, the symbol of A^-1 A'. Exact is
-/// exp(i c theta), a translation by c towards the trailing edge.
+/// multiplies it by \f$ 1-c\,\Delta x\,\hat S(\theta)/\hat A(\theta) \f$, the symbol of A^-1 A',
+/// with those of strain and influence. Exact is \f$ e^{ic\theta} \f$, a translation by c towards
+/// the trailing edge.
 class Amplification {
  public:
   Amplification(const Kernel& kernel, const ShapeFunction& shape, double spacing,

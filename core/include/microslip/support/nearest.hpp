@@ -6,7 +6,8 @@
 
 namespace microslip {
 
-// For messages about names that are not known.
+/// \file
+/// For messages about names that are not known.
 
 /// Of names other than the word itself, the one that takes the least edits, three at most; empty if
 /// there is none. Cost: as the product of lengths.

@@ -5,15 +5,16 @@
 
 namespace microslip {
 
-// Counted work: floating-point operations that this thread has done so far, by formulas in the
-// sizes, so that they are the same on every machine as long as iterations take as many rounds.
-//
-// Counted: transforms (5/2 n log2 n of n real numbers), products (2 n^2), factors (2/3 n^3) and
-// solves (2 n^2) of dense matrices, orthogonalisation in GMRES, borders of factors, points of
-// quadratures and values of kernels (kernel_work each), series of Chebyshev polynomials, the
-// recursions of fractional powers, and the sweeps over all elements in a round of the active set.
-// Not counted: copies, comparisons, allocation, the making of plans for transforms, products of
-// vectors outside of these, and condition numbers.
+/// \file
+/// Counted work: floating-point operations that this thread has done so far, by formulas in the
+/// sizes, so that they are the same on every machine as long as iterations take as many rounds.
+///
+/// Counted: transforms (5/2 n log2 n of n real numbers), products (2 n^2), factors (2/3 n^3) and
+/// solves (2 n^2) of dense matrices, orthogonalisation in GMRES, borders of factors, points of
+/// quadratures and values of kernels (kernel_work each), series of Chebyshev polynomials, the
+/// recursions of fractional powers, and the sweeps over all elements in a round of the active set.
+/// Not counted: copies, comparisons, allocation, the making of plans for transforms, products of
+/// vectors outside of these, and condition numbers.
 
 /// What a value of a kernel counts for, with what it is multiplied by: a logarithm or some roots.
 inline constexpr double kernel_work = 25;

@@ -5,7 +5,8 @@
 
 namespace microslip::experiments {
 
-// The shape of values at uniform nodes. Positions count nodes from 0.
+/// \file
+/// The shape of values at uniform nodes. Positions count nodes from 0.
 
 /// Number of interior local extrema; equal neighbours do not count.
 /// \param threshold  rises and falls up to this are flat, >= 0
@@ -14,6 +15,7 @@ Eigen::Index turning_points(const Eigen::VectorXd& values, double threshold = 0)
 /// Sum of all rises and falls between neighbours.
 double total_variation(const Eigen::VectorXd& values);
 
+/// A maximum between nodes.
 struct Peak {
   double height;    ///< of the largest value
   double position;  ///< of the parabola through it and its neighbours

@@ -9,10 +9,11 @@
 
 namespace microslip::experiments {
 
-// Solves a scene. Tables: `traction`, a row a node; `summary`, quantity, value and unit, with the
-// evidence of add_evidence; and `history`, a row a step, of what is not steady. Progress counts
-// steps, thousandths of a cylinder's way, or percents of the operations that a steady solution is
-// expected to take.
+/// \file
+/// Solves a scene. Tables: `traction`, a row a node; `summary`, quantity, value and unit, with the
+/// evidence of add_evidence; and `history`, a row a step, of what is not steady. Progress counts
+/// steps, thousandths of a cylinder's way, or percents of the operations that a steady solution is
+/// expected to take.
 
 std::vector<Table> scene_tables(const SteadyProblem& problem, const Progress& progress);
 std::vector<Table> scene_tables(const SteadyTarget& target, const Progress& progress);

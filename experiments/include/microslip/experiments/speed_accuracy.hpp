@@ -25,6 +25,7 @@ struct SpeedAccuracyParameters {
   std::vector<Eigen::Index> sizes;  ///< N: odd multiples of three
   double repeats;                   ///< runs are repeated until they took so long together  [s]
 
+  /// Steady rolling.
   struct Steady {
     WorkLimit limit;
     std::vector<double> stick_ratios;    ///< a' of the loads; the errors are the largest over them
@@ -41,6 +42,7 @@ struct SpeedAccuracyParameters {
     Eigen::Index reference;  ///< N of the material scheme with c = 1 that is taken as exact
   } transient;
 
+  /// The cylinder.
   struct Rolling {
     WorkLimit limit;
     Cylinder cylinder;

@@ -22,7 +22,8 @@ struct Command {
 int dispatch(const Program& program, const std::vector<Command>& commands, int argc,
              const char* const* argv);
 
-// In all that follow, argv[1] is the word that chose them.
+/// \file
+/// In all that follow, argv[1] is the word that chose them.
 
 /// A scene to start from.
 struct Template {
@@ -48,7 +49,7 @@ int explain(const Program& program, const std::function<Preview(Scene&)>& previe
             const char* const* argv);
 
 /// Draws the figure of a result with the scripts in share/microslip/plots of the installation:
-/// <name>_<kind>.gp, the kind by the tables that are there.
+/// NAME_KIND.gp, the kind by the tables that are there.
 int plot(const std::string& name, int argc, const char* const* argv);
 
 }  // namespace microslip::program

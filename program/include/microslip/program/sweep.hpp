@@ -5,8 +5,9 @@
 
 namespace microslip::program {
 
-// Many scenes in one, for a program whose tables include `summary` with columns quantity, value and
-// unit. In both, argv[1] is the word that chose them.
+/// \file
+/// Many scenes in one, for a program whose tables include `summary` with columns quantity, value
+/// and unit. In both, argv[1] is the word that chose them.
 
 /// Solves all cases of a scene with a section `sweep` (see Sweep), or a shard of them, on several
 /// threads. Each is written when it is done, and those that are there already are left out, so that
