@@ -117,16 +117,18 @@ std::vector<Table> basis_convergence(const BasisConvergenceParameters& p,
   const Table claims = claims_table(
       {{"linear functions have a slightly lower error than constant ones", "6.4.1", not_given,
         last("linear") / last("constant"), "1", verdict_of(last("linear") < last("constant")),
-        at_last + ": error of linear over that of constant functions"},
+        at_last + ": error of linear over that of constant functions", "basis_convergence_error"},
        {"... but converge no faster", "6.4.1", not_given, order("linear") - order("constant"), "1",
         verdict_of(std::abs(order("linear") - order("constant")) < 0.1),
-        "difference of the fitted orders of the force"},
+        "difference of the fitted orders of the force", "basis_convergence_error"},
        {"quadratic functions: after some refinement no more improvement", "6.4.1", not_given,
         last_gain, "1", verdict_of(last_gain < 1.1),
-        "reduction of the force error in the last doubling, limits as printed in (B.30)"},
+        "reduction of the force error in the last doubling, limits as printed in (B.30)",
+        "basis_convergence_error"},
        {"quadratic functions make the convergence worse", "6.4.1", not_given, best, "1",
         best < 1 ? "refuted" : "reproduced",
-        at_last + ": error of quadratic over that of linear functions, limits corrected to +-2"}});
+        at_last + ": error of quadratic over that of linear functions, limits corrected to +-2",
+        "basis_convergence_error"}});
   return {errors, orders, claims};
 }
 

@@ -73,10 +73,12 @@ Table claims_of(const Table& summary, const Table& accuracy) {
       {{"wiggles arise when the step is small against the element", "1", not_given, last_wiggles,
         "1", verdict_of(last_wiggles > 5 && first_wiggles == 1),
         "local extrema of the traction at the smallest c; " + format_short(first_wiggles) +
-            " at the largest, as in the exact solution"},
+            " at the largest, as in the exact solution",
+        "carter_traction"},
        {"accuracy decreases again for c < 0.55", "1", 0.55, best_ratio, "1",
         verdict_of(std::abs(best_ratio - 0.55) <= 0.1),
-        "c of the least error of the force, on elements that fill the contact"}});
+        "c of the least error of the force, on elements that fill the contact",
+        "carter_accuracy"}});
 }
 
 }  // namespace

@@ -18,12 +18,14 @@ Table claims_table(const std::vector<Claim>& claims) {
                {"measured_value", "see unit", "ours"},
                {"unit", "1", "unit of the two"},
                {"verdict", "1", "reproduced, corrected, refuted or not_comparable"},
-               {"note", "1", "what the number is, and under which conditions"}});
-  for (const auto& [claim, section, thesis, measured, unit, verdict, note] : claims) {
+               {"note", "1", "what the number is, and under which conditions"},
+               {"figure", "1", "name of the figure that shows it, or none"}});
+  for (const auto& [claim, section, thesis, measured, unit, verdict, note, figure] : claims) {
     if (std::find(verdicts.begin(), verdicts.end(), verdict) == verdicts.end()) {
       throw std::logic_error("claim '" + claim + "': no such verdict: " + verdict);
     }
-    table.add({claim, section, thesis, measured, unit, verdict, note});
+    if (figure.empty()) throw std::logic_error("claim '" + claim + "': no figure, not even none");
+    table.add({claim, section, thesis, measured, unit, verdict, note, figure});
   }
   return table;
 }

@@ -254,26 +254,31 @@ Table claims_of(const Tables& tables, double period) {
   const double motion_order = order_of(tables, ours, "velocity");
   return claims_table(
       {{"doubling N divides the error in the energy by 1.7", "9", 1.7, factor, "1",
-        verdict_of(factor > 1.5 && factor < 2.1), "fitted over all N, grid fixed to the contact"},
+        verdict_of(factor > 1.5 && factor < 2.1), "fitted over all N, grid fixed to the contact",
+        "energy_balance_error"},
        {"no difference between Verlet and leapfrog", "9", 0, integrators, "1",
         verdict_of(integrators < 1e-10),
-        "largest relative difference of v at the end: as printed they are the same scheme"},
+        "largest relative difference of v at the end: as printed they are the same scheme",
+        "energy_balance_error"},
        {"the traction oscillates until slip, traction and rotation have settled", "9", not_given,
         static_cast<double>(periods.size()), "1", verdict_of(periods.size() >= 3),
-        "periods of the force within the distance shown"},
+        "periods of the force within the distance shown", "energy_balance_motion"},
        {"the body swings on the contact: period in time, wavelength growing as v", "9", not_given,
         first, "1", verdict_of(std::abs(first - 1) < 0.25),
-        "first period of the force, over 2 pi sqrt(m'/k) of a contact that sticks"},
+        "first period of the force, over 2 pi sqrt(m'/k) of a contact that sticks",
+        "energy_balance_motion"},
        {"the balance is first order with tractions at the end of each step", "9", not_given,
         order_of(tables, theirs, "energy"), "1",
         verdict_of(std::abs(order_of(tables, theirs, "energy") - 1) < 0.25),
-        "order of the energy error, grid fixed to the world"},
+        "order of the energy error, grid fixed to the world", "energy_balance_error"},
        {"mean tractions and the midpoint rule balance to rounding", "9", 0, exact, "1",
-        verdict_of(exact < 1e-10), "largest error over the energy turned over, any N"},
+        verdict_of(exact < 1e-10), "largest error over the energy turned over, any N",
+        "energy_balance_error"},
        {"exact bookkeeping is no proof of accuracy", "9", not_given, motion_order, "1",
         verdict_of(motion_order < 2.5),
         "order of v(t), midpoint rule; that of Verlet is " +
-            format_short(std::round(100 * order_of(tables, theirs, "velocity")) / 100)}});
+            format_short(std::round(100 * order_of(tables, theirs, "velocity")) / 100),
+        "energy_balance_error"}});
 }
 
 }  // namespace

@@ -266,7 +266,8 @@ Table claims_of(const LeadingEdgeParameters& p, const std::vector<Series>& all,
                  close(at_its_ratio) ? "reproduced" : (close(anywhere) ? "corrected" : "refuted"),
                  "nearest at the thesis's stick ratio: " + s.scheme + ", " + described(s) +
                      "; of all: " + format_short(anywhere) + " at " +
-                     described(pair.anywhere.series)};
+                     described(pair.anywhere.series),
+                 "leading_edge_reductions"};
   };
   const std::vector<Gain> gains = gains_over(all, "standard linear", "trimmed linear");
   std::vector<double> gain_values;
@@ -289,7 +290,8 @@ Table claims_of(const LeadingEdgeParameters& p, const std::vector<Series>& all,
   return claims_table(
       {{"the solution is much closer to Carter's with the displacement at the leading edge known",
         "10.3", not_given, known_gain, "1", verdict_of(known_gain > 2),
-        "error of constant functions without over that with it, geometric mean over all settings"},
+        "error of constant functions without over that with it, geometric mean over all settings",
+        "leading_edge_profile"},
        factor_claim("doubling N reduces the traction's error by 1.83 on average", 1.83,
                     standard.at_its_ratio.mean, standard.anywhere.mean, standard),
        factor_claim("... and by 2.09 at best", 2.09, standard.at_its_ratio.best,
@@ -301,17 +303,20 @@ Table claims_of(const LeadingEdgeParameters& p, const std::vector<Series>& all,
        {"the leading edge is the primary cause of first order", "10.4", 4, known_factor, "1",
         known_factor > 3.6 ? "reproduced" : (known_factor > 2.4 ? "corrected" : "refuted"),
         "mean factor per doubling with the displacement known: not 4, but that of order 3/2, 2.83, "
-        "because square roots remain at the edge and at the stick-slip point"},
+        "because square roots remain at the edge and at the stick-slip point",
+        "leading_edge_reductions"},
        {"trimming the last hat makes the error 1.7146 times smaller on average", "10.4", 1.7146,
         mean(gain_values), "1", "not_comparable",
         "mean over all settings and N; " + format_short(*nearest_gain) + " at " +
-            described(nearest_trimmed)},
+            described(nearest_trimmed),
+        no_figure},
        {"the trimmed hat overestimates the traction at the last node", "10.4", not_given,
         overestimate, "1", verdict_of(overestimate > 1),
-        "smallest p_N over its exact value, over the offsets below 1"},
+        "smallest p_N over its exact value, over the offsets below 1", "leading_edge_profile"},
        {"the trimmed hat does not significantly improve the rate of convergence", "10.4", not_given,
         trimmed_change, "1", verdict_of(trimmed_change < 0.2),
-        "mean factor per doubling against that of plain hats, minus 1"}});
+        "mean factor per doubling against that of plain hats, minus 1",
+        "leading_edge_reductions"}});
 }
 
 }  // namespace

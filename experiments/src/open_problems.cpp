@@ -79,17 +79,20 @@ Table claims_of(const OpenProblemsParameters& p, const SteadyTables& steady,
         std::abs(order - 2) < 0.1 ? "corrected" : "reproduced",
         "order of the force with calibrated elements; least reduction in a doubling of N, of all "
         "cases: " +
-            format_short(std::round(100 * least) / 100)},
+            format_short(std::round(100 * least) / 100),
+        "open_problems_convergence"},
        {"a better leading edge will decrease the cost of a given accuracy drastically", "11",
         not_given, gain, "1", verdict_of(gain > 100),
         "median error of the standard scheme over that of calibrated elements, N = " +
-            std::to_string(p.sizes.back())},
+            std::to_string(p.sizes.back()),
+        "open_problems_convergence"},
        {"further tests show odd behaviour in a world-fixed frame in certain cases", "11", not_given,
         between, "N/mm", between < 1e-3 ? "corrected" : "reproduced",
-        "largest integral of the difference to c = 1, over all c"},
+        "largest integral of the difference to c = 1, over all c", "open_problems_steps"},
        {"smoothing can be stopped in a world-fixed frame", "11", not_given, direct / material, "1",
         verdict_of(direct / material > 10),
-        "largest error of the direct scheme over that of the material scheme, over all c"}});
+        "largest error of the direct scheme over that of the material scheme, over all c",
+        "open_problems_steps"}});
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Runs a study twice, quick, with one thread and with two: the tables must be the same bytes, but for
-# measured times, and agree with the references; every figure must draw.
+# measured times, and agree with the references; every figure must draw, and claims name such figures.
 # Usage: figures.sh PROGRAM COMPARE_TABLES SOURCE_FOLDER WORK_FOLDER
 set -euo pipefail
 program=$1 compare=$2 source=$3 work=$4
@@ -14,6 +14,9 @@ figures=0
 for script in "$source/plots/${study}"_*.gp; do
   "$source/plots/draw.sh" "$script" "$work/a/$study" "$work/$(basename "$script" .gp).svg"
   figures=$((figures + 1))
+done
+for figure in $(grep -v '^#' "$work/a/$study/claims.tsv" | awk -F '\t' 'NR > 1 && $NF != "none" { print $NF }'); do
+  [ -s "$work/$figure.svg" ] || { echo "claims.tsv: no figure $figure" >&2; exit 1; }
 done
 echo "$study: $figures figures"
 [ $figures -gt 0 ]

@@ -10,6 +10,7 @@
 namespace microslip::experiments {
 
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
+inline constexpr const char* no_figure = "none";
 
 /// A statement of the thesis, held against a measurement.
 struct Claim {
@@ -20,13 +21,14 @@ struct Claim {
   std::string unit;
   std::string verdict;  ///< reproduced, corrected, refuted or not_comparable
   std::string note;
+  std::string figure;  ///< stem of the plot script that shows it, or no_figure
 };
 
 /// "reproduced" if it holds, else "refuted".
 std::string verdict_of(bool holds);
 
 /// The table that every study writes as claims.tsv.
-/// \throws std::logic_error for another verdict
+/// \throws std::logic_error for another verdict, or an empty name of a figure
 Table claims_table(const std::vector<Claim>& claims);
 
 }  // namespace microslip::experiments
