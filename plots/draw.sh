@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Draws one figure. Usage: plots/draw.sh FIGURE.gp TABLES_FOLDER OUTPUT.svg
 # A gnuplot warning is a failure, as is a table without content, and a failure leaves no figure.
+# The comment that the script begins with says what the figure shows, and becomes the figure's title.
 set -euo pipefail
 script=$1 tables=$2 output=$3
 plots=$(dirname "$0")
@@ -28,11 +29,16 @@ for table in $(grep -oh '"/[a-z_]*\.tsv"' "$script" "${loaded[@]}" | tr -d '"' |
   [ -z "$problem" ] || fail "$table: $problem"
 done
 
+caption=$(sed -n '/^#/! q; s/^# *//; s/&/\&amp;/g; s/</\&lt;/g; s/>/\&gt;/g; p' "$script" | paste -sd ' ')
+[ -n "$caption" ] || fail "does not begin with a comment that says what it shows"
+
 mkdir -p "$(dirname "$output")"
 partial=$(dirname "$output")/.$(basename "$output").$$.part
 trap 'rm -f "$partial" "$partial.log"' EXIT
 status=0
-gnuplot -e "tables='${tables//\'/\'\'}'; scripts='${plots//\'/\'\'}'" "$plots/style.gp" "$script" >"$partial" 2>"$partial.log" || status=$?
+gnuplot -e "tables='${tables//\'/\'\'}'; scripts='${plots//\'/\'\'}'" "$plots/style.gp" "$script" 2>"$partial.log" |
+  caption=$caption awk '{ if (sub("<title>Gnuplot</title>", "")) print "<title>" ENVIRON["caption"] "</title>"; else print }' \
+    >"$partial" || status=$?
 # gnuplot takes no notice of a full disk.
 tail -c 10 "$partial" | grep -q "</svg>" || status=1
 if [ $status -ne 0 ] || [ -s "$partial.log" ]; then

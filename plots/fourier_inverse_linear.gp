@@ -1,3 +1,3 @@
-# Thesis Fig. 6.8: linear functions.
+# Thesis Fig. 6.8: the Fourier inverse step by step, for linear functions.
 basis = "linear"
 load scripts."/fourier_inverse.gpi"

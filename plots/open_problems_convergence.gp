@@ -1,4 +1,4 @@
-# The headline: error of the force against N, median and spread over all parts of adhesion and
+# Error of the force in steady rolling against N, median and spread over all parts of adhesion and
 # alignments of the grid.
 errors = tables."/errors.tsv"
 orders = tables."/orders.tsv"

@@ -32,8 +32,10 @@ damaged() {
 
 afresh
 "$plots/draw.sh" "$figure" "$work/tables" "$svg"
-[ -s "$svg" ]
+grep -q '<title>Thesis Fig. 1.1: the Carter-Fromm problem .* the exact solution.</title>' "$svg"
 
+grep -v '^#' "$plots/carter_traction.gp" >"$work/silent.gp"
+figure=$work/silent.gp expect_refused 'no caption' 'does not begin with a comment'
 rm "$work/tables/exact.tsv"
 expect_refused 'missing table' 'exact.tsv: no such table'
 rm -rf "$work/tables"
