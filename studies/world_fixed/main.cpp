@@ -5,7 +5,7 @@
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return program::run_study(
-      "world_fixed", "what is odd about a grid that is fixed to the material?", scenes::study,
-      scenes::quick, experiments::read_world_fixed, experiments::world_fixed, argc, argv);
+  return program::run_study("world_fixed", "what is odd about a grid that is fixed to the world?",
+                            scenes::study, scenes::quick, experiments::read_world_fixed,
+                            experiments::world_fixed, argc, argv);
 }
