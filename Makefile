@@ -12,11 +12,12 @@ READERS := $(patsubst fuzz/targets/%.cpp,%,$(wildcard fuzz/targets/*.cpp))
 STUDIES := $(patsubst studies/%/study.info,%,$(wildcard studies/*/study.info))
 SOURCES = $(shell find core experiments program apps studies bench tests tools fuzz -name '*.[ch]pp')
 
-.PHONY: help deps build figures quick bench test verify references coverage sanitize fuzz keep-corpus \
+.PHONY: help deps build figures report quick bench test verify references coverage sanitize fuzz keep-corpus \
   format check-format clean $(STUDIES)
 
 help:
 	@echo 'make figures      build, run every study, draw every figure into results/figures'
+	@echo 'make report       the same, and results/report.html: every claim with its verdict, figure and parameters'
 	@echo 'make STUDY        one study with its figures: $(STUDIES)'
 	@echo 'make quick        every study, coarser, into results/quick'
 	@echo 'make bench        times against N into results/bench, with figures; about five minutes'
@@ -64,10 +65,16 @@ $(foreach study,$(STUDIES),$(eval $(call study_rules,$(study),results,)))
 $(foreach study,$(STUDIES),$(eval $(call study_rules,$(study),results/quick, --quick)))
 $(foreach study,$(STUDIES),$(eval $(study): results/$(study)/provenance.txt $(call figures_of,$(study),results)))
 
+results/report.html: README.md $(wildcard tools/report/*.py tools/report/*.css) $(foreach study,$(STUDIES),results/$(study)/provenance.txt $(call figures_of,$(study),results))
+	tools/report/report.py results $@
+
 # Studies side by side; what each prints comes out in one piece.
 side_by_side = @$(MAKE) --no-print-directory --output-sync=target -j$(JOBS) DEPS=skip
 figures: build
 	$(side_by_side) $(STUDIES)
+report: build
+	@tools/deps.sh report
+	$(side_by_side) results/report.html
 quick: build
 	$(side_by_side) $(foreach study,$(STUDIES),$(call figures_of,$(study),results/quick))
 
@@ -83,6 +90,7 @@ bench:
 	done
 
 test: deps
+	@tools/deps.sh report
 	@$(call cmake_build,release)
 	ctest --preset release -j $(JOBS)
 
@@ -134,4 +142,4 @@ check-format:
 	@clang-format --dry-run --Werror $(SOURCES)
 
 clean:
-	rm -rf build results/*/
+	rm -rf build results/*/ results/report.html

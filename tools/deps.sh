@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what the project needs and this machine lacks. Usage: tools/deps.sh build|figures|bench|fuzz|coverage ...
+# Installs what the project needs and this machine lacks. Usage: tools/deps.sh build|figures|report|browser|bench|fuzz|coverage ...
 # Does nothing, and prints nothing, when all is there. DEPS=skip turns it off.
 set -euo pipefail
 [ "${DEPS:-}" = skip ] && exit 0
@@ -19,6 +19,8 @@ libgtest-dev /usr/include/gtest/gtest.h
 LIST
       ;;
     figures) echo "gnuplot-nox gnuplot" ;;
+    report) echo "python3 python3" ;;
+    browser) printf '%s\n' "chromium chromium" "chromium-driver chromedriver" ;;
     bench) echo "libbenchmark-dev /usr/include/benchmark/benchmark.h" ;;
     fuzz) cat <<'LIST'
 clang clang++
@@ -27,7 +29,7 @@ libomp-14-dev /usr/lib/llvm-14/lib/libomp.so
 LIST
       ;;
     coverage) echo "gcovr gcovr" ;;
-    *) echo "deps.sh: unknown group '$1'; known: build, figures, bench, fuzz, coverage" >&2; return 1 ;;
+    *) echo "deps.sh: unknown group '$1'; known: build, figures, report, browser, bench, fuzz, coverage" >&2; return 1 ;;
   esac
 }
 

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The report by its text, and what bad input makes of it.
+Usage: page_test.py PROGRAMS_FOLDER FIGURES_FOLDER WORK_FOLDER"""
+import re
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+from quick_results import ROOT, claims_of, link_results, make_report
+from structure import problems
+
+PROGRAMS, FIGURES, WORK = map(Path, sys.argv[1:])
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.results = link_results(FIGURES, WORK / "good")
+        cls.claims = claims_of(cls.results)
+        cls.made = make_report(cls.results, WORK / "report.html")
+        cls.text = (WORK / "report.html").read_text(encoding="utf-8")
+
+    def test_is_made_without_a_word(self):
+        self.assertEqual((self.made.returncode, self.made.stdout, self.made.stderr), (0, "", ""))
+
+    def test_has_no_problem(self):
+        self.assertGreater(len(self.claims), 50)
+        self.assertEqual(problems(self.text, self.claims), [])
+
+    def test_is_the_same_again(self):
+        make_report(self.results, WORK / "again.html")
+        self.assertEqual((WORK / "again.html").read_text(encoding="utf-8"), self.text)
+
+    def test_is_small_enough_to_send(self):
+        self.assertLess(len(self.text.encode()), 6_000_000)
+
+    def test_has_all_figures_and_parameters(self):
+        for figure in (self.results / "figures").iterdir():
+            if not figure.name.startswith("bench_"):
+                self.assertIn(f'<figure id="{figure.stem}"', self.text)
+        for line in (self.results / "carter" / "claims.tsv").read_text(encoding="utf-8").splitlines():
+            if match := re.fullmatch(r"#   (\S+) = (.*)", line):
+                self.assertIn(f"<tr><td><code>{match[1]}</code></td><td>{match[2]}</td></tr>", self.text)
+
+    def test_problems_are_found(self):
+        for what, pattern, replacement, found in (
+                ("a lost figure", r'<figure id="carter_traction".*?</figure>', "", "no figure carter_traction"),
+                ("an empty figure", r'(<figure id="carter_traction".*?<svg[^>]*>).*?</svg>', r"\1</svg>",
+                 "no figure carter_traction"),
+                ("a broken link", 'href="#carter-1"', 'href="#carter-0"', "#carter-0 leads nowhere"),
+                ("a link to elsewhere", 'href="#carter-1"', 'href="carter.html"', "carter.html leads nowhere"),
+                ("a picture from the network", "<footer>", '<footer><img src="http://x/y.png">', "network is needed"),
+                ("an id twice", "<h2>carter", '<h2 id="smoothing">carter', "smoothing is there 2 times"),
+                ("a lost claim", r'<article id="carter-2".*?</article>', "", "carter-2: the verdict is None"),
+                ("a claim too many", '<article id="carter-2"', '<article id="carter-3"', "carter-3 is no claim"),
+                ("another verdict", 'id="carter-1" class="claim reproduced"', 'id="carter-1" class="claim refuted"',
+                 "carter-1: the verdict is refuted, not reproduced"),
+                ("another count", r'data-count="refuted">\d+', 'data-count="refuted">99', "99 claims are said"),
+                ("another statement", "<h4>accuracy decreases", "<h4>accuracy increases", "carter-2: does not say"),
+                ("a number that is none", r'(id="carter-1".*?<dd>)[^<]*', r"\1nan", "carter-1: says nan"),
+                ("no end", "</section>", "", "has no end")):
+            with self.subTest(what):
+                changed, times = re.subn(pattern, replacement, self.text, count=1, flags=re.DOTALL)
+                self.assertEqual(times, 1)
+                self.assertTrue(any(found in line for line in problems(changed, self.claims)))
+
+
+class Readme(unittest.TestCase):
+    """The page takes the studies, their order and questions from the README."""
+
+    def test_says_what_the_programs_say(self):
+        text = (ROOT / "README.md").read_text(encoding="utf-8")
+        rows = dict(re.findall(r"^\| \[(\w+)\]\(#\1\) \| (.+?) \| ", text, re.MULTILINE))
+        self.assertEqual(set(rows), {scene.parent.name for scene in ROOT.glob("studies/*/study.info")})
+        for study, question in rows.items():
+            run = subprocess.run([PROGRAMS / study, "--help"], capture_output=True, text=True, timeout=60)
+            self.assertIn(question, run.stdout.splitlines()[0])
+
+
+class BadInput(unittest.TestCase):
+    def refused(self, results, said, output=WORK / "bad" / "report.html"):
+        """One line that says it, exit status 1, and nothing left, not even the page of before."""
+        if not output.parent.is_file():
+            output.parent.mkdir(exist_ok=True)
+            output.write_text("older")
+        run = make_report(results, output)
+        self.assertEqual((run.returncode, run.stdout), (1, ""), run.stderr)
+        self.assertRegex(run.stderr, rf"\Areport: [^\n]*{said}[^\n]*\n\Z")
+        if output.parent.is_dir():
+            self.assertEqual(list(output.parent.iterdir()), [])
+
+    def damaged(self, file, change):
+        results = link_results(FIGURES, WORK / "damaged")
+        text = change((results / file).read_text(encoding="utf-8"))
+        (results / file).unlink()
+        if text is not None:
+            (results / file).write_text(text, encoding="utf-8")
+        return results
+
+    def test_no_folder(self):
+        self.refused(WORK / "none", "none: no such folder; expected what `make figures` writes")
+
+    def test_no_claims(self):
+        self.refused(self.damaged("carter/claims.tsv", lambda text: None), "carter/claims.tsv: no such file; expected")
+
+    def test_no_provenance(self):
+        self.refused(self.damaged("carter/provenance.txt", lambda text: None), "provenance.txt: no such file")
+        self.refused(self.damaged("carter/provenance.txt", lambda text: "carter\n"), "expected a line `command: ...`")
+        self.refused(self.damaged("carter/provenance.txt", lambda text: text.replace("'", "", 1)), "No closing quotation")
+
+    def test_no_table_of_those_named(self):
+        self.refused(self.damaged("carter/traction.tsv", lambda text: None), "carter/traction.tsv: no such file")
+
+    def test_no_figure(self):
+        self.refused(self.damaged("figures/carter_traction.svg", lambda text: None),
+                     "'wiggles arise .*' names the figure carter_traction; expected none or one of carter_accuracy")
+        self.refused(self.damaged("carter/claims.tsv", lambda text: text.replace("\tcarter_traction", "\tcarter_x")),
+                     "names the figure carter_x; expected none or one of carter_accuracy, carter_traction")
+
+    def test_no_headline(self):
+        results = self.damaged("figures/open_problems_convergence.svg", lambda text: None)
+        self.refused(results, "open_problems_convergence")
+
+    def test_half_a_table(self):
+        self.refused(self.damaged("carter/claims.tsv", lambda text: text[:-5]), "not a whole table: expected an end")
+        self.refused(self.damaged("carter/claims.tsv", lambda text: text.replace("\treproduced\t", "\t")),
+                     "not a whole table: expected rows of claim, ")
+        self.refused(self.damaged("carter/claims.tsv", lambda text: "\n"), "expected a comment")
+
+    def test_claims_of_another_kind(self):
+        self.refused(self.damaged("carter/claims.tsv", lambda text: text.replace("\treproduced", "\tlikely")),
+                     "unknown verdict 'likely'; known: reproduced, ")
+        self.refused(self.damaged("carter/claims.tsv", lambda text: text.replace("figure", "picture")),
+                     "expected the columns claim, .*, figure")
+        self.refused(self.damaged("carter/claims.tsv", lambda text: text.replace("\tnan\t", "\tmany\t")), "'many'")
+
+    def test_half_a_figure(self):
+        self.refused(self.damaged("figures/carter_traction.svg", lambda text: text[:5000]), "not a whole figure")
+        self.refused(self.damaged("figures/carter_traction.svg", lambda text: text.replace("viewBox", "box")),
+                     "expected a figure of gnuplot")
+        for title in "", "Gnuplot":
+            untitled = self.damaged("figures/carter_traction.svg",
+                                    lambda text: re.sub("<title>.*?</title>", f"<title>{title}</title>", text, count=1))
+            self.refused(untitled, "expected a title that says what it shows")
+
+    def test_nowhere_to_write(self):
+        file = WORK / "file"
+        file.write_text("")
+        self.refused(link_results(FIGURES, WORK / "damaged"), "cannot be written", file / "report.html")
+
+    def test_no_arguments(self):
+        run = subprocess.run([sys.executable, ROOT / "tools/report/report.py"], capture_output=True, text=True)
+        self.assertEqual((run.returncode, run.stderr), (1, "report: expected RESULTS_FOLDER OUTPUT.html\n"))
+
+
+if __name__ == "__main__":
+    WORK.mkdir(parents=True, exist_ok=True)
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The page: first screen, all claims, and a section for each study."""
+from collections import Counter
+from html import escape
+from pathlib import Path
+
+from tables import VERDICTS
+from text import number, prose, unit, words
+
+THESIS = "N. van der Wekken, <cite>Improving CONTACT for varying timesteps</cite> (TU Delft, 2017)"
+MEANING = {
+    "reproduced": "it holds",
+    "corrected": "it holds otherwise: another number, cause or range",
+    "refuted": "it does not hold",
+    "not_comparable": "not enough is known to compare",
+}
+WIDE = 800  # pixels, of figures with panels side by side
+
+
+def count(number_of, noun):
+    return f"{number_of} {noun}" + ("" if number_of == 1 else "s")
+
+
+def verdict_mark(verdict):
+    return f'<span class="verdict {verdict}">{words(verdict)}</span>'
+
+
+def page(studies, figures, headline):
+    """`figures` are those of each study, by its name; `headline` is that of the first screen."""
+    claims = [claim for study in studies for claim in study.claims]
+    sections = "\n".join(section(study, figures[study.name]) for study in studies)
+    style = Path(__file__).with_name("page.css").read_text(encoding="utf-8")
+    return f"""<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta name="color-scheme" content="light dark">
+<title>microslip: {count(len(claims), "claim")}, held against measurements</title>
+<style>
+{style}</style>
+</head>
+<body>
+<header>
+<h1>Rolling contact, step by step</h1>
+<p class="lead">{THESIS}, says what a boundary-element program computes when a wheel moves by a small
+fraction of an element, and why it goes wrong. <strong>microslip</strong> computes it anew, and holds
+{len(claims)} of its claims against measurements. Every number here stands in a table, and every figure is drawn from
+one.</p>
+</header>
+<div class="first">
+<div>{figure_block(headline, "headline")}</div>
+<div>{summary(studies, claims)}</div>
+</div>
+<h2 id="claims">All claims</h2>
+{all_claims(studies)}
+{sections}
+<footer>{revisions(studies)}</footer>
+</body>
+</html>
+"""
+
+
+def summary(studies, claims):
+    counts = Counter(claim.verdict for claim in claims)
+    bar = "".join(f'<span class="{verdict}" style="flex-grow:{counts[verdict]}"></span>'
+                  for verdict in VERDICTS if counts[verdict])
+    totals = "".join(f'<li class="{verdict}"><b data-count="{verdict}">{counts[verdict]}</b> '
+                     f"<span>{words(verdict)}: {MEANING[verdict]}</span></li>" for verdict in VERDICTS)
+    heads = "".join(f'<th class="count">{words(verdict)}</th>' for verdict in VERDICTS)
+    rows = "".join(summary_row(study) for study in studies)
+    return f"""<div class="bar" aria-hidden="true">{bar}</div>
+<ul class="totals">{totals}</ul>
+<table class="summary"><thead><tr><th>study</th>{heads}</tr></thead><tbody>{rows}</tbody></table>
+<p class="next"><a href="#claims">All {len(claims)} claims</a></p>"""
+
+
+def summary_row(study):
+    counts = Counter(claim.verdict for claim in study.claims)
+    cells = "".join(f'<td class="count {verdict}">{counts[verdict] or "<i>·</i>"}</td>' for verdict in VERDICTS)
+    return f'<tr><td><a href="#{study.name}">{study.name}</a></td>{cells}</tr>'
+
+
+def all_claims(studies):
+    groups = "".join(
+        f'<tbody><tr class="group"><th colspan="5"><a href="#{study.name}">{study.name}</a> '
+        f"{prose(study.question)}</th></tr>" + "".join(claim_row(claim) for claim in study.claims) + "</tbody>"
+        for study in studies)
+    return f"""<table class="claims"><thead><tr><th>the thesis says</th><th>section</th><th>its value</th>
+<th>measured</th><th>verdict</th></tr></thead>{groups}</table>"""
+
+
+def values(claim):
+    return number(claim.thesis_value, 6), number(claim.measured_value) + unit(claim.unit)
+
+
+def claim_row(claim):
+    thesis, measured = values(claim)
+    return (f'<tr><td class="statement"><a href="#{claim.id}">{prose(claim.claim)}</a></td>'
+            f'<td class="section">{escape(claim.section)}</td><td class="thesis">{thesis}</td>'
+            f'<td class="measured">{measured}</td><td>{verdict_mark(claim.verdict)}</td></tr>\n')
+
+
+def claim_card(claim):
+    thesis, measured = values(claim)
+    link = f' <a href="#{claim.figure}">Figure</a>' if claim.figure != "none" else ""
+    return f"""<article id="{claim.id}" class="claim {claim.verdict}">
+<h4>{prose(claim.claim)}</h4>
+<dl><div><dt>thesis §&nbsp;{escape(claim.section)}</dt><dd>{thesis}</dd></div><div><dt>measured</dt><dd>{measured}</dd></div>
+<div><dt>verdict</dt><dd>{verdict_mark(claim.verdict)}</dd></div></dl>
+<p>{prose(claim.note)}.{link}</p>
+</article>
+"""
+
+
+def figure_block(figure, id):
+    kind = (" map" if figure.is_map else "") + (" wide" if figure.width > WIDE else "")
+    return (f'<figure id="{id}" class="{kind.strip()}" data-figure="{figure.name}" style="max-width:{figure.width}px">'
+            f'<div class="drawing">{figure.svg}</div>'
+            f"<figcaption>{prose(figure.caption)} <code>{figure.name}</code></figcaption></figure>\n")
+
+
+def exhibits(study, figures):
+    """Each figure beside the claims that it shows, in their order; then the other figures."""
+    shown = list(dict.fromkeys(claim.figure for claim in study.claims if claim.figure != "none"))
+    parts = []
+    for name in shown:
+        figure = next(figure for figure in figures if figure.name == name)
+        cards = "".join(claim_card(claim) for claim in study.claims if claim.figure == name)
+        wide = " wide" if figure.width > WIDE else ""
+        parts.append(f'<div class="exhibit{wide}">{figure_block(figure, name)}<div class="cards">{cards}</div></div>\n')
+    unseen = "".join(claim_card(claim) for claim in study.claims if claim.figure == "none")
+    if unseen:
+        parts.append(f'<div class="exhibit wide"><div class="cards">{unseen}</div></div>\n')
+    others = "".join(figure_block(figure, figure.name) for figure in figures if figure.name not in shown)
+    if others:
+        parts.append(f'<div class="gallery">{others}</div>\n')
+    return "".join(parts)
+
+
+def section(study, figures):
+    commands = [f"make {study.name}", study.command]
+    commands += [f"plots/draw.sh plots/{figure.name}.gp results/{study.name} results/figures/{figure.name}.svg"
+                 for figure in figures]
+    parameters = "".join(f"<tr><td><code>{escape(key)}</code></td><td>{escape(value)}</td></tr>"
+                         for key, value in study.parameters)
+    tables = "".join(table_block(table) for table in study.tables)
+    return f"""<section id="{study.name}">
+<h2>{study.name}</h2>
+<p class="question">{prose(study.question)}</p>
+{exhibits(study, figures)}
+<h3>Made by</h3>
+<pre tabindex="0"><code>{escape(chr(10).join(commands))}</code></pre>
+<details><summary>{count(len(study.parameters), "parameter")}</summary>
+<table class="parameters">{parameters}</table></details>
+<details class="tables"><summary>{count(len(study.tables), "table")}</summary>{tables}</details>
+<p class="provenance">{escape(study.provenance["program"])}; {escape(study.provenance["date"])},
+{escape(study.provenance["wall time"])}. <a href="#claims">All claims</a></p>
+</section>
+"""
+
+
+def table_block(table):
+    columns = "".join(f"<tr><td><code>{escape(name)}</code></td><td>{prose(unit_) if unit_ != '1' else ''}</td>"
+                      f"<td>{prose(meaning)}</td></tr>" for name, unit_, meaning in table.columns)
+    return (f"<h4><code>{table.name}.tsv</code> {prose(table.description)}, {count(len(table.rows), 'row')}</h4>"
+            f'<table class="columns">{columns}</table>\n')
+
+
+def revisions(studies):
+    programs = sorted({study.provenance["program"].partition(" (microslip) ")[2] for study in studies})
+    compilers = sorted({study.provenance.get("compiler", "unknown") for study in studies})
+    return f"microslip {escape('; '.join(programs))}. g++ {escape(', '.join(compilers))}."

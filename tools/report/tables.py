@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The studies, and what they wrote: tables, provenance, claims."""
+import re
+import shlex
+from dataclasses import dataclass
+from pathlib import Path
+
+VERDICTS = ("reproduced", "corrected", "refuted", "not_comparable")
+CLAIM_COLUMNS = ("claim", "section", "thesis_value", "measured_value", "unit", "verdict", "note", "figure")
+
+
+class ReportError(Exception):
+    """What is wrong, and what is expected, in one line."""
+
+
+def read_text(path):
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except FileNotFoundError:
+        raise ReportError(f"{path}: no such file; expected what `make figures` writes") from None
+    except (OSError, UnicodeDecodeError) as error:
+        raise ReportError(f"{path}: cannot be read: {error}") from None
+
+
+@dataclass
+class Table:
+    name: str
+    description: str
+    parameters: list  # of (key, value)
+    columns: list  # of (name, unit, meaning)
+    rows: list  # of cells, as text
+
+
+def read_table(path):
+    """A table as core/src/scene/table.cpp writes it."""
+    def bad(expected):
+        return ReportError(f"{path}: not a whole table: expected {expected}")
+
+    text = read_text(path)
+    if not text.endswith("\n"):
+        raise bad("an end of the last line")
+    lines = text.splitlines()
+    comments = [line for line in lines if line.startswith("#")]
+    first = re.fullmatch(r"# (\S+): (.+)", comments[0]) if comments else None
+    if not first or "# parameters" not in comments or "# columns" not in comments:
+        raise bad("a comment with description, parameters and columns")
+    at = comments.index("# columns")
+    parameters = [tuple(line[4:].split(" = ", 1)) for line in comments[2:at]]
+    columns = [re.fullmatch(r"#   (\S+) \[(.*?)\]: (.*)", line) for line in comments[at + 1:]]
+    if not all(columns) or any(len(parameter) != 2 for parameter in parameters):
+        raise bad("`key = value` and `column [unit]: meaning`")
+    columns = [column.groups() for column in columns]
+    names = [column[0] for column in columns]
+    rows = [line.split("\t") for line in lines[len(comments):]]
+    if not rows or rows[0] != names or any(len(row) != len(names) for row in rows):
+        raise bad("rows of " + ", ".join(names))
+    return Table(Path(path).stem, first[2], parameters, columns, rows[1:])
+
+
+@dataclass
+class Claim:
+    claim: str
+    section: str
+    thesis_value: float  # nan if it gives none
+    measured_value: float  # nan if nothing could be measured, as in some quick runs
+    unit: str
+    verdict: str
+    note: str
+    figure: str  # or none
+    id: str = ""
+
+    def __post_init__(self):
+        self.thesis_value, self.measured_value = float(self.thesis_value), float(self.measured_value)
+        if self.verdict not in VERDICTS:
+            raise ValueError(f"unknown verdict '{self.verdict}'; known: {', '.join(VERDICTS)}")
+
+
+@dataclass
+class Study:
+    name: str
+    question: str
+    command: str
+    provenance: dict
+    tables: list
+    claims: list
+
+    @property
+    def parameters(self):
+        return self.tables[0].parameters
+
+
+def studies_of(readme):
+    """Name and question of each study, in the order of the README's table."""
+    studies = re.findall(r"^\| \[(\w+)\]\(#\1\) \| (.+?) \| ", read_text(readme), re.MULTILINE)
+    if not studies:
+        raise ReportError(f"{readme}: expected a table of studies, | [name](#name) | question | ...")
+    return studies
+
+
+def read_study(results, name, question):
+    folder = Path(results) / name
+    claims_file = folder / "claims.tsv"
+    table = read_table(claims_file)
+    if tuple(column[0] for column in table.columns) != CLAIM_COLUMNS:
+        raise ReportError(f"{claims_file}: expected the columns {', '.join(CLAIM_COLUMNS)}")
+    try:
+        claims = [Claim(*row, id=f"{name}-{i}") for i, row in enumerate(table.rows, 1)]
+    except ValueError as error:
+        raise ReportError(f"{claims_file}: {error}") from None
+    path = folder / "provenance.txt"
+    lines = read_text(path).splitlines()
+    provenance = dict(line.split(": ", 1) for line in lines if ": " in line)
+    provenance["program"] = lines[0] if lines else ""
+    missing = [key for key in ("command", "date", "wall time", "tables") if key not in provenance]
+    if missing:
+        raise ReportError(f"{path}: expected a line `{missing[0]}: ...`")
+    try:
+        command = shlex.join(shlex.split(provenance["command"]))
+    except ValueError as error:
+        raise ReportError(f"{path}: command: {error}") from None
+    tables = [read_table(folder / file) for file in provenance["tables"].split()]
+    return Study(name, question, command, provenance, tables, claims)
