@@ -14,7 +14,7 @@ from quick_results import claims_of, link_results, make_report
 
 FIGURES, WORK = map(Path, sys.argv[1:])
 VIEWS = [(width, dark) for width in (1280, 390) for dark in (False, True)]
-VERDICTS = ("reproduced", "corrected", "refuted", "not_comparable")
+VERDICTS = ("reproduced", "corrected", "refuted", "not_comparable", "ours")
 IN_BROWSER = Path(__file__).with_name("in_browser.js").read_text(encoding="utf-8")
 
 

@@ -13,6 +13,7 @@ MEANING = {
     "corrected": "it holds otherwise: another number, cause or range",
     "refuted": "it does not hold",
     "not_comparable": "not enough is known to compare",
+    "ours": "no claim of the thesis, but a finding of microslip",
 }
 WIDE = 800  # pixels, of figures with panels side by side
 
@@ -28,6 +29,7 @@ def verdict_mark(verdict):
 def page(studies, figures, headline):
     """`figures` are those of each study, by its name; `headline` is that of the first screen."""
     claims = [claim for study in studies for claim in study.claims]
+    findings = sum(claim.verdict == "ours" for claim in claims)
     sections = "\n".join(section(study, figures[study.name]) for study in studies)
     style = Path(__file__).with_name("page.css").read_text(encoding="utf-8")
     return f"""<!DOCTYPE html>
@@ -45,7 +47,7 @@ def page(studies, figures, headline):
 <h1>Rolling contact, step by step</h1>
 <p class="lead">{THESIS}, says what a boundary-element program computes when a wheel moves by a small
 fraction of an element, and why it goes wrong. <strong>microslip</strong> computes it anew, and holds
-{len(claims)} of its claims against measurements. Every number here stands in a table, and every figure is drawn from
+{len(claims) - findings} of its claims against measurements. Every number here stands in a table, and every figure is drawn from
 one.</p>
 </header>
 <div class="first">
@@ -72,7 +74,7 @@ def summary(studies, claims):
     return f"""<div class="bar" aria-hidden="true">{bar}</div>
 <ul class="totals">{totals}</ul>
 <table class="summary"><thead><tr><th>study</th>{heads}</tr></thead><tbody>{rows}</tbody></table>
-<p class="next"><a href="#claims">All {len(claims)} claims</a></p>"""
+<p class="next"><a href="#claims">All claims</a></p>"""
 
 
 def summary_row(study):

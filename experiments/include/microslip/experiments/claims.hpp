@@ -19,13 +19,16 @@ struct Claim {
   double thesis_value;  ///< or not_given
   double measured_value;
   std::string unit;
-  std::string verdict;  ///< reproduced, corrected, refuted or not_comparable
+  std::string verdict;  ///< reproduced, corrected, refuted, not_comparable or ours
   std::string note;
   std::string figure;  ///< stem of the plot script that shows it, or no_figure
 };
 
 /// "reproduced" if it holds, else "refuted".
 std::string verdict_of(bool holds);
+
+/// The verdict on what is no claim of the thesis, but a finding of ours: "ours", or "refuted".
+std::string finding_of(bool holds);
 
 /// The table that every study writes as claims.tsv.
 /// \throws std::logic_error for another verdict, or an empty name of a figure
