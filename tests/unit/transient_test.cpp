@@ -64,6 +64,39 @@ TEST_P(EveryScheme, AUnitStepIsThatOfTheThesis) {
   }
 }
 
+/// Steps of at most an element, under creepages that turn.
+void roll_to_and_fro(TransientRolling& rolling, int steps) {
+  const double dx = rolling.x()[1] - rolling.x()[0];
+  for (int k = 0; k < steps; ++k) {
+    rolling.step(dx * (k % 3 == 0 ? 0.4 : 0.9), PrescribedCreepage{3 * std::sin(0.7 * k)});
+  }
+}
+
+// With few elements, where matrices are dense, and by FFT.
+TEST(Transient, ACopyGoesOnAlikeAndByItself) {
+  for (const AdvectionScheme scheme :
+       {AdvectionScheme(Direct{}), AdvectionScheme(Relaxed{1}), AdvectionScheme(RelaxedTraction{1}),
+        AdvectionScheme(Fractional{}), AdvectionScheme(MaterialFixed{})}) {
+    for (const Eigen::Index n : {49, 121}) {
+      TransientRolling rolling(problem(scheme, n));
+      roll_to_and_fro(rolling, 10);
+      TransientRolling copy = rolling;
+      const Eigen::VectorXd before = rolling.state().traction;
+      roll_to_and_fro(copy, 10);
+      EXPECT_EQ(rolling.state().traction, before);
+      EXPECT_NE(copy.state().traction, before);
+      roll_to_and_fro(rolling, 10);
+      EXPECT_EQ(copy.state().traction, rolling.state().traction);
+      EXPECT_EQ(copy.state().slip, rolling.state().slip);
+      EXPECT_EQ(copy.displacement(), rolling.displacement());
+      rolling = copy;
+      roll_to_and_fro(copy, 10);
+      roll_to_and_fro(rolling, 10);
+      EXPECT_EQ(copy.state().traction, rolling.state().traction);
+    }
+  }
+}
+
 // Where nothing changes any more, steady rolling with the same difference has been reached.
 TEST(Transient, TurnsToTheSteadySolutionOfItsDifference) {
   for (const auto& [scheme, step_ratio, steady_step_ratio] :

@@ -325,6 +325,15 @@ ActiveSet::ActiveSet(SquareMatrix response, VectorXd weights, const Solver& solv
     : search_(std::make_unique<ContactSearch>(std::move(response), std::move(weights), solver)) {}
 
 ActiveSet::~ActiveSet() = default;
+
+ActiveSet::ActiveSet(const ActiveSet& other)
+    : search_(std::make_unique<ContactSearch>(*other.search_)) {}
+
+ActiveSet& ActiveSet::operator=(const ActiveSet& other) {
+  if (this != &other) *this = ActiveSet(other);
+  return *this;
+}
+
 ActiveSet::ActiveSet(ActiveSet&&) noexcept = default;
 ActiveSet& ActiveSet::operator=(ActiveSet&&) noexcept = default;
 

@@ -3,9 +3,11 @@
 
 #include <fftw3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <mutex>
+#include <new>
 
 #include "microslip/support/work.hpp"
 
@@ -21,6 +23,15 @@ struct RealFftPlans {
 };
 
 namespace {
+
+/// For any of FFTW's instructions. Its own allocation would end the program where memory runs out.
+constexpr std::align_val_t alignment{64};
+
+template <class Number>
+Number* aligned(Index size) {
+  return static_cast<Number*>(
+      ::operator new(static_cast<std::size_t>(size) * sizeof(Number), alignment));
+}
 
 fftw_complex* as_fftw(std::complex<double>* values) {
   return reinterpret_cast<fftw_complex*>(values);
@@ -49,19 +60,28 @@ const RealFftPlans* plans_for(Index size, double* values, fftw_complex* spectrum
 
 }  // namespace
 
-void RealFft::Free::operator()(void* array) const { fftw_free(array); }
+void RealFft::Free::operator()(void* array) const { ::operator delete(array, alignment); }
 
 RealFft::RealFft(Index size)
     : size_(size),
       plans_(nullptr),
-      values_(fftw_alloc_real(static_cast<std::size_t>(size))),
-      spectrum_(reinterpret_cast<std::complex<double>*>(
-          fftw_alloc_complex(static_cast<std::size_t>(size / 2 + 1)))) {
-  if (!values_ || !spectrum_) throw std::bad_alloc();
+      values_(aligned<double>(size)),
+      spectrum_(aligned<std::complex<double>>(size / 2 + 1)) {
   plans_ = plans_for(size, values_.get(), as_fftw(spectrum_.get()));
 }
 
 RealFft::~RealFft() = default;
+
+RealFft::RealFft(const RealFft& other) : RealFft(other.size_) {
+  std::copy_n(other.values_.get(), size_, values_.get());
+  std::copy_n(other.spectrum_.get(), size_ / 2 + 1, spectrum_.get());
+}
+
+RealFft& RealFft::operator=(const RealFft& other) {
+  if (this != &other) *this = RealFft(other);
+  return *this;
+}
+
 RealFft::RealFft(RealFft&&) noexcept = default;
 RealFft& RealFft::operator=(RealFft&&) noexcept = default;
 

@@ -88,6 +88,8 @@ class ActiveSet {
   /// \param solver    its tolerance; the response itself is dense or Toeplitz
   ActiveSet(SquareMatrix response, Eigen::VectorXd weights, const Solver& solver = {});
   ~ActiveSet();
+  ActiveSet(const ActiveSet& other);  ///< with the factors, so that it goes on to the bit alike
+  ActiveSet& operator=(const ActiveSet& other);
   ActiveSet(ActiveSet&&) noexcept;
   ActiveSet& operator=(ActiveSet&&) noexcept;
 

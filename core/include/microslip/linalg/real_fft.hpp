@@ -15,6 +15,8 @@ class RealFft {
   /// \param size  n, >= 1; fast if it is a product of 2, 3, 5 and 7, see good_size()
   explicit RealFft(Eigen::Index size);
   ~RealFft();
+  RealFft(const RealFft& other);  ///< with arrays of its own
+  RealFft& operator=(const RealFft& other);
   RealFft(RealFft&&) noexcept;
   RealFft& operator=(RealFft&&) noexcept;
 

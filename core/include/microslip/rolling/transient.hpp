@@ -73,6 +73,11 @@ struct TransientState {
 /// Accuracy: the cumulative creep of a Cattaneo shift that turns to Carter's solution is of second
 /// order in dx on a grid fixed to the material, whatever the steps; else of first order, as in
 /// steady rolling, because of the leading edge. tests/order/transient_order_test.cpp
+///
+/// A copy goes on like the original, to the bit, and independently of it: in another thread, too.
+/// After a step that throws the state is what it was, and later ones differ by rounding at most from
+/// what they would have been. But not after std::bad_alloc: an Eigen object whose resizing fails
+/// must not even be destroyed.
 class TransientRolling {
  public:
   /// \throws as start_from_shift, if that is how it starts; as require_within_bound for tractions
