@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
+#include "problem.hpp"
+#include "status.hpp"
+#include "version.hpp"
+
+using microslip::Load;
+using microslip::TransientProblem;
+using microslip::TransientRolling;
+using microslip::TransientState;
+using microslip::capi::given;
+using microslip::capi::guarded;
+
+struct microslip_rolling {
+  explicit microslip_rolling(const TransientProblem& problem)
+      : contact(std::make_unique<TransientRolling>(problem)),
+        spacing(problem.grid.spacing()),
+        full_sliding(spacing * contact->bound().sum()) {}
+
+  microslip_rolling(const microslip_rolling& other)
+      : contact(std::make_unique<TransientRolling>(*other.contact)),
+        spacing(other.spacing),
+        full_sliding(other.full_sliding),
+        load(other.load) {}
+
+  std::unique_ptr<TransientRolling> contact;  ///< null if it was lost
+  double spacing;                             ///< dx  [mm]
+  double full_sliding;                        ///< as the elements have it  [N/mm]
+  std::optional<Load> load;
+  char message[512] = "";  ///< of the last call that failed
+};
+
+namespace {
+
+/// A step of more elements would look like a program that hangs.
+constexpr double most_elements = 1e6;
+
+/// Does the work with what a handle stands for.
+template <class Work>
+microslip_status with(microslip_rolling* handle, const Work& work) noexcept {
+  if (handle == nullptr) return MICROSLIP_BAD_INPUT;
+  const microslip::capi::Message message{handle->message, sizeof handle->message};
+  if (!handle->contact) {
+    message.say("out of memory in an earlier step: expected no more than to be destroyed");
+    return MICROSLIP_OUT_OF_MEMORY;
+  }
+  return guarded(message, [&] { work(*handle); });
+}
+
+/// The same for work that changes the contact. Where memory runs out in between, the contact is
+/// lost, and leaks: see TransientRolling.
+template <class Work>
+microslip_status roll_with(microslip_rolling* handle, const Work& work) noexcept {
+  const microslip_status status = with(handle, work);
+  if (status == MICROSLIP_OUT_OF_MEMORY) static_cast<void>(handle->contact.release());
+  return status;
+}
+
+void require_force(const microslip_rolling& handle, double force) {
+  microslip::require(std::abs(force) < handle.full_sliding, "force", force, [&] {
+    return "an absolute value below full sliding, " + microslip::format_short(handle.full_sliding);
+  });
+}
+
+/// \return the load of a step
+const Load& require_step(const microslip_rolling& handle, double dq) {
+  const double least = microslip::min_step_ratio * handle.spacing;
+  const double most = most_elements * handle.spacing;
+  microslip::require(dq >= least && dq <= most, "dq", dq, [&] {
+    return "a number from " + microslip::format_short(least) + " to " +
+           microslip::format_short(most);
+  });
+  if (!handle.load) throw std::invalid_argument("load: expected a creepage or a force to be set");
+  return *handle.load;
+}
+
+microslip_state in_c(const TransientState& state) {
+  return {.distance = state.distance,
+          .force = state.force,
+          .mean_force = state.mean_force,
+          .creepage = state.creepage,
+          .dissipation = state.dissipation,
+          .mean_dissipation = state.mean_dissipation,
+          .residual = state.evidence.residual,
+          .violation = state.evidence.violation(),
+          .adhesion_elements = static_cast<int>(state.adhesion_elements),
+          .slip_elements = static_cast<int>(state.slip_elements),
+          .iterations = state.iterations};
+}
+
+/// Values at the nodes into an array of the caller's.
+template <class Value, class Values>
+microslip_status copy_values(microslip_rolling* handle, Value* to, std::size_t length,
+                             const Values& values) noexcept {
+  return with(handle, [&](const microslip_rolling& of) {
+    given(to, "values");
+    const auto size = static_cast<std::size_t>(of.contact->x().size());
+    microslip::require(length >= size, "length", static_cast<double>(length),
+                       [&] { return "at least " + std::to_string(size); });
+    const auto from = values(*of.contact);
+    std::transform(from.begin(), from.end(), to,
+                   [](auto value) { return static_cast<Value>(value); });
+  });
+}
+
+}  // namespace
+
+const char* microslip_version(void) { return microslip::capi::version; }
+
+microslip_status microslip_create(const microslip_material* material,
+                                  const microslip_contact* contact, const microslip_kernel* kernel,
+                                  const microslip_grid* grid, microslip_rolling** rolling,
+                                  char* message, size_t message_size) {
+  if (rolling != nullptr) *rolling = nullptr;
+  return guarded({message, message_size}, [&] {
+    microslip_rolling*& made = given(rolling, "rolling");
+    made = new microslip_rolling(
+        microslip::capi::make_problem(given(material, "material"), given(contact, "contact"),
+                                      given(kernel, "kernel"), given(grid, "grid")));
+  });
+}
+
+microslip_status microslip_copy(microslip_rolling* rolling, microslip_rolling** copy) {
+  if (copy != nullptr) *copy = nullptr;
+  return with(rolling, [&](const microslip_rolling& from) {
+    microslip_rolling*& made = given(copy, "copy");
+    made = new microslip_rolling(from);
+  });
+}
+
+void microslip_destroy(microslip_rolling* rolling) { delete rolling; }
+
+const char* microslip_message(microslip_rolling* rolling) {
+  return rolling == nullptr ? "rolling = null: expected a handle" : rolling->message;
+}
+
+microslip_status microslip_set_creepage(microslip_rolling* rolling, double creepage) {
+  return with(rolling, [&](microslip_rolling& of) {
+    microslip::require(true, "creepage", creepage, "a finite number");
+    of.load = microslip::PrescribedCreepage{creepage};
+  });
+}
+
+microslip_status microslip_set_force(microslip_rolling* rolling, double force) {
+  return with(rolling, [&](microslip_rolling& of) {
+    require_force(of, force);
+    of.load = microslip::PrescribedForce{force};
+  });
+}
+
+microslip_status microslip_start_from_shift(microslip_rolling* rolling, double force,
+                                            double* shift) {
+  return roll_with(rolling, [&](microslip_rolling& of) {
+    require_force(of, force);
+    const double found = of.contact->start_from_shift({force});
+    if (shift != nullptr) *shift = found;
+  });
+}
+
+microslip_status microslip_advance(microslip_rolling* rolling, double dq) {
+  return roll_with(rolling,
+                   [&](microslip_rolling& of) { of.contact->step(dq, require_step(of, dq)); });
+}
+
+microslip_status microslip_attempt(microslip_rolling* rolling, double dq, microslip_state* state) {
+  return roll_with(rolling, [&](microslip_rolling& of) {
+    microslip_state& out = given(state, "state");
+    out = in_c(of.contact->attempt(dq, require_step(of, dq)));
+  });
+}
+
+microslip_status microslip_get_state(microslip_rolling* rolling, microslip_state* state) {
+  return with(rolling, [&](const microslip_rolling& of) {
+    given(state, "state") = in_c(of.contact->state());
+  });
+}
+
+microslip_status microslip_get_elastic_energy(microslip_rolling* rolling, double* energy) {
+  return with(rolling, [&](const microslip_rolling& of) {
+    given(energy, "energy") = of.contact->elastic_energy();
+  });
+}
+
+microslip_status microslip_get_full_sliding(microslip_rolling* rolling, double* force) {
+  return with(rolling,
+              [&](const microslip_rolling& of) { given(force, "force") = of.full_sliding; });
+}
+
+size_t microslip_size(microslip_rolling* rolling) {
+  return rolling == nullptr || !rolling->contact
+             ? 0
+             : static_cast<std::size_t>(rolling->contact->x().size());
+}
+
+microslip_status microslip_get_nodes(microslip_rolling* rolling, double* values, size_t length) {
+  return copy_values(rolling, values, length, [](const auto& of) { return of.x(); });
+}
+
+microslip_status microslip_get_traction(microslip_rolling* rolling, double* values, size_t length) {
+  return copy_values(rolling, values, length,
+                     [](const auto& of) { return of.traction_at_nodes(); });
+}
+
+microslip_status microslip_get_bound(microslip_rolling* rolling, double* values, size_t length) {
+  return copy_values(rolling, values, length, [](const auto& of) { return of.bound_at_nodes(); });
+}
+
+microslip_status microslip_get_slip(microslip_rolling* rolling, double* values, size_t length) {
+  return copy_values(rolling, values, length, [](const auto& of) { return of.state().slip; });
+}
+
+microslip_status microslip_get_displacement(microslip_rolling* rolling, double* values,
+                                            size_t length) {
+  return copy_values(rolling, values, length, [](const auto& of) { return of.displacement(); });
+}
+
+microslip_status microslip_get_zones(microslip_rolling* rolling, int* values, size_t length) {
+  return copy_values(rolling, values, length, [](const auto& of) { return of.state().zones; });
+}

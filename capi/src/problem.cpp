@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "problem.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "microslip/support/require.hpp"
+#include "status.hpp"
+
+namespace microslip::capi {
+
+namespace {
+
+using Eigen::VectorXd;
+
+TractionBound make_bound(const microslip_contact& contact) {
+  const auto rows = static_cast<double>(contact.bound_rows);
+  if (contact.bound_x == nullptr && contact.bound_value == nullptr) {
+    require(contact.bound_rows == 0, "contact.bound_rows", rows, "0 without a table of the bound");
+    return HertzBound(contact.half_width, contact.peak_traction);
+  }
+  given(contact.bound_x, "contact.bound_x");
+  given(contact.bound_value, "contact.bound_value");
+  require(contact.bound_rows > 0, "contact.bound_rows", rows, "at least one row of the table");
+  require(contact.peak_traction == 0, "contact.peak_traction", contact.peak_traction,
+          "0 with a table of the bound");
+  const auto column = [&](const double* values) -> VectorXd {
+    return Eigen::Map<const VectorXd>(values, static_cast<Eigen::Index>(contact.bound_rows));
+  };
+  try {
+    return TabulatedBound(contact.half_width, column(contact.bound_x), column(contact.bound_value));
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("contact, table of the bound: " + std::string(error.what()));
+  }
+}
+
+Kernel make_kernel(const Material& material, const microslip_kernel& kernel) {
+  require(kernel.type == MICROSLIP_STRIP || kernel.type == MICROSLIP_PLANE, "kernel.type",
+          kernel.type, "0 for a strip or 1 for plane strain");
+  require_positive("kernel.length", kernel.length);
+  if (kernel.type == MICROSLIP_STRIP) return StripKernel(material, kernel.length);
+  return PlaneKernel(material, kernel.length);
+}
+
+AdvectionScheme make_scheme(int scheme) {
+  require(scheme == MICROSLIP_MATERIAL || scheme == MICROSLIP_DIRECT, "grid.scheme", scheme,
+          "0 for material or 1 for direct");
+  if (scheme == MICROSLIP_MATERIAL) return MaterialFixed{};
+  return Direct{};
+}
+
+}  // namespace
+
+TransientProblem make_problem(const microslip_material& material, const microslip_contact& contact,
+                              const microslip_kernel& kernel, const microslip_grid& grid) {
+  const TractionBound bound = make_bound(contact);
+  return {.kernel = make_kernel(
+              {.shear_modulus = material.shear_modulus, .poisson_ratio = material.poisson_ratio},
+              kernel),
+          .bound = bound,
+          .grid = Grid({.half_width = contact.half_width, .elements = grid.elements}),
+          .basis = constant_basis(),
+          .scheme = make_scheme(grid.scheme)};
+}
+
+}  // namespace microslip::capi

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "microslip.h"
+#include "microslip/rolling/transient.hpp"
+
+namespace microslip::capi {
+
+/// What the structs of C describe.
+/// \throws std::invalid_argument for what is out of its range, and for parts of a table that is not
+///                               whole
+TransientProblem make_problem(const microslip_material& material, const microslip_contact& contact,
+                              const microslip_kernel& kernel, const microslip_grid& grid);
+
+}  // namespace microslip::capi

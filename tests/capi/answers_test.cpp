@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the C interface answers is what TransientRolling does, to the bit.
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "c99.h"
+#include "handle.hpp"
+#include "microslip/rolling/transient.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr Material material{1, 0.28};
+
+struct Case {
+  std::string name;
+  Parts parts;
+  TransientProblem problem;
+  Load load;
+};
+
+const double table_x[] = {-0.5, 0, 0.8};
+const double table_value[] = {0.5, 1.5, 0.2};
+
+Case make_case(const std::string& name, const microslip_contact& contact, TractionBound bound,
+               const microslip_kernel& kernel_parts, Kernel kernel, const microslip_grid& grid,
+               Load load) {
+  AdvectionScheme scheme = MaterialFixed{};
+  if (grid.scheme == MICROSLIP_DIRECT) scheme = Direct{};
+  return {.name = name,
+          .parts = {.contact = contact, .kernel = kernel_parts, .grid = grid},
+          .problem = {.kernel = kernel,
+                      .bound = bound,
+                      .grid = Grid({.half_width = 1, .elements = grid.elements}),
+                      .basis = constant_basis(),
+                      .scheme = scheme},
+          .load = load};
+}
+
+std::vector<Case> cases() {
+  const microslip_contact hertz{1, 2, nullptr, nullptr, 0};
+  const microslip_contact table{1, 0, table_x, table_value, 3};
+  const Eigen::VectorXd x = Eigen::Map<const Eigen::Vector3d>(table_x);
+  const Eigen::VectorXd values = Eigen::Map<const Eigen::Vector3d>(table_value);
+  const microslip_kernel plane{MICROSLIP_PLANE, 200}, strip{MICROSLIP_STRIP, 3};
+  return {make_case("material", hertz, HertzBound(1, 2), plane, PlaneKernel(material, 200),
+                    {41, MICROSLIP_MATERIAL}, PrescribedCreepage{-0.7}),
+          make_case("fft", hertz, HertzBound(1, 2), strip, StripKernel(material, 3),
+                    {150, MICROSLIP_MATERIAL}, PrescribedForce{1.5}),
+          make_case("table", table, TabulatedBound(1, x, values), strip, StripKernel(material, 3),
+                    {60, MICROSLIP_MATERIAL}, PrescribedForce{-1}),
+          make_case("direct", hertz, HertzBound(1, 2), strip, StripKernel(material, 3),
+                    {40, MICROSLIP_DIRECT}, PrescribedCreepage{0.4})};
+}
+
+class EveryCase : public testing::TestWithParam<Case> {};
+
+INSTANTIATE_TEST_SUITE_P(Contacts, EveryCase, testing::ValuesIn(cases()),
+                         [](const auto& info) { return info.param.name; });
+
+void set_load(const Handle& handle, const Load& load) {
+  const auto* force = std::get_if<PrescribedForce>(&load);
+  const microslip_status status =
+      force != nullptr ? microslip_set_force(handle.get(), force->value)
+                       : microslip_set_creepage(handle.get(), std::get<0>(load).value);
+  ASSERT_EQ(status, MICROSLIP_OK) << microslip_message(handle.get());
+}
+
+std::vector<double> library_numbers(const TransientState& s) {
+  return {s.distance,
+          s.force,
+          s.mean_force,
+          s.creepage,
+          s.dissipation,
+          s.mean_dissipation,
+          s.evidence.residual,
+          s.evidence.violation(),
+          static_cast<double>(s.adhesion_elements),
+          static_cast<double>(s.slip_elements),
+          static_cast<double>(s.iterations)};
+}
+
+std::vector<double> library_answers(const TransientRolling& rolling) {
+  std::vector<double> all = library_numbers(rolling.state());
+  all.push_back(rolling.elastic_energy());
+  for (const Eigen::VectorXd& values :
+       {Eigen::VectorXd(rolling.x()), rolling.traction_at_nodes(), rolling.bound_at_nodes(),
+        rolling.state().slip, rolling.displacement()}) {
+    all.insert(all.end(), values.begin(), values.end());
+  }
+  for (const Zone zone : rolling.state().zones) all.push_back(static_cast<double>(zone));
+  return all;
+}
+
+TEST_P(EveryCase, IsThatOfTheLibraryToTheBit) {
+  const Case& c = GetParam();
+  const Handle handle = created(c.parts);
+  TransientRolling rolling(c.problem);
+  expect_same(answers(handle), library_answers(rolling));
+  double shift = 0;
+  const double force = -0.3;
+  ASSERT_EQ(microslip_start_from_shift(handle.get(), force, &shift), MICROSLIP_OK);
+  EXPECT_EQ(shift, rolling.start_from_shift({force}));
+  set_load(handle, c.load);
+  for (const double ratio : {1.0, 0.3, 1e-3, 1e-9, 2.7, 0.01, 0.5, 1.0, 1.0}) {
+    const double dq = ratio * c.problem.grid.spacing();
+    microslip_state tried{};
+    ASSERT_EQ(microslip_attempt(handle.get(), dq, &tried), MICROSLIP_OK);
+    expect_same(numbers(tried), library_numbers(rolling.attempt(dq, c.load)));
+    ASSERT_EQ(microslip_advance(handle.get(), dq), MICROSLIP_OK);
+    rolling.step(dq, c.load);
+    expect_same(answers(handle), library_answers(rolling));
+  }
+  EXPECT_GT(state_of(handle).slip_elements, 0);
+}
+
+TEST_P(EveryCase, ACopyGoesOnAlikeAndByItself) {
+  const Case& c = GetParam();
+  const double spacing = c.problem.grid.spacing();
+  const Handle handle = created(c.parts);
+  roll(handle, 30, spacing);
+  microslip_rolling* other = nullptr;
+  ASSERT_EQ(microslip_copy(handle.get(), &other), MICROSLIP_OK);
+  const Handle copy(other, microslip_destroy);
+  const std::vector<double> before = answers(handle);
+  expect_same(answers(copy), before);
+  roll(copy, 30, spacing);
+  expect_same(answers(handle), before);
+  roll(handle, 30, spacing);
+  expect_same(answers(copy), answers(handle));
+  EXPECT_NE(answers(copy), before);
+}
+
+// mean_dissipation dq + mean_force w dq + the change of elastic energy, over some of the terms.
+TEST(CInterface, BalancesEnergy) {
+  const Handle handle = created();
+  double before = 0, sum = 0, dissipated = 0;
+  for (int k = 0; k < 100; ++k) {
+    const double dq = 0.05 * std::exp(2 * std::sin(1.7 * k) - 2), creepage = 20 * std::sin(0.1 * k);
+    ASSERT_EQ(microslip_set_creepage(handle.get(), creepage), MICROSLIP_OK);
+    ASSERT_EQ(microslip_advance(handle.get(), dq), MICROSLIP_OK);
+    const microslip_state state = state_of(handle);
+    double elastic = 0;
+    microslip_get_elastic_energy(handle.get(), &elastic);
+    sum += (state.mean_dissipation + state.mean_force * creepage) * dq + elastic - before;
+    dissipated += state.mean_dissipation * dq;
+    before = elastic;
+  }
+  EXPECT_GT(dissipated, 0.1);
+  EXPECT_NEAR(sum / dissipated, 0, 1e-13);
+}
+
+// Transforms of few sizes, planned and used by all threads at once.
+TEST(CInterface, HandlesOfDifferentThreadsDoNotFeelEachOther) {
+  constexpr int threads = 4;
+  const auto work = [](int thread) {
+    const int elements = 100 + 130 * (thread % 3);
+    const Handle handle = created({.grid = {elements, MICROSLIP_MATERIAL}});
+    roll(handle, 40, 2.0 / elements);
+    return answers(handle);
+  };
+  std::vector<std::vector<double>> at_once(threads);
+  std::vector<std::thread> running;
+  for (int i = 0; i < threads; ++i) {
+    running.emplace_back([&, i] { at_once[static_cast<std::size_t>(i)] = work(i); });
+  }
+  for (std::thread& thread : running) thread.join();
+  for (int i = 0; i < threads; ++i) expect_same(at_once[static_cast<std::size_t>(i)], work(i));
+}
+
+TEST(CInterface, WorksFromC99) {
+  TransientRolling rolling({.kernel = StripKernel(material, 4),
+                            .bound = HertzBound(1, 1),
+                            .grid = Grid({.half_width = 1, .elements = 20}),
+                            .basis = constant_basis(),
+                            .scheme = MaterialFixed{}});
+  rolling.step(0.07, PrescribedCreepage{0.5});
+  EXPECT_EQ(force_after_a_step_in_c99(), rolling.state().force);
+}
+
+}  // namespace
+}  // namespace microslip

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the C interface answers where something is wrong, and that nothing has happened then.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "handle.hpp"
+#include "microslip/support/format.hpp"
+#include "status.hpp"
+
+namespace microslip {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+const double two[] = {-0.5, 0.5};
+const double falling[] = {0.5, -0.5};
+
+TEST(CErrors, OfCreateNameKeyValueAndRange) {
+  const std::vector<std::pair<std::string, std::function<void(Parts&)>>> cases{
+      {"material.shear_modulus = 0: expected a number > 0",
+       [](Parts& p) { p.material.shear_modulus = 0; }},
+      {"material.poisson_ratio = 0.6: expected a number in [0, 0.5]",
+       [](Parts& p) { p.material.poisson_ratio = 0.6; }},
+      {"contact.half_width = nan: expected a number > 0",
+       [](Parts& p) { p.contact.half_width = nan; }},
+      {"contact.peak_traction = -1: expected a number > 0",
+       [](Parts& p) { p.contact.peak_traction = -1; }},
+      {"contact.peak_traction = 1: expected 0 with a table of the bound",
+       [](Parts& p) {
+         p.contact = {1, 1, two, two, 2};
+       }},
+      {"contact.bound_value = null: expected a pointer",
+       [](Parts& p) {
+         p.contact = {1, 0, two, nullptr, 2};
+       }},
+      {"contact.bound_rows = 2: expected 0 without a table of the bound",
+       [](Parts& p) { p.contact.bound_rows = 2; }},
+      {"contact.bound_rows = 0: expected at least one row of the table",
+       [](Parts& p) {
+         p.contact = {1, 0, two, two, 0};
+       }},
+      {"contact, table of the bound: bound = -0.5: expected a number >= 0",
+       [](Parts& p) {
+         p.contact = {1, 0, two, two, 2};
+       }},
+      {"contact, table of the bound: x = -0.5: expected ascending positions",
+       [](Parts& p) {
+         p.contact = {1, 0, falling, falling, 2};
+       }},
+      {"kernel.type = 7: expected 0 for a strip or 1 for plane strain",
+       [](Parts& p) { p.kernel.type = 7; }},
+      {"kernel.length = inf: expected a number > 0", [](Parts& p) { p.kernel.length = infinity; }},
+      {"grid.elements = -3: expected a whole number in [1, 4000000]",
+       [](Parts& p) { p.grid.elements = -3; }},
+      {"grid.scheme = 2: expected 0 for material or 1 for direct",
+       [](Parts& p) { p.grid.scheme = 2; }}};
+  for (const auto& [expected, spoil] : cases) {
+    Parts parts;
+    spoil(parts);
+    Handle handle(nullptr, microslip_destroy);
+    std::string message;
+    EXPECT_EQ(create(parts, handle, &message), MICROSLIP_BAD_INPUT);
+    EXPECT_EQ(message, expected);
+    EXPECT_EQ(handle, nullptr);
+  }
+}
+
+TEST(CErrors, OfCreateAreCutToTheRoomThereIs) {
+  const Parts p;
+  char text[8] = "xxxxxxx";
+  microslip_rolling* made = nullptr;
+  const auto create = [&](const microslip_material* material, microslip_rolling** rolling,
+                          std::size_t size) {
+    return microslip_create(material, &p.contact, &p.kernel, &p.grid, rolling, text, size);
+  };
+  EXPECT_EQ(create(nullptr, &made, 0), MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(text, "xxxxxxx");
+  EXPECT_EQ(create(nullptr, &made, sizeof text), MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(text, "materia");
+  EXPECT_EQ(create(&p.material, nullptr, sizeof text), MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(text, "rolling");
+}
+
+TEST(CErrors, ANullHandleIsABadInput) {
+  double value = 0;
+  int zone = 0;
+  microslip_state state{};
+  microslip_rolling* copy = nullptr;
+  EXPECT_EQ(microslip_copy(nullptr, &copy), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_set_creepage(nullptr, 0), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_set_force(nullptr, 0), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_start_from_shift(nullptr, 0, &value), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_advance(nullptr, 1), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_attempt(nullptr, 1, &state), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_get_state(nullptr, &state), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_get_elastic_energy(nullptr, &value), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_get_full_sliding(nullptr, &value), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_get_nodes(nullptr, &value, 1), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_get_zones(nullptr, &zone, 1), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_size(nullptr), 0u);
+  EXPECT_STREQ(microslip_message(nullptr), "rolling = null: expected a handle");
+  microslip_destroy(nullptr);
+}
+
+/// A call that fails with a message that begins so, and leaves a handle as it was: what it answers
+/// now and later, to the bit.
+void expect_refused(const std::string& expected,
+                    const std::function<microslip_status(microslip_rolling*)>& call) {
+  const Handle handle = created(), twin = created();
+  for (const Handle& h : {std::cref(handle), std::cref(twin)}) {
+    roll(h, 12, 0.05);
+    ASSERT_EQ(microslip_set_force(h.get(), -0.6), MICROSLIP_OK);
+    ASSERT_STREQ(microslip_message(h.get()), "");
+  }
+  EXPECT_EQ(call(handle.get()), MICROSLIP_BAD_INPUT);
+  EXPECT_TRUE(std::string(microslip_message(handle.get())).starts_with(expected))
+      << microslip_message(handle.get());
+  expect_same(answers(handle), answers(twin));
+  EXPECT_EQ(microslip_advance(handle.get(), 0.07), MICROSLIP_OK);
+  EXPECT_EQ(microslip_advance(twin.get(), 0.07), MICROSLIP_OK);
+  expect_same(answers(handle), answers(twin));
+}
+
+TEST(CErrors, ARefusedCallChangesNothing) {
+  using Rolling = microslip_rolling*;
+  const std::string forces = ": expected an absolute value below full sliding, 1.5707963267";
+  const std::string lengths = ": expected a number from 4.878";
+  expect_refused("force = 1.6" + forces, [](Rolling r) { return microslip_set_force(r, 1.6); });
+  expect_refused("force = nan" + forces, [](Rolling r) { return microslip_set_force(r, nan); });
+  expect_refused("force = -2" + forces,
+                 [](Rolling r) { return microslip_start_from_shift(r, -2, nullptr); });
+  expect_refused("creepage = inf: expected a finite number",
+                 [](Rolling r) { return microslip_set_creepage(r, infinity); });
+  for (const double dq : {0.0, -0.1, nan, 1e-17, 1e9}) {
+    expect_refused("dq = " + format_short(dq) + lengths,
+                   [dq](Rolling r) { return microslip_advance(r, dq); });
+  }
+  expect_refused("state = null: expected a pointer",
+                 [](Rolling r) { return microslip_attempt(r, 0.05, nullptr); });
+  expect_refused("state = null: expected a pointer",
+                 [](Rolling r) { return microslip_get_state(r, nullptr); });
+  expect_refused("copy = null: expected a pointer",
+                 [](Rolling r) { return microslip_copy(r, nullptr); });
+  expect_refused("values = null: expected a pointer",
+                 [](Rolling r) { return microslip_get_slip(r, nullptr, 100); });
+}
+
+TEST(CErrors, TooSmallAnArrayIsLeftAlone) {
+  std::vector<double> values(43, 7);
+  std::vector<int> zones(43, 7);
+  expect_refused("length = 43: expected at least 44", [&](microslip_rolling* r) {
+    return microslip_get_traction(r, values.data(), values.size());
+  });
+  expect_refused("length = 43: expected at least 44", [&](microslip_rolling* r) {
+    return microslip_get_zones(r, zones.data(), zones.size());
+  });
+  EXPECT_EQ(values, std::vector<double>(43, 7));
+  EXPECT_EQ(zones, std::vector<int>(43, 7));
+}
+
+TEST(CErrors, AStepNeedsALoad) {
+  const Handle handle = created();
+  EXPECT_EQ(microslip_advance(handle.get(), 0.05), MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(microslip_message(handle.get()), "load: expected a creepage or a force to be set");
+}
+
+// With so small a distance at which displacements vanish, the influence coefficients are not
+// positive definite, and large creepages have no solution.
+TEST(CErrors, AStepWithoutSolutionIsForgotten) {
+  for (const int elements : {20, 150}) {
+    SCOPED_TRACE(elements);
+    const Parts parts{.kernel = {MICROSLIP_PLANE, 0.3}, .grid = {elements, MICROSLIP_MATERIAL}};
+    const Handle handle = created(parts), twin = created(parts);
+    const double dq = 2.7 / elements;
+    const auto creep = [&](const Handle& h, double creepage) {
+      EXPECT_EQ(microslip_set_creepage(h.get(), creepage), MICROSLIP_OK);
+      return microslip_advance(h.get(), dq);
+    };
+    for (const Handle& h : {std::cref(handle), std::cref(twin)}) {
+      ASSERT_EQ(creep(h, 0.1), MICROSLIP_OK) << microslip_message(h.get());
+    }
+    EXPECT_EQ(creep(handle, 1e300), MICROSLIP_NO_SOLUTION);
+    EXPECT_TRUE(std::string(microslip_message(handle.get())).starts_with("active set: no stick"));
+    expect_same(answers(handle), answers(twin));
+    EXPECT_EQ(creep(handle, 0.1), MICROSLIP_OK);
+    EXPECT_EQ(creep(twin, 0.1), MICROSLIP_OK);
+    const std::vector<double> later = answers(handle), without = answers(twin);
+    ASSERT_EQ(later.size(), without.size());
+    for (std::size_t i = 0; i < later.size(); ++i) EXPECT_NEAR(later[i], without[i], 1e-11);
+  }
+}
+
+TEST(CErrors, EveryExceptionBecomesAStatus) {
+  char text[64];
+  const auto status_of = [&](const auto& thrown) {
+    return capi::guarded({text, sizeof text}, [&] { throw thrown; });
+  };
+  EXPECT_EQ(status_of(std::invalid_argument("a")), MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(text, "a");
+  EXPECT_EQ(status_of(NotConverged("b", 3, 0.5)), MICROSLIP_NO_SOLUTION);
+  EXPECT_STREQ(text, "b after 3 iterations; largest relative violation 0.5");
+  EXPECT_EQ(status_of(std::bad_alloc()), MICROSLIP_OUT_OF_MEMORY);
+  EXPECT_STREQ(text, "out of memory");
+  EXPECT_EQ(status_of(std::runtime_error("c")), MICROSLIP_INTERNAL);
+  EXPECT_STREQ(text, "c");
+  EXPECT_EQ(status_of(1), MICROSLIP_INTERNAL);
+  EXPECT_STREQ(text, "an exception of unknown type");
+}
+
+}  // namespace
+}  // namespace microslip
