@@ -10,7 +10,8 @@ BUILD := build/release
 FUZZ_SECONDS ?= 60
 READERS := $(patsubst fuzz/targets/%.cpp,%,$(wildcard fuzz/targets/*.cpp))
 STUDIES := $(patsubst studies/%/study.info,%,$(wildcard studies/*/study.info))
-SOURCES = $(shell find core experiments program apps studies bench tests tools fuzz -name '*.[ch]pp')
+SOURCES = $(shell find core capi experiments program apps studies bench examples tests tools fuzz \
+  -name '*.[ch]pp' -o -name '*.[ch]')
 
 .PHONY: help deps build figures report quick bench test verify references coverage sanitize fuzz keep-corpus \
   format check-format clean $(STUDIES)
@@ -25,7 +26,7 @@ help:
 	@echo 'make verify       two clean builds: the same bytes, and agreement with tests/reference_tables'
 	@echo 'make references   make the tables of this build those of tests/reference_tables'
 	@echo 'make coverage     the lines of core that the tests run; at least 95 %'
-	@echo 'make sanitize     the unit tests and the corpus under the address and undefined-behaviour sanitizers'
+	@echo 'make sanitize     the tests of units and of the C interface, and the corpus, under the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz         libFuzzer on every reader of input, FUZZ_SECONDS=$(FUZZ_SECONDS) each, with both sanitizers'
 	@echo 'make keep-corpus  what it found that reaches new code, into fuzz/corpus'
 	@echo 'make build        only build the programs, into $(BUILD)/bin'
@@ -113,8 +114,8 @@ coverage:
 	gcovr --root . --filter core/ --exclude-throw-branches --fail-under-line 95 build/coverage
 
 sanitize: deps
-	@$(call cmake_build,debug,--target unit_tests corpus)
-	ctest --preset debug -L 'unit|corpus' -j $(JOBS)
+	@$(call cmake_build,debug,--target unit_tests capi_tests corpus)
+	ctest --preset debug -L 'unit|capi|corpus' -j $(JOBS)
 
 # What ends a reader is written to build/fuzz/findings; what is new stays in build/fuzz/corpus.
 fuzz:

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Installs what the project needs and this machine lacks. Usage: tools/deps.sh build|figures|report|browser|bench|fuzz|coverage ...
+# Installs what the project needs and this machine lacks. Usage: tools/deps.sh GROUP ...
+# Groups: build, figures, report, languages, docs, browser, package, bench, fuzz, coverage.
 # Does nothing, and prints nothing, when all is there. DEPS=skip turns it off.
 set -euo pipefail
 [ "${DEPS:-}" = skip ] && exit 0
@@ -29,7 +30,15 @@ libomp-14-dev /usr/lib/llvm-14/lib/libomp.so
 LIST
       ;;
     coverage) echo "gcovr gcovr" ;;
-    *) echo "deps.sh: unknown group '$1'; known: build, figures, report, browser, bench, fuzz, coverage" >&2; return 1 ;;
+    languages) cat <<'LIST'
+python3-numpy /usr/lib/python3/dist-packages/numpy
+octave-dev mkoctfile
+pkg-config pkg-config
+LIST
+      ;;
+    docs) printf '%s\n' "doxygen doxygen" "libjs-mathjax /usr/share/javascript/mathjax/MathJax.js" ;;
+    package) echo "dpkg-dev dpkg-shlibdeps" ;;
+    *) echo "deps.sh: unknown group '$1'; see tools/deps.sh" >&2; return 1 ;;
   esac
 }
 

@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* microslip in Octave and MATLAB; microslip.h says what everything means.
+ *
+ *   h = microslip_mex('create', problem)        a struct with shear_modulus, poisson_ratio,
+ *                                               half_width, peak_traction or bound_x and
+ * bound_value, kernel 'strip' or 'plane', length, elements microslip_mex('set_creepage', h, w)
+ * likewise set_force, advance microslip_mex('destroy', h) s = microslip_mex('attempt', h, dq) a
+ * struct as microslip_state s = microslip_mex('state', h) v = microslip_mex('nodes', h) a column;
+ * likewise traction, bound, slip, displacement e = microslip_mex('elastic_energy', h)      likewise
+ * full_sliding, copy, S = microslip_mex('start_from_shift', h, F)
+ *
+ * Octave: mkoctfile --mex microslip_mex.c -lmicroslip;  MATLAB: mex microslip_mex.c -lmicroslip */
+#include <mex.h>
+#include <microslip.h>
+#include <stdint.h>
+#include <string.h>
+
+static void check(enum microslip_status status, const char* message) {
+  static const char* const names[] = {"ok", "bad_input", "no_solution", "out_of_memory",
+                                      "internal"};
+  char id[64] = "microslip:";
+  if (status != MICROSLIP_OK) mexErrMsgIdAndTxt(strcat(id, names[status]), "%s", message);
+}
+
+static mxArray* handle_array(microslip_rolling* rolling) {
+  mxArray* array = mxCreateNumericMatrix(1, 1, mxUINT64_CLASS, mxREAL);
+  *(uint64_t*)mxGetData(array) = (uint64_t)(uintptr_t)rolling;
+  return array;
+}
+
+static mxArray* state_struct(const struct microslip_state* s) {
+  const char* names[] = {"distance",      "force",       "mean_force",
+                         "creepage",      "dissipation", "mean_dissipation",
+                         "residual",      "violation",   "adhesion_elements",
+                         "slip_elements", "iterations"};
+  const double values[] = {s->distance,      s->force,       s->mean_force,
+                           s->creepage,      s->dissipation, s->mean_dissipation,
+                           s->residual,      s->violation,   s->adhesion_elements,
+                           s->slip_elements, s->iterations};
+  mxArray* array = mxCreateStructMatrix(1, 1, 11, names);
+  for (int i = 0; i < 11; ++i) mxSetField(array, 0, names[i], mxCreateDoubleScalar(values[i]));
+  return array;
+}
+
+/* Of a field that must be there; null for one that need not. */
+static const mxArray* field(const mxArray* problem, const char* name, int needed) {
+  const mxArray* value = mxGetField(problem, 0, name);
+  if (!value && needed)
+    mexErrMsgIdAndTxt("microslip:bad_input", "%s: expected in the struct", name);
+  return value;
+}
+
+static double number(const mxArray* problem, const char* name, int needed) {
+  const mxArray* value = field(problem, name, needed);
+  return value ? mxGetScalar(value) : 0;
+}
+
+static mxArray* create(const mxArray* p) {
+  const mxArray *x = field(p, "bound_x", 0), *value = field(p, "bound_value", 0);
+  char kernel_name[8] = "", message[512];
+  mxGetString(field(p, "kernel", 1), kernel_name, sizeof kernel_name);
+  const struct microslip_material material = {number(p, "shear_modulus", 1),
+                                              number(p, "poisson_ratio", 1)};
+  const struct microslip_contact contact = {
+      number(p, "half_width", 1), number(p, "peak_traction", 0), x ? mxGetPr(x) : NULL,
+      value ? mxGetPr(value) : NULL, x ? mxGetNumberOfElements(x) : 0};
+  const int type = !strcmp(kernel_name, "strip")   ? MICROSLIP_STRIP
+                   : !strcmp(kernel_name, "plane") ? MICROSLIP_PLANE
+                                                   : -1;
+  const struct microslip_kernel kernel = {type, number(p, "length", 1)};
+  const struct microslip_grid grid = {(int)number(p, "elements", 1), MICROSLIP_MATERIAL};
+  microslip_rolling* rolling;
+  if (x && value && mxGetNumberOfElements(x) != mxGetNumberOfElements(value))
+    mexErrMsgIdAndTxt("microslip:bad_input", "bound_value: expected as many as bound_x");
+  check(microslip_create(&material, &contact, &kernel, &grid, &rolling, message, sizeof message),
+        message);
+  return handle_array(rolling);
+}
+
+typedef enum microslip_status set_number(microslip_rolling*, double);
+static const struct {
+  const char* name;
+  set_number* call;
+} setters[] = {{"set_creepage", microslip_set_creepage},
+               {"set_force", microslip_set_force},
+               {"advance", microslip_advance}};
+
+typedef enum microslip_status get_values(microslip_rolling*, double*, size_t);
+static const struct {
+  const char* name;
+  get_values* call;
+} columns[] = {{"nodes", microslip_get_nodes},
+               {"traction", microslip_get_traction},
+               {"bound", microslip_get_bound},
+               {"slip", microslip_get_slip},
+               {"displacement", microslip_get_displacement}};
+
+static int is(const char* command, const char* name) { return strcmp(command, name) == 0; }
+
+static mxArray* answer(const char* command, microslip_rolling* h, double argument) {
+  struct microslip_state state;
+  microslip_rolling* copy;
+  double result = 0;
+  for (int i = 0; i < 3; ++i) {
+    if (!is(command, setters[i].name)) continue;
+    check(setters[i].call(h, argument), microslip_message(h));
+    return NULL;
+  }
+  for (int i = 0; i < 5; ++i) {
+    if (!is(command, columns[i].name)) continue;
+    mxArray* values = mxCreateDoubleMatrix(microslip_size(h), 1, mxREAL);
+    check(columns[i].call(h, mxGetPr(values), microslip_size(h)), microslip_message(h));
+    return values;
+  }
+  if (is(command, "attempt") || is(command, "state")) {
+    check(is(command, "state") ? microslip_get_state(h, &state)
+                               : microslip_attempt(h, argument, &state),
+          microslip_message(h));
+    return state_struct(&state);
+  }
+  if (is(command, "copy")) {
+    check(microslip_copy(h, &copy), microslip_message(h));
+    return handle_array(copy);
+  }
+  if (is(command, "elastic_energy")) {
+    check(microslip_get_elastic_energy(h, &result), microslip_message(h));
+  } else if (is(command, "full_sliding")) {
+    check(microslip_get_full_sliding(h, &result), microslip_message(h));
+  } else if (is(command, "start_from_shift")) {
+    check(microslip_start_from_shift(h, argument, &result), microslip_message(h));
+  } else {
+    mexErrMsgIdAndTxt("microslip:bad_input", "'%s': expected a command of microslip_mex", command);
+  }
+  return mxCreateDoubleScalar(result);
+}
+
+void mexFunction(int outputs, mxArray* out[], int inputs, const mxArray* in[]) {
+  char command[32] = "";
+  (void)outputs;
+  if (inputs < 2 || mxGetString(in[0], command, sizeof command) != 0)
+    mexErrMsgIdAndTxt("microslip:bad_input", "expected a command, and a handle or a struct");
+  if (is(command, "create")) {
+    out[0] = create(in[1]);
+    return;
+  }
+  if (!mxIsUint64(in[1])) mexErrMsgIdAndTxt("microslip:bad_input", "expected a handle");
+  microslip_rolling* handle = (microslip_rolling*)(uintptr_t)(*(uint64_t*)mxGetData(in[1]));
+  if (is(command, "destroy")) {
+    microslip_destroy(handle);
+    return;
+  }
+  mxArray* result = answer(command, handle, inputs > 2 ? mxGetScalar(in[2]) : mxGetNaN());
+  if (result) out[0] = result;
+}
