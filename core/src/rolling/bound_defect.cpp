@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/rolling/bound_defect.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace microslip {
 
@@ -13,8 +15,10 @@ namespace {
 /// Phases repeat if the steps are equal, but for rounding  [dx]
 constexpr double resolution = 1e-12;
 
-/// Steps down to 1/1000 of an element find all their phases again.
-constexpr std::size_t most_known = 1100;
+/// Steps down to 1/1000 of an element find all their phases again, but for large N: steps that
+/// never do would fill 80 MB.
+constexpr Index most_known = 1100;
+constexpr Index most_numbers = 10'000'000;
 
 /// Below this the difference of two values would lose too many digits  [dx]
 constexpr double short_step = 1e-4;
@@ -27,14 +31,17 @@ BoundDefect::BoundDefect(const Kernel& kernel, const TractionBound& bound,
 
 const VectorXd& BoundDefect::at(double phase, const SquareMatrix& response) const {
   const long long key = std::llround(phase / resolution);
-  if (const auto known = known_.find(key); known != known_.end()) return known->second;
-  if (known_.size() == most_known) known_.clear();
+  if (const auto known = known_.find(key); known != known_.end()) return *known->second;
+  const Index most = std::clamp<Index>(most_numbers / window_.size(), 2, most_known);
+  if (static_cast<Index>(known_.size()) >= most) known_.clear();
   // Of the rounded phase, so that it does not matter which one came first.
   const double rounded = static_cast<double>(key) * resolution;
   window_.bound(rounded, bound_);
   response.apply(bound_, by_elements_);
   const auto exact = [&](double x) { return sliding_.displacement(x); };
-  return known_[key] = window_.x(rounded).unaryExpr(exact) - by_elements_;
+  auto defect =
+      std::make_shared<const VectorXd>(window_.x(rounded).unaryExpr(exact) - by_elements_);
+  return *known_.emplace(key, std::move(defect)).first->second;
 }
 
 void BoundDefect::change(double before, double after, Index moved, double length,

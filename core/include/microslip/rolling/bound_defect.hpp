@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <map>
+#include <memory>
 
 #include "microslip/friction/full_sliding.hpp"
 #include "microslip/linalg/square_matrix.hpp"
@@ -33,7 +34,8 @@ class BoundDefect {
  private:
   FullSliding sliding_;
   MaterialWindow window_;
-  mutable std::map<long long, Eigen::VectorXd> known_;
+  /// Copies share what is known.
+  mutable std::map<long long, std::shared_ptr<const Eigen::VectorXd>> known_;
   mutable Eigen::VectorXd bound_, bound_before_, by_elements_;
 };
 
