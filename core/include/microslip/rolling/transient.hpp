@@ -75,9 +75,9 @@ struct TransientState {
 /// steady rolling, because of the leading edge. tests/order/transient_order_test.cpp
 ///
 /// A copy goes on like the original, to the bit, and independently of it: in another thread, too.
-/// After a step that throws the state is what it was, and later ones differ by rounding at most from
-/// what they would have been. But not after std::bad_alloc: an Eigen object whose resizing fails
-/// must not even be destroyed.
+/// After a step that throws the state is what it was, and later ones differ by rounding at most
+/// from what they would have been. But not after std::bad_alloc: an Eigen object whose resizing
+/// fails must not even be destroyed.
 class TransientRolling {
  public:
   /// \throws as start_from_shift, if that is how it starts; as require_within_bound for tractions
