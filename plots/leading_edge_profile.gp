@@ -8,16 +8,18 @@ unset table
 of(name, beta) = strcol("scheme") eq name && same(column("leading_offset"), beta) ? column("x") : NaN
 
 set terminal svg size 800,400
-set multiplot layout 1,2 margins 0.09,0.98,0.16,0.9 spacing 0.09
-set xrange [-0.3:1]
-set yrange [-1:0]
+set multiplot layout 1,2 margins 0.09,0.98,0.16,0.9 spacing 0.12
+# The stick zone and a part of the slip zone.
+half_width = parameter(profile, "contact.half_width")
+set xrange [half_width * (0.9 - 2 * parameter(profile, "profile.stick_ratio")):half_width]
+set yrange [*:0]
 set xlabel "x [mm], rolling to the right"
 set ylabel "traction p [N/mm^2]"
 set key bottom right
 set title "displacement at the edge known, β = 0.5"
 plot tables."/exact.tsv" using "x":"traction" with @exact_line title "exact (10.1)", \
      profile using (of("standard constant", 0.5)):"traction" with linespoints linetype 2 pointtype 6 pointsize 0.5 title "standard", \
-     profile using (of("known edge constant", 0.5)):"traction" with linespoints linetype 1 pointtype 7 pointsize 0.4 title "u_{LE} known"
+     profile using (of("known edge constant", 0.5)):"traction" with linespoints linetype 1 pointtype 7 pointsize 0.4 title "u_{LE} is known"
 set title sprintf("last hat trimmed, β = %g", offset)
 plot tables."/exact.tsv" using "x":"traction" with @exact_line title "exact (10.1)", \
      profile using (of("standard linear", offset)):"traction" with linespoints linetype 2 pointtype 6 pointsize 0.5 title "standard", \

@@ -22,6 +22,9 @@ set linetype cycle 7
 exact_line = "lines linecolor 'black' linewidth 1.2"
 bound_line = "lines linecolor 'gray60' linewidth 1 dashtype 2"
 
+# A number in the comment of a table.
+parameter(table, key) = real(system(sprintf("sed -n 's/^#   %s = //p' \"%s\"", key, table)))
+
 # Values that differ by less than rounding of a printed number.
 same(a, b) = abs(a - b) <= 1e-9 * abs(b)
 

@@ -75,12 +75,13 @@ void require_force(const microslip_rolling& handle, double force) {
 
 /// \return the load of a step
 const Load& require_step(const microslip_rolling& handle, double dq) {
-  const double least = microslip::min_step_ratio * handle.spacing;
-  const double most = most_elements * handle.spacing;
-  microslip::require(dq >= least && dq <= most, "dq", dq, [&] {
-    return "a number from " + microslip::format_short(least) + " to " +
-           microslip::format_short(most);
-  });
+  const double elements = dq / handle.spacing;
+  microslip::require(
+      elements >= microslip::min_step_ratio && elements <= most_elements, "dq", dq, [&] {
+        return "from " + microslip::format_short(microslip::min_step_ratio) + " to " +
+               microslip::format_short(most_elements) + " elements, one of which is " +
+               microslip::format_short(handle.spacing);
+      });
   if (!handle.load) throw std::invalid_argument("load: expected a creepage or a force to be set");
   return *handle.load;
 }

@@ -353,7 +353,8 @@ LeadingEdgeParameters read_leading_edge(Scene& scene) {
   in_open_unit("profile.leading_offset", p.profile_offset);
   const bool listed =
       std::count(p.stick_ratios.begin(), p.stick_ratios.end(), p.profile_stick_ratio) == 1;
-  require(listed, "profile.stick_ratio", p.profile_stick_ratio, "one of load.stick_ratios");
+  require(listed, "profile.stick_ratio", p.profile_stick_ratio,
+          "one of load.stick_ratios = " + scene.text("load.stick_ratios") + "; add it there");
   return p;
 }
 

@@ -126,7 +126,7 @@ void expect_refused(const std::string& expected,
 TEST(CErrors, ARefusedCallChangesNothing) {
   using Rolling = microslip_rolling*;
   const std::string forces = ": expected an absolute value below full sliding, 1.5707963267";
-  const std::string lengths = ": expected a number from 4.878";
+  const std::string lengths = ": expected from 1e-15 to 1e+06 elements, one of which is 0.04878";
   expect_refused("force = 1.6" + forces, [](Rolling r) { return microslip_set_force(r, 1.6); });
   expect_refused("force = nan" + forces, [](Rolling r) { return microslip_set_force(r, nan); });
   expect_refused("force = -2" + forces,

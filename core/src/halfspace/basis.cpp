@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/halfspace/basis.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "microslip/support/nearest.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip {
@@ -67,12 +69,27 @@ Basis edge_constant_basis() {
           {constant_shape(), ShapeFunction({{-0.5, 0.5, {1, -2, 0}}})}};
 }
 
+namespace {
+
+/// Those that scenes may choose, the default first.
+const std::vector<Basis>& bases() {
+  static const std::vector<Basis> all{constant_basis(), linear_basis(), quadratic_basis()};
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string_view> basis_names() {
+  std::vector<std::string_view> names;
+  for (const Basis& basis : bases()) names.push_back(basis.name());
+  return names;
+}
+
 Basis make_basis(std::string_view name) {
-  if (name == "constant") return constant_basis();
-  if (name == "linear") return linear_basis();
-  if (name == "quadratic") return quadratic_basis();
-  throw std::invalid_argument("basis = " + std::string(name) +
-                              ": expected constant or linear or quadratic");
+  const auto found = std::ranges::find(bases(), name, &Basis::name);
+  if (found != bases().end()) return *found;
+  throw std::invalid_argument("basis = " + std::string(name) + ": expected " +
+                              joined(basis_names(), " or "));
 }
 
 }  // namespace microslip

@@ -58,7 +58,7 @@ Grid read_grid(Scene& scene, double half_width) {
 }
 
 Basis read_basis(Scene& scene, const Grid& grid) {
-  const Basis basis = make_basis(scene.word_or_first("basis", {"constant", "linear", "quadratic"}));
+  const Basis basis = make_basis(scene.word_or_first("basis", basis_names()));
   require(basis.name() != "quadratic" || grid.size() % 2 == 1, "grid.elements",
           static_cast<double>(grid.size()), "an odd number for quadratic functions");
   return basis;
@@ -168,9 +168,9 @@ void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, d
              " is safe for any");
 }
 
-/// \param names  of all schemes, the default first
-AdvectionScheme read_scheme(Scene& scene, std::initializer_list<std::string_view> names) {
-  const std::string name = scene.word_or_first("step.scheme", names);
+AdvectionScheme read_scheme(Scene& scene) {
+  const std::string name = scene.word_or_first(
+      "step.scheme", {"material", "direct", "relaxed", "relaxed_traction", "fractional"});
   if (name == "direct") return Direct{};
   if (name == "fractional") return Fractional{};
   if (name == "material") return MaterialFixed{};
@@ -269,8 +269,7 @@ TransientScene read_transient(Scene& scene) {
                                  .bound = model.bound,
                                  .grid = model.grid,
                                  .basis = read_basis(scene, model.grid),
-                                 .scheme = read_scheme(scene, {"material", "direct", "relaxed",
-                                                               "relaxed_traction", "fractional"}),
+                                 .scheme = read_scheme(scene),
                                  .solver = read_solver(scene)};
   const std::vector<double> step_ratios = scene.numbers("step.ratio");
   for (const double ratio : step_ratios) {
@@ -315,8 +314,7 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
 CylinderScene read_cylinder(Scene& scene) {
   const std::string integrator =
       scene.word_or_first("motion.integrator", {"midpoint", "verlet", "leapfrog"});
-  const AdvectionScheme scheme =
-      read_scheme(scene, {"material", "direct", "relaxed", "relaxed_traction", "fractional"});
+  const AdvectionScheme scheme = read_scheme(scene);
   return read_cylinder(scene, scheme,
                        integrator == "midpoint" ? Integrator::midpoint
                        : integrator == "verlet" ? Integrator::verlet

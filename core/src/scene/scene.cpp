@@ -206,7 +206,7 @@ std::vector<Eigen::VectorXd> Scene::columns(const std::string& key,
   return read_columns(in, names);
 }
 
-std::string Scene::word(const std::string& key, std::initializer_list<std::string_view> accepted) {
+std::string Scene::word(const std::string& key, const std::vector<std::string_view>& accepted) {
   const std::string& value = text(key);
   if (std::find(accepted.begin(), accepted.end(), value) == accepted.end()) {
     reject(key, value, joined(accepted, " or "));
@@ -216,9 +216,9 @@ std::string Scene::word(const std::string& key, std::initializer_list<std::strin
 }
 
 std::string Scene::word_or_first(const std::string& key,
-                                 std::initializer_list<std::string_view> accepted) {
+                                 const std::vector<std::string_view>& accepted) {
   if (has(key)) return word(key, accepted);
-  parameters_.emplace_back(key, *accepted.begin());
+  parameters_.emplace_back(key, accepted.front());
   return parameters_.back().second;
 }
 

@@ -61,7 +61,9 @@ Basis trimmed_linear_basis(double leading_offset);
 /// leading edge, which makes the two one function that falls linearly to zero (for beta = 1/2).
 Basis edge_constant_basis();
 
-/// \param name  "constant", "linear" or "quadratic"
+/// Of those that scenes may choose, the default first.
+std::vector<std::string_view> basis_names();
+
 /// \throws std::invalid_argument for another name
 Basis make_basis(std::string_view name);
 

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <functional>
-#include <initializer_list>
 #include <iosfwd>
 #include <map>
 #include <stdexcept>
@@ -93,9 +92,8 @@ class Scene {
   }
 
   /// One of the words in `accepted`; the first is the default of the second form.
-  std::string word(const std::string& key, std::initializer_list<std::string_view> accepted);
-  std::string word_or_first(const std::string& key,
-                            std::initializer_list<std::string_view> accepted);
+  std::string word(const std::string& key, const std::vector<std::string_view>& accepted);
+  std::string word_or_first(const std::string& key, const std::vector<std::string_view>& accepted);
 
   /// \throws std::invalid_argument if a key was given that nobody read
   void reject_unread() const;
