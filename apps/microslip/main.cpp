@@ -54,9 +54,11 @@ int main(int argc, char** argv) {
   const std::vector<program::Command> commands{
       {"init", "writes a commented scene to start from",
        [&](int n, Arguments words) { return program::init(solver.name, templates, n, words); }},
+      {"keys", "lists the keys of scenes, with units and accepted values",
+       [&](int n, Arguments words) { return program::keys(solver.name, n, words); }},
       {"explain", "says what a scene models and what it will cost, and solves nothing",
        [&](int n, Arguments words) { return program::explain(solver, preview, n, words); }},
-      {"plot", "draws the figure of a result",
+      {"plot", "draws the figures of a result, or of a study",
        [&](int n, Arguments words) { return program::plot(solver.name, n, words); }},
       {"sweep", "solves many scenes: all combinations of lists of values",
        [&](int n, Arguments words) { return program::sweep(solver, n, words); }},

@@ -2,6 +2,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
@@ -12,6 +13,7 @@
 
 #include "command_line.hpp"
 #include "microslip/program/commands.hpp"
+#include "microslip/support/nearest.hpp"
 #include "microslip/support/shown.hpp"
 #include "process.hpp"
 #include "provenance.hpp"
@@ -33,20 +35,46 @@ std::string header_of(const fs::path& table) {
   return line;
 }
 
+[[noreturn]] void reject(const fs::path& folder, const std::string& why) {
+  throw std::invalid_argument("'" + shown(folder.string()) +
+                              "': expected the folder of a result; " + why);
+}
+
+/// Which program wrote a result: the first word of its provenance.
+std::string program_of(const fs::path& folder) {
+  if (!fs::is_directory(folder)) reject(folder, "there is no such folder");
+  std::ifstream in(folder / "provenance.txt");
+  std::string program;
+  if (!(in >> program)) reject(folder, "it has no provenance.txt");
+  return program;
+}
+
+/// Of the three that have a figure.
 std::string kind_of(const fs::path& folder) {
-  const auto reject = [&](const std::string& why) {
-    throw std::invalid_argument("'" + shown(folder.string()) +
-                                "': expected the folder of a result; " + why);
-  };
-  if (!fs::is_directory(folder)) reject("there is no such folder");
-  if (!fs::exists(folder / "provenance.txt")) reject("it has no provenance.txt");
   if (fs::exists(folder / "sweep.tsv")) {
-    reject("it is that of a sweep, the columns of sweep.tsv are for plots of your own");
+    reject(folder, "it is that of a sweep, the columns of sweep.tsv are for plots of your own");
   }
-  if (!fs::exists(folder / "traction.tsv")) reject("it has no traction.tsv");
+  if (!fs::exists(folder / "traction.tsv")) reject(folder, "it has no traction.tsv");
   const std::string history = header_of(folder / "history.tsv");
   if (history.empty()) return "steady";
   return history.starts_with("q\t") ? "transient" : "cylinder";
+}
+
+struct Figure {
+  std::string name;
+  fs::path script;
+};
+
+/// All that the scripts know of a study, in the order of their names.
+std::vector<Figure> figures_of_study(const fs::path& plots, const std::string& study) {
+  std::vector<Figure> figures;
+  for (const auto& entry : fs::directory_iterator(plots)) {
+    const std::string name = entry.path().stem();
+    if (entry.path().extension() != ".gp" || !name.starts_with(study + "_")) continue;
+    figures.push_back({name.substr(study.size() + 1), entry.path()});
+  }
+  std::ranges::sort(figures, {}, &Figure::name);
+  return figures;
 }
 
 /// Runs a program of this machine. Returns its exit status, 127 if it cannot be started.
@@ -62,15 +90,48 @@ int run_tool(std::vector<std::string> words) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
-void draw(const std::string& name, const fs::path& folder, const fs::path& figure) {
-  const fs::path plots = share_folder() / "plots";
-  const fs::path script = plots / (name + "_" + kind_of(folder) + ".gp");
-  if (!fs::exists(script)) {
-    throw std::runtime_error("cannot read " + shown(script.string()) +
-                             ": expected the scripts of the installation there");
-  }
+void draw(const fs::path& plots, const fs::path& script, const fs::path& folder,
+          const fs::path& figure) {
   if (run_tool({plots / "draw.sh", script, folder, figure}) != 0) {
     throw std::runtime_error("cannot draw " + shown(figure.string()));
+  }
+  std::cout << "drew " << figure.string() << '\n';
+}
+
+/// The figures of a study, or the one of them that is asked for.
+std::vector<Figure> chosen(const std::vector<Figure>& figures, const Given& given) {
+  if (given.count("figure") == 0) return figures;
+  const std::string wanted = given["figure"].as<std::string>();
+  const auto found = std::ranges::find(figures, wanted, &Figure::name);
+  if (found != figures.end()) return {*found};
+  std::vector<std::string> names;
+  for (const Figure& figure : figures) names.push_back(figure.name);
+  throw std::invalid_argument("--figure '" + shown(wanted) + "': expected " + joined(names, ", ") +
+                              question(nearest(wanted, names)));
+}
+
+/// \param name  of the program whose results have one figure, and others are studies
+void draw_all(const std::string& name, const fs::path& folder, const Given& given) {
+  const std::string program = program_of(folder);
+  const fs::path plots = share_folder() / "plots";
+  if (!fs::is_directory(plots)) {
+    throw std::runtime_error("cannot read " + shown(plots.string()) +
+                             ": expected the scripts of figures there");
+  }
+  std::vector<Figure> figures;
+  if (program == name) {
+    figures.push_back({"", plots / (name + "_" + kind_of(folder) + ".gp")});
+  } else {
+    figures = chosen(figures_of_study(plots, program), given);
+  }
+  if (figures.empty()) reject(folder, "that of " + shown(program) + " has no figures");
+  if (given.count("to") != 0) {
+    if (figures.size() > 1) throw std::invalid_argument("--to: expected --figure with it here");
+    return draw(plots, figures.front().script, folder, given["to"].as<std::string>());
+  }
+  for (const Figure& figure : figures) {
+    draw(plots, figure.script, folder,
+         folder.string() + (figure.name.empty() ? "" : "_" + figure.name) + ".svg");
   }
 }
 
@@ -80,18 +141,18 @@ int plot(const std::string& name, int argc, const char* const* argv) {
   return run_process(name, [&] {
     Options known("Options of plot");
     known.add_options()("result", options::value<std::string>()->default_value("out"),
-                        "the first word: folder of the result")("to", options::value<std::string>(),
-                                                                "SVG file (default: RESULT.svg)")(
+                        "the first word: folder of a result, or of a study")(
+        "figure", options::value<std::string>(), "of a study: this one instead of all")(
+        "to", options::value<std::string>(),
+        "SVG file (default: RESULT.svg, or RESULT_FIGURE.svg of a study)")(
         "version", "print version and revision")("help", "print this");
     const Given given = parse(known, argc - 1, argv + 1, "result");
-    if (answers(given, known, name + " plot", "draws the figure of a result, with gnuplot"))
+    if (answers(given, known, name + " plot", "draws the figures of a result, with gnuplot")) {
       return 0;
+    }
     fs::path folder = given["result"].as<std::string>();
     if (!folder.has_filename()) folder = folder.parent_path();  // out/
-    const fs::path figure =
-        given.count("to") != 0 ? given["to"].as<std::string>() : folder.string() + ".svg";
-    draw(name, folder, figure);
-    std::cout << "drew " << figure.string() << '\n';
+    draw_all(name, folder, given);
     return 0;
   });
 }

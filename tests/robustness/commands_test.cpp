@@ -27,13 +27,13 @@ class Commands : public Executables {
 };
 
 TEST_F(Commands, AWordThatIsNone) {
-  const std::string known = "; commands: init, explain, plot, sweep, merge";
+  const std::string known = "; commands: init, keys, explain, plot, sweep, merge";
   expect_error("swep",
                "'swep': expected a scene's file or a command (did you mean 'sweep'?)" + known);
   expect_error("my.info", "'my.info': expected a scene's file or a command" + known);
   expect_error("", "missing a scene: expected its file, as in 'microslip scene.info'; see --help");
   const Outcome help = run_in_folder("--help");
-  for (const char* command : {"init", "explain", "plot", "sweep", "merge"}) {
+  for (const char* command : {"init", "keys", "explain", "plot", "sweep", "merge"}) {
     EXPECT_NE(help.output.find(std::string("\n  microslip ") + command), std::string::npos);
     EXPECT_EQ(run_in_folder(std::string(command) + " --help").status, 0);
   }
@@ -95,23 +95,37 @@ TEST_F(Commands, OnlyResultsAreDrawn) {
   EXPECT_FALSE(fs::exists(folder_ / "out.svg"));
 }
 
-/// In the first column of README's tables of keys, without marks of Markdown.
+TEST_F(Commands, StudiesAreDrawn) {
+  run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/carter --quick --out mine");
+  EXPECT_EQ(run_in_folder("plot mine").output, "drew mine_accuracy.svg\ndrew mine_traction.svg\n");
+  EXPECT_EQ(run_in_folder("plot mine --figure traction --to one.svg").output, "drew one.svg\n");
+  EXPECT_EQ(text_of(folder_ / "one.svg"), text_of(folder_ / "mine_traction.svg"));
+  expect_error("plot mine --figure tractions",
+               "--figure 'tractions': expected accuracy, traction (did you mean 'traction'?)");
+  expect_error("plot mine --to one.svg", "--to: expected --figure with it here");
+}
+
+/// In the first column of the tables of keys, without marks of Markdown.
 std::set<std::string> documented_keys() {
   std::set<std::string> keys;
-  std::ifstream in(MICROSLIP_SOURCE "/README.md");
-  std::string section;
+  std::ifstream in(MICROSLIP_SOURCE "/docs/scenes.md");
   for (std::string line; std::getline(in, line);) {
-    if (line.starts_with("## ")) section = line;
-    if (section != "## Your own scene" || !line.starts_with("| `")) continue;
+    if (!line.starts_with("| `")) continue;
     keys.insert(line.substr(3, line.find('`', 3) - 3));
   }
   return keys;
 }
 
-TEST_F(Commands, TheReadmeKnowsAllKeys) {
+TEST_F(Commands, AllKeysAreDocumented) {
   const std::set<std::string> documented = documented_keys();
+  const std::string page = text_of(MICROSLIP_SOURCE "/packaging/man/microslip-scene.5");
+  std::string printed = run_in_folder("keys").output;
+  printed.insert(printed.begin(), '\n');
   for (const Key& key : keys_of_scenes()) {
-    EXPECT_TRUE(documented.contains(std::string(key.name))) << key.name;
+    const std::string name(key.name);
+    EXPECT_TRUE(documented.contains(name)) << name;
+    EXPECT_NE(page.find("\n.B " + name + "\n"), std::string::npos) << name;
+    EXPECT_NE(printed.find("\n" + name + " "), std::string::npos) << name;
   }
 }
 

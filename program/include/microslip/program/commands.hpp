@@ -36,6 +36,9 @@ struct Template {
 int init(const std::string& name, const std::vector<Template>& templates, int argc,
          const char* const* argv);
 
+/// Prints all keys of scenes, with units, meanings and accepted values.
+int keys(const std::string& name, int argc, const char* const* argv);
+
 /// What is known of a scene before it is solved.
 struct Preview {
   Explanation explanation;
@@ -48,8 +51,8 @@ struct Preview {
 int explain(const Program& program, const std::function<Preview(Scene&)>& preview, int argc,
             const char* const* argv);
 
-/// Draws the figure of a result with the scripts in share/microslip/plots of the installation:
-/// NAME_KIND.gp, the kind by the tables that are there.
+/// Draws the figures of a result with the scripts in share/microslip/plots of the installation:
+/// NAME_KIND.gp of this program, the kind by the tables that are there, or all STUDY_*.gp.
 int plot(const std::string& name, int argc, const char* const* argv);
 
 }  // namespace microslip::program
