@@ -72,7 +72,7 @@ class Readme(unittest.TestCase):
 
     def test_says_what_the_programs_say(self):
         text = (ROOT / "README.md").read_text(encoding="utf-8")
-        rows = dict(re.findall(r"^\| \[(\w+)\]\(#\1\) \| (.+?) \| ", text, re.MULTILINE))
+        rows = dict(re.findall(r"^\| \[(\w+)\]\(docs/studies\.md#\1\) \| (.+?) \| ", text, re.MULTILINE))
         self.assertEqual(set(rows), {scene.parent.name for scene in ROOT.glob("studies/*/study.info")})
         for study, question in rows.items():
             run = subprocess.run([PROGRAMS / study, "--help"], capture_output=True, text=True, timeout=60)

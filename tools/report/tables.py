@@ -5,7 +5,7 @@ import shlex
 from dataclasses import dataclass
 from pathlib import Path
 
-VERDICTS = ("reproduced", "corrected", "refuted", "not_comparable")
+VERDICTS = ("reproduced", "corrected", "refuted", "not_comparable", "ours")
 CLAIM_COLUMNS = ("claim", "section", "thesis_value", "measured_value", "unit", "verdict", "note", "figure")
 
 
@@ -91,9 +91,9 @@ class Study:
 
 def studies_of(readme):
     """Name and question of each study, in the order of the README's table."""
-    studies = re.findall(r"^\| \[(\w+)\]\(#\1\) \| (.+?) \| ", read_text(readme), re.MULTILINE)
+    studies = re.findall(r"^\| \[(\w+)\]\(docs/studies\.md#\1\) \| (.+?) \| ", read_text(readme), re.MULTILINE)
     if not studies:
-        raise ReportError(f"{readme}: expected a table of studies, | [name](#name) | question | ...")
+        raise ReportError(f"{readme}: expected a table of studies, | [name](docs/studies.md#name) | question | ...")
     return studies
 
 
