@@ -8,12 +8,13 @@ MAKEFLAGS += --no-builtin-rules
 JOBS ?= $(shell nproc)
 BUILD := build/release
 FUZZ_SECONDS ?= 60
+PREFIX ?= /usr/local
 READERS := $(patsubst fuzz/targets/%.cpp,%,$(wildcard fuzz/targets/*.cpp))
 STUDIES := $(patsubst studies/%/study.info,%,$(wildcard studies/*/study.info))
 SOURCES = $(shell find core capi experiments program apps studies bench examples tests tools fuzz \
   -name '*.[ch]pp' -o -name '*.[ch]')
 
-.PHONY: help deps build figures report quick bench test verify references coverage sanitize fuzz keep-corpus \
+.PHONY: help deps build install package docs figures report quick bench test verify references coverage sanitize fuzz keep-corpus \
   format check-format clean $(STUDIES)
 
 help:
@@ -30,6 +31,9 @@ help:
 	@echo 'make fuzz         libFuzzer on every reader of input, FUZZ_SECONDS=$(FUZZ_SECONDS) each, with both sanitizers'
 	@echo 'make keep-corpus  what it found that reaches new code, into fuzz/corpus'
 	@echo 'make build        only build the programs, into $(BUILD)/bin'
+	@echo 'make docs         API pages, and what is solved, into build/docs/html'
+	@echo 'make install      into PREFIX=$(PREFIX)'
+	@echo 'make package      a Debian package into $(BUILD)/package'
 	@echo 'make format       clang-format all sources; make check-format only looks'
 	@echo 'make clean        remove the build and the results'
 	@echo 'Missing Debian packages are installed first (DEPS=skip: not). JOBS=$(JOBS) compilers at once.'
@@ -45,6 +49,19 @@ cmake_build = mkdir -p build/$(1); \
 
 build: deps
 	@$(call cmake_build,release,--target programs)
+
+install: build
+	@cmake --install $(BUILD) --prefix "$(PREFIX)" >$(BUILD)/install.log || { cat $(BUILD)/install.log; exit 1; }
+	@echo 'installed into $(PREFIX)'
+
+package: build
+	@tools/deps.sh package
+	@cd $(BUILD) && cpack >cpack.log 2>&1 || { cat cpack.log; exit 1; }
+	@ls $(BUILD)/package/*.deb
+
+docs:
+	@tools/deps.sh docs
+	@tools/docs.sh
 
 # A study reruns when the content of its program changes, which includes its scenes; a new time stamp
 # alone does nothing.

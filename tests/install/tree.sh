@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# An installed tree works where it is put: programs, figures, man pages, completion.
+# Usage: tree.sh CMAKE BUILD_FOLDER SOURCE_FOLDER WORK_FOLDER
+set -euo pipefail
+cmake=$1 build=$(realpath "$2") source=$(realpath "$3") work=$4
+fail() {
+  echo "$1" >&2
+  exit 1
+}
+rm -rf "$work"
+mkdir -p "$work/elsewhere"
+"$cmake" --install "$build" --prefix "$work/first" >"$work/log"
+mv "$work/first" "$work/a prefix"
+prefix="$work/a prefix"
+export PATH="$prefix/bin:$PATH"
+cd "$work/elsewhere"
+
+# What a newcomer types, from the installed programs and with their scripts of figures.
+[ "$(command -v microslip)" = "$prefix/bin/microslip" ] || fail "microslip is not installed"
+microslip init steady >/dev/null
+microslip explain steady.info >/dev/null
+microslip steady.info
+command -v gnuplot >/dev/null && { microslip plot >/dev/null; [ -s out.svg ] || fail "no figure"; }
+microslip --version | grep -q "revision $(cat "$build/share/microslip/revision.txt")" || fail "no revision"
+
+# All studies, with scene, scripts of figures and man page.
+for scene in "$source"/studies/*/study.info; do
+  study=$(basename "$(dirname "$scene")")
+  "microslip-$study" --print-scene | cmp - "$prefix/share/microslip/studies/$study.info" || fail "$study"
+  [ -f "$prefix/share/man/man1/microslip-$study.1" ] || fail "no man page of $study"
+  grep -qxF ".B microslip\\-$study" "$prefix/share/man/man1/microslip-studies.1" || fail "$study has no entry"
+  for script in "$source/plots/${study}"_*.gp; do
+    [ -f "$prefix/share/microslip/plots/$(basename "$script")" ] || fail "not installed: $script"
+  done
+done
+microslip-carter --quick
+[ -s results/carter/traction.tsv ] || fail "carter wrote nothing"
+
+# Man pages, as far as there is a program that reads them, without warnings.
+if command -v man >/dev/null; then
+  for page in "$prefix"/share/man/man*/*; do
+    warnings=$(cd "$prefix/share/man" && man --warnings -E UTF-8 -l "$page" 2>&1 >/dev/null)
+    [ -z "$warnings" ] || fail "$page: $warnings"
+  done
+fi
+
+# $1 what is typed; prints what TAB would offer.
+completed() {
+  read -ra COMP_WORDS <<<"$1"
+  [[ $1 == *' ' ]] && COMP_WORDS+=('')
+  COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
+  COMPREPLY=()
+  _microslip
+  echo "${COMPREPLY[*]}"
+}
+source "$prefix/share/bash-completion/completions/microslip"
+expect() {
+  [ "$(completed "$1")" = "$2" ] || fail "'$1' is completed to '$(completed "$1")', not '$2'"
+}
+expect 'microslip ex' 'explain'
+expect 'microslip st' 'steady.info'
+expect 'microslip init ' 'steady transient cylinder sweep'
+expect 'microslip explain ' 'steady.info out results'
+expect 'microslip plot o' 'out'
+expect 'microslip steady.info --set contact.h' 'contact.half_width='
+expect 'microslip sweep steady.info --th' '--threads'
+# Every option that --help lists is offered.
+for command in '' init explain plot sweep merge keys; do
+  for option in $(microslip $command --help | grep -oE '^  --[a-z-]+'); do
+    expect "microslip $command $option" "$option"
+  done
+done
