@@ -45,7 +45,11 @@ class Error(Exception):
         self.status = status
 
 
-_library = c.CDLL(os.environ.get("MICROSLIP_LIBRARY", "libmicroslip.so.0.1"))
+_file = os.environ.get("MICROSLIP_LIBRARY", "libmicroslip.so.0.1")
+try:
+    _library = c.CDLL(_file)
+except OSError as error:
+    raise ImportError(f"{error}; expected the environment variable MICROSLIP_LIBRARY to name it") from None
 _handle = c.c_void_p
 for _name, *_arguments in (
         ("create", *map(c.POINTER, (Material, Contact, Kernel, Grid, _handle)), c.c_char_p, c.c_size_t),
