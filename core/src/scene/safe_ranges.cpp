@@ -18,10 +18,14 @@ SafeRange safe_elements(const Basis& basis) {
 }
 
 SafeRange safe_steps(const AdvectionScheme& scheme) {
-  if (std::holds_alternative<MaterialFixed>(scheme)) return {0, any};
-  if (std::holds_alternative<Direct>(scheme)) return {0.5, 1.3};
-  if (std::holds_alternative<Fractional>(scheme)) return {1, 1};
-  return {0.01, 1.3};
+  struct Steps {
+    SafeRange operator()(const MaterialFixed&) const { return {0, any}; }
+    SafeRange operator()(const Direct&) const { return {0.5, 1.3}; }
+    SafeRange operator()(const Relaxed&) const { return {0.01, 1.3}; }
+    SafeRange operator()(const RelaxedTraction&) const { return {0.01, 1.3}; }
+    SafeRange operator()(const Fractional&) const { return {1, 1}; }
+  };
+  return std::visit(Steps{}, scheme);
 }
 
 }  // namespace microslip
