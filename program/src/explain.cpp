@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <iostream>
 #include <optional>
+#include <span>
 #include <sstream>
 
 #include "command_line.hpp"
@@ -27,15 +28,15 @@ struct Unit {
 };
 
 /// With two digits, in the largest unit of which there is one at least.
-template <std::size_t count>
-std::string in_units(double value, const std::array<Unit, count>& units) {
-  std::ostringstream text;
+/// \param units  from the largest to the least
+std::string in_units(double value, std::span<const Unit> units) {
   const auto fits = [&](const Unit& unit) { return value >= unit.size; };
-  auto unit = std::find_if(units.begin(), units.end(), fits);
-  if (unit == units.end()) --unit;
-  const double shown = value / unit->size;
-  text << (shown < 100 ? std::setprecision(2) : std::setprecision(0))
-       << (shown < 100 ? std::defaultfloat : std::fixed) << shown << ' ' << unit->name;
+  const auto found = std::ranges::find_if(units, fits);
+  const Unit& unit = found == units.end() ? units.back() : *found;
+  std::ostringstream text;
+  const double number = value / unit.size;
+  if (number >= 100) text << std::fixed;
+  text << std::setprecision(number >= 100 ? 0 : 2) << number << ' ' << unit.name;
   return text.str();
 }
 
@@ -80,27 +81,58 @@ void print_lines(const std::string& title, const std::vector<std::string>& lines
   for (const std::string& line : lines) std::cout << "  " << line << '\n';
 }
 
-/// \param cases  how many scenes of that work there are, and the most memory that one takes
-void print_cost(double work, double memory, std::size_t cases) {
-  std::vector<std::string> lines;
-  if (std::isfinite(work)) {
-    lines.push_back("about " + operations(work) + " operations, " +
-                    time(work * seconds_per_operation) + " on one core" +
-                    (cases > 1 ? " for all cases" : "") + "; within a factor of five");
-  } else {
-    lines.push_back("as many operations as the error needs: from a millisecond on");
-  }
-  lines.push_back("at most " + bytes(memory + 12e6) + " of memory" +
-                  (cases > 1 ? " a case at once" : "") + "; " + bytes(available_memory()) +
-                  " are available");
-  print_lines("Cost", lines);
-}
+/// Of all cases of a sweep, or of the one scene.
+struct Foreseen {
+  std::size_t cases = 0;
+  double work = 0;    ///< of all together
+  double memory = 0;  ///< of the one that takes most  [bytes]
+  std::vector<std::string> warnings;
+};
 
-void print(const Scene& scene, const Preview& preview, std::size_t cases) {
-  std::cout << preview.explanation.title << (cases > 1 ? ", the first case:" : "") << "\n\n";
+void print_scene(const Scene& scene, const Preview& preview, bool is_swept, std::size_t cases) {
+  if (is_swept) std::cout << cases << " cases, the first is: ";
+  std::cout << preview.explanation.title << "\n\n";
   print_keys(scene.parameters());
   print_lines("What follows", preview.explanation.consequences);
   print_lines("Not modelled", preview.explanation.not_modelled);
+}
+
+/// Reads all cases, and prints the first.
+Foreseen foresee(const Scene& read, const std::function<Preview(Scene&)>& preview) {
+  const std::vector<std::string> keys = read.keys();
+  const bool is_swept =
+      std::ranges::any_of(keys, [](const std::string& key) { return key.starts_with("sweep."); });
+  const auto sweep = is_swept ? std::make_optional<Sweep>(read) : std::nullopt;
+  Foreseen all;
+  all.cases = sweep ? sweep->size() : 1;
+  for (std::size_t i = 0; i < all.cases; ++i) {
+    Scene scene = sweep ? sweep->scene(i) : read;
+    const Preview seen = preview(scene);
+    scene.reject_unread();
+    if (i == 0) print_scene(scene, seen, is_swept, all.cases);
+    all.work += seen.work;
+    all.memory = std::max(all.memory, seen.memory);
+    for (const std::string& line : scene.warnings()) {
+      if (std::ranges::find(all.warnings, line) == all.warnings.end()) all.warnings.push_back(line);
+    }
+  }
+  return all;
+}
+
+void print_cost(const Foreseen& all) {
+  constexpr double program = 12e6;  // of memory, without a scene
+  std::vector<std::string> lines;
+  if (std::isfinite(all.work)) {
+    lines.push_back("about " + operations(all.work) + " operations, " +
+                    time(all.work * seconds_per_operation) + " on one core" +
+                    (all.cases > 1 ? " for all cases" : "") + "; within a factor of five");
+  } else {
+    lines.push_back("as many operations as the error needs: from a millisecond on");
+  }
+  lines.push_back("at most " + bytes(all.memory + program) + " of memory" +
+                  (all.cases > 1 ? " a case at once" : "") + "; " + bytes(available_memory()) +
+                  " are available");
+  print_lines("Cost", lines);
 }
 
 }  // namespace
@@ -112,37 +144,12 @@ int explain(const Program& program, const std::function<Preview(Scene&)>& previe
     add_scene_options(known, program);
     known.add_options()("version", "print version and revision")("help", "print this");
     const Given given = parse(known, argc - 1, argv + 1, "scene");
-    if (answers(
-            given, known, program.name + " explain",
-            "says what a scene models, what it does not, and at which cost, and solves nothing")) {
-      return 0;
-    }
-    const Scene read = read_scene(program, given);
-    const auto is_swept = [](const std::string& key) { return key.starts_with("sweep."); };
-    const std::vector<std::string> keys = read.keys();
-    const bool has_sweep = std::any_of(keys.begin(), keys.end(), is_swept);
-    const std::optional<Sweep> sweep = has_sweep ? std::optional<Sweep>(read) : std::nullopt;
-    const std::size_t cases = sweep ? sweep->size() : 1;
-    double work = 0, memory = 0;
-    std::vector<std::string> warnings;
-    for (std::size_t i = 0; i < cases; ++i) {
-      Scene scene = sweep ? sweep->scene(i) : read;
-      const Preview seen = preview(scene);
-      scene.reject_unread();
-      if (i == 0) {
-        if (sweep) std::cout << cases << " cases of: ";
-        print(scene, seen, cases);
-      }
-      work += seen.work;
-      memory = std::max(memory, seen.memory);
-      for (const std::string& line : scene.warnings()) {
-        if (std::find(warnings.begin(), warnings.end(), line) == warnings.end()) {
-          warnings.push_back(line);
-        }
-      }
-    }
-    print_cost(work, memory, cases);
-    print_lines("Warnings", warnings);
+    const std::string purpose =
+        "says what a scene models, what it does not, and at which cost, and solves nothing";
+    if (answers(given, known, program.name + " explain", purpose)) return 0;
+    const Foreseen all = foresee(read_scene(program, given), preview);
+    print_cost(all);
+    print_lines("Warnings", all.warnings);
     return 0;
   });
 }

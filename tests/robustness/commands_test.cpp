@@ -2,7 +2,9 @@
 // What stands beside a run: scenes to start from, what they will cost, and the figures of results.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -56,8 +58,9 @@ TEST_F(Commands, EachSceneToStartFromIsSolvedAndDrawn) {
   }
   EXPECT_EQ(run_in_folder("init sweep --out its/own/many.info").output,
             "wrote its/own/many.info; solve it with: microslip sweep its/own/many.info\n");
-  EXPECT_NE(run_in_folder("explain its/own/many.info").output.find("78 cases of: steady"),
-            std::string::npos);
+  EXPECT_NE(
+      run_in_folder("explain its/own/many.info").output.find("78 cases, the first is: steady"),
+      std::string::npos);
   expect_error("init stedy",
                "no scene 'stedy' (did you mean 'steady'?); expected steady, transient, cylinder, "
                "sweep");
@@ -76,6 +79,25 @@ TEST_F(Commands, ExplainSaysTheScenesErrorsAndWarnings) {
             std::string::npos)
       << direct.output;
   EXPECT_NE(direct.output.find("in 6734 steps"), std::string::npos) << direct.output;
+}
+
+// On a terminal, which `script` provides: after two seconds, and not before.
+TEST_F(Commands, ProgressHasRateAndRemainingTime) {
+  if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "no script";
+  run_in_folder("init transient");
+  const auto on_terminal = [&](const std::string& elements) {
+    return run_command("cd '" + folder_.string() +
+                       "' && script -qec 'timeout -s INT 4 " MICROSLIP_BIN
+                       "/microslip transient.info --set grid.elements=" +
+                       elements + "' /dev/null")
+        .output;
+  };
+  EXPECT_EQ(on_terminal("21"), "");
+  const std::string slow = on_terminal("20001");
+  EXPECT_TRUE(std::regex_search(
+      slow, std::regex("\rmicroslip: [0-9]+ of 40002, [0-9.]+ a second, [0-9]+ min [0-9]+ s left")))
+      << slow;
+  EXPECT_NE(slow.find("\nmicroslip: interrupted, nothing is written"), std::string::npos) << slow;
 }
 
 TEST_F(Commands, OnlyResultsAreDrawn) {
