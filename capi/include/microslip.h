@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* microslip in C: 2D tractive rolling contact, in steps of any length, for multibody codes.
+/** \file
+ * microslip in C: 2D tractive rolling contact, in steps of any length, for multibody codes.
  *
  * Units are mm and N, per mm of width, so forces are in N/mm. Rolling is towards +x: the leading
  * edge is x = +a. Values are those on the body that is driven by the creepage: a positive creepage
@@ -29,75 +30,76 @@ extern "C" {
 
 enum microslip_status {
   MICROSLIP_OK = 0,
-  MICROSLIP_BAD_INPUT = 1,     /* the message names what, its value, and what is accepted */
-  MICROSLIP_NO_SOLUTION = 2,   /* the solver found none */
-  MICROSLIP_OUT_OF_MEMORY = 3, /* in a step: the handle answers this from then on, destroy it */
-  MICROSLIP_INTERNAL = 4       /* an error of microslip itself: please report the message */
+  MICROSLIP_BAD_INPUT = 1,     /**< the message names what, its value, and what is accepted */
+  MICROSLIP_NO_SOLUTION = 2,   /**< the solver found none */
+  MICROSLIP_OUT_OF_MEMORY = 3, /**< in a step: the handle answers this from then on, destroy it */
+  MICROSLIP_INTERNAL = 4       /**< an error of microslip itself: please report the message */
 };
 
-/* Combined elastic constants of two like bodies. */
+/** Combined elastic constants of two like bodies. */
 struct microslip_material {
-  double shear_modulus; /* G, > 0  [N/mm^2] */
-  double poisson_ratio; /* nu, 0 ... 0.5  [1] */
+  double shear_modulus; /**< G, > 0  [N/mm^2] */
+  double poisson_ratio; /**< nu, 0 ... 0.5  [1] */
 };
 
-/* The contact, from -a to a, and the bound of its tractions: Hertzian, or linear between the rows
+/** The contact, from -a to a, and the bound of its tractions: Hertzian, or linear between the rows
  * of a table and from the outermost ones to zero at -+a. */
 struct microslip_contact {
-  double half_width;         /* a, > 0  [mm] */
-  double peak_traction;      /* friction coefficient times peak pressure, > 0; of Hertz's only
+  double half_width;         /**< a, > 0  [mm] */
+  double peak_traction;      /**< friction coefficient times peak pressure, > 0; of Hertz's only
                                 [N/mm^2] */
-  const double* bound_x;     /* positions, ascending, in [-a, a]; null for Hertz's  [mm] */
-  const double* bound_value; /* as many, >= 0, not all 0; null for Hertz's  [N/mm^2] */
-  size_t bound_rows;         /* of the table, copied; 0 for Hertz's */
+  const double* bound_x;     /**< positions, ascending, in [-a, a]; null for Hertz's  [mm] */
+  const double* bound_value; /**< as many, >= 0, not all 0; null for Hertz's  [N/mm^2] */
+  size_t bound_rows;         /**< of the table, copied; 0 for Hertz's */
 };
 
 enum microslip_kernel_type {
-  MICROSLIP_STRIP = 0, /* half-space loaded over a strip, observed in its middle */
-  MICROSLIP_PLANE = 1  /* plane strain */
+  MICROSLIP_STRIP = 0, /**< half-space loaded over a strip, observed in its middle */
+  MICROSLIP_PLANE = 1  /**< plane strain */
 };
 
-/* Under a prescribed creepage the length matters: it sets the stiffness of the contact. */
+/** Under a prescribed creepage the length matters: it sets the stiffness of the contact. */
 struct microslip_kernel {
-  int type;      /* of microslip_kernel_type */
-  double length; /* the strip's width, or the distance at which the displacement of plane strain
+  int type;      /**< of microslip_kernel_type */
+  double length; /**< the strip's width, or the distance at which the displacement of plane strain
                     counts as zero, > 0  [mm] */
 };
 
 enum microslip_scheme {
-  MICROSLIP_MATERIAL = 0, /* nodes move with the material: right for any dq, balances energy */
-  MICROSLIP_DIRECT = 1    /* nodes move with the contact, as in CONTACT: wiggles where dq is not
+  MICROSLIP_MATERIAL = 0, /**< nodes move with the material: right for any dq, balances energy */
+  MICROSLIP_DIRECT = 1    /**< nodes move with the contact, as in CONTACT: wiggles where dq is not
                              about an element */
 };
 
 struct microslip_grid {
-  int elements; /* N elements fill the contact, 1 ... 4 000 000 */
-  int scheme;   /* of microslip_scheme */
+  int elements; /**< N elements fill the contact, 1 ... 4 000 000 */
+  int scheme;   /**< of microslip_scheme */
 };
 
-/* Where a contact is, and the step that led there; what belongs to a step is 0 before the first. */
+/** Where a contact is, and the step that led there; what belongs to a step is 0 before the first.
+ */
 struct microslip_state {
-  double distance;         /* q rolled so far  [mm] */
-  double force;            /* F, integral of the tractions  [N/mm] */
-  double mean_force;       /* its mean over the step  [N/mm] */
-  double creepage;         /* w of the step  [1] */
-  double dissipation;      /* energy per mm rolled, with tractions at the step's end  [N/mm] */
-  double mean_dissipation; /* with mean tractions: mean_dissipation dq + mean_force w dq + the
+  double distance;         /**< q rolled so far  [mm] */
+  double force;            /**< F, integral of the tractions  [N/mm] */
+  double mean_force;       /**< its mean over the step  [N/mm] */
+  double creepage;         /**< w of the step  [1] */
+  double dissipation;      /**< energy per mm rolled, with tractions at the step's end  [N/mm] */
+  double mean_dissipation; /**< with mean tractions: mean_dissipation dq + mean_force w dq + the
                               change of the elastic energy is 0 to rounding under a prescribed
                               creepage; nan unless MICROSLIP_MATERIAL  [N/mm] */
-  double residual;         /* slip left in adhesion, over the largest term of its equations  [1] */
-  double violation;        /* of the bound or of the direction of slip, relative  [1] */
+  double residual;  /**< slip left in adhesion, over the largest term of its equations  [1] */
+  double violation; /**< of the bound or of the direction of slip, relative  [1] */
   int adhesion_elements;
   int slip_elements;
-  int iterations; /* stick/slip partitions tried */
+  int iterations; /**< stick/slip partitions tried */
 };
 
-/* A contact that rolls. */
+/** A contact that rolls. */
 typedef struct microslip_rolling microslip_rolling;
 
 MICROSLIP_API const char* microslip_version(void);
 
-/* A contact without tractions, that has not rolled.
+/** A contact without tractions, that has not rolled.
  *
  * rolling       out; null if it fails
  * message       out, may be null: why it failed, cut to message_size bytes with the closing 0 */
@@ -108,18 +110,18 @@ MICROSLIP_API enum microslip_status microslip_create(const struct microslip_mate
                                                      microslip_rolling** rolling, char* message,
                                                      size_t message_size);
 
-/* An independent contact that goes on like this one, to the bit; to come back to after steps that
+/** An independent contact that goes on like this one, to the bit; to come back to after steps that
  * are rejected. microslip_attempt() is cheaper where one step alone is tried. */
 MICROSLIP_API enum microslip_status microslip_copy(microslip_rolling* rolling,
                                                    microslip_rolling** copy);
 
-/* Null is accepted. */
+/** Null is accepted. */
 MICROSLIP_API void microslip_destroy(microslip_rolling* rolling);
 
-/* Of the last call that failed, empty if none has; valid until the next call. */
+/** Of the last call that failed, empty if none has; valid until the next call. */
 MICROSLIP_API const char* microslip_message(microslip_rolling* rolling);
 
-/* What steps are made under, until set again. One of the two is needed before the first.
+/** What steps are made under, until set again. One of the two is needed before the first.
  *
  * creepage  w  [1]
  * force     F, less in absolute value than full sliding  [N/mm] */
@@ -127,35 +129,35 @@ MICROSLIP_API enum microslip_status microslip_set_creepage(microslip_rolling* ro
                                                            double creepage);
 MICROSLIP_API enum microslip_status microslip_set_force(microslip_rolling* rolling, double force);
 
-/* From no tractions, shifts the bodies without rolling until they carry a force, Cattaneo's
+/** From no tractions, shifts the bodies without rolling until they carry a force, Cattaneo's
  * problem; nothing has been rolled then. The load that is set remains.
  *
  * shift  out, may be null  [mm] */
 MICROSLIP_API enum microslip_status microslip_start_from_shift(microslip_rolling* rolling,
                                                                double force, double* shift);
 
-/* Rolls on by dq, from 1e-15 to 1e6 elements  [mm]. */
+/** Rolls on by dq, from 1e-15 to 1e6 elements  [mm]. */
 MICROSLIP_API enum microslip_status microslip_advance(microslip_rolling* rolling, double dq);
 
-/* The state to which that step would lead, without rolling. */
+/** The state to which that step would lead, without rolling. */
 MICROSLIP_API enum microslip_status microslip_attempt(microslip_rolling* rolling, double dq,
                                                       struct microslip_state* state);
 
 MICROSLIP_API enum microslip_status microslip_get_state(microslip_rolling* rolling,
                                                         struct microslip_state* state);
 
-/* Half of p A p  [N]. Costs about as much as a step. */
+/** Half of p A p  [N]. Costs about as much as a step. */
 MICROSLIP_API enum microslip_status microslip_get_elastic_energy(microslip_rolling* rolling,
                                                                  double* energy);
 
-/* The largest force that the bound allows  [N/mm] */
+/** The largest force that the bound allows  [N/mm] */
 MICROSLIP_API enum microslip_status microslip_get_full_sliding(microslip_rolling* rolling,
                                                                double* force);
 
-/* Number of nodes, the same for good; 0 if the handle is null or lost. */
+/** Number of nodes, the same for good; 0 if the handle is null or lost. */
 MICROSLIP_API size_t microslip_size(microslip_rolling* rolling);
 
-/* Values at the nodes into arrays with room for `length` of them, at least microslip_size(). With
+/** Values at the nodes into arrays with room for `length` of them, at least microslip_size(). With
  * MICROSLIP_MATERIAL a few nodes lie outside the contact, where the bound is zero, and all are at
  * other positions after each step.
  *
