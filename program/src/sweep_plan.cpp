@@ -79,11 +79,10 @@ std::string case_label(const Table& plan, std::size_t index) {
   std::string values;
   for (std::size_t k = 1; k < plan.columns().size(); ++k) {
     const std::string& key = plan.columns()[k].name;
-    values += (k > 1 ? ", " : "") + shown(key) + " = " +
-              shown(std::get<std::string>(plan.at(index, key)));
+    values += (k > 1 ? ", " : "") + key + " = " + std::get<std::string>(plan.at(index, key));
   }
   return "case " + std::to_string(index + 1) + " of " + std::to_string(plan.rows()) + " (" +
-         values + ")";
+         shown(values, 400) + ")";
 }
 
 }  // namespace microslip::program
