@@ -42,9 +42,8 @@ static const char columns[] =
     "#   dissipated [N]: by slip, with mean tractions\n"
     "#   work [N]: done by the torque\n"
     "#   missing [N]: kinetic less that of the start + elastic + dissipated - work\n"
-    "t\tv\tomega\tstep_ratio\ttorque\tforce\tcreepage\tslip_"
-    "elements\tkinetic\telastic\tdissipated\t"
-    "work\tmissing";
+    "t\tv\tomega\tstep_ratio\ttorque\tforce\tcreepage\tslip_elements\t"
+    "kinetic\telastic\tdissipated\twork\tmissing";
 
 struct wheel {
   double velocity; /* v  [mm/s] */

@@ -1,13 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* microslip in Octave and MATLAB; microslip.h says what everything means.
  *
- *   h = microslip_mex('create', problem)        a struct with shear_modulus, poisson_ratio,
- *                                               half_width, peak_traction or bound_x and
- * bound_value, kernel 'strip' or 'plane', length, elements microslip_mex('set_creepage', h, w)
- * likewise set_force, advance microslip_mex('destroy', h) s = microslip_mex('attempt', h, dq) a
- * struct as microslip_state s = microslip_mex('state', h) v = microslip_mex('nodes', h) a column;
- * likewise traction, bound, slip, displacement e = microslip_mex('elastic_energy', h)      likewise
- * full_sliding, copy, S = microslip_mex('start_from_shift', h, F)
+ *   h = microslip_mex('create', problem)    a struct with shear_modulus, poisson_ratio,
+ *                                           half_width, peak_traction or bound_x and bound_value,
+ *                                           kernel 'strip' or 'plane', length, elements
+ *   microslip_mex('set_creepage', h, w)     likewise set_force, advance
+ *   microslip_mex('destroy', h)
+ *   s = microslip_mex('attempt', h, dq)     a struct as microslip_state
+ *   s = microslip_mex('state', h)
+ *   v = microslip_mex('nodes', h)           a column; likewise traction, bound, slip, displacement
+ *   e = microslip_mex('elastic_energy', h)  likewise full_sliding; copy, a handle
+ *   S = microslip_mex('start_from_shift', h, F)
  *
  * Octave: mkoctfile --mex microslip_mex.c -lmicroslip;  MATLAB: mex microslip_mex.c -lmicroslip */
 #include <mex.h>
