@@ -40,11 +40,10 @@ int dispatch(const Program& program, const std::vector<Command>& commands, int a
     return run(listing, argc, argv);
   }
   return run_process(program.name, [&]() -> int {
-    std::vector<std::string> names;
-    for (const Command& command : commands) names.push_back(command.name);
-    throw std::invalid_argument("'" + shown(word) + "': expected a scene's file or a command" +
-                                question(nearest(word, names)) +
-                                "; commands: " + joined(names, ", "));
+    const std::vector<std::string> names = names_of(commands);
+    throw std::invalid_argument(
+        std::string("'") + shown(word) + "': expected a scene's file or a command" +
+        question(nearest(word, names)) + "; commands: " + joined(names, ", "));
   });
 }
 

@@ -67,10 +67,10 @@ void print_keys(const Parameters& parameters) {
     values = std::max(values, with_unit(parameter).size());
   }
   for (const auto& parameter : parameters) {
-    const auto key = std::ranges::find(keys_of_scenes(), parameter.first, &Key::name);
+    const Key* key = find_key(parameter.first);
     std::cout << "  " << std::left << std::setw(static_cast<int>(names)) << parameter.first << "  "
               << std::setw(static_cast<int>(values)) << with_unit(parameter);
-    if (key != keys_of_scenes().end()) std::cout << "  " << key->meaning;
+    if (key != nullptr) std::cout << "  " << key->meaning;
     std::cout << '\n';
   }
 }

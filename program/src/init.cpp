@@ -19,8 +19,7 @@ namespace options = boost::program_options;
 namespace fs = std::filesystem;
 
 const Template& chosen(const std::vector<Template>& templates, const Given& given) {
-  std::vector<std::string> names;
-  for (const Template& one : templates) names.push_back(one.name);
+  const std::vector<std::string> names = names_of(templates);
   const std::string known = "; expected " + joined(names, ", ");
   if (given.count("kind") == 0) throw std::invalid_argument("missing the kind of scene" + known);
   const std::string kind = given["kind"].as<std::string>();
@@ -37,7 +36,7 @@ int init(const std::string& name, const std::vector<Template>& templates, int ar
   return run_process(name, [&] {
     Options known("Options of init");
     known.add_options()("kind", options::value<std::string>(),
-                        "the first word: steady, transient, cylinder or sweep")(
+                        ("the first word: " + joined(names_of(templates), ", ")).c_str())(
         "out", options::value<std::string>(), "file (default: KIND.info); - for standard output")(
         "version", "print version and revision")("help", "print this");
     const Given given = parse(known, argc - 1, argv + 1, "kind");

@@ -104,8 +104,7 @@ std::vector<Figure> chosen(const std::vector<Figure>& figures, const Given& give
   const std::string wanted = given["figure"].as<std::string>();
   const auto found = std::ranges::find(figures, wanted, &Figure::name);
   if (found != figures.end()) return {*found};
-  std::vector<std::string> names;
-  for (const Figure& figure : figures) names.push_back(figure.name);
+  const std::vector<std::string> names = names_of(figures);
   throw std::invalid_argument("--figure '" + shown(wanted) + "': expected " + joined(names, ", ") +
                               question(nearest(wanted, names)));
 }

@@ -68,9 +68,14 @@ constexpr auto keys = std::to_array<Key>({
 
 std::span<const Key> keys_of_scenes() { return keys; }
 
+const Key* find_key(std::string_view name) {
+  const auto found = std::ranges::find(keys, name, &Key::name);
+  return found == keys.end() ? nullptr : &*found;
+}
+
 std::string unit_of_key(std::string_view key) {
-  const auto found = std::ranges::find(keys, key, &Key::name);
-  return std::string(found == keys.end() ? "1" : found->unit);
+  const Key* found = find_key(key);
+  return std::string(found == nullptr ? "1" : found->unit);
 }
 
 }  // namespace microslip

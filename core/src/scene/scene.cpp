@@ -227,8 +227,7 @@ void Scene::reject_unread() const {
   for (const auto& [key, text] : parameters_) known.push_back(key);
   for (const auto& [key, value] : values_) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    const bool elsewhere =
-        std::ranges::find(keys_of_scenes(), key, &Key::name) != keys_of_scenes().end();
+    const bool elsewhere = find_key(key) != nullptr;
     throw std::invalid_argument(
         (elsewhere ? "key '" + key + "' has no role here"
                    : "unknown key '" + shown(key) + "'" + question(meant(key, known))) +

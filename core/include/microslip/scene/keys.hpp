@@ -18,6 +18,9 @@ struct Key {
 /// All of them, in the order in which a scene is written.
 std::span<const Key> keys_of_scenes();
 
+/// The one of that name; null if there is none.
+const Key* find_key(std::string_view name);
+
 /// Unit of one of these keys; "1" for all others.
 std::string unit_of_key(std::string_view key);
 

@@ -16,6 +16,14 @@ std::string nearest(const std::string& word, const std::vector<std::string>& nam
 /// " (did you mean 'x'?)", or nothing if that is empty.
 std::string question(const std::string& meant);
 
+/// Those of items that have one.
+template <class Items>
+std::vector<std::string> names_of(const Items& items) {
+  std::vector<std::string> names;
+  for (const auto& item : items) names.emplace_back(item.name);
+  return names;
+}
+
 /// All, with a separator between two.
 template <class Texts>
 std::string joined(const Texts& texts, const std::string& separator) {
