@@ -9,6 +9,7 @@ from collections import Counter
 from pathlib import Path
 
 sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "browser"))
 import webdriver
 from quick_results import claims_of, link_results, make_report
 
