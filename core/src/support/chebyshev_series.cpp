@@ -3,6 +3,9 @@
 
 #include <gsl/gsl_chebyshev.h>
 
+#include <stdexcept>
+
+#include "gsl.hpp"
 #include "microslip/support/work.hpp"
 
 namespace microslip {
@@ -10,32 +13,34 @@ namespace microslip {
 namespace {
 
 std::shared_ptr<gsl_cheb_series> empty_series(std::size_t order) {
-  return {gsl_cheb_alloc(order), gsl_cheb_free};
-}
-
-double evaluate(double x, void* function) {
-  return (*static_cast<std::function<double(double)>*>(function))(x);
+  return gsl::owned<gsl_cheb_series>([&] { return gsl_cheb_alloc(order); }, gsl_cheb_free);
 }
 
 }  // namespace
 
 ChebyshevSeries::ChebyshevSeries(const std::function<double(double)>& function, double begin,
                                  double end, std::size_t order) {
-  std::function<double(double)> copy = function;
-  const gsl_function wrapped{evaluate, &copy};
+  // GSL's status is that of success here.
+  if (!(begin < end)) throw std::invalid_argument("Chebyshev series: expected begin < end");
+  const gsl::Function values(function);
   const auto series = empty_series(order);
-  gsl_cheb_init(series.get(), &wrapped, begin, end);
+  const int status =
+      gsl::quietly([&] { return gsl_cheb_init(series.get(), values.get(), begin, end); });
+  values.rethrow();
+  gsl::require_success(status, "Chebyshev series");
   series_ = series;
 }
 
 double ChebyshevSeries::operator()(double x) const {
   count_work(3 * static_cast<double>(gsl_cheb_order(series_.get())));
-  return gsl_cheb_eval(series_.get(), x);
+  return gsl_cheb_eval(series_.get(), x);  // reports no errors
 }
 
 ChebyshevSeries ChebyshevSeries::integral() const {
   const auto integral = empty_series(gsl_cheb_order(series_.get()));
-  gsl_cheb_calc_integ(integral.get(), series_.get());
+  gsl::require_success(
+      gsl::quietly([&] { return gsl_cheb_calc_integ(integral.get(), series_.get()); }),
+      "integral of a Chebyshev series");
   return ChebyshevSeries(Series(integral));
 }
 

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "gsl.hpp"
+
 namespace microslip {
 
 double fitted_order(std::span<const double> sizes, std::span<const double> errors) {
@@ -20,8 +22,11 @@ double fitted_order(std::span<const double> sizes, std::span<const double> error
     y.push_back(-std::log(std::abs(errors[i])));
   }
   double intercept = 0, slope = 0, c00 = 0, c01 = 0, c11 = 0, residual = 0;
-  gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &intercept, &slope, &c00, &c01, &c11,
-                 &residual);
+  gsl::require_success(gsl::quietly([&] {
+                         return gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &intercept,
+                                               &slope, &c00, &c01, &c11, &residual);
+                       }),
+                       "fitted_order");
   if (!std::isfinite(slope))
     throw std::invalid_argument("fitted_order: no slope through the errors");
   return slope;

@@ -12,7 +12,9 @@ namespace microslip {
 /// A function on an interval by its values at Chebyshev points.
 class ChebyshevSeries {
  public:
+  /// \param end    > begin
   /// \param order  degree; order + 1 evaluations
+  /// \throws std::invalid_argument outside the range
   ChebyshevSeries(const std::function<double(double)>& function, double begin, double end,
                   std::size_t order);
 
