@@ -61,8 +61,9 @@ enum microslip_kernel_type {
 /** Under a prescribed creepage the length matters: it sets the stiffness of the contact. */
 struct microslip_kernel {
   int type;      /**< of microslip_kernel_type */
-  double length; /**< the strip's width, or the distance at which the displacement of plane strain
-                    counts as zero, > 0  [mm] */
+  double length; /**< the strip's width, > 0, or the distance at which the displacement of plane
+                    strain counts as zero, > (a + dx)/2: with less, it yields against its load
+                    [mm] */
 };
 
 enum microslip_scheme {
@@ -79,16 +80,16 @@ struct microslip_grid {
 /** Where a contact is, and the step that led there; what belongs to a step is 0 before the first.
  */
 struct microslip_state {
-  double distance;         /**< q rolled so far  [mm] */
-  double force;            /**< F, integral of the tractions  [N/mm] */
-  double mean_force;       /**< its mean over the step  [N/mm] */
-  double creepage;         /**< w of the step  [1] */
-  double dissipation;      /**< energy per mm rolled, with tractions at the step's end  [N/mm] */
-  double mean_dissipation; /**< with mean tractions: mean_dissipation dq + mean_force w dq + the
-                              change of the elastic energy is 0 to rounding under a prescribed
-                              creepage; nan unless MICROSLIP_MATERIAL  [N/mm] */
-  double residual;  /**< slip left in adhesion, over the largest term of its equations  [1] */
-  double violation; /**< of the bound or of the direction of slip, relative  [1] */
+  double distance;    /**< q rolled so far  [mm] */
+  double force;       /**< F, integral of the tractions  [N/mm] */
+  double mean_force;  /**< its mean over the step  [N/mm] */
+  double creepage;    /**< w of the step  [1] */
+  double dissipation; /**< energy lost per mm rolled, with mean tractions of the step. Under a
+                         prescribed creepage dissipation dq + mean_force w dq + the change of the
+                         elastic energy is 0: to rounding with MICROSLIP_MATERIAL, else to the
+                         order of the scheme  [N/mm] */
+  double residual;    /**< slip left in adhesion, over the largest term of its equations  [1] */
+  double violation;   /**< of the bound or of the direction of slip, relative  [1] */
   int adhesion_elements;
   int slip_elements;
   int iterations; /**< stick/slip partitions tried */
@@ -121,6 +122,10 @@ MICROSLIP_API void microslip_destroy(microslip_rolling* rolling);
 /** Of the last call that failed, empty if none has; valid until the next call. */
 MICROSLIP_API const char* microslip_message(microslip_rolling* rolling);
 
+/** The scheme that rolls this contact, as scenes name it: "material" or "direct"; "" of no handle.
+ */
+MICROSLIP_API const char* microslip_method(const microslip_rolling* rolling);
+
 /** What steps are made under, until set again. One of the two is needed before the first.
  *
  * creepage  w  [1]
@@ -136,7 +141,8 @@ MICROSLIP_API enum microslip_status microslip_set_force(microslip_rolling* rolli
 MICROSLIP_API enum microslip_status microslip_start_from_shift(microslip_rolling* rolling,
                                                                double force, double* shift);
 
-/** Rolls on by dq, from 1e-15 to 1e6 elements  [mm]. */
+/** Rolls on by dq, from 1e-15 to 1e6 elements  [mm]. Under a force, rounding is more than 1 % of
+ * the creepage below 1e-13 N elements, with MICROSLIP_MATERIAL below 1e-12 N or 1e-9. */
 MICROSLIP_API enum microslip_status microslip_advance(microslip_rolling* rolling, double dq);
 
 /** The state to which that step would lead, without rolling. */

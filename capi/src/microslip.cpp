@@ -25,16 +25,19 @@ using microslip::capi::guarded;
 struct microslip_rolling {
   explicit microslip_rolling(const TransientProblem& problem)
       : contact(std::make_unique<TransientRolling>(problem)),
+        method(name_of(problem.scheme)),
         spacing(problem.grid.spacing()),
         full_sliding(spacing * contact->bound().sum()) {}
 
   microslip_rolling(const microslip_rolling& other)
       : contact(std::make_unique<TransientRolling>(*other.contact)),
+        method(other.method),
         spacing(other.spacing),
         full_sliding(other.full_sliding),
         load(other.load) {}
 
   std::unique_ptr<TransientRolling> contact;  ///< null if it was lost
+  std::string method;                         ///< name of its scheme
   double spacing;                             ///< dx  [mm]
   double full_sliding;                        ///< as the elements have it  [N/mm]
   std::optional<Load> load;
@@ -92,7 +95,6 @@ microslip_state in_c(const TransientState& state) {
           .mean_force = state.mean_force,
           .creepage = state.creepage,
           .dissipation = state.dissipation,
-          .mean_dissipation = state.mean_dissipation,
           .residual = state.evidence.residual,
           .violation = state.evidence.violation(),
           .adhesion_elements = static_cast<int>(state.adhesion_elements),
@@ -144,6 +146,10 @@ void microslip_destroy(microslip_rolling* rolling) { delete rolling; }
 
 const char* microslip_message(microslip_rolling* rolling) {
   return rolling == nullptr ? "rolling = null: expected a handle" : rolling->message;
+}
+
+const char* microslip_method(const microslip_rolling* rolling) {
+  return rolling == nullptr ? "" : rolling->method.c_str();
 }
 
 microslip_status microslip_set_creepage(microslip_rolling* rolling, double creepage) {

@@ -127,7 +127,7 @@ int main(void) {
     check(microslip_get_elastic_energy(rolling, &elastic), rolling);
     const double kinetic = kinetic_energy(&wheel);
     work += wheel.torque * time_step * (spin_before + wheel.spin) / 2;
-    dissipated += state.mean_dissipation * dq;
+    dissipated += state.dissipation * dq;
     printf("%.17g\t%.17g\t%.17g\t%.17g\t%.17g\t%.17g\t%.17g\t%d\t", (k + 1) * time_step,
            wheel.velocity, wheel.spin, dq / dx, wheel.torque, force, state.creepage,
            state.slip_elements);

@@ -32,16 +32,14 @@ static mxArray* handle_array(microslip_rolling* rolling) {
 }
 
 static mxArray* state_struct(const struct microslip_state* s) {
-  const char* names[] = {"distance",      "force",       "mean_force",
-                         "creepage",      "dissipation", "mean_dissipation",
-                         "residual",      "violation",   "adhesion_elements",
+  const char* names[] = {"distance",      "force",     "mean_force", "creepage",
+                         "dissipation",   "residual",  "violation",  "adhesion_elements",
                          "slip_elements", "iterations"};
-  const double values[] = {s->distance,      s->force,       s->mean_force,
-                           s->creepage,      s->dissipation, s->mean_dissipation,
-                           s->residual,      s->violation,   s->adhesion_elements,
+  const double values[] = {s->distance,      s->force,     s->mean_force, s->creepage,
+                           s->dissipation,   s->residual,  s->violation,  s->adhesion_elements,
                            s->slip_elements, s->iterations};
-  mxArray* array = mxCreateStructMatrix(1, 1, 11, names);
-  for (int i = 0; i < 11; ++i) mxSetField(array, 0, names[i], mxCreateDoubleScalar(values[i]));
+  mxArray* array = mxCreateStructMatrix(1, 1, 10, names);
+  for (int i = 0; i < 10; ++i) mxSetField(array, 0, names[i], mxCreateDoubleScalar(values[i]));
   return array;
 }
 

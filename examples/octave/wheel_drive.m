@@ -61,7 +61,7 @@ function wheel_drive()
     elastic = microslip_mex('elastic_energy', rolling);
     kinetic = kinetic_energy(w);
     work = work + w.torque * w.time_step * (spin_before + w.spin) / 2;
-    dissipated = dissipated + state.mean_dissipation * dq;
+    dissipated = dissipated + state.dissipation * dq;
     row = [(k + 1) * w.time_step, w.velocity, w.spin, dq / dx, w.torque, force, state.creepage, ...
            state.slip_elements, kinetic, elastic, dissipated, work, ...
            kinetic - start + elastic + dissipated - work];

@@ -6,6 +6,7 @@ The library is the file that the environment variable MICROSLIP_LIBRARY names, o
 
 import ctypes as c
 import os
+from copy import deepcopy
 
 import numpy as np
 
@@ -32,8 +33,8 @@ class Grid(c.Structure):
 
 class State(c.Structure):
     _fields_ = [(name, c.c_double) for name in (
-        "distance", "force", "mean_force", "creepage", "dissipation", "mean_dissipation",
-        "residual", "violation")] + [(name, c.c_int) for name in (
+        "distance", "force", "mean_force", "creepage", "dissipation", "residual",
+        "violation")] + [(name, c.c_int) for name in (
             "adhesion_elements", "slip_elements", "iterations")]
 
 
@@ -74,15 +75,21 @@ _library.microslip_size.restype = c.c_size_t
 
 
 class Rolling:
-    """A contact that rolls. Functions of microslip.h are methods, and what they give, results."""
+    """A contact that rolls. Functions of microslip.h are methods, and what they give, results.
+
+    copy.copy and copy.deepcopy copy the contact as well; it cannot be pickled.
+    """
+
+    _handle = None  # until the library has made one
 
     def __init__(self, material, contact, kernel, grid):
-        self._handle = _handle()
+        handle = _handle()
         message = c.create_string_buffer(512)
-        status = _library.microslip_create(material, contact, kernel, grid, c.byref(self._handle),
+        status = _library.microslip_create(material, contact, kernel, grid, c.byref(handle),
                                            message, len(message))
         if status:
             raise Error(status, message.value.decode())
+        self._handle = handle
 
     def __del__(self):
         _library.microslip_destroy(self._handle)
@@ -102,7 +109,20 @@ class Rolling:
         return values
 
     def copy(self):
-        other = Rolling.__new__(Rolling)
+        """An independent contact that goes on like this one; attributes of your own are shared."""
+        return self._copy_with(vars(self))
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo):
+        own = {name: value for name, value in vars(self).items() if name != "_handle"}
+        other = memo[id(self)] = self._copy_with({})
+        vars(other).update(deepcopy(own, memo))
+        return other
+
+    def _copy_with(self, attributes):
+        other = type(self).__new__(type(self))
+        vars(other).update(attributes, _handle=None)
         other._handle = self._get("copy", _handle())
         return other
 

@@ -104,7 +104,7 @@ for k in range(steps):
     elastic = rolling.elastic_energy
     kinetic = wheel.kinetic()
     work += wheel.torque * time_step * (spin_before + wheel.spin) / 2
-    dissipated += state.mean_dissipation * dq
+    dissipated += state.dissipation * dq
     missing = kinetic - start + elastic + dissipated - work
     row = ((k + 1) * time_step, wheel.velocity, wheel.spin, dq / dx, wheel.torque, force,
            state.creepage, state.slip_elements, kinetic, elastic, dissipated, work, missing)

@@ -2,6 +2,7 @@
 #include "microslip/experiments/contact_tables.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace microslip::experiments {
 
@@ -36,13 +37,30 @@ void WorstOfSteps::include(const TransientState& state) {
   iterations = std::max(iterations, state.iterations);
 }
 
-void add_evidence(Table& summary, const Evidence& evidence, double condition, int iterations,
-                  const Solver& accepted) {
-  require_evidence(evidence, condition, iterations, accepted);
-  summary.add({"residual", evidence.residual, "1"});
-  summary.add({"bound_violation", evidence.bound_violation, "1"});
-  summary.add({"slip_violation", evidence.slip_violation, "1"});
-  summary.add({"condition", condition, "1"});
+void StepNoise::include(double length, double creepage) {
+  length_ += length;
+  sum_ += length * creepage;
+  squares_ += length * creepage * creepage;
+  if (length_ < (1 - 1e-9) * element_) return;
+  signal_ += sum_ * sum_ / length_;
+  noise_ += std::max(0.0, squares_ - sum_ * sum_ / length_);
+  length_ = sum_ = squares_ = 0;
+}
+
+double StepNoise::relative() const { return noise_ > 0 ? std::sqrt(noise_ / signal_) : 0; }
+
+void add_evidence(Table& summary, const Evidence& evidence, const Judged& judged) {
+  require_evidence(evidence, judged.condition, judged.iterations, judged.accepted);
+  const Rounding rounding{"value", 1e-12};
+  summary.add({"residual", evidence.residual, "1"}, rounding);
+  summary.add({"bound_violation", evidence.bound_violation(), "1"}, rounding);
+  summary.add({"slip_violation", evidence.slip_violation(), "1"}, rounding);
+  summary.add({"bound_resolution", evidence.bound_resolution(), "1"}, rounding);
+  if (judged.steady) summary.add({"dissipation_error", evidence.dissipation_error(), "1"});
+  summary.add({"condition", judged.condition, "1"});
+  const auto doubt =
+      judged.doubt ? judged.doubt : doubt_of(evidence, judged.accepted, judged.steady);
+  summary.add({"warning", doubt.value_or("none"), "1"});
 }
 
 }  // namespace microslip::experiments

@@ -77,13 +77,16 @@ Table table_of(const Map& map, const std::vector<Outcome>& outcomes) {
       {{"verdict", "1",
         "ok; wiggles or inaccurate, above the limits; refused as bad input; no_solution; not_run, "
         "as it would take too long"},
-       {"error", "1", "of what is not prescribed, force or creepage; relative"},
+       {"error", "1", "of what is not prescribed, force or creepage; relative", map.rounding},
        {"wiggle", "1",
         "amplitude of the error where it alternates over four nodes or more, over the peak of the "
         "bound"},
        {"condition", "1", "of the equations in adhesion, estimate"},
-       {"residual", "1", "backward error: slip left in adhesion over the largest term"},
-       {"violation", "1", "largest of the bound and of the direction of slip, relative"},
+       {"residual", "1", "backward error: slip left in adhesion over the largest term", 1e-12},
+       {"violation", "1",
+        "larger of the force above the bound over the load, and of the power gained by slip over "
+        "the power lost",
+        1e-12},
        {"iterations", "1", "partitions tried, or systems solved; largest of all steps"},
        {"message", "1", "why there is no result"}});
   Table table(map.name, map.description, columns);

@@ -7,7 +7,7 @@
 
 #include "microslip/experiments/claims.hpp"
 #include "microslip/experiments/extremes.hpp"
-#include "microslip/friction/evidence.hpp"
+#include "microslip/rolling/evidence.hpp"
 
 namespace microslip::experiments {
 
@@ -54,6 +54,7 @@ struct Map {
   /// the others.
   std::vector<double> ordinary;
   std::vector<Case> cases;
+  double rounding = 1e-12;  ///< an error up to this is nothing but rounding
 };
 
 /// Runs one case; those before it are done.

@@ -94,7 +94,8 @@ Table scales_table(const ExtremesParameters& p) {
        {"factor", "1", "of that"},
        {"deviation", "1",
         "of tractions over the peak and of creepage times G over it from those for a factor "
-        "of 1; largest, relative to the largest"}});
+        "of 1; largest, relative to the largest",
+        1e-12}});
   const std::vector<Scheme> schemes{steady("standard", Differences{1}, false),
                                     steady("standard, c = 0.001", Differences{1e-3}, false),
                                     steady("calibrated", Calibrated{}, false),

@@ -217,6 +217,13 @@ Map loads_map(const ExtremesParameters& p) {
   for (const double sliding : p.loads.sliding) add(1 - sliding, sliding);
   add(p.stick_ratio, 1 - p.stick_ratio);
   for (const double stuck : p.loads.stuck) add(stuck, 1 - stuck);
+  // What is not prescribed follows from a difference: of a load next to full sliding to this, and
+  // of an edge of the stick zone to that of the contact.
+  for (const std::vector<double>& parts : {p.loads.sliding, p.loads.stuck}) {
+    for (const double part : parts) {
+      if (part > 0) map.rounding = std::max(map.rounding, 1e-16 / part);
+    }
+  }
   return map;
 }
 

@@ -32,7 +32,8 @@ Table schemes_table(const OpenProblemsParameters& p, const SteadyTables& steady,
                {"keys", "1", "of the scene"},
                {"force_error", "1",
                 "steady: median over the cases at the largest N; chebyshev: "
-                "the largest of the curves with the most unknowns"},
+                "the largest of the curves with the most unknowns",
+                chebyshev_rounding},
                {"force_order", "1", "steady: fitted to the medians"},
                {"traction_error", "N/mm", "transient: sum of |p - reference| dx over the nodes"},
                {"limits", "1", "what it does not do"}});
@@ -76,21 +77,21 @@ Table claims_of(const OpenProblemsParameters& p, const SteadyTables& steady,
   const double direct = largest_of(steps.steps, "direct", "error");
   return claims_table(
       {{"second order is expected in theory, but not observed", "11", 2, order, "1",
-        std::abs(order - 2) < 0.1 ? "corrected" : "reproduced",
+        Rule{.rulings = {{"corrected", {within(0.1, 2)}}}, .otherwise = "reproduced"},
         "order of the force with calibrated elements; least reduction in a doubling of N, of all "
         "cases: " +
             format_short(std::round(100 * least) / 100),
         "open_problems_convergence"},
        {"a better leading edge will decrease the cost of a given accuracy drastically", "11",
-        not_given, gain, "1", verdict_of(gain > 100),
+        not_given, gain, "1", holds_if({above(100)}),
         "median error of the standard scheme over that of calibrated elements, N = " +
             std::to_string(p.sizes.back()),
         "open_problems_convergence"},
        {"further tests show odd behaviour in a world-fixed frame in certain cases", "11", not_given,
-        between, "N/mm", between < 1e-3 ? "corrected" : "reproduced",
-        "largest integral of the difference to c = 1, over all c", "open_problems_steps"},
+        between, "N/mm", Rule{.rulings = {{"corrected", {below(1e-3)}}}, .otherwise = "reproduced"},
+        "largest integral of the difference to c = 1, over all c", "open_problems_steps", 1e-12},
        {"smoothing can be stopped in a world-fixed frame", "11", not_given, direct / material, "1",
-        verdict_of(direct / material > 10),
+        holds_if({above(10)}),
         "largest error of the direct scheme over that of the material scheme, over all c",
         "open_problems_steps"}});
 }

@@ -15,6 +15,9 @@ struct SteadyTables {
 
 SteadyTables steady_tables(const OpenProblemsParameters& p, const Progress& progress);
 
+/// An error of Chebyshev collocation up to this is nothing but rounding  [1].
+inline constexpr double chebyshev_rounding = 1e-12;
+
 /// The creepage-force curve, and the digits of its points.
 struct CurveTables {
   Table curve;

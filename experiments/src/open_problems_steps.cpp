@@ -64,7 +64,7 @@ StepTables step_tables(const OpenProblemsParameters& p, const Progress& progress
                 {{"scheme", "1", "step.scheme: direct, relaxed (with c* = 1) or material"},
                  {"step_ratio", "1", "c = dq/dx"},
                  {"error", "N/mm", "sum of |p - reference| dx over the nodes"},
-                 {"from_unit_step", "N/mm", "sum of |p - p(c = 1)| dx over the nodes"},
+                 {"from_unit_step", "N/mm", "sum of |p - p(c = 1)| dx over the nodes", 1e-12},
                  {"peak", "1", "largest |p| of the travelling peak, over that of the reference"},
                  {"total_variation", "N/mm^2", "sum of rises and falls of the traction"},
                  {"turning_points", "1", "local extrema above 1e-6 of the peak bound"},

@@ -48,11 +48,9 @@ VectorXd velocities(const SpeedAccuracyParameters& p, const Motion& motion) {
 
 Judgement judge(const SpeedAccuracyParameters& p, const Motion& motion, const Motion& reference) {
   const EnergyLedger& ledger = motion.ledger;
-  // With mean tractions on a grid fixed to the world, else with those at the end of each step.
-  const double missing = std::isnan(ledger.mean_dissipated) ? ledger.total() : ledger.mean_total();
   const VectorXd exact = velocities(p, reference);
   Judgement judgement;
-  judgement.errors[Quantity::energy] = std::abs(missing / ledger.potential);
+  judgement.errors[Quantity::energy] = std::abs(ledger.total() / ledger.potential);
   judgement.errors[Quantity::motion] = (velocities(p, motion) - exact).norm() / exact.norm();
   judgement.rounds = static_cast<double>(motion.position.size() - 1);
   return judgement;

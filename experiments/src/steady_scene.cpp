@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <optional>
 
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/scene_tables.hpp"
@@ -10,16 +11,29 @@ namespace microslip::experiments {
 
 namespace {
 
+/// The scheme that ran, and why it is not the one asked for.
+std::string method_of(const SteadySolution& solution) {
+  return "by " + name_of(solution.scheme) +
+         (solution.fallback.empty() ? "" : ", because " + solution.fallback);
+}
+
+/// That another scheme ran, except for tables, which are meant to be solved over the whole contact.
+std::optional<std::string> doubt_of(const SteadySolution& solution, const SteadyProblem& problem) {
+  const bool table = std::holds_alternative<TabulatedBound>(problem.bound);
+  if (solution.fallback.empty() || table) return std::nullopt;
+  return method_of(solution);
+}
+
 Table nodes(const SteadySolution& solution) {
-  return traction_table("steady rolling, values at the nodes",
+  return traction_table("steady rolling, values at the nodes; " + method_of(solution),
                         {solution.x, solution.bound, solution.traction, solution.slip,
                          solution.displacement, solution.zones});
 }
 
 Table summary_of(const std::string& description, const SteadySolution& solution,
-                 const SteadyProblem& problem) {
+                 const SteadyProblem& problem, const std::optional<double>& error = std::nullopt) {
   const double full_sliding = full_sliding_force(problem.bound);
-  Table summary = empty_summary(description);
+  Table summary = empty_summary(description + "; " + method_of(solution));
   summary.add({"force", solution.force, "N/mm"});
   summary.add({"creepage", solution.creepage, "1"});
   summary.add({"force_ratio", solution.force / full_sliding, "1"});
@@ -29,7 +43,14 @@ Table summary_of(const std::string& description, const SteadySolution& solution,
   summary.add({"slip_elements", static_cast<double>(solution.slip_elements()), "1"});
   summary.add({"iterations", static_cast<double>(solution.iterations), "1"});
   summary.add({"dissipation", solution.dissipation, "N/mm"});
-  add_evidence(summary, solution.evidence, solution.condition, solution.iterations, problem.solver);
+  summary.add({"method", name_of(solution.scheme), "1"});
+  if (error) summary.add({"estimated_error", *error, "1"});
+  add_evidence(summary, solution.evidence,
+               {.condition = solution.condition,
+                .iterations = solution.iterations,
+                .accepted = problem.solver,
+                .steady = true,
+                .doubt = doubt_of(solution, problem)});
   return summary;
 }
 
@@ -51,15 +72,14 @@ std::vector<Table> scene_tables(const SteadyTarget& target, const Progress& prog
   const WorkWatch watch(
       part, [&](double done) { progress(static_cast<std::size_t>(done / part), unknown_total); });
   const EstimatedSteady found = solve_steady_to(target.contact, target.error);
-  const bool elements = std::holds_alternative<Calibrated>(found.problem.method);
+  const std::string unknowns = std::to_string(found.unknowns);
   const std::string picked =
-      elements ? "leading_edge calibrated, basis constant, grid.elements " +
-                     std::to_string(found.unknowns)
-               : "method chebyshev, " + std::to_string(found.unknowns) + " unknowns";
+      found.solution.scheme == SteadyScheme::chebyshev
+          ? "method chebyshev, " + unknowns + " unknowns"
+          : "leading_edge calibrated, basis constant, grid.elements " + unknowns;
   Table summary = summary_of("steady rolling, the whole contact; picked: " + picked, found.solution,
-                             found.problem);
+                             found.problem, found.error);
   summary.add({"unknowns", static_cast<double>(found.unknowns), "1"});
-  summary.add({"estimated_error", found.error, "1"});
   return {nodes(found.solution), summary};
 }
 

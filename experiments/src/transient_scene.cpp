@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/scene_tables.hpp"
+#include "microslip/support/format.hpp"
 
 namespace microslip::experiments {
 
@@ -20,7 +21,7 @@ Table empty_history() {
            {"creepage", "1", "relative rigid slip w of the step"},
            {"adhesion_elements", "1", "elements in adhesion"},
            {"slip_elements", "1", "elements in slip"},
-           {"dissipation", "N/mm", "energy lost per mm rolled and mm width"},
+           {"dissipation", "N/mm", "energy lost per mm rolled and mm width, with mean tractions"},
            {"iterations", "1", "stick/slip partitions tried"}}};
 }
 
@@ -29,6 +30,15 @@ void add(Table& history, const TransientState& state) {
                static_cast<double>(state.adhesion_elements),
                static_cast<double>(state.slip_elements), state.dissipation,
                static_cast<double>(state.iterations)});
+}
+
+/// \param noise  of the creepage of single steps
+std::optional<std::string> doubt_of(double noise) {
+  constexpr double doubtful = 0.5;
+  if (noise <= doubtful) return std::nullopt;
+  return "creepage_noise is " + format_roughly(noise) +
+         ": the creepage of steps that are shorter than an element is not resolved; its mean over "
+         "an element and cumulative_creep are";
 }
 
 }  // namespace
@@ -43,10 +53,12 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   double dissipated = 0;
   double before = 0;
   WorstOfSteps worst;
+  StepNoise noise(scene.problem.grid.spacing());
   rolling.roll(scene.distance, lengths, scene.load, [&](const TransientState& state) {
     add(history, state);
     cumulative_creep += state.creepage * (state.distance - before);
     dissipated += state.dissipation * (state.distance - before);
+    noise.include(state.distance - before, state.creepage);
     before = state.distance;
     worst.include(state);
     progress(history.rows() - 1, steps);
@@ -66,8 +78,14 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   summary.add({"slip_elements", static_cast<double>(last.slip_elements), "1"});
   summary.add({"dissipation", last.dissipation, "N/mm"});
   summary.add({"dissipated_energy", dissipated, "N"});
-  add_evidence(summary, worst.evidence, rolling.condition(), worst.iterations,
-               scene.problem.solver);
+  const double step_noise = noise.relative();
+  summary.add({"creepage_noise", step_noise, "1"});
+  summary.add({"method", name_of(scene.problem.scheme), "1"});
+  add_evidence(summary, worst.evidence,
+               {.condition = rolling.condition(),
+                .iterations = worst.iterations,
+                .accepted = scene.problem.solver,
+                .doubt = doubt_of(step_noise)});
   return {traction_table("transient rolling, values at the nodes at the end",
                          {rolling.x(), rolling.bound_at_nodes(), rolling.traction_at_nodes(),
                           last.slip, rolling.displacement(), last.zones}),

@@ -211,21 +211,23 @@ Table claims_of(const Tables& tables, const Parameters& p) {
   const double releasing = share_of(tables, "cell_mean", "released");
   return claims_table(
       {{"the world-fixed implementation shows odd behaviour", "9, 11", not_given, at_node, "1",
-        verdict_of(at_node > 10 * direct),
+        holds_if({{"its ratio to the one of the direct scheme", at_node / direct, above(10)}}),
         "noise of the creepage, nodes switched on and off, " + where + "; direct scheme " +
             format_short(rounded(direct)) + "; the thesis does not say what it saw",
         "world_fixed_noise"},
        {"... in certain cases", "9, 11", not_given, whole, "1",
-        verdict_of(std::abs(whole - direct_whole) < 1e-6 && at_node > target),
+        holds_if({{"its difference to the one of the direct scheme", whole - direct_whole,
+                   within(1e-6, 0)},
+                  {"the noise at c = " + format_short(c), at_node, above(target)}}),
         "relative change of the creepage from step to step at c = 1: that of the direct scheme",
         "world_fixed_noise"},
        {"it is still unknown why they appear", "11", not_given, leaving, "1",
-        leaving > 0.9 ? "corrected" : "not_comparable",
-        "part of the squared jumps of the creepage where an element leaves at the trailing edge: "
-        "the force it gives up at once must be made up for",
+        Rule{.rulings = {{"corrected", {above(0.9)}}}, .otherwise = "not_comparable"},
+        "part of the squared jumps of the creepage where an element leaves at the trailing edge, "
+        "and gives up its force at once",
         "world_fixed_creepage"},
        {"... with the cause removed", "11", not_given, std::max(mean, cut), "1",
-        mean < target && cut < target ? "corrected" : "not_comparable",
+        Rule{.rulings = {{"corrected", {below(target)}}}, .otherwise = "not_comparable"},
         "the largest noise of averaged bounds (" + format_short(rounded(mean)) +
             ") and cut elements (" + format_short(rounded(cut)) + "), " + where + "; " +
             format_short(rounded(releasing)) +

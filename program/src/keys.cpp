@@ -25,7 +25,8 @@ int keys(const std::string& name, int argc, const char* const* argv) {
     for (const Key& key : keys_of_scenes()) {
       std::cout << std::left << std::setw(static_cast<int>(names)) << key.name << "  "
                 << std::setw(static_cast<int>(units)) << (key.unit == "1" ? "" : key.unit) << "  "
-                << key.meaning << ": " << key.accepted << '\n';
+                << key.meaning << ": " << key.accepted << (key.role.empty() ? "" : "; for ")
+                << key.role << '\n';
     }
     return 0;
   });

@@ -109,6 +109,24 @@ std::vector<Figure> chosen(const std::vector<Figure>& figures, const Given& give
                               question(nearest(wanted, names)));
 }
 
+/// The folder of a result, which may be named by one of its tables, too; with a name of its own,
+/// after which figures are named.
+fs::path folder_of(const fs::path& result) {
+  const fs::path folder = fs::is_regular_file(result) ? fs::absolute(result).parent_path() : result;
+  const fs::path whole = (fs::absolute(folder) / "").lexically_normal().parent_path();
+  const fs::path relative = whole.lexically_relative(fs::current_path());
+  return relative.string().starts_with('.') ? whole : relative;
+}
+
+/// Where --to wants a figure; draw.sh knows three formats.
+fs::path target_of(const Given& given) {
+  const std::string name = given["to"].as<std::string>();
+  const std::string ending = fs::path(name).extension();
+  if (ending == ".svg" || ending == ".png" || ending == ".pdf") return name;
+  throw std::invalid_argument("--to '" + shown(name) +
+                              "': expected a name that ends in .svg, .png or .pdf");
+}
+
 /// \param name  of the program whose results have one figure, and others are studies
 void draw_all(const std::string& name, const fs::path& folder, const Given& given) {
   const std::string program = program_of(folder);
@@ -126,7 +144,7 @@ void draw_all(const std::string& name, const fs::path& folder, const Given& give
   if (figures.empty()) reject(folder, "that of " + shown(program) + " has no figures");
   if (given.count("to") != 0) {
     if (figures.size() > 1) throw std::invalid_argument("--to: expected --figure with it here");
-    return draw(plots, figures.front().script, folder, given["to"].as<std::string>());
+    return draw(plots, figures.front().script, folder, target_of(given));
   }
   for (const Figure& figure : figures) {
     draw(plots, figure.script, folder,
@@ -140,18 +158,16 @@ int plot(const std::string& name, int argc, const char* const* argv) {
   return run_process(name, [&] {
     Options known("Options of plot");
     known.add_options()("result", options::value<std::string>()->default_value("out"),
-                        "the first word: folder of a result, or of a study")(
+                        "the first word: folder of a result, or of a study, or a table there")(
         "figure", options::value<std::string>(), "of a study: this one instead of all")(
         "to", options::value<std::string>(),
-        "SVG file (default: RESULT.svg, or RESULT_FIGURE.svg of a study)")(
-        "version", "print version and revision")("help", "print this");
+        "file that ends in .svg, .png or .pdf (default: RESULT.svg, or RESULT_FIGURE.svg of a "
+        "study)")("version", "print version and revision")("help", "print this");
     const Given given = parse(known, argc - 1, argv + 1, "result");
     if (answers(given, known, name + " plot", "draws the figures of a result, with gnuplot")) {
       return 0;
     }
-    fs::path folder = given["result"].as<std::string>();
-    if (!folder.has_filename()) folder = folder.parent_path();  // out/
-    draw_all(name, folder, given);
+    draw_all(name, folder_of(given["result"].as<std::string>()), given);
     return 0;
   });
 }

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 #include "command_line.hpp"
@@ -25,6 +26,18 @@ Options options_of(const Program& program) {
   return options;
 }
 
+/// The doubt that a summary names, if it does.
+std::optional<std::string> warning_of(const Table& table) {
+  if (table.name() != "summary" || table.columns().front().name != "quantity") return std::nullopt;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const auto* quantity = std::get_if<std::string>(&table.at(i, "quantity"));
+    if (quantity == nullptr || *quantity != "warning") continue;
+    const auto& line = std::get<std::string>(table.at(i, "value"));
+    if (line != "none") return line;
+  }
+  return std::nullopt;
+}
+
 /// A run is written when all of it is done: the longest study takes a minute, and tables of half a
 /// study would need parameters of their own. Many cases that must not be lost are a sweep.
 void run_scene(const Program& program, Scene& scene, const Given& given, int argc,
@@ -44,8 +57,12 @@ void run_scene(const Program& program, Scene& scene, const Given& given, int arg
   files.push_back(provenance_of(
       provenance(program.name, argc, argv, std::chrono::steady_clock::now() - start), files));
   interrupts.last([&] { write_files(out, files); });
-  for (const std::string& line : scene.warnings()) {
+  const auto warn = [&](const std::string& line) {
     std::cerr << program.name << ": warning: " << line << '\n';
+  };
+  for (const std::string& line : scene.warnings()) warn(line);
+  for (const Table& table : tables) {
+    if (const auto line = warning_of(table)) warn(*line);
   }
 }
 

@@ -122,7 +122,8 @@ Table SweepFolder::row_of(std::size_t index, const CaseResult& result) const {
     if (table.name() != "summary") continue;
     for (std::size_t i = 0; i < table.rows(); ++i) {
       columns.push_back({std::get<std::string>(table.at(i, "quantity")),
-                         std::get<std::string>(table.at(i, "unit")), "of the case's summary"});
+                         std::get<std::string>(table.at(i, "unit")), "of the case's summary",
+                         table.rounding(i, "value")});
       cells.push_back(table.at(i, "value"));
     }
   }

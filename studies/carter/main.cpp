@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/carter.hpp"
-#include "microslip/program/run.hpp"
-#include "scenes.hpp"
+#include "study.hpp"
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return program::run_study("carter", "what does the step ratio do to the Carter-Fromm problem?",
-                            scenes::study, scenes::quick, experiments::read_carter,
-                            experiments::carter, argc, argv);
+  return studies::run("carter", "what does the step ratio do to the Carter-Fromm problem?",
+                      experiments::read_carter, experiments::carter, argc, argv);
 }

@@ -73,7 +73,6 @@ std::vector<double> library_numbers(const TransientState& s) {
           s.mean_force,
           s.creepage,
           s.dissipation,
-          s.mean_dissipation,
           s.evidence.residual,
           s.evidence.violation(),
           static_cast<double>(s.adhesion_elements),
@@ -132,7 +131,7 @@ TEST_P(EveryCase, ACopyGoesOnAlikeAndByItself) {
   EXPECT_NE(answers(copy), before);
 }
 
-// mean_dissipation dq + mean_force w dq + the change of elastic energy, over some of the terms.
+// dissipation dq + mean_force w dq + the change of elastic energy, over some of the terms.
 TEST(CInterface, BalancesEnergy) {
   const Handle handle = created();
   double before = 0, sum = 0, dissipated = 0;
@@ -143,8 +142,8 @@ TEST(CInterface, BalancesEnergy) {
     const microslip_state state = state_of(handle);
     double elastic = 0;
     microslip_get_elastic_energy(handle.get(), &elastic);
-    sum += (state.mean_dissipation + state.mean_force * creepage) * dq + elastic - before;
-    dissipated += state.mean_dissipation * dq;
+    sum += (state.dissipation + state.mean_force * creepage) * dq + elastic - before;
+    dissipated += state.dissipation * dq;
     before = elastic;
   }
   EXPECT_GT(dissipated, 0.1);

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The coupling example in one language: it balances energy, over steps far below an element and of
-# some, and its table is that in C. Status 77 where the language is not installed.
+# some, and its table is that in C; in Python, after the tests of its module. Status 77 where the language is not
+# installed.
 # Usage: examples.sh c|python|octave C_PROGRAM LIBRARY SOURCE_FOLDER WORK_FOLDER
 set -euo pipefail
 language=$1 c_program=$2 library=$3 source=$4 work=$5
@@ -19,8 +20,10 @@ case "$language" in
       [ "$candidate" != none ] || skip "no python3 with numpy"
       ! "$candidate" -c 'import numpy' 2>"$work/log" || break
     done
+    export MICROSLIP_LIBRARY=$library PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$examples/python
+    "$candidate" "$source/tests/capi/python_test.py"
     run_example() {
-      MICROSLIP_LIBRARY=$library PYTHONDONTWRITEBYTECODE=1 "$candidate" "$examples/python/wheel_drive.py"
+      "$candidate" "$examples/python/wheel_drive.py"
     }
     ;;
   octave)

@@ -53,7 +53,6 @@ inline std::vector<double> numbers(const microslip_state& s) {
           s.mean_force,
           s.creepage,
           s.dissipation,
-          s.mean_dissipation,
           s.residual,
           s.violation,
           static_cast<double>(s.adhesion_elements),

@@ -94,8 +94,6 @@ struct FieldCase : Stated {
 };
 
 class FieldDigits : public testing::TestWithParam<FieldCase> {};
-class DifferenceDigits : public testing::TestWithParam<FieldCase> {};
-class TableDigits : public testing::TestWithParam<FieldCase> {};
 
 TEST_P(FieldDigits, AgreesWith50Digits) {
   WorstCase worst;
@@ -122,72 +120,6 @@ INSTANTIATE_TEST_SUITE_P(
         FieldCase{{"strain_strip", 9e-16, "x_m0p375_width_0p015"}, {0.015, 0.8, 1e8}, 2e-15},
         FieldCase{{"displacement_plane", 5e-16, "x_m1e6_width_0"}, {0}, 2e-15},
         FieldCase{{"displacement_strip", 8e-16, "x_m1e6_width_0p015"}, {0.015, 0.8, 1e8}, 2e-15}),
-    name_of);
-
-// Of a bound that is the same traction, moved to the middle; positions are known up to a rounding.
-TEST_P(DifferenceDigits, AgreesWith50Digits) {
-  WorstCase worst;
-  for (const double width : GetParam().widths) {
-    const ChebyshevTraction traction(-half, half, some_traction().coefficients());
-    const FullSliding sliding(kernel_of({1, nu}, width, length), PolynomialBound(traction));
-    const ExactField exact{{nu, width, length, 1}};
-    for (const double x : {-0.74, 0.1, -0.75 - 1e-6, -0.75 - 1e-4}) {
-      const Digits50 there = Digits50(x) + centre;
-      const Digits50 displacement = exact.displacement(there);
-      for (const double shift : {1e-12, 2e-6, 7.4e-4, 8e-4}) {
-        const Digits50 difference = displacement - exact.displacement(there + shift);
-        worst.meet(relative_error(sliding.difference(x, shift), difference,
-                                  Digits50(shift * strain_scale())),
-                   place({{"shift", shift}, {"x", x}, {"width", width}}));
-      }
-    }
-  }
-  expect_as_stated(GetParam(), worst);
-  EXPECT_LE(worst.error(), GetParam().documented);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Digits, DifferenceDigits,
-    testing::Values(FieldCase{{"plane", 3e-13, "shift_0p0008_x_m0p74_width_0"}, {0}, 1e-12},
-                    FieldCase{
-                        {"strip", 4e-13, "shift_0p0008_x_0p1_width_0p015"}, {0.015, 1e8}, 1e-12}),
-    name_of);
-
-// A bound of 65 rows on whole numbers of 1/32, so that its slopes are exact.
-TEST_P(TableDigits, AgreesWith100Digits) {
-  WorstCase worst;
-  const bool strain = GetParam().subject.find("strain") == 0;
-  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(65, -32, 32) / 32;
-  const Eigen::VectorXd g = x.unaryExpr([](double xi) { return 1 - xi * xi; });
-  std::vector<ShapeFunction::Piece> pieces;
-  for (Eigen::Index i = 1; i < x.size(); ++i) {
-    const double slope = (g[i] - g[i - 1]) * 32;
-    pieces.push_back({x[i - 1], x[i], {g[i - 1] - slope * x[i - 1], slope, 0}});
-  }
-  for (const double width : GetParam().widths) {
-    const PolygonField field(kernel_of({1, nu}, width, length), TabulatedBound(1, x, g));
-    const ReferenceInfluence<Digits100> exact({nu, width, length, 1}, ShapeFunction(pieces));
-    for (const double at : {0.0, 0.3, -0.51, 0.999, -1.0, -1.1, -3.0}) {
-      const Digits100 h("1e-25");
-      const Digits100 u = exact(at);
-      const Digits100 slope = (exact(at - h) - exact(at + h)) / (2 * h);
-      worst.meet(
-          strain ? relative_error(field.strain(at), slope, Digits100(strain_scale()))
-                 : relative_error(field.displacement(at), u, Digits100(displacement_scale(width))),
-          place({{"x", at}, {"width", width}}));
-    }
-  }
-  expect_as_stated(GetParam(), worst);
-  EXPECT_LE(worst.error(), GetParam().documented);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Digits, TableDigits,
-    testing::Values(
-        FieldCase{{"strain_plane", 3e-16, "x_0p999_width_0"}, {0}, 3e-15},
-        FieldCase{{"strain_strip", 2e-15, "x_0p999_width_1e6"}, {1e-3, 0.3, 20, 1e6}, 3e-15},
-        FieldCase{{"displacement_plane", 4e-16, "x_0_width_0"}, {0}, 3e-15},
-        FieldCase{{"displacement_strip", 6e-16, "x_m3_width_0p3"}, {1e-3, 0.3, 20, 1e6}, 3e-15}),
     name_of);
 
 }  // namespace

@@ -74,13 +74,13 @@ TEST(TransientOrder, CattaneoShiftIsOfOrderThreeHalves) {
 }
 
 /// |S(q)| at thirty equal distances up to 3.
-std::vector<double> cumulative_creeps(double n, double step_ratio) {
+std::vector<double> cumulative_creeps(double n, double step_ratio, double carried = force) {
   TransientRolling rolling = rolling_on(static_cast<Eigen::Index>(n), MaterialFixed{});
-  rolling.start_from_shift({force});
+  rolling.start_from_shift({carried});
   std::vector<double> creeps;
   double creep = 0, before = 0;
   for (int k = 1; k <= 30; ++k) {
-    rolling.roll(0.1, {step_ratio * 2 / n}, PrescribedForce{force},
+    rolling.roll(0.1, {step_ratio * 2 / n}, PrescribedForce{carried},
                  [&](const TransientState& state) {
                    creep += state.creepage * (state.distance - before);
                    before = state.distance;
@@ -112,7 +112,18 @@ TEST(TransientOrder, CumulativeCreepIsSecondOrderOnTheMaterialWhateverTheStep) {
     }
   }
   EXPECT_NEAR(fitted_order(coarse, errors), 1.85, 0.2);
-  EXPECT_LT(errors.back(), 2e-6);
+  EXPECT_LT(errors.back(), 3e-6);
+}
+
+// Where nearly everything sticks, relative to the creep: the slip zone is shorter than an element.
+TEST(TransientOrder, CumulativeCreepIsRightForSmallLoads) {
+  for (const double ratio : {1e-2, 1e-3, 1e-4, 1e-6}) {
+    const double small = -ratio * std::numbers::pi / 2;
+    const double fine = cumulative_creeps(640, 1, small).back();
+    EXPECT_NEAR(cumulative_creeps(40, 1, small).back() / fine, 1, 4e-3) << ratio;
+    EXPECT_NEAR(cumulative_creeps(160, 1, small).back() / fine, 1, 1e-3) << ratio;
+    EXPECT_NEAR(cumulative_creeps(40, 0.3, small).back() / fine, 1, 4e-3) << ratio;
+  }
 }
 
 TEST(TransientOrder, CattaneoShiftIsSecondOrderOnTheMaterial) {
@@ -123,7 +134,7 @@ TEST(TransientOrder, CattaneoShiftIsSecondOrderOnTheMaterial) {
     errors.push_back(rolling.start_from_shift({force}) + exact.displacement(length));
   }
   EXPECT_NEAR(fitted_order(sizes, errors), 2.0, 0.1);
-  EXPECT_LT(std::abs(errors.back()), 5e-7);
+  EXPECT_LT(std::abs(errors.back()), 4e-6);
 }
 
 }  // namespace

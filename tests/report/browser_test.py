@@ -11,11 +11,10 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "browser"))
 import webdriver
-from quick_results import claims_of, link_results, make_report
+from quick_results import GIVEN, NOT_JUDGED, claims_of, link_results, make_report
 
 FIGURES, WORK = map(Path, sys.argv[1:])
 VIEWS = [(width, dark) for width in (1280, 390) for dark in (False, True)]
-VERDICTS = ("reproduced", "corrected", "refuted", "not_comparable", "ours")
 IN_BROWSER = Path(__file__).with_name("in_browser.js").read_text(encoding="utf-8")
 
 
@@ -60,10 +59,11 @@ class Browser(unittest.TestCase):
         in_tables = Counter(claim["verdict"] for claim in self.claims.values())
         self.assertEqual({verdict: number for verdict, number in said.items() if number}, in_tables)
         rows = self.browser.run("""return [...document.querySelectorAll(".summary tbody tr")].map(
-            row => [row.cells[0].innerText, ...[...row.cells].slice(1).map(cell => Number(cell.innerText) || 0)])""")
+            row => [row.cells[0].innerText, ...[...row.cells].slice(1).map(cell => parseInt(cell.innerText) || 0)])""")
         for study, *counts in rows:
             of_study = [claim["verdict"] for id, claim in self.claims.items() if id.startswith(study + "-")]
-            self.assertEqual(counts, [of_study.count(verdict) for verdict in VERDICTS], study)
+            verdicts = ("not_judged",) if study == NOT_JUDGED else GIVEN
+            self.assertEqual(counts, [of_study.count(verdict) for verdict in verdicts], study)
 
     def test_dark_is_dark_and_maps_stay_light(self):
         colour = """return getComputedStyle(document.querySelector(arguments[0])).backgroundColor"""

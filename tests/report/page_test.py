@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-from quick_results import ROOT, claims_of, link_results, make_report
+from quick_results import NOT_JUDGED, ROOT, claims_of, link_results, make_report
 from structure import problems
 
 PROGRAMS, FIGURES, WORK = map(Path, sys.argv[1:])
@@ -44,6 +44,33 @@ class Page(unittest.TestCase):
             if match := re.fullmatch(r"#   (\S+) = (.*)", line):
                 self.assertIn(f"<tr><td><code>{match[1]}</code></td><td>{match[2]}</td></tr>", self.text)
 
+    def test_what_is_nothing_but_rounding_has_no_digits(self):
+        card = re.search(r'<article id="fractional_power-1".*?</article>', self.text, re.DOTALL)[0]
+        self.assertIn("<dd>below 1 · 10<sup>−9</sup></dd>", card)
+
+    def test_shows_rule_and_tolerance(self):
+        card = re.search(r'<article id="carter-2".*?</article>', self.text, re.DOTALL)[0]
+        self.assertIn("<dt>tolerance</dt><dd>±0.1</dd>", card)
+        self.assertIn('<p class="rule">Rule: reproduced if the measured value is within 0.1 of 0.55; '
+                      "otherwise refuted.</p>", card)
+        self.assertNotIn("tolerance", re.search(r'<article id="carter-1".*?</article>', self.text, re.DOTALL)[0])
+
+    def test_says_where_nothing_is_judged_and_why(self):
+        said = re.findall(r'<span class="unjudged">Not judged: (.*?)\.</span>', self.text)
+        self.assertEqual(len(said), 2)  # in the table of all claims, and at the study
+        for why in said:
+            self.assertRegex(why, r"^this run has other parameters than the study: .*noise\.elements")
+        verdicts = {id: claim["verdict"] for id, claim in self.claims.items()}
+        self.assertEqual({id.rpartition("-")[0] for id, verdict in verdicts.items() if verdict == "not_judged"},
+                         {NOT_JUDGED})
+        self.assertIn(">not judged: the run has other parameters than the study<", self.text)
+
+    def test_says_nothing_of_it_where_all_is_judged(self):
+        results = link_results(FIGURES, WORK / "judged", leave=())
+        self.assertEqual(make_report(results, WORK / "judged.html").returncode, 0)
+        text = (WORK / "judged.html").read_text(encoding="utf-8")
+        self.assertNotIn("not judged", re.sub("<style>.*?</style>", "", text, flags=re.DOTALL).split("<h3>Made by")[0])
+
     def test_problems_are_found(self):
         for what, pattern, replacement, found in (
                 ("a lost figure", r'<figure id="carter_traction".*?</figure>', "", "no figure carter_traction"),
@@ -59,6 +86,8 @@ class Page(unittest.TestCase):
                  "carter-1: the verdict is refuted, not reproduced"),
                 ("another count", r'data-count="refuted">\d+', 'data-count="refuted">99', "99 claims are said"),
                 ("another statement", "<h4>accuracy decreases", "<h4>accuracy increases", "carter-2: does not say"),
+                ("another rule", "is within 0.1 of 0.55; otherwise", "is about right; otherwise",
+                 "carter-2: does not say the rule"),
                 ("a number that is none", r'(id="carter-1".*?<dd>)[^<]*', r"\1nan", "carter-1: says nan"),
                 ("no end", "</section>", "", "has no end")):
             with self.subTest(what):
@@ -135,6 +164,14 @@ class BadInput(unittest.TestCase):
         self.refused(self.damaged("carter/claims.tsv", lambda text: text.replace("figure", "picture")),
                      "expected the columns claim, .*, figure")
         self.refused(self.damaged("carter/claims.tsv", lambda text: text.replace("\tnan\t", "\tmany\t")), "'many'")
+        self.refused(self.damaged("carter/claims.tsv", lambda text: re.sub("\treproduced if [^\t]*", "\t", text, count=1)),
+                     "'wiggles arise .*' has no rule")
+
+    def test_claims_that_are_judged_in_part(self):
+        expected = "expected the verdict not_judged of all claims, and the reason in the first line, or neither"
+        self.refused(self.damaged("carter/claims.tsv", lambda text: text.replace("\treproduced\t", "\tnot_judged\t")),
+                     expected)
+        self.refused(self.damaged(f"{NOT_JUDGED}/claims.tsv", lambda text: re.sub("; not judged: .*", "", text)), expected)
 
     def test_half_a_figure(self):
         self.refused(self.damaged("figures/carter_traction.svg", lambda text: text[:5000]), "not a whole figure")

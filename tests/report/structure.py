@@ -61,6 +61,10 @@ def letters(text):
     return re.sub(r"\W", "", text)
 
 
+def without_numbers(text):
+    return letters(re.sub(r"\d[\d.]*(e[-+]?\d+)?", "", text))
+
+
 def problems(text, claims):
     """One line for each; `claims` are rows of the tables by the ids of their cards."""
     page = Page(text)
@@ -73,6 +77,8 @@ def problems(text, claims):
             found.append(f"{id}: the verdict is {page.verdicts.get(id)}, not {claim['verdict']}")
         if letters(claim["claim"]) not in letters(page.cards.get(id, "")):
             found.append(f"{id}: does not say '{claim['claim']}'")
+        if without_numbers(claim["rule"]) not in without_numbers(page.cards.get(id, "")):
+            found.append(f"{id}: does not say the rule '{claim['rule']}'")
         if claim["figure"] != "none" and page.drawn[claim["figure"]] < 10:
             found.append(f"{id}: no figure {claim['figure']}")
         if "nan" in re.findall(r"\w+", page.cards.get(id, "")):

@@ -194,8 +194,8 @@ TEST_F(BadInputs, Scenes) {
        {"a key of Latin-1", "problem steady\nl\xE4nge 1\n" + good_contact + "load { creepage 1 }",
         "unknown key 'l\\xe4nge'; known to this model: problem, method, leading_edge, "
         "material.shear_modulus, material.poisson_ratio, contact.half_width, "
-        "contact.peak_traction, kernel.type, kernel.width, grid.elements, grid.leading_offset, "
-        "grid.trailing_offset, basis, load.creepage, solver.type, solver.tolerance, "
+        "contact.peak_traction, kernel.type, kernel.width, grid.elements, basis, load.creepage, "
+        "solver.type, solver.tolerance, "
         "solver.violation, "
         "solver.condition"},
        {"a long value", "problem " + repeated("x", 1000000),
@@ -220,8 +220,12 @@ TEST_F(BadInputs, ScenesThatAreAccepted) {
 
 TEST_F(BadInputs, Columns) {
   expect_rejected_bounds(
-      {{"empty", "",
-        "line 0: expected a column 'x' among the names in the first line, which are: "},
+      {{"empty", "", "expected a line of column names, found none"},
+       {"comments only", "# x\n\n", "expected a line of column names, found none"},
+       {"a column twice", "x\tbound\tbound\n0\t1\t2\n",
+        "line 1: expected one column 'bound', found more of that name"},
+       {"another column twice", "# 1\na\tx\tbound\ta\n0\t0\t1\t2\n",
+        "line 2: expected one column 'a', found more of that name"},
        {"another column", "x\tg\n0\t1\n",
         "line 1: expected a column 'bound' among the names in the first line, which are: x g"},
        {"a long line of names", repeated("abcdefg ", 1000),

@@ -117,6 +117,41 @@ TEST_F(Commands, OnlyResultsAreDrawn) {
   EXPECT_FALSE(fs::exists(folder_ / "out.svg"));
 }
 
+TEST_F(Commands, FiguresAreWhatTheirNamesSay) {
+  run_in_folder("init steady");
+  run_in_folder("steady.info --set grid.elements=20");
+  const std::vector<std::pair<std::string, std::string>> begins{
+      {"a.svg", "<?xml"}, {"a.png", "\x89PNG\r\n"}, {"a.pdf", "%PDF-1."}};
+  for (const auto& [name, begin] : begins) {
+    EXPECT_EQ(run_in_folder("plot --to " + name).output, "drew " + name + "\n");
+    EXPECT_TRUE(text_of(folder_ / name).starts_with(begin)) << name;
+  }
+  for (const std::string name : {"a.jpg", "a", "a.PNG", "svg"}) {
+    expect_error("plot --to " + name,
+                 "--to '" + name + "': expected a name that ends in .svg, .png or .pdf");
+    EXPECT_FALSE(fs::exists(folder_ / name));
+  }
+}
+
+TEST_F(Commands, ATableNamesItsResult) {
+  run_in_folder("init steady");
+  run_in_folder("steady.info --set grid.elements=20");
+  for (const std::string result : {"out/traction.tsv", "out/", "./out", "out/../out/summary.tsv"}) {
+    EXPECT_EQ(run_in_folder("plot " + result).output, "drew out.svg\n") << result;
+  }
+  for (const std::string result : {"traction.tsv", "."}) {
+    fs::remove(folder_ / "out.svg");
+    EXPECT_EQ(run_command("cd '" + (folder_ / "out").string() +
+                          "' && " MICROSLIP_BIN "/microslip plot " + result)
+                  .error,
+              "");
+    EXPECT_TRUE(fs::exists(folder_ / "out.svg")) << result;
+  }
+  expect_error("plot steady.info", "'" + fs::canonical(folder_).string() +
+                                       "': expected the folder of a result; it has no "
+                                       "provenance.txt");
+}
+
 TEST_F(Commands, StudiesAreDrawn) {
   run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/carter --quick --out mine");
   EXPECT_EQ(run_in_folder("plot mine").output, "drew mine_accuracy.svg\ndrew mine_traction.svg\n");

@@ -33,6 +33,12 @@ damaged() {
 afresh
 "$plots/draw.sh" "$figure" "$work/tables" "$svg"
 grep -q '<title>Thesis Fig. 1.1: the Carter-Fromm problem .* the exact solution.</title>' "$svg"
+for format in png pdf; do "$plots/draw.sh" "$figure" "$work/tables" "$work/figures/traction.$format"; done
+[[ $(head -c 4 "$work/figures/traction.png") == *PNG && $(head -c 4 "$work/figures/traction.pdf") == %PDF ]]
+rm "$work/figures"/traction.p*
+status=0
+message=$("$plots/draw.sh" "$figure" "$work/tables" "$work/figures/traction.jpg" 2>&1) || status=$?
+[[ $status = 1 && $message = *'traction.jpg: expected a name that ends in .svg, .png or .pdf' ]]
 
 grep -v '^#' "$plots/carter_traction.gp" >"$work/silent.gp"
 figure=$work/silent.gp expect_refused 'no caption' 'does not begin with a comment'

@@ -48,6 +48,27 @@ expect 1 'study/result: differs: columns y \[mm\]*, reference x \[mm\]*' 's/#   
 expect 1 'study/result: differs: columns x \[m\]*' 's/\[mm\]/[m]/'
 expect 1 'compare_tables: *result.tsv: expected *' '$s/\t.*//'
 
+# Numbers that are nothing but rounding: the reference has no digits of them, and they have a bound.
+{
+  printf '%s\n' '# study: a result' '# parameters' '# columns' '#   name [1]: of a quantity' \
+    '#   value [see there]: of it' '#   residual [1]: of it' '# nothing but rounding' \
+    '#   residual up to 1e-09' '#   value up to 1e-12 where name = small' $'name\tvalue\tresidual' \
+    $'large\t2.5\t3e-11' $'small\t-4e-15\t0' $'odd\t7e-11\t0.5'
+} >"$original"
+cp "$original" "$table"
+"$compare" --update "$work/tables" "$work/references" >/dev/null
+expected=$'large\t2.5\trounding\nsmall\trounding\trounding\nodd\t7e-11\t0.5'
+[ "$(tail -n 3 "$work/references/study/result.tsv")" = "$expected" ] || { echo "rounding has digits" >&2; exit 1; }
+expect 0 'study/result: identical' ''
+expect 0 'study/result: identical' 's/3e-11/9e-10/; s/-4e-15/8e-13/'
+expect 1 'study/result: differs: 1 cells *in residual in row 1: 2e-09, reference rounding' 's/3e-11/2e-09/'
+expect 1 'study/result: differs: 1 cells *in value in row 2: -2e-12, reference rounding' 's/-4e-15/-2e-12/'
+expect 1 'study/result: differs: 1 cells *in value in row 3: 8e-11, reference 7e-11' 's/7e-11/8e-11/'
+expect 1 'study/result: differs: 1 cells *in residual in row 3: 1e-10, reference 0.5' 's/0\.5/1e-10/'
+expect 1 'study/result: differs: residual in row 1 is rounding up to 1e-08, reference 1e-09' 's/1e-09/1e-08/'
+expect 1 'study/result: differs: value in row 2 is rounding up to 0, reference 1e-12' '/where/d'
+expect 1 'compare_tables: *result.tsv: expected *' 's/up to 1e-09/up to a lot/'
+
 cp "$original" "$table"
 cp "$original" "$work/tables/study/more.tsv"
 cp "$original" "$work/tables/study/more_timing.tsv"

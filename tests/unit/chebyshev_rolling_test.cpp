@@ -38,6 +38,21 @@ TEST(ChebyshevRolling, IsCarterInPlaneStrain) {
   }
 }
 
+// The force is a difference to that of full sliding, so that it loses digits as the load vanishes,
+// but no more.
+TEST(ChebyshevRolling, IsCarterNextToAdhesionEverywhere) {
+  const HertzBound bound(2, 3);
+  const ChebyshevRolling rolling(PlaneKernel(material, 200), bound);
+  for (const double size : {1e-4, 1e-5, 1e-6, 1e-7}) {
+    const Carter carter = Carter::from_creepage(material, bound, size * bound.peak());
+    const double rounding = 2e-15 / size;
+    EXPECT_NEAR(rolling.solve(PrescribedCreepage{carter.creepage()}).force() / carter.force(), 1,
+                rounding);
+    EXPECT_NEAR(rolling.solve(PrescribedForce{carter.force()}).creepage() / carter.creepage(), 1,
+                rounding);
+  }
+}
+
 // The closed form of bounds with a polynomial, evaluated independently of this project to 12 and 15
 // digits.
 TEST(ChebyshevRolling, MeetsTheClosedFormOfAPolynomialBound) {
@@ -70,8 +85,8 @@ TEST(ChebyshevRolling, ConvergesForStrips) {
         EXPECT_NEAR(solution.traction(x), expected.traction(x), 1e-11) << x;
         EXPECT_NEAR(solution.slip(x), expected.slip(x), 1e-11) << x;
       }
-      EXPECT_LT(solution.evidence().bound_violation, 1e-12);
-      EXPECT_LT(solution.evidence().slip_violation, 1e-12);
+      EXPECT_LT(solution.evidence().bound_violation(), 1e-12);
+      EXPECT_LT(solution.evidence().slip_violation(), 1e-12);
       if (solution.stick_edge() == 1) continue;
       // In adhesion w = du/dx everywhere.
       constexpr double h = 1e-4;
@@ -116,6 +131,26 @@ TEST(ChebyshevRolling, NoticesSeveralStickZones) {
   const PolynomialBound dented(1, 1, (Eigen::VectorXd(3) << 0.05, 0, 1).finished());
   const ChebyshevRolling rolling(PlaneKernel(material, 1), dented);
   EXPECT_THROW(rolling.solve(PrescribedForce{-0.5 * dented.total()}), NotConverged);
+}
+
+// The second zone begins with a violation of zero: the least load that is refused has one that only
+// just is no rounding.
+TEST(ChebyshevRolling, NoticesASecondStickZoneFromItsBeginning) {
+  const PolynomialBound dented(1, 1, (Eigen::VectorXd(3) << 0.05, 0, 1).finished());
+  const ChebyshevRolling rolling(PlaneKernel(material, 1), dented);
+  double accepted = 0, refused = 0.5, violation = 1;
+  for (int k = 0; k < 40; ++k) {
+    const double part = (accepted + refused) / 2;
+    try {
+      rolling.solve(PrescribedForce{-part * dented.total()});
+      accepted = part;
+    } catch (const NotConverged& error) {
+      refused = part;
+      violation = error.residual();
+    }
+  }
+  EXPECT_GT(accepted, 0.1);
+  EXPECT_LT(violation, 2e-9);
 }
 
 TEST(ChebyshevRolling, RefusesWhatItIsNotFor) {

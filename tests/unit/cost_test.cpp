@@ -78,6 +78,18 @@ TEST(Cost, StepsAreThoseOfTheWay) {
   EXPECT_EQ(steps_needed(read_model(scene)), std::ceil(0.25 / (0.75 * 2 / 20)));
 }
 
+TEST(Cost, StepsAreAMillionAtMost) {
+  const auto model = [](const std::string& distance) {
+    Scene scene = scene_of(good_contact +
+                           "problem transient\nload { force -1 }\nstart { type rest }\n"
+                           "step { ratio 1 }\nmotion { distance " +
+                           distance + " }");
+    return read_model(scene);
+  };
+  EXPECT_EQ(steps_needed(model("99999")), 999990);
+  EXPECT_NE(message([&] { model("100001"); }).find("at most 1e+06 steps"), std::string::npos);
+}
+
 TEST(Cost, WithATargetIsNotKnown) {
   Scene scene = scene_of(good_contact + "problem steady\nload { force -1 }\ntarget_error 1e-3");
   scene.set("grid.elements=");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/friction/evidence.hpp"
+#include "microslip/rolling/evidence.hpp"
 
 #include <gtest/gtest.h>
 
@@ -96,55 +96,108 @@ TEST(Condition, IsAboutThatOfDenseMatricesByFftAsWell) {
   EXPECT_EQ(solve_steady(steady(400, Differences{1}, PrescribedCreepage{9})).condition, 1);
 }
 
-// The largest violations, as anyone may count them.
+// As anyone may count it from what is written.
 TEST(Evidence, IsWhatTheTractionsAndTheSlipSay) {
-  for (const SteadyMethod& method : {SteadyMethod(Calibrated{}), SteadyMethod(Differences{0.3}),
-                                     SteadyMethod(ChebyshevCollocation{})}) {
+  for (const SteadyMethod& method : {SteadyMethod(Differences{1}), SteadyMethod(Differences{0.3}),
+                                     whole_contact(steady(101, {}, {})).method}) {
     const SteadySolution found = solve_steady(steady(101, method, PrescribedForce{-0.9}));
-    const double excess = (found.traction.cwiseAbs() - found.bound).maxCoeff();
-    const double along = (found.traction.array() * found.slip.array() > 0)
-                             .select(found.slip.cwiseAbs(), 0)
-                             .maxCoeff() /
-                         found.creepage;
-    EXPECT_LE(excess, found.evidence.bound_violation + 1e-14);
-    EXPECT_LE(along, found.evidence.slip_violation + 1e-14);
-    EXPECT_LE(found.evidence.bound_violation, 1e-12);
-    EXPECT_LE(found.evidence.slip_violation, 1e-12);
-    EXPECT_GT(found.evidence.residual, 0);
-    EXPECT_LE(found.evidence.residual, 1e-13);
+    const Evidence& evidence = found.evidence;
+    const double dx = 2.0 / 101;
+    EXPECT_NEAR(evidence.dissipated, -dx * found.traction.dot(found.slip), 1e-14);
+    EXPECT_NEAR(evidence.load, 0.9, 1e-14);
+    EXPECT_NEAR(evidence.power, 0.9 * found.creepage, 1e-14);
+    EXPECT_NEAR(evidence.full_sliding, full_sliding_force(HertzBound(1, 1)), 1e-14);
+    EXPECT_LE(evidence.violation(), 1e-12);
+    EXPECT_GT(evidence.residual, 0);
+    EXPECT_LE(evidence.residual, 1e-13);
   }
 }
 
-// Three elements cannot follow a bound with a dent, and say so.
-TEST(Evidence, ShowsViolationsBetweenNodes) {
-  SteadyProblem problem = steady(3, Calibrated{}, PrescribedForce{-0.6});
-  problem.bound = PolynomialBound(1, 1, Eigen::Vector3d(1, 0, -0.999));
-  const Evidence coarse = solve_steady(problem).evidence;
-  problem.grid = problem.grid.with_elements(400);
-  const Evidence fine = solve_steady(problem).evidence;
-  EXPECT_GE(std::max(coarse.bound_violation, coarse.slip_violation),
-            std::max(fine.bound_violation, fine.slip_violation));
+// By hand: three elements of length 2, of which one is above the bound, one slips with the traction
+// and less than the bound's mean, and one against it.
+TEST(Evidence, CountsSharesOfTheLoad) {
+  const Eigen::Vector3d lengths(2, 2, 2), bound(1, 1, 1), means(1, 0.75, 1), traction(-1.5, -1, -1),
+      slip(0, -0.25, 0.5);
+  const VectorXd l = lengths, b = bound, m = means, p = traction, s = slip;
+  const Evidence evidence = evidence_by_elements({l, b, m, p, s}, -7, 0.5);
+  EXPECT_DOUBLE_EQ(evidence.bound_violation(), 2 * 0.5 / 7);
+  EXPECT_DOUBLE_EQ(evidence.slip_violation(), 2 * 0.25 / 3.5);
+  EXPECT_DOUBLE_EQ(evidence.bound_resolution(), 2 * 0.25 / 7);
+  EXPECT_DOUBLE_EQ(evidence.dissipated, 2 * 0.5 - 2 * 0.25);
+  EXPECT_DOUBLE_EQ(evidence.dissipation_error(), (3.5 - 0.5) / 3.5);
+  EXPECT_DOUBLE_EQ(evidence.full_sliding, 2 * 2.75);
+  EXPECT_EQ(evidence_by_elements({l, b, m, VectorXd::Zero(3), VectorXd::Zero(3)}, 0, 0).violation(),
+            0);
 }
 
-TEST(Evidence, OfATransientIsTheWorstOfItsParts) {
-  const Evidence worst = worst_of({1, 5, 3}, {2, 4, 6});
+// Nodes that miss a peak or a dent of the bound.
+TEST(Evidence, ShowsBoundsThatElementsDoNotResolve) {
+  SteadyProblem problem = steady(20, Differences{1}, PrescribedForce{-0.5});
+  const VectorXd x = (VectorXd(6) << -1, -0.82, -0.8, -0.78, 0, 1).finished();
+  problem.bound = TabulatedBound(1, x, (VectorXd(6) << 0.3, 0.3, 1.5, 0.3, 1, 0).finished());
+  const double coarse = solve_steady(problem).evidence.bound_resolution();
+  EXPECT_GT(coarse, 0.01);
+  problem.grid = problem.grid.with_elements(2000);
+  EXPECT_LT(solve_steady(problem).evidence.bound_resolution(), coarse / 5);
+  problem.method = Calibrated{};
+  problem.grid = problem.grid.with_elements(20);
+  EXPECT_LE(solve_steady(problem).evidence.bound_resolution(), 1e-15);
+}
+
+// What is relative to the load is so for small ones, too: tractions above the bound that are
+// nothing next to its peak.
+TEST(Evidence, IsRelativeToTheLoad) {
+  const PolynomialBound bound(1, 1, Eigen::Vector2d(1, -1));
+  const Evidence evidence = evidence_by_samples(
+      bound, [&](double x) { return x > 0.5 ? -1e-3 - bound(x) : 0; }, [](double) { return 0; }, 0,
+      100, -1e-3, 1e-3);
+  EXPECT_NEAR(evidence.bound_violation(), 0.5, 1e-12);
+}
+
+TEST(Evidence, OfATransientIsTheWorstOfItsSteps) {
+  const Evidence worst = worst_of({.residual = 1, .excess = 5, .dissipated = 1, .load = 2},
+                                  {.residual = 2, .excess = 4, .dissipated = -1, .load = 1});
   EXPECT_EQ(worst.residual, 2);
-  EXPECT_EQ(worst.bound_violation, 5);
-  EXPECT_EQ(worst.slip_violation, 6);
+  EXPECT_EQ(worst.bound_violation(), 2.5);
+  EXPECT_EQ(worst.dissipated, -1);
 }
 
 TEST(Evidence, WorseThanAcceptedIsRefusedByName) {
-  EXPECT_EQ(refusal({}, 1), "");
-  EXPECT_NE(refusal({.residual = 2e-10}, 1)
+  const Evidence good{.load = 1, .power = 1, .full_sliding = 1};
+  const auto with = [&](double Evidence::*value, double is) {
+    Evidence changed = good;
+    changed.*value = is;
+    return refusal(changed, 1);
+  };
+  EXPECT_EQ(refusal(good, 1), "");
+  EXPECT_NE(with(&Evidence::residual, 2e-10)
                 .find("residual is 2e-10: expected at most "
                       "solver.tolerance = 1e-10"),
             std::string::npos);
-  EXPECT_NE(refusal({.bound_violation = 0.1}, 1).find("bound_violation is 0.1"), std::string::npos);
-  EXPECT_NE(refusal({.slip_violation = 0.1}, 1).find("slip_violation is 0.1"), std::string::npos);
-  EXPECT_NE(refusal({}, 1e14).find("condition is 1e+14: expected at most solver.condition = 1e+13"),
+  EXPECT_NE(with(&Evidence::excess, 0.1).find("bound_violation is 0.1"), std::string::npos);
+  EXPECT_NE(with(&Evidence::backward, 0.1).find("slip_violation is 0.1"), std::string::npos);
+  EXPECT_NE(with(&Evidence::load, 1.1).find("above full sliding"), std::string::npos);
+  EXPECT_NE(with(&Evidence::dissipated, -0.1).find("dissipation is negative"), std::string::npos);
+  EXPECT_NE(
+      refusal(good, 1e14).find("condition is 1e+14: expected at most solver.condition = 1e+13"),
+      std::string::npos);
+  EXPECT_NE(refusal(good, std::numeric_limits<double>::infinity()).find("condition"),
             std::string::npos);
-  EXPECT_NE(refusal({}, std::numeric_limits<double>::infinity()).find("condition"),
-            std::string::npos);
+}
+
+TEST(Evidence, OfWhichSomeIsDoubtful) {
+  const Evidence good{.dissipated = 1, .load = 1, .power = 1, .full_sliding = 1};
+  const auto doubt = [&](double Evidence::*value, double is, bool steady = true) {
+    Evidence changed = good;
+    changed.*value = is;
+    return doubt_of(changed, {}, steady).value_or("none");
+  };
+  EXPECT_EQ(doubt(&Evidence::residual, 0), "none");
+  EXPECT_NE(doubt(&Evidence::excess, 0.02).find("0.02"), std::string::npos);
+  EXPECT_NE(doubt(&Evidence::unresolved, 0.1).find("bound_resolution is 0.1"), std::string::npos);
+  EXPECT_NE(doubt(&Evidence::dissipated, 1.5).find("dissipation_error is 0.5"), std::string::npos);
+  EXPECT_EQ(doubt(&Evidence::dissipated, 1.5, false), "none");
+  EXPECT_EQ(doubt(&Evidence::dissipated, 0.1), "none");  // a slip zone shorter than an element
 }
 
 }  // namespace

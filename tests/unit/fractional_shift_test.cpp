@@ -98,6 +98,25 @@ TEST(FractionalShift, RejectsAnEvenNumberOfElements) {
   EXPECT_THROW(shift_of(50), std::invalid_argument);
 }
 
+// An eigenvalue below zero is refused at once; its power is complex, and no quadrature finds it.
+TEST(FractionalShift, RejectsShortLengthsOfPlaneStrain) {
+  const auto shift = [](double length, Eigen::Index n, const Basis& basis) {
+    return FractionalShift(PlaneKernel(material, length), basis.shapes()[0],
+                           2.0 / static_cast<double>(n), n);
+  };
+  for (const Basis& basis : {constant_basis(), linear_basis()}) {
+    for (const Eigen::Index n : {3, 11, 101, 401}) {
+      for (const double length : {1.2, 2.0, 3.1}) {
+        EXPECT_THROW(shift(length, n, basis), std::invalid_argument) << n << ' ' << length;
+      }
+      for (const double c : {1e-5, 0.3, 0.9}) {
+        EXPECT_TRUE(shift(3.8, n, basis).move(pyramid(n), c).traction.allFinite());
+      }
+    }
+    EXPECT_THROW(shift(3.7, 51, basis), std::invalid_argument);  // a pair of them
+  }
+}
+
 TEST(FractionalShift, ThrowsWhereTheInfluenceIsNotPositiveDefinite) {
   EXPECT_THROW(FractionalShift(PlaneKernel(material, 0.2), constant_basis().shapes()[0], 0.1, 21),
                NotConverged);

@@ -8,11 +8,14 @@
 #include <cmath>
 #include <random>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/reference/carter.hpp"
 #include "microslip/rolling/chebyshev_rolling.hpp"
 #include "microslip/rolling/transient.hpp"
+#include "microslip/support/work.hpp"
 
 namespace microslip {
 namespace {
@@ -73,6 +76,18 @@ TEST(MaterialFixed, TractionsDoNotDependOnTheStep) {
   }
 }
 
+// How the nodes before the edge have slipped is known where a step ended: a way that ends there in
+// each element, as it does for all of these, is that of the shortest steps.
+TEST(MaterialFixed, TractionsWithinAnElementAreThoseOfShortSteps) {
+  for (const double elements : {50.5, 50.25}) {
+    const TransientRolling fine = rolled_from_shift(0.005, elements);
+    for (const double c : {0.25, 0.125, 0.05, 0.01}) {
+      const TransientRolling coarse = rolled_from_shift(c, elements);
+      EXPECT_LT(largest_difference(coarse.state().traction, fine.state().traction), 1e-12) << c;
+    }
+  }
+}
+
 // What a step finds has not changed where none of the steps is a part of another.
 TEST(MaterialFixed, RandomStepsLeadToTheSameTractions) {
   const TransientRolling whole = rolled_from_shift(1, 60, 40);
@@ -104,22 +119,21 @@ TEST(MaterialFixed, TheCreepageIsSmoothForSmallSteps) {
   EXPECT_LT(largest_jump(400, 0.1), 0.0125);
 }
 
-// Slip displacement of a material point: the shift of the bodies, what its displacement by elements
-// has changed, those that have left included, and what these miss of that by the bound.
+// Slip displacement of a material point: the shift of the bodies, and what its displacement by
+// elements has changed, those that have left included.
 TEST(MaterialFixed, SlipIsThatOfMaterialPoints) {
   const TransientProblem p = problem(20);
   TransientRolling rolling(p, CattaneoShift{-0.5 * full_sliding});
   std::mt19937 random(3);
   std::uniform_real_distribution<double> ratio(0, 3);
   const double dx = 0.1;
-  const FullSliding sliding(p.kernel, p.bound);
   const auto displacement = [&](const Eigen::VectorXd& at, const Eigen::VectorXd& x,
-                                const Eigen::VectorXd& traction, const Eigen::VectorXd& bound) {
+                                const Eigen::VectorXd& traction) {
     return Eigen::VectorXd(at.unaryExpr([&](double xi) {
-      double sum = -sliding.displacement(xi);
+      double sum = 0;
       for (Eigen::Index j = 0; j < x.size(); ++j) {
-        sum += (traction[j] + bound[j]) *
-               influence(p.kernel, constant_shape(), dx, std::round((xi - x[j]) / dx));
+        sum +=
+            traction[j] * influence(p.kernel, constant_shape(), dx, std::round((xi - x[j]) / dx));
       }
       return sum;
     }));
@@ -127,7 +141,7 @@ TEST(MaterialFixed, SlipIsThatOfMaterialPoints) {
   int compared = 0;
   for (int k = 0; k < 60; ++k) {
     const double length = ratio(random) * dx;
-    const Eigen::VectorXd x = rolling.x(), bound = rolling.bound();
+    const Eigen::VectorXd x = rolling.x();
     const Eigen::VectorXd traction = rolling.state().traction;
     rolling.step(length, PrescribedForce{-0.7 * full_sliding});
     const TransientState& state = rolling.state();
@@ -135,8 +149,7 @@ TEST(MaterialFixed, SlipIsThatOfMaterialPoints) {
     const Eigen::VectorXd then =
         rolling.x() + Eigen::VectorXd::Constant(rolling.x().size(), length);
     const Eigen::VectorXd slip =
-        displacement(rolling.x(), rolling.x(), state.traction, rolling.bound()) -
-        displacement(then, x, traction, bound);
+        displacement(rolling.x(), rolling.x(), state.traction) - displacement(then, x, traction);
     for (Eigen::Index i = 0; i < slip.size(); ++i) {
       EXPECT_LE(std::abs(state.traction[i]), rolling.bound()[i] + 1e-12);
       if (rolling.bound()[i] == 0 || then[i] > 1 - 0.8 * dx) continue;
@@ -175,7 +188,7 @@ TEST(MaterialFixed, AnySequenceOfStepsMeetsTheContactConditions) {
         if (const auto* force = std::get_if<PrescribedForce>(&load)) {
           EXPECT_NEAR(state.force, force->value, 1e-11);
         } else {
-          const double balance = state.mean_force * state.creepage + state.mean_dissipation;
+          const double balance = state.mean_force * state.creepage + state.dissipation;
           EXPECT_NEAR(length * balance, energy - rolling.elastic_energy(), 1e-11);
         }
         for (Eigen::Index i = 0; i < rolling.x().size(); ++i) {
@@ -227,6 +240,22 @@ TEST(MaterialFixed, TinyStepsKeepTheirDigits) {
   }
 }
 
+// A partition stays where it is in the contact, so that a search begins with the last one moved by
+// a node in every element: three rounds a step instead of four at c = 0.7, two instead of three at
+// 0.45.
+TEST(MaterialFixed, APartitionIsLookedForWhereItWas) {
+  const std::vector<std::pair<double, int>> most = {{0.7, 310}, {0.45, 230}, {1, 100}};
+  for (const auto& [c, rounds] : most) {
+    TransientRolling rolling = rolled_from_shift(c, 200);
+    int count = 0;
+    for (int k = 0; k < 100; ++k) {
+      rolling.step(c * 0.02, PrescribedForce{-0.64 * full_sliding});
+      count += rolling.state().iterations;
+    }
+    EXPECT_LE(count, rounds) << c;
+  }
+}
+
 TEST(MaterialFixed, TheWindowStaysAsLargeAsTheContact) {
   TransientRolling rolling(problem(20), CattaneoShift{-0.64 * full_sliding});
   for (const double length : {0.037, 1.0, 0.31}) {
@@ -265,16 +294,13 @@ TEST(MaterialRolling, ValuesAtTheNodesAreThoseOfTheTraction) {
     const ChebyshevSolution fields =
         ChebyshevRolling(PlaneKernel(material, 200), bound).solve(PrescribedForce{exact.force()});
     const Eigen::VectorXd displacement = rolling.displacement();
-    double off = 0;
     for (Eigen::Index i = 0; i < values.size(); ++i) {
       const double x = rolling.x()[i];
       if (std::abs(x) >= 1) continue;
       EXPECT_NEAR(displacement[i], fields.displacement(x), 3e-4) << x;
       if (x < 0.9) continue;
       EXPECT_NEAR(values[i], exact.traction(x), 0.02 * std::abs(exact.traction(x))) << x;
-      off = std::max(off, std::abs(rolling.state().traction[i] - exact.traction(x)));
     }
-    EXPECT_GT(off, 3e-3);  // the coefficients are not
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "microslip/friction/traction_bound.hpp"
 
 namespace microslip {
@@ -30,6 +32,26 @@ TEST(PolynomialBound, RefusesWhatIsNoBound) {
   EXPECT_THROW(PolynomialBound(1, 1, Eigen::VectorXd()), std::invalid_argument);
   EXPECT_THROW(PolynomialBound(1, 1, Eigen::VectorXd::Ones(34)), std::invalid_argument);
   EXPECT_NO_THROW(PolynomialBound(1, 1, coefficients({1, -1})));
+}
+
+// Around the middle, which is far from both edges, and next to them.
+TEST(PolynomialBound, MeansOverLongWidthsAreThoseOfTheIntegral) {
+  const PolynomialBound steep(2, 5, Eigen::VectorXd::Ones(33));
+  for (const double x : {-1.9, 0.1, 1.2}) {
+    for (const double width : {0.2, 1.0, 4.0}) {
+      const double begin = std::max(-2.0, x - width / 2), end = std::min(2.0, x + width / 2);
+      const double mean = (steep.integral(end) - steep.integral(begin)) / width;
+      EXPECT_NEAR(steep.mean_around(x, width) / mean, 1, 1e-11) << x << " " << width;
+    }
+  }
+}
+
+// (t - 0.3)^2 touches zero, up to rounding; a little less is below it within a fiftieth of the
+// contact, or at one place.
+TEST(PolynomialBound, RefusesAShortDipBelowZeroButNotADoubleZero) {
+  EXPECT_NO_THROW(PolynomialBound(1, 1, coefficients({0.09, -0.6, 1})));
+  EXPECT_THROW(PolynomialBound(1, 1, coefficients({0.09 - 4e-4, -0.6, 1})), std::invalid_argument);
+  EXPECT_THROW(PolynomialBound(1, 1, coefficients({-1e-9, 0, 1})), std::invalid_argument);
 }
 
 }  // namespace

@@ -37,6 +37,20 @@ TEST(Scene, AssignmentsWinAndEmptyOnesRemove) {
   EXPECT_FALSE(scene.has("a"));
 }
 
+TEST(Scene, RemovesNoKeyThatIsNotThere) {
+  Scene scene = scene_of("load { force 1 }\nsweep { grid { elements 5 } }");
+  const auto answer = [&](const char* assignment) {
+    return message([&] { scene.set(assignment); });
+  };
+  EXPECT_EQ(answer("load.forec="),
+            "--set 'load.forec=': expected a key of this scene (did you mean 'load.force'?)");
+  EXPECT_EQ(answer("load="),
+            "--set 'load=': expected a key of this scene, not a section; its keys are load.force");
+  EXPECT_EQ(answer("grid.elements="), "");
+  EXPECT_FALSE(scene.has("sweep.grid.elements"));
+  EXPECT_NE(answer("grid.elements="), "");
+}
+
 TEST(Scene, OverlayReplacesAndAdds) {
   Scene scene = scene_of("a 1\nb 2");
   scene.overlay(scene_of("b 3\nc 4"));

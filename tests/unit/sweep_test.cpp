@@ -25,6 +25,7 @@ TEST(SweptValues, LinearRangesAreDecimal) {
   EXPECT_EQ(values("0.1:0.1:0.5"), (Texts{"0.1", "0.2", "0.3", "0.4", "0.5"}));
   EXPECT_EQ(values("-0.3:0.1:0.3"), (Texts{"-0.3", "-0.2", "-0.1", "0", "0.1", "0.2", "0.3"}));
   EXPECT_EQ(values("10:-4:1"), (Texts{"10", "6", "2"}));
+  EXPECT_EQ(values("1:0.12345678912:1.2"), (Texts{"1", "1.12345678912"}));
   EXPECT_EQ(values("50:50:100 400"), (Texts{"50", "100", "400"}));
   EXPECT_EQ(values("2:1:2"), (Texts{"2"}));
   EXPECT_EQ(values("0:1e-3:1").size(), 1001U);

@@ -24,6 +24,27 @@ TEST(WrittenTable, IsReadBackAndWrittenAgainAsTheSameBytes) {
   EXPECT_EQ(again.str(), text.str());
 }
 
+// Columns say up to where their numbers are rounding, and so do single rows; both are read back.
+TEST(WrittenTable, SaysWhichNumbersAreNothingButRounding) {
+  Table table("t", "a table",
+              {{"name", "1", "of a row"}, {"value", "1", "v"}, {"residual", "1", "r", 1e-9}});
+  table.add({"a = b: c", 1e-16, 2e-16}, {"value", 1e-12});
+  table.add({"another", 2.5, 0.5});
+  std::ostringstream text;
+  table.write(text, "program", {});
+  EXPECT_NE(text.str().find("# nothing but rounding\n#   residual up to 1e-09\n"
+                            "#   value up to 1e-12 where name = a = b: c\nname\tvalue"),
+            std::string::npos)
+      << text.str();
+  const Table read = read_table("t", text.str()).table;
+  EXPECT_EQ(read.rounding(0, "value"), 1e-12);
+  EXPECT_EQ(read.rounding(0, "residual"), 1e-9);
+  EXPECT_EQ(read.rounding(1, "value"), 0);
+  EXPECT_EQ(read.rounding(1, "name"), 0);
+  EXPECT_THROW(table.add({"c", 1.0, 1.0}, {"no column", 1e-12}), std::out_of_range);
+  EXPECT_EQ(table.rows(), 2U);
+}
+
 TEST(WrittenTable, APartOfOneIsRejectedUnlessItEndsWithALine) {
   Table table("t", "description", {{"x", "mm", "position"}, {"y", "mm", "position"}});
   table.add({0.1, 0.2});

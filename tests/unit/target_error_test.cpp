@@ -36,10 +36,6 @@ struct Honesty {
   }
 };
 
-double answer(const Load& load, const SteadySolution& solution) {
-  return std::holds_alternative<PrescribedForce>(load) ? solution.creepage : solution.force;
-}
-
 // Carter's problem, the exact solution of which is known: parts of adhesion, loads and targets at
 // random.
 TEST(TargetError, EstimateIsHonestForCarter) {
@@ -58,7 +54,7 @@ TEST(TargetError, EstimateIsHonestForCarter) {
     const EstimatedSteady found = solve_steady_to({PlaneKernel(material, 10), bound, load}, target);
     EXPECT_LE(found.error, target);
     const double exact = by_force ? creepage : force;
-    honesty.ratios.push_back(std::abs(answer(load, found.solution) / exact - 1) / found.error);
+    honesty.ratios.push_back(std::abs(answer_of(load, found.solution) / exact - 1) / found.error);
   }
   EXPECT_GE(honesty.covered(), 0.95);
   EXPECT_GE(honesty.median(), 0.1);

@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <numeric>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -18,6 +19,7 @@
 #include "microslip/linalg/toeplitz_inverse.hpp"
 #include "microslip/linalg/toeplitz_product.hpp"
 #include "microslip/support/not_converged.hpp"
+#include "microslip/support/work.hpp"
 
 namespace microslip {
 namespace {
@@ -181,6 +183,16 @@ INSTANTIATE_TEST_SUITE_P(Matrices, StructuredSolver,
                                          Case{"strip, linear, c = 1", strip, linear_basis(), 1},
                                          Case{"strip, c = 2.5", strip, constant_basis(), 2.5},
                                          Case{"strip, linear, A", strip, linear_basis(), 0}));
+
+// Factors of 500 elements would take 8e7 operations.
+TEST(ToeplitzBlock, LongIntervalsAreInvertedByFft) {
+  ToeplitzBlock block(influence_over(plane, constant_basis(), 600, 1), 1e-13);
+  std::vector<Index> indices(500);
+  std::iota(indices.begin(), indices.end(), 50);
+  const WorkCount count;
+  block.choose(indices);
+  EXPECT_LT(count.operations(), 2e7);
+}
 
 TEST(ToeplitzInverse, ThrowsWhereTheMatrixIsSingular) {
   EXPECT_THROW(ToeplitzInverse(Toeplitz(VectorXd::Ones(70), VectorXd::Ones(70))), NotConverged);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "microslip/halfspace/grid.hpp"
@@ -48,6 +49,18 @@ TEST(TractionBound, MeansAddUpToTheTotal) {
     EXPECT_NEAR(means[15], bound_at(bound, centres.segment(15, 1))[0], 0.05);
     EXPECT_GE(means.minCoeff(), 0);
   }
+}
+
+// 0.3 inches are 7.62 mm to a rounding, on either side.
+TEST(TabulatedBound, TakesRowsNextToTheEdgesAsAtThem) {
+  for (const double half_width : {std::nextafter(7.62, 0), 7.62, std::nextafter(7.62, 8)}) {
+    const TabulatedBound bound(half_width, Eigen::Vector2d(-7.62, 7.62), Eigen::Vector2d(2, 4));
+    EXPECT_EQ(bound(half_width), 4);
+    EXPECT_EQ(bound(-half_width), 2);
+    EXPECT_NEAR(bound.total(), 6 * 7.62, 1e-13);
+  }
+  EXPECT_THROW(TabulatedBound(7.62, Eigen::Vector2d(0, 7.62 * (1 + 1e-14)), Eigen::Vector2d(2, 4)),
+               std::invalid_argument);
 }
 
 TEST(TabulatedBound, KeepsWhatIsGivenAtTheEdges) {

@@ -9,6 +9,7 @@
 #include "microslip/linalg/real_fft.hpp"
 #include "microslip/linalg/square_matrix.hpp"
 #include "microslip/rolling/steady.hpp"
+#include "microslip/rolling/transient.hpp"
 
 namespace microslip {
 namespace {
@@ -73,6 +74,24 @@ TEST(Work, OfSteadyRollingGrowsAsItsSolver) {
   EXPECT_GT(fft, 10);
   EXPECT_LT(fft, 50);
 }
+
+double work_of_steps(double step_ratio) {
+  const Eigen::Index n = 400;
+  const double dx = 2.0 / static_cast<double>(n);
+  TransientRolling rolling({.kernel = StripKernel({1.44, 0.28}, 2),
+                            .bound = HertzBound(1, 1),
+                            .grid = Grid({.half_width = 1, .elements = n}),
+                            .basis = constant_basis(),
+                            .scheme = MaterialFixed{}},
+                           CattaneoShift{-0.7});
+  const WorkCount count;
+  for (int k = 0; k < 200; ++k) rolling.step(step_ratio * dx, PrescribedForce{-0.7});
+  return count.operations();
+}
+
+// 1.2e8. Factors of all entries, or inverses that serve one change only, would make it half or
+// twice as many more.
+TEST(Work, OfStepsOfLargeContactsIsThatOfFewInversesByFft) { EXPECT_LT(work_of_steps(0.3), 1.5e8); }
 
 }  // namespace
 }  // namespace microslip

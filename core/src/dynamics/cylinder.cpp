@@ -22,6 +22,9 @@ void require_rolling(double velocity, const CylinderState& state) {
                            " mm: a step with v = " + format_short(velocity) + " mm/s");
 }
 
+/// Shorter steps have not been tried, and the first is not the shortest  [dx]
+constexpr double least_first_step = 1e-12;
+
 /// -dF/dS of a shift S so small that nothing slips  [N/mm^2]
 double stiffness(const TransientProblem& contact) {
   const double length = contact.grid.spacing();
@@ -53,6 +56,22 @@ RollingCylinder::RollingCylinder(const TransientProblem& contact, const Cylinder
       std::min(part * period_, std::sqrt(2 * step_length_ * cylinder.mass / cylinder.slope_force));
   ahead_time_ = time_step(0);
   ahead_velocity_ = acceleration_ * ahead_time_ / 2;
+  const double first_step = ahead_velocity_ * ahead_time_ / contact.grid.spacing();
+  require(first_step >= least_first_step, "cylinder.slope_force", cylinder.slope_force, [&] {
+    return "a force that moves the cylinder by at least " + format_short(least_first_step) +
+           " elements, not " + format_short(first_step) + ", in " + format_short(ahead_time_) +
+           " s, a part of its period on the contact";
+  });
+}
+
+/// Near rest, steps are parts of the period; then each has the same length.
+double RollingCylinder::steps_from_rest(double distance) const {
+  const double rolling_mass =
+      cylinder_.mass + cylinder_.inertia / (cylinder_.radius * cylinder_.radius);
+  const double acceleration = cylinder_.slope_force / rolling_mass;
+  const double fastest = step_length_ / longest_step_;
+  const double slow = std::min(distance, fastest * fastest / (2 * acceleration));
+  return std::sqrt(2 * slow / acceleration) / longest_step_ + (distance - slow) / step_length_;
 }
 
 double RollingCylinder::time_step(double velocity) const {
@@ -66,7 +85,7 @@ void RollingCylinder::roll_contact(double velocity, double angular_velocity, dou
   const double creepage = 1 - angular_velocity * cylinder_.radius / velocity;
   contact_.step(length, PrescribedCreepage{creepage});
   dissipated_ += contact_.state().dissipation * length;
-  mean_dissipated_ += contact_.state().mean_dissipation * length;
+  end_dissipated_ += contact_.state().end_dissipation * length;
   state_.time += time;
   state_.position += length;
   state_.creepage = creepage;
@@ -155,7 +174,7 @@ EnergyLedger RollingCylinder::ledger() const {
   ledger.rotation = cylinder_.inertia * state_.angular_velocity * state_.angular_velocity / 2;
   ledger.elastic = contact_.elastic_energy();
   ledger.dissipated = dissipated_;
-  ledger.mean_dissipated = mean_dissipated_;
+  ledger.end_dissipated = end_dissipated_;
   return ledger;
 }
 

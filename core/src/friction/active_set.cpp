@@ -84,7 +84,7 @@ class ContactSearch {
     state.zones = zones_;
     state.creepage = response_.creepage;
     state.iterations = iterations_;
-    state.evidence = evidence();
+    state.residuals = residuals();
   }
 
  private:
@@ -269,7 +269,7 @@ class ContactSearch {
   }
 
   /// Of the last answer.
-  Evidence evidence() const {
+  Residuals residuals() const {
     double excess = 0;
     double wrong = 0;
     for (Index i = 0; i < size(); ++i) {
@@ -281,13 +281,15 @@ class ContactSearch {
         wrong = std::max(wrong, wrong_slip(zone(i), response_.slip[i]));
       }
     }
-    return {.residual = response_.residual,
-            .bound_violation = excess > 0 ? excess / bound_scale_ : 0,
-            .slip_violation = wrong > 0 ? wrong / slip_scale_ : 0};
+    return {.equations = response_.residual,
+            .bound = excess > 0 ? excess / bound_scale_ : 0,
+            .slip = wrong > 0 ? wrong / slip_scale_ : 0};
   }
 
   double largest_violation() const {
-    return carries_load() ? evidence().violation() : std::numeric_limits<double>::infinity();
+    if (!carries_load()) return std::numeric_limits<double>::infinity();
+    const Residuals left = residuals();
+    return std::max(left.bound, left.slip);
   }
 
   AdhesionSystem system_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -88,6 +89,7 @@ ChebyshevTraction polynomial_traction(double half_width, double peak,
   }
   const double size = coefficients.lpNorm<1>();
   require(size > 0, "contact.bound_polynomial", size, "coefficients that are not all zero");
+  require_positive("sum of the sizes of contact.bound_polynomial", size);
   ChebyshevTraction traction(-half_width, half_width, peak * second_kind(coefficients));
   double least = HUGE_VAL;
   for (int i = 0; i <= samples; ++i) {
@@ -119,19 +121,38 @@ std::optional<ChebyshevTraction> chebyshev_traction(const TractionBound& bound) 
   return std::nullopt;
 }
 
+namespace {
+
+/// Positions and half-widths have been converted from other units, each with a rounding of its own.
+double at_edge_if_near(double x, double half_width) {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  return std::abs(std::abs(x) - half_width) <= rounding * half_width ? std::copysign(half_width, x)
+                                                                     : x;
+}
+
+}  // namespace
+
 TabulatedBound::TabulatedBound(double half_width, const VectorXd& x, const VectorXd& values)
     : half_width_(half_width), x_(x.size() + 2), values_(x.size() + 2) {
   require_positive("contact.half_width", half_width);
   if (x.size() == 0) throw std::invalid_argument("0 rows: expected at least one");
   for (Index i = 0; i < x.size(); ++i) {
-    require(std::abs(x[i]) <= half_width, "x", x[i], "positions from -half_width to half_width");
+    require(std::abs(at_edge_if_near(x[i], half_width)) <= half_width, "x", x[i],
+            "positions from -half_width to half_width");
     require(i == 0 || x[i] > x[i - 1], "x", x[i], "ascending positions");
     require(values[i] >= 0, "bound", values[i], "a number >= 0");
   }
   require(values.maxCoeff() > 0, "bound", 0, "a bound that is not zero everywhere");
+  require_positive("largest bound", values.maxCoeff());
+  const Index last = x.size() - 1;
+  const double first_x = at_edge_if_near(x[0], half_width);
+  const double last_x = at_edge_if_near(x[last], half_width);
   x_ << -half_width, x, half_width;
-  values_ << (x[0] > -half_width ? 0 : values[0]), values,
-      (x[x.size() - 1] < half_width ? 0 : values[values.size() - 1]);
+  x_[1] = first_x;
+  x_[last + 1] = last_x;
+  values_ << (first_x > -half_width ? 0 : values[0]), values,
+      (last_x < half_width ? 0 : values[last]);
+  integrate();
 }
 
 void TabulatedBound::stretch(double half_width) {
@@ -139,6 +160,7 @@ void TabulatedBound::stretch(double half_width) {
   half_width_ = half_width;
   x_[0] = -half_width;
   x_[x_.size() - 1] = half_width;
+  integrate();
 }
 
 double TabulatedBound::operator()(double x) const {
@@ -151,14 +173,18 @@ double TabulatedBound::operator()(double x) const {
 }
 
 double TabulatedBound::integral(double x) const {
-  double sum = 0;
-  for (Index i = 1; i < x_.size() && x_[i - 1] < x; ++i) {
-    const double end = std::min(x, x_[i]);
-    const double begin_value = values_[i - 1];
-    const double end_value = x < x_[i] ? (*this)(x) : values_[i];
-    sum += (end - x_[i - 1]) * (begin_value + end_value) / 2;
+  if (x <= x_[0]) return 0;
+  const auto after = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);
+  const Index i = after - x_.begin();
+  if (x >= x_[i]) return integrals_[i];
+  return integrals_[i - 1] + (x - x_[i - 1]) * (values_[i - 1] + (*this)(x)) / 2;
+}
+
+void TabulatedBound::integrate() {
+  integrals_ = VectorXd::Zero(x_.size());
+  for (Index i = 1; i < x_.size(); ++i) {
+    integrals_[i] = integrals_[i - 1] + (x_[i] - x_[i - 1]) * (values_[i - 1] + values_[i]) / 2;
   }
-  return sum;
 }
 
 double TabulatedBound::mean_around(double x, double width) const {
@@ -209,6 +235,21 @@ VectorXd mean_bound_around(const TractionBound& bound, const VectorXd& x, double
     return x.unaryExpr([&](double xi) { return b.mean_around(xi, width); });
   };
   return std::visit(values, bound);
+}
+
+VectorXd element_means(const TractionBound& bound, const VectorXd& x, const VectorXd& lengths) {
+  const Index last = x.size() - 1;
+  VectorXd means(x.size());
+  double before = 0;
+  const auto integral = [&](double end) {
+    return std::visit([&](const auto& g) { return g.integral(end); }, bound);
+  };
+  for (Index i = 0; i <= last; ++i) {
+    const double after = i == last ? full_sliding_force(bound) : integral(x[i] + lengths[i] / 2);
+    means[i] = std::max(0.0, after - before) / lengths[i];
+    before = after;
+  }
+  return means;
 }
 
 double full_sliding_force(const TractionBound& bound) {

@@ -94,6 +94,11 @@ double log_factor(const Kernel& kernel) {
   return compliance(material_of(kernel)) / std::numbers::pi;
 }
 
+double definite_half_length(const Kernel& kernel) {
+  const auto* plane = std::get_if<PlaneKernel>(&kernel);
+  return plane != nullptr ? 2 * plane->length() : std::numeric_limits<double>::infinity();
+}
+
 double clear_distance(const Kernel& kernel) {
   return std::visit([](const auto& k) { return k.clear_distance(); }, kernel);
 }

@@ -267,24 +267,12 @@ double CalibratedSolution::displacement(double x) const {
 }
 
 Evidence CalibratedSolution::evidence() const {
-  constexpr int samples = 200;
-  const double a = half_width_of(bound_);
-  const auto bound_at = [&](double x) {
-    return std::visit([&](const auto& g) { return g(x); }, bound_);
-  };
-  double peak = 0;
-  double worst_slip = 0;
-  for (int i = 1; i < samples; ++i) {
-    const double x = a * (2.0 * i / samples - 1);
-    peak = std::max(peak, bound_at(x));
-    if (!sticks(x)) worst_slip = std::max(worst_slip, -slip_behind(x));
-  }
-  double worst_traction = 0;
-  for (Index j = 0; lattice_ && j < lattice_->x.size(); ++j) {
-    const double x = lattice_->x[j];
-    worst_traction = std::max({worst_traction, -removed(x), removed(x) - 2 * bound_at(x)});
-  }
-  return evidence_of(worst_traction, peak, worst_slip);
+  const Index parts = lattice_ ? lattice_->x.size() : 1;
+  Evidence evidence = evidence_by_samples(
+      bound_, [this](double x) { return traction(x); }, [this](double x) { return slip(x); },
+      stick_edge(), parts, force(), creepage());
+  evidence.residual = residual_;
+  return evidence;
 }
 
 }  // namespace microslip

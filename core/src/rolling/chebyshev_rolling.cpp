@@ -26,8 +26,13 @@ constexpr Index most_unknowns = 64;
 /// Coefficients have converged when the last two are this part of the largest.
 constexpr double resolved = 1e-14;
 
-/// Violations of the contact conditions that are rounding, also of a bound with a double zero.
+/// Violations of the contact conditions, relative to the load, that are rounding, also of a bound
+/// with a double zero; and the same relative to full sliding.
 constexpr double tolerance = 1e-9;
+constexpr double rounding = 1e-13;
+
+/// Truncation of the coefficients at the stick zone of a load, relative to the load.
+constexpr double ten_digits = 1e-10;
 
 ChebyshevField field_of(const Kernel& kernel, const TractionBound& bound) {
   const auto traction = chebyshev_traction(bound);
@@ -72,23 +77,16 @@ double ChebyshevSolution::displacement(double x) const {
 }
 
 Evidence ChebyshevSolution::evidence() const {
-  constexpr int samples = 200;
-  const double a = sliding_.traction().half_length();
-  double peak = 0;
-  double worst_traction = 0;
-  double worst_slip = 0;
-  for (int i = 1; i < samples; ++i) {
-    const double x = -a * std::cos(pi * i / samples);
-    const double g = sliding_.traction()(x);
-    peak = std::max(peak, g);
-    worst_traction = std::max(worst_traction, std::abs(traction(x)) - g);
-    worst_slip = std::max(worst_slip, -loaded_.direction * slip(x));
-  }
-  return evidence_of(worst_traction, peak, worst_slip);
+  constexpr Index parts = 40;
+  Evidence evidence = evidence_by_samples(
+      PolynomialBound(sliding_.traction()), [this](double x) { return traction(x); },
+      [this](double x) { return slip(x); }, stick_edge(), parts, force(), creepage());
+  evidence.residual = residual_;
+  return evidence;
 }
 
 ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bound, Index unknowns)
-    : kernel_(kernel), sliding_(field_of(kernel, bound)), unknowns_(unknowns) {
+    : kernel_(kernel), sliding_(field_of(kernel, bound)), unknowns_(unknowns), fixed_(true) {
   require(unknowns >= 1 && unknowns <= most_unknowns, "unknowns", static_cast<double>(unknowns),
           "1 to 64");
   tabulate();
@@ -96,6 +94,7 @@ ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bo
 
 ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bound)
     : ChebyshevRolling(kernel, bound, 4) {
+  fixed_ = false;
   // Large stick zones need most; but if all sticks, the answer is the bound itself.
   const double a = sliding_.traction().half_length();
   const auto tail = [&] {
@@ -105,9 +104,13 @@ ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bo
     if (unknowns_ == most_unknowns) {
       throw NotConverged("Chebyshev collocation: 64 unknowns do not suffice", 1, tail());
     }
-    unknowns_ = std::min(most_unknowns, unknowns_ < 16 ? unknowns_ + 4 : unknowns_ + 8);
-    tabulate();
+    add_unknowns();
   }
+}
+
+void ChebyshevRolling::add_unknowns() {
+  unknowns_ = std::min(most_unknowns, unknowns_ < 16 ? unknowns_ + 4 : unknowns_ + 8);
+  tabulate();
 }
 
 /// All that does not depend on the stick zone.
@@ -177,15 +180,31 @@ ChebyshevSolution ChebyshevRolling::solve(const Load& load) const {
   const LoadedState loaded = meet_load(curve(), load);
   const double edge = loaded.state.stick_edge;
   const double a = sliding_.traction().half_length();
+  const double full_sliding = std::abs(sliding_.traction().force());
+  const double amplified =
+      loaded.state.force == 0 ? 1 : full_sliding / std::abs(loaded.state.force / loaded.part);
   std::optional<ChebyshevSolution::Adhesion> adhesion;
   if (edge < a) {
     const Zone found = zone(edge);
+    const Index last_two = std::min<Index>(2, found.coefficients.size());
+    const double truncated = pi * (a - edge) / 2 *
+                             found.coefficients.tail(last_two).cwiseAbs().maxCoeff() /
+                             full_sliding * amplified;
+    if (!fixed_ && truncated > ten_digits + amplified * rounding) {
+      if (unknowns_ == most_unknowns) {
+        throw NotConverged("Chebyshev collocation: 64 unknowns do not suffice for so small a load",
+                           loaded.evaluations, truncated);
+      }
+      ChebyshevRolling finer(*this);
+      finer.add_unknowns();
+      return finer.solve(load);
+    }
     adhesion = {ChebyshevField(kernel_, ChebyshevTraction(edge, a, found.coefficients)),
                 found.residual, found.condition};
   }
   ChebyshevSolution solution(loaded, sliding_, adhesion);
   const double violation = solution.evidence().violation();
-  if (violation > tolerance) {
+  if (violation > tolerance + amplified * rounding) {
     throw NotConverged("Chebyshev collocation: more than one stick zone", loaded.evaluations,
                        violation);
   }

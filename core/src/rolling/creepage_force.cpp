@@ -16,11 +16,6 @@ namespace {
 /// Of a point of the curve, relative to itself.
 constexpr double rounding = 2e-15;
 
-/// Of the contact's half, and at least so much slides: the force is a difference to that of full
-/// sliding, and would lose more digits below. What is carried by less is in proportion to that but
-/// for a part of this size.
-constexpr double least_sliding = 2e-8;
-
 /// A load as a positive number that grows along the curve.
 struct Target {
   bool force;
@@ -44,13 +39,6 @@ Target target_of(const CreepageForceCurve& curve, const Load& load) {
 }
 
 }  // namespace
-
-Evidence LoadedSolution::evidence_of(double excess, double peak, double wrong_slip) const {
-  const double creepage = loaded_.state.creepage;
-  return {.residual = residual_,
-          .bound_violation = excess / peak,
-          .slip_violation = creepage > 0 ? wrong_slip / creepage : wrong_slip};
-}
 
 LoadedState meet_load(const CreepageForceCurve& curve, const Load& load) {
   return meet_load(curve, load, 0, curve.half_width);

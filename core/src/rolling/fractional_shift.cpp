@@ -5,6 +5,7 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/support/not_converged.hpp"
@@ -35,6 +36,23 @@ VectorXd linear_predictor(const VectorXd& t) {
     }
   }
   return q;
+}
+
+/// det(t + C), for an odd number of elements: zero where -t is an eigenvalue.
+double determinant(const VectorXd& outflow, double t) {
+  const Index last = outflow.size() - 1;
+  double homogeneous = 1;
+  for (Index i = 0; i < last; ++i) homogeneous = -outflow[i] - t * homogeneous;
+  return outflow[last] + t * homogeneous;
+}
+
+/// Of all inside the unit circle. A pair that is closer together than two samples is not seen.
+bool has_negative_eigenvalue(const VectorXd& outflow) {
+  constexpr int samples = 500;
+  for (int k = 0; k <= samples; ++k) {
+    if (determinant(outflow, static_cast<double>(k) / samples) <= 0) return true;
+  }
+  return false;
 }
 
 /// C p
@@ -141,6 +159,13 @@ FractionalShift::FractionalShift(const Kernel& kernel, const ShapeFunction& shap
   outflow_ = linear_predictor(VectorXd::NullaryExpr(elements + 1, [&](Index k) {
     return influence(kernel, shape, spacing, static_cast<double>(k));
   }));
+  if (has_negative_eigenvalue(outflow_)) {
+    throw std::invalid_argument(
+        "step.scheme = 'fractional': expected another scheme, or in plane strain a kernel.length "
+        "of "
+        "at least 3.8 half-widths: the displacement is negative far from a load here, and so is an "
+        "eigenvalue of the shift by an element, the fractional powers of which are complex");
+  }
 }
 
 FractionalShift::Moved FractionalShift::move(const VectorXd& traction, double step_ratio) const {

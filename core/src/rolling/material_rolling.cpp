@@ -61,8 +61,7 @@ MaterialRolling::MaterialRolling(const Kernel& kernel, const TractionBound& boun
       compliance_(edge.compliance * compliance(material_of(kernel)) * window_.spacing()),
       active_set_(
           influence_operator(kernel, constant_basis(), window_.spacing(), window_.size(), solver),
-          VectorXd::Constant(window_.size(), window_.spacing()), solver),
-      defect_(kernel, bound, window_) {}
+          VectorXd::Constant(window_.size(), window_.spacing()), solver) {}
 
 double MaterialRolling::phase(const MaterialState& state) const {
   return state.distance / window_.spacing() - state.entered;
@@ -74,38 +73,25 @@ VectorXd MaterialRolling::respond(const VectorXd& traction) const {
 
 VectorXd MaterialRolling::values(const MaterialState& state) const {
   const double part = std::max(0.0, phase(state));
-  const VectorXd mean = window_.bound(part);
   const VectorXd at_nodes = bound_at(bound_, window_.x(part));
   VectorXd values = VectorXd::Zero(window_.size());
   for (Index i = 0; i <= window_.coming(); ++i) {
     if (at_nodes[i] <= 0) continue;
     const Zone zone = state.contact.zones[static_cast<std::size_t>(i)];
-    const double sliding = direction(zone) != 0 ? direction(zone) : state.sliding_direction;
-    const double adhesion = state.contact.traction[i] - sliding * mean[i];
-    values[i] = sliding * at_nodes[i];
-    if (zone == Zone::adhesion) values[i] += adhesion / edge_.value(window_.leading() - i, part);
+    values[i] = zone == Zone::adhesion
+                    ? state.contact.traction[i] / edge_.value(window_.leading() - i, part)
+                    : direction(zone) * at_nodes[i];
   }
   return values;
 }
 
 VectorXd MaterialRolling::displacement(const MaterialState& state) const {
-  VectorXd displacement = respond(state.contact.traction);
-  if (state.sliding_direction != 0) {
-    displacement += state.sliding_direction * defect_.at(phase(state), active_set_.response());
-  }
-  return displacement;
+  return respond(state.contact.traction);
 }
 
 std::optional<SoftElement> MaterialRolling::soft_element(double phase) const {
   if (phase <= MaterialWindow::rounding) return std::nullopt;
   return SoftElement{window_.coming(), compliance_ * (1 - phase) / phase};
-}
-
-double MaterialRolling::trailing_direction(const VectorXd& bound,
-                                           const std::vector<Zone>& zones) const {
-  Index i = 0;
-  while (i < window_.leading() && bound[i] <= 0) ++i;
-  return direction(zones[static_cast<std::size_t>(i)]);
 }
 
 MaterialState MaterialRolling::start(const VectorXd& traction) const {
@@ -118,20 +104,17 @@ MaterialState MaterialRolling::start(const VectorXd& traction) const {
     state.contact.zones.push_back(
         !slips ? Zone::adhesion : (traction[i] > 0 ? Zone::slip_positive : Zone::slip_negative));
   }
-  state.sliding_direction = trailing_direction(bound, state.contact.zones);
   return state;
 }
 
 MaterialRolling::Shifted MaterialRolling::shift(const PrescribedForce& force) {
   MaterialState state = start(VectorXd::Zero(window_.size()));
-  const double sign = force.value > 0 ? 1 : (force.value < 0 ? -1 : 0);
   const SlipConditions conditions{.bound = window_.bound(0),
-                                  .offset = sign * defect_.at(0, active_set_.response()),
+                                  .offset = VectorXd::Zero(window_.size()),
                                   .reference = state.contact.traction};
   const ContactState contact = active_set_.solve(conditions, force, state.contact.zones);
   state.contact.traction = contact.traction;
   state.contact.zones = contact.zones;
-  state.sliding_direction = trailing_direction(conditions.bound, contact.zones);
   return {std::move(state), contact.creepage};
 }
 
@@ -141,10 +124,11 @@ void MaterialRolling::step(const MaterialState& from, double length, const Load&
   step.end.contact.slip.setZero();
   step.end.contact.creepage = 0;
   step.end.contact.iterations = 0;
-  step.end.contact.evidence = {};
+  step.end.contact.residuals = {};
   step.dissipation = 0;
-  step.mean_dissipation = 0;
+  step.end_dissipation = 0;
   step.mean_force = 0;
+  step.backward = 0;
   // Compensated, or steps of whole elements would be split after some ten thousand.
   const double added = length - from.distance_error;
   const double end = from.distance + added;
@@ -170,26 +154,16 @@ void MaterialRolling::set_first_zones(const MaterialState& from, const Part& par
   if (was_out && part.edge_is_new) at(contact_.zones, part.edge) = Zone::adhesion;
 }
 
-/// \return what is added at the edge: its condition is about the last element travelled, and about
-///         what adhesion adds to the sliding bound
+/// \return what is added at the edge: its condition is about the last element travelled
 double MaterialRolling::set_conditions(const MaterialState& from, const Part& part) {
   window_.bound(part.now, conditions_.bound);
-  if (from.sliding_direction != 0) {
-    defect_.change(part.before, part.now, part.moved, part.length, active_set_.response(),
-                   conditions_.offset);
-    conditions_.offset *= from.sliding_direction;
-  } else {
-    conditions_.offset.setZero(window_.size());
-  }
+  conditions_.offset.setZero(window_.size());
   conditions_.reference = from.contact.traction;
   move_on(conditions_.reference, part.moved, 0.0);
   conditions_.soft = soft_element(part.now);
   double added = 0;
   if (part.edge_is_new) {
     added = from.approach.since_one_element_before(part.moved == 1 ? 1 : part.now);
-  }
-  if (conditions_.soft) {
-    added -= conditions_.soft->compliance * from.sliding_direction * conditions_.bound[part.edge];
   }
   conditions_.offset[part.edge] += added;
   return added;
@@ -214,7 +188,7 @@ void MaterialRolling::roll_part(MaterialStep& step, double length, double end, c
   VectorXd& slip = contact_.slip;
   if (conditions_.soft) slip[part.edge] -= conditions_.soft->compliance * traction[part.edge];
   const auto mean = (traction + conditions_.reference) / 2;
-  step.mean_dissipation -= window_.spacing() * mean.dot(slip - conditions_.offset);
+  step.dissipation -= window_.spacing() * mean.dot(slip - conditions_.offset);
   step.mean_force += mean.sum() * window_.spacing() * length;
   slip[part.edge] -= added;
 
@@ -223,21 +197,22 @@ void MaterialRolling::roll_part(MaterialStep& step, double length, double end, c
     state.approach.advance(1, 0, slip[window_.coming()]);
     state.approach.enter();
     state.entered += 1;
-    state.sliding_direction = trailing_direction(conditions_.bound, contact_.zones);
   } else {
     state.approach.advance(part.now, slip[window_.coming()], slip[window_.ahead()]);
   }
   if (at(contact_.zones, part.edge) == Zone::adhesion) slip[part.edge] = 0;
 
   step.bound = conditions_.bound;
-  step.dissipation -= window_.spacing() * traction.dot(slip);
+  step.end_dissipation -= window_.spacing() * traction.dot(slip);
+  step.backward += window_.spacing() * traction.cwiseProduct(slip).cwiseMax(0).sum();
   state.contact.traction = traction;
   state.contact.zones = contact_.zones;
   move_on(state.contact.slip, part.moved, 0.0);
   state.contact.slip += slip;
   state.contact.creepage += contact_.creepage;
   state.contact.iterations += contact_.iterations;
-  state.contact.evidence = worst_of(state.contact.evidence, contact_.evidence);
+  double& residual = state.contact.residuals.equations;
+  residual = std::max(residual, contact_.residuals.equations);
 }
 
 }  // namespace microslip

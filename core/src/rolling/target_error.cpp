@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <optional>
 #include <stdexcept>
 
@@ -16,14 +17,6 @@ namespace microslip {
 
 using Eigen::Index;
 
-namespace {
-
-/// Nodes of tables where the grid has no part in the solution.
-constexpr Index shown_nodes = 100;
-
-constexpr Index fewest_elements = 16;
-constexpr Index most_elements = 1 << 20;
-
 SteadyProblem problem_of(const SteadyContact& contact, Index elements, const SteadyMethod& method) {
   return {.kernel = contact.kernel,
           .bound = contact.bound,
@@ -33,30 +26,64 @@ SteadyProblem problem_of(const SteadyContact& contact, Index elements, const Ste
           .load = contact.load};
 }
 
-/// What is not prescribed.
-double answer(const Load& load, const ChebyshevSolution& solution) {
-  return std::holds_alternative<PrescribedForce>(load) ? solution.creepage() : solution.force();
-}
+namespace {
 
-double answer(const Load& load, const SteadySolution& solution) {
-  return std::holds_alternative<PrescribedForce>(load) ? solution.creepage : solution.force;
-}
+/// Nodes of tables where the grid has no part in the solution.
+constexpr Index shown_nodes = 100;
+
+constexpr Index fewest_elements = 16;
+constexpr Index most_elements = 1 << 20;
+
+/// Over the whole contact: more would take minutes.
+constexpr Index most_whole = 1 << 16;
 
 double relative(double difference, double value) {
   return difference == 0 ? 0 : std::abs(difference / value);
 }
 
+/// Relative change of the answer over that of the load, by the scheme that works for any.
+double sensitivity(const SteadyContact& contact) {
+  constexpr double change = 1e-2;
+  constexpr Index elements = 64;
+  SteadyProblem problem = whole_contact(problem_of(contact, elements, Calibrated{}));
+  const double value = answer_of(contact.load, solve_steady(problem));
+  std::visit([](auto& load) { load.value *= 1 - change; }, problem.load);
+  return relative(answer_of(contact.load, solve_steady(problem)) - value, value) / change;
+}
+
+/// What violations of the contact conditions may cost. They are a share of the force, and like a
+/// change of the load if that is the force; otherwise they are an error of the answer.
+double cost_of(const Evidence& evidence, const SteadyContact& contact) {
+  const double violation = evidence.violation();
+  if (violation <= std::numeric_limits<double>::epsilon()) return violation;
+  const bool by_force = std::holds_alternative<PrescribedForce>(contact.load);
+  return violation * (by_force ? std::max(1.0, sensitivity(contact)) : 1);
+}
+
+/// Of solutions with so little slip that they are proportional to another one.
+double cost_of_proportion(const SteadySolution& solution, double half_width) {
+  const bool proportional =
+      solution.stick_edge && *solution.stick_edge <= -half_width * (1 - 1.01 * least_sliding);
+  return proportional ? least_sliding : 0;
+}
+
 /// Rounding is estimated from what other numbers of unknowns make of it, and so is truncation.
-double chebyshev_error(const SteadyContact& contact, Index unknowns, double found) {
+double chebyshev_error(const SteadyContact& contact, Index unknowns,
+                       const SteadySolution& solution) {
+  const double found = answer_of(contact.load, solution);
+  const bool by_force = std::holds_alternative<PrescribedForce>(contact.load);
   const auto value = [&](Index n) {
-    return answer(contact.load,
-                  ChebyshevRolling(contact.kernel, contact.bound, n).solve(contact.load));
+    const ChebyshevSolution other =
+        ChebyshevRolling(contact.kernel, contact.bound, n).solve(contact.load);
+    return by_force ? other.creepage() : other.force();
   };
   double largest = 0;
   for (const Index more : {3, 6, 9}) {
     largest = std::max(largest, std::abs(value(unknowns + more) - found));
   }
-  return relative(2 * largest, found) + 2 * std::numeric_limits<double>::epsilon();
+  return relative(2 * largest, found) + 2 * std::numeric_limits<double>::epsilon() +
+         cost_of(solution.evidence, contact) +
+         cost_of_proportion(solution, half_width_of(contact.bound));
 }
 
 /// None where Chebyshev collocation is refused.
@@ -68,7 +95,7 @@ std::optional<EstimatedSteady> by_chebyshev(const SteadyContact& contact) {
     const SteadyProblem problem = problem_of(contact, shown_nodes, ChebyshevCollocation{});
     const SteadySolution solution = solve_steady(problem);
     return EstimatedSteady{problem, solution, unknowns,
-                           chebyshev_error(contact, unknowns, answer(contact.load, solution))};
+                           chebyshev_error(contact, unknowns, solution)};
   } catch (const NotConverged&) {
   } catch (const std::invalid_argument&) {
   }
@@ -88,26 +115,100 @@ EstimatedSteady solve_steady_to(const SteadyContact& contact, double target) {
   return found && found->error <= target ? *found : estimate_by_elements(contact, target);
 }
 
+namespace {
+
+/// As many elements as a table has rows are likely to resolve it.
+Index fewest_for(const TractionBound& bound) {
+  const auto* table = std::get_if<TabulatedBound>(&bound);
+  return table == nullptr ? fewest_elements
+                          : 2 * std::clamp<Index>(table->x().size() / 2, 128, 2048);
+}
+
+/// The most by which a slip zone at the trailing edge that is shorter than a few elements may
+/// change force over creepage: a quarter of its length over the half-width, as in Carter's
+/// solution. It ends where the bound carries what adhesion would carry behind: of a traction that
+/// is singular at the edge, (2/pi) sqrt(2 d/a) of the load up to the distance d, here twice of it.
+double cost_of_unresolved_slip(const SteadyContact& contact, const SteadySolution& solution) {
+  constexpr Index resolved = 4;
+  const auto sticks = std::find(solution.zones.begin(), solution.zones.end(), Zone::adhesion);
+  const Index slipping = sticks - solution.zones.begin();
+  if (slipping >= resolved) return 0;
+  const double a = half_width_of(contact.bound);
+  const double element = 2 * a / static_cast<double>(solution.x.size());
+  double length = static_cast<double>(slipping + 1) * element;
+  const auto slips = [&](double distance) {
+    const double carried =
+        std::visit([&](const auto& g) { return g.integral(distance - a); }, contact.bound);
+    return carried <
+           2 * std::abs(solution.force) * 2 / std::numbers::pi * std::sqrt(2 * distance / a);
+  };
+  const double shortest = 1e-12 * a;
+  while (length > shortest && !slips(length)) length /= 2;
+  return 2 * length / (4 * a);
+}
+
+/// The most by which force over creepage may change where a stick zone begins at a jump of the
+/// bound, which an element does not resolve: traction is singular there, and both are in proportion
+/// to the length of the zone.
+double cost_of_unresolved_jumps(const SteadySolution& solution) {
+  constexpr double jump = 1.5;
+  const auto sticks = [&](Index i) {
+    return solution.zones[static_cast<std::size_t>(i)] == Zone::adhesion;
+  };
+  double cost = 0;
+  for (Index i = 1; i < solution.x.size(); ++i) {
+    if (!sticks(i) || sticks(i - 1) || solution.bound[i] < jump * solution.bound[i - 1]) continue;
+    Index end = i;
+    while (end < solution.x.size() && sticks(end)) ++end;
+    cost = std::max(cost, 1 / static_cast<double>(end - i));
+  }
+  return cost;
+}
+
+/// How far the answers of fewer elements are from that of `fine`. By calibrated elements half of
+/// the difference to half as many, where second order says a third. Otherwise errors change with
+/// the place of each kink within its element: thrice the largest of several differences is taken.
+double error_of(const SteadyContact& contact, Index elements, const SteadySolution& fine) {
+  const double value = answer_of(contact.load, fine);
+  const auto solution = [&](Index n) { return solve_steady(problem_of(contact, n, Calibrated{})); };
+  const auto difference = [&](const SteadySolution& coarse) {
+    return relative(value - answer_of(contact.load, coarse), value);
+  };
+  const SteadySolution half = solution(elements / 2);
+  double error = 0;
+  if (fine.scheme == SteadyScheme::calibrated && half.scheme == SteadyScheme::calibrated) {
+    error = 0.5 * difference(half);
+  } else {
+    error = std::max(difference(half), difference(solution(elements / 4)) / 2);
+    for (const Index sevenths : {4, 5, 6}) {
+      error = std::max(error, difference(solution(elements * sevenths / 7)));
+    }
+    error = 3 * error + cost_of_unresolved_slip(contact, fine) + cost_of_unresolved_jumps(fine);
+  }
+  return error + 2 * std::numeric_limits<double>::epsilon() + cost_of(fine.evidence, contact) +
+         cost_of_proportion(fine, half_width_of(contact.bound));
+}
+
+}  // namespace
+
 EstimatedSteady estimate_by_elements(const SteadyContact& contact, double target) {
   require_target_error(target);
-  Index elements = fewest_elements;
+  Index elements = fewest_for(contact.bound);
   for (;;) {
     const SteadyProblem problem = problem_of(contact, elements, Calibrated{});
-    const SteadySolution coarse = solve_steady(problem_of(contact, elements / 2, Calibrated{}));
     const SteadySolution fine = solve_steady(problem);
-    const double value = answer(contact.load, fine);
-    const bool one_zone = fine.stick_edge && coarse.stick_edge;
-    const double error =
-        relative((one_zone ? 0.5 : 1) * (value - answer(contact.load, coarse)), value) +
-        2 * std::numeric_limits<double>::epsilon();
+    const bool calibrated = fine.scheme == SteadyScheme::calibrated;
+    const double error = error_of(contact, elements, fine);
     if (error <= target) return {problem, fine, elements, error};
-    if (elements == most_elements) {
-      throw NotConverged("target_error = " + format_short(target) + " with " +
-                             std::to_string(elements) + " elements",
+    const Index limit = calibrated ? most_elements : most_whole;
+    if (elements >= limit) {
+      throw NotConverged("target_error = " + format_short(target) + " is not reached by " +
+                             std::to_string(elements) + " elements, the error of which may be " +
+                             format_short(error),
                          0, error);
     }
     const double wanted = 1.1 * static_cast<double>(elements) * std::sqrt(error / target);
-    const Index most = std::min(most_elements, 16 * elements);
+    const Index most = std::min(limit, 16 * elements);
     elements = std::clamp(2 * static_cast<Index>(std::ceil(wanted / 2)), 2 * elements, most);
   }
 }

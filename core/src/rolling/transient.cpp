@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -77,6 +76,17 @@ class Schedule {
 
 }  // namespace
 
+void require_definite(const TransientProblem& problem) {
+  const double reach = problem.grid.half_width() + problem.grid.spacing();
+  const double definite = definite_half_length(problem.kernel);
+  if (definite > reach) return;
+  require(false, "kernel.length", definite / 2, [&] {
+    return "more than (half_width + dx)/2 = " + format_short(reach / 2) +
+           " mm, from where on plane strain resists displacements; below, a creepage would drive "
+           "the force the wrong way. Steady rolling takes any length";
+  });
+}
+
 void require_within_bound(const VectorXd& x, const VectorXd& bound, const VectorXd& traction) {
   const double tolerance = printed * bound.maxCoeff();
   for (Index i = 0; i < x.size(); ++i) {
@@ -87,6 +97,7 @@ void require_within_bound(const VectorXd& x, const VectorXd& bound, const Vector
 
 TransientRolling::TransientRolling(const TransientProblem& problem, const Start& start)
     : problem_(problem), spacing_(problem.grid.spacing()) {
+  require_definite(problem);
   if (std::holds_alternative<MaterialFixed>(problem.scheme)) {
     if (problem.basis.name() != "constant") {
       throw std::invalid_argument("basis = '" + problem.basis.name() +
@@ -110,6 +121,7 @@ void TransientRolling::make_system() {
   bound_ = bound_at(problem_.bound, x_);
   conditions_.bound = bound_;
   weights_ = problem_.basis.weights(spacing_, x_.size());
+  mean_bound_ = element_means(problem_.bound, x_, weights_);
   active_set_.emplace(
       influence_operator(problem_.kernel, problem_.basis, spacing_, x_.size(), problem_.solver),
       weights_, problem_.solver);
@@ -167,11 +179,14 @@ void TransientRolling::describe(double distance, const ContactState& contact, do
   state.zones = contact.zones;
   state.force = weights_.dot(contact.traction);
   state.creepage = contact.creepage / length;
-  state.dissipation = -weights_.cwiseProduct(state.traction).dot(state.slip);
-  state.mean_dissipation = std::numeric_limits<double>::quiet_NaN();
+  state.end_dissipation = -weights_.cwiseProduct(state.traction).dot(state.slip);
+  state.dissipation = state.end_dissipation;
   state.mean_force = state.force;
   state.iterations = contact.iterations;
-  state.evidence = contact.evidence;
+  state.evidence = evidence_by_elements(
+      {weights_, bound, material_ ? bound : mean_bound_, state.traction, state.slip}, state.force,
+      state.creepage);
+  state.evidence.residual = contact.residuals.equations;
   state.adhesion_elements = 0;
   state.slip_elements = 0;
   for (Index i = 0; i < bound.size(); ++i) {
@@ -179,6 +194,20 @@ void TransientRolling::describe(double distance, const ContactState& contact, do
     const bool sticks = state.zones[static_cast<std::size_t>(i)] == Zone::adhesion;
     ++(sticks ? state.adhesion_elements : state.slip_elements);
   }
+}
+
+/// The tractions before are on material that has moved on, beyond the trailing node with the slip
+/// there. Slip of relaxed schemes is that over c* dx, whatever the step.
+double TransientRolling::contact_dissipation(double length) const {
+  const auto* relaxed = std::get_if<Relaxed>(&problem_.scheme);
+  const double step_ratio =
+      relaxed != nullptr ? relaxed->step_ratio : advection_->solved_step_ratio(length / spacing_);
+  double before = 0;
+  for (Index i = 0; i < x_.size(); ++i) {
+    before -= weights_[i] * state_.traction[i] *
+              interpolated(x_, next_.slip, x_[i] - step_ratio * spacing_);
+  }
+  return (before + next_.end_dissipation) / 2;
 }
 
 void TransientRolling::look_ahead_with_contact(double length, const Load& load) {
@@ -190,6 +219,7 @@ void TransientRolling::look_ahead_with_contact(double length, const Load& load) 
   const double fraction = advection_->fraction(step_ratio);
   contact_.traction = (1 - fraction) * state_.traction + fraction * contact_.traction;
   describe(state_.distance + length, contact_, solved_length, bound_, next_);
+  next_.dissipation = contact_dissipation(length);
   next_.mean_force = (state_.force + next_.force) / 2;
 }
 
@@ -200,8 +230,9 @@ void TransientRolling::look_ahead_with_material(double length, const Load& load)
   material_->step(material_state_, length, load, step);
   describe(step.end.distance, step.end.contact, length, step.bound, next_);
   next_.dissipation = step.dissipation / length;
-  next_.mean_dissipation = step.mean_dissipation / length;
+  next_.end_dissipation = step.end_dissipation / length;
   next_.mean_force = step.mean_force;
+  next_.evidence.backward = step.backward / length;
 }
 
 void TransientRolling::look_ahead(double length, const Load& load) {

@@ -31,6 +31,13 @@ std::string joined(const std::vector<std::string>& words) {
   return all;
 }
 
+/// The first name that stands twice; empty if none does.
+std::string repeated(std::vector<std::string> names) {
+  std::sort(names.begin(), names.end());
+  const auto found = std::adjacent_find(names.begin(), names.end());
+  return found == names.end() ? "" : *found;
+}
+
 }  // namespace
 
 std::vector<Eigen::VectorXd> read_columns(std::istream& in, const std::vector<std::string>& names) {
@@ -39,6 +46,7 @@ std::vector<Eigen::VectorXd> read_columns(std::istream& in, const std::vector<st
     throw std::invalid_argument("line " + std::to_string(line) + ": " + what);
   };
   const std::vector<std::string> header = next_words(in, line);
+  if (header.empty()) throw std::invalid_argument("expected a line of column names, found none");
   std::vector<std::size_t> places;
   for (const std::string& name : names) {
     const auto found = std::find(header.begin(), header.end(), name);
@@ -47,6 +55,9 @@ std::vector<Eigen::VectorXd> read_columns(std::istream& in, const std::vector<st
            "' among the names in the first line, which are: " + shown(joined(header)));
     }
     places.push_back(static_cast<std::size_t>(found - header.begin()));
+  }
+  if (const std::string name = repeated(header); !name.empty()) {
+    fail("expected one column '" + shown(name) + "', found more of that name");
   }
   std::vector<std::vector<double>> values(names.size());
   for (auto words = next_words(in, line); !words.empty(); words = next_words(in, line)) {

@@ -40,13 +40,6 @@ bool by_fft(const TransientProblem& problem) {
   return by_fft(problem.solver, problem.basis, problem.grid.size());
 }
 
-/// Displacements of the bound, one a place within an element, see BoundDefect.
-double memory_of_places(const TransientProblem& problem, double steps) {
-  if (!std::holds_alternative<MaterialFixed>(problem.scheme)) return 0;
-  const double one = sizeof(double) * static_cast<double>(problem.grid.size());
-  return std::min(std::min(steps, 1100.0) * one, std::max(2 * one, 8e7));
-}
-
 double log2_of(double n) { return std::log2(std::max(n, 2.0)); }
 
 struct MemoryOf {
@@ -64,13 +57,11 @@ struct MemoryOf {
   double operator()(const TransientScene& scene) const {
     return memory_by({.element = 1600, .matrices = 4.1}, by_fft(scene.problem),
                      scene.problem.grid.size()) +
-           memory_of_places(scene.problem, steps_needed(scene)) +
            row_of_history * steps_needed(scene);
   }
   double operator()(const CylinderScene& scene) const {
     return memory_by({.element = 1600, .matrices = 5}, by_fft(scene.contact),
                      scene.contact.grid.size()) +
-           memory_of_places(scene.contact, steps_needed(scene)) +
            row_of_history * steps_needed(scene);
   }
 };

@@ -9,8 +9,8 @@
 #include "microslip/rolling/chebyshev_rolling.hpp"
 #include "microslip/scene/safe_ranges.hpp"
 #include "microslip/support/format.hpp"
-#include "microslip/support/interpolation.hpp"
 #include "microslip/support/require.hpp"
+#include "start_file.hpp"
 
 namespace microslip {
 
@@ -96,60 +96,16 @@ struct ContactModel {
   Grid grid;
 };
 
-ContactModel read_contact(Scene& scene) {
+/// \param whole  the grid is that of elements over the whole contact, which may lie in it anyhow;
+///               else its nodes only say where a result is shown
+ContactModel read_contact(Scene& scene, bool whole = true) {
   const Material material = read_material(scene);
   const TractionBound bound = read_bound(scene);
   const Kernel kernel = read_kernel(scene, material);
-  return {kernel, bound, read_grid(scene, half_width_of(bound))};
-}
-
-/// A start file may have been printed with few digits  [dx]
-constexpr double printed = 1e-3;
-
-bool are_nodes(const Eigen::VectorXd& x, const Eigen::VectorXd& nodes, double tolerance) {
-  return x.size() == nodes.size() && (x - nodes).lpNorm<Eigen::Infinity>() <= tolerance;
-}
-
-/// Tractions known at other positions: their ratio to the bound is interpolated. A bound may have
-/// been the mean over an element, so that only more than the largest one therein is too much.
-Eigen::VectorXd interpolated_at_nodes(const Eigen::VectorXd& x, const Eigen::VectorXd& traction,
-                                      const TransientProblem& problem) {
-  const double half = problem.grid.spacing() / 2;
-  const auto at = [&](double shift) {
-    return bound_at(problem.bound, x + Eigen::VectorXd::Constant(x.size(), shift));
-  };
-  require_within_bound(x, at(-half).cwiseMax(at(0)).cwiseMax(at(half)), traction);
-  const Eigen::VectorXd bound = at(0);
-  const auto bounded = static_cast<Eigen::Index>((bound.array() > 0).count());
-  Eigen::VectorXd places(bounded), ratios(bounded);
-  for (Eigen::Index i = 0, k = 0; i < x.size(); ++i) {
-    require(i == 0 || x[i] > x[i - 1], "x", x[i], "ascending positions");
-    if (bound[i] <= 0) continue;
-    places[k] = x[i];
-    ratios[k++] = std::clamp(traction[i] / bound[i], -1.0, 1.0);
-  }
-  require(bounded > 0, "number of rows", 0, "at least one where the bound is not zero");
-  const Eigen::VectorXd nodes = problem.grid.nodes();
-  return bound_at(problem.bound, nodes).cwiseProduct(interpolated(places, ratios, nodes));
-}
-
-/// On a grid that is fixed to the material, a result is not known at the nodes of the next start.
-Eigen::VectorXd traction_at_nodes(const std::vector<Eigen::VectorXd>& columns,
-                                  const TransientProblem& problem) {
-  const double tolerance = printed * problem.grid.spacing();
-  const Eigen::VectorXd nodes = problem.grid.nodes();
-  const Eigen::VectorXd& x = columns[0];
-  if (std::holds_alternative<MaterialFixed>(problem.scheme) && !are_nodes(x, nodes, tolerance)) {
-    return interpolated_at_nodes(x, columns[1], problem);
-  }
-  require(x.size() == nodes.size(), "number of rows", static_cast<double>(x.size()),
-          "one a node, " + std::to_string(nodes.size()));
-  for (Eigen::Index i = 0; i < x.size(); ++i) {
-    require(std::abs(x[i] - nodes[i]) <= tolerance, "x", x[i],
-            "the node at " + format_short(nodes[i]));
-  }
-  require_within_bound(nodes, bound_at(problem.bound, nodes), columns[1]);
-  return columns[1];
+  const double a = half_width_of(bound);
+  return {kernel, bound,
+          whole ? read_grid(scene, a)
+                : Grid({.half_width = a, .elements = scene.whole("grid.elements")})};
 }
 
 /// A history of more rows would take more than 300 MB.
@@ -179,6 +135,14 @@ AdvectionScheme read_scheme(Scene& scene) {
   return RelaxedTraction{relaxation};
 }
 
+void warn_of_noise(Scene& scene, const TransientProblem& problem, double step_ratio) {
+  const double least = least_step_under_force(problem.scheme, problem.grid.size());
+  if (step_ratio >= least) return;
+  scene.warn("step.ratio = " + format_short(step_ratio) +
+             ": under a force, rounding is more than 1 % of the creepage below step.ratio = " +
+             format_short(least) + " with " + std::to_string(problem.grid.size()) + " elements");
+}
+
 void require_few_steps(double distance, double length) {
   const double steps = std::ceil(distance / length);
   require(steps <= most_steps, "motion.distance", distance,
@@ -190,7 +154,7 @@ Start read_start(Scene& scene, const TransientProblem& problem, const Load& load
   if (type == "rest") return Rest{};
   if (type == "file") {
     return scene.from_columns("start.file", {"x", "traction"}, [&](const auto& columns) {
-      return traction_at_nodes(columns, problem);
+      return traction_at_nodes(columns[0], columns[1], problem);
     });
   }
   const auto* force = std::get_if<PrescribedForce>(&load);
@@ -212,11 +176,10 @@ SteadyProblem read_steady(Scene& scene) {
       chebyshev
           ? ""
           : scene.word_or_first("leading_edge", {"calibrated", "standard", "exact", "trimmed"});
-  const bool has_step = edge != "" && edge != "calibrated";
-  const double step_ratio = has_step || scene.has("step.ratio") ? scene.number("step.ratio", 1) : 1;
-  require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
   if (chebyshev) return read_steady(scene, ChebyshevCollocation{});
-  if (!has_step) return read_steady(scene, Calibrated{});
+  if (edge == "calibrated") return read_steady(scene, Calibrated{});
+  const double step_ratio = scene.number("step.ratio", 1);
+  require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
   SteadyProblem problem = read_steady(scene, Differences{.step_ratio = step_ratio});
   if (edge == "exact") {
     problem.method = Differences{.step_ratio = step_ratio,
@@ -237,12 +200,6 @@ SteadyProblem read_steady(Scene& scene) {
 }
 
 SteadyTarget read_steady_target(Scene& scene) {
-  for (const std::string key :
-       {"grid.elements", "method", "leading_edge", "basis", "solver.type"}) {
-    if (scene.has(key)) {
-      throw std::invalid_argument(key + ": expected no such key with target_error, which picks it");
-    }
-  }
   const double target = scene.number("target_error");
   require_target_error(target);
   const Material material = read_material(scene);
@@ -252,7 +209,7 @@ SteadyTarget read_steady_target(Scene& scene) {
 }
 
 SteadyProblem read_steady(Scene& scene, const SteadyMethod& method) {
-  const ContactModel model = read_contact(scene);
+  const ContactModel model = read_contact(scene, std::holds_alternative<Differences>(method));
   const bool elements = !std::holds_alternative<ChebyshevCollocation>(method);
   return {.kernel = model.kernel,
           .bound = model.bound,
@@ -271,6 +228,7 @@ TransientScene read_transient(Scene& scene) {
                                  .basis = read_basis(scene, model.grid),
                                  .scheme = read_scheme(scene),
                                  .solver = read_solver(scene)};
+  require_definite(problem);
   const std::vector<double> step_ratios = scene.numbers("step.ratio");
   for (const double ratio : step_ratios) {
     require(ratio >= min_step_ratio, "step.ratio", ratio, "numbers >= 1e-15");
@@ -282,6 +240,9 @@ TransientScene read_transient(Scene& scene) {
                       static_cast<double>(step_ratios.size());
   require_few_steps(distance, mean * problem.grid.spacing());
   const Load load = read_load(scene);
+  if (std::holds_alternative<PrescribedForce>(load)) {
+    for (const double ratio : step_ratios) warn_of_noise(scene, problem, ratio);
+  }
   return {.problem = problem,
           .start = read_start(scene, problem, load),
           .distance = distance,
@@ -304,6 +265,7 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
                          .integrator = integrator,
                          .step_ratio = scene.number("step.ratio", 1),
                          .distance = scene.number("motion.distance")};
+  require_definite(cylinder.contact);
   require_positive("motion.distance", cylinder.distance);
   require_few_steps(cylinder.distance, cylinder.step_ratio * model.grid.spacing());
   warn_outside(scene, safe_steps(scheme), "step.ratio", cylinder.step_ratio,
@@ -323,13 +285,9 @@ CylinderScene read_cylinder(Scene& scene) {
 
 Model read_model(Scene& scene) {
   const std::string problem = scene.word("problem", {"steady", "transient", "cylinder"});
-  const bool has_target = scene.has("target_error");
-  if (has_target && problem != "steady") {
-    throw std::invalid_argument("target_error: expected in problem steady only");
-  }
   if (problem == "transient") return read_transient(scene);
   if (problem == "cylinder") return read_cylinder(scene);
-  if (has_target) return read_steady_target(scene);
+  if (scene.has("target_error")) return read_steady_target(scene);
   return read_steady(scene);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/scene/safe_ranges.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <variant>
 
@@ -26,6 +27,11 @@ SafeRange safe_steps(const AdvectionScheme& scheme) {
     SafeRange operator()(const Fractional&) const { return {1, 1}; }
   };
   return std::visit(Steps{}, scheme);
+}
+
+double least_step_under_force(const AdvectionScheme& scheme, Eigen::Index elements) {
+  const auto n = static_cast<double>(elements);
+  return std::holds_alternative<MaterialFixed>(scheme) ? std::max(1e-12 * n, 1e-9) : 1e-13 * n;
 }
 
 }  // namespace microslip

@@ -114,11 +114,23 @@ void Scene::set(std::string_view assignment) {
   const std::string key(assignment.substr(0, equals));
   const std::string value(assignment.substr(equals + 1));
   if (value.empty()) {
-    values_.erase(key);
+    remove(key);
   } else {
     values_.erase("sweep." + key);
     put(key, value, "");
   }
+}
+
+void Scene::remove(const std::string& key) {
+  if (values_.erase(key) + values_.erase("sweep." + key) > 0) return;
+  std::vector<std::string> below;
+  for (const std::string& one : keys()) {
+    if (one.starts_with(key + '.')) below.push_back(one);
+  }
+  throw std::invalid_argument("--set '" + shown(key) + "=': expected a key of this scene" +
+                              (below.empty()
+                                   ? question(meant(key, keys()))
+                                   : ", not a section; its keys are " + joined(below, ", ")));
 }
 
 const Scene::Value& Scene::value(const std::string& key) const {
@@ -227,10 +239,11 @@ void Scene::reject_unread() const {
   for (const auto& [key, text] : parameters_) known.push_back(key);
   for (const auto& [key, value] : values_) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-    const bool elsewhere = find_key(key) != nullptr;
+    const Key* elsewhere = find_key(key);
     throw std::invalid_argument(
-        (elsewhere ? "key '" + key + "' has no role here"
-                   : "unknown key '" + shown(key) + "'" + question(meant(key, known))) +
+        (elsewhere != nullptr
+             ? "key '" + key + "' has no role here: it is for " + std::string(elsewhere->role)
+             : "unknown key '" + shown(key) + "'" + question(meant(key, known))) +
         "; known to this model: " + joined(known, ", "));
   }
 }

@@ -9,10 +9,13 @@
 #include <string_view>
 
 #include "microslip/support/format.hpp"
+#include "number.hpp"
 
 namespace microslip {
 
 namespace {
+
+constexpr const char* rounding_mark = "# nothing but rounding\n";
 
 std::string text_of(const Cell& cell) {
   if (const auto* number = std::get_if<double>(&cell)) return format_full(*number);
@@ -32,11 +35,32 @@ void Table::add(std::vector<Cell> row) {
   rows_.push_back(std::move(row));
 }
 
-const Cell& Table::at(std::size_t row, const std::string& column) const {
+void Table::add(std::vector<Cell> row, const Rounding& rounding) {
+  index_of(rounding.column);  // throws if there is none
+  add(std::move(row));
+  rounding_.emplace(rows_.size() - 1, rounding);
+}
+
+std::size_t Table::index_of(const std::string& column) const {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (columns_[i].name == column) return rows_.at(row)[i];
+    if (columns_[i].name == column) return i;
   }
   throw std::out_of_range("table " + name_ + " has no column " + column);
+}
+
+const Cell& Table::at(std::size_t row, const std::string& column) const {
+  return rows_.at(row)[index_of(column)];
+}
+
+void Table::put(std::size_t row, const std::string& column, Cell cell) {
+  rows_.at(row)[index_of(column)] = std::move(cell);
+}
+
+double Table::rounding(std::size_t row, const std::string& column) const {
+  const double of_column = columns_[index_of(column)].rounding;
+  const auto of_row = rounding_.find(row);
+  const bool has = of_row != rounding_.end() && of_row->second.column == column;
+  return has ? std::max(of_column, of_row->second.bound) : of_column;
 }
 
 double Table::number(std::size_t row, const std::string& column) const {
@@ -52,6 +76,20 @@ double Table::latest(const std::vector<std::pair<std::string, Cell>>& cells,
   return std::numeric_limits<double>::quiet_NaN();
 }
 
+void Table::write_rounding(std::ostream& out) const {
+  const auto any = [](const Column& column) { return column.rounding > 0; };
+  if (rounding_.empty() && std::none_of(columns_.begin(), columns_.end(), any)) return;
+  out << rounding_mark;
+  for (const Column& column : columns_) {
+    if (!any(column)) continue;
+    out << "#   " << column.name << " up to " << format_short(column.rounding) << '\n';
+  }
+  for (const auto& [row, rounding] : rounding_) {
+    out << "#   " << rounding.column << " up to " << format_short(rounding.bound) << " where "
+        << columns_.front().name << " = " << text_of(rows_[row].front()) << '\n';
+  }
+}
+
 void Table::write(std::ostream& out, const std::string& program,
                   const Parameters& parameters) const {
   out << "# " << program << ": " << description_ << "\n# parameters\n";
@@ -60,6 +98,7 @@ void Table::write(std::ostream& out, const std::string& program,
   for (const Column& column : columns_) {
     out << "#   " << column.name << " [" << column.unit << "]: " << column.meaning << '\n';
   }
+  write_rounding(out);
   const char* separator = "";
   for (const Column& column : columns_) {
     out << separator << column.name;
@@ -108,6 +147,33 @@ class Lines {
   std::string_view text_;
 };
 
+/// What Table::write_rounding wrote: bounds of columns, into these, and of rows by their first
+/// cell.
+std::multimap<std::string, Rounding> read_rounding(Lines& lines, std::vector<Column>& columns) {
+  std::multimap<std::string, Rounding> of_rows;
+  if (!lines.starts_with(rounding_mark)) return of_rows;
+  lines.up_to(rounding_mark);
+  while (lines.starts_with("#   ")) {
+    lines.up_to("#   ");
+    const std::string name = lines.up_to(" up to ");
+    const std::string line = lines.up_to("\n") + '\n';
+    Lines rest(line);
+    const auto column = std::find_if(columns.begin(), columns.end(),
+                                     [&](const Column& one) { return one.name == name; });
+    if (column == columns.end()) throw std::invalid_argument("expected the name of a column");
+    const bool of_row = line.find(' ') != std::string::npos;
+    const auto bound = finite_number(rest.up_to(of_row ? " where " : "\n"));
+    if (!bound) throw std::invalid_argument("expected a bound of rounding");
+    if (of_row) {
+      rest.up_to(" = ");
+      of_rows.emplace(rest.up_to("\n"), Rounding{name, *bound});
+    } else {
+      column->rounding = *bound;
+    }
+  }
+  return of_rows;
+}
+
 }  // namespace
 
 WrittenTable read_table(const std::string& name, const std::string& text) {
@@ -130,13 +196,19 @@ WrittenTable read_table(const std::string& name, const std::string& text) {
     const std::string unit = lines.up_to("]: ");
     columns.push_back({column, unit, lines.up_to("\n")});
   }
+  std::multimap<std::string, Rounding> of_rows = read_rounding(lines, columns);
   Table table(name, description, columns);
   lines.up_to("\n");
   while (!lines.at_end()) {
     const std::vector<Cell> row = lines.cells();
     if (row.size() != columns.size())
       throw std::invalid_argument("expected as many cells as names");
-    table.add(row);
+    const auto rounding = of_rows.extract(std::get<std::string>(row.front()));
+    if (rounding) {
+      table.add(row, rounding.mapped());
+    } else {
+      table.add(row);
+    }
   }
   std::ostringstream again;
   table.write(again, program, parameters);

@@ -19,6 +19,8 @@ std::string to_string(double value, Style... style) {
 
 std::string format_short(double value) { return to_string(value); }
 
+std::string format_roughly(double value) { return to_string(value, std::chars_format::general, 2); }
+
 std::string format_full(double value) { return to_string(value, std::chars_format::general, 17); }
 
 }  // namespace microslip

@@ -9,6 +9,13 @@
 
 namespace microslip {
 
+namespace {
+
+constexpr double least_size = 1e-50;
+constexpr double largest_size = 1e50;
+
+}  // namespace
+
 void require(bool accepted_by_caller, std::string_view key, double value,
              std::string_view accepted) {
   if (accepted_by_caller && std::isfinite(value)) return;
@@ -18,6 +25,9 @@ void require(bool accepted_by_caller, std::string_view key, double value,
 
 void require_positive(std::string_view key, double value) {
   require(value > 0, key, value, "a number > 0");
+  require(value >= least_size && value <= largest_size, key, value, [] {
+    return "a number from " + format_short(least_size) + " to " + format_short(largest_size);
+  });
 }
 
 }  // namespace microslip

@@ -29,17 +29,16 @@ enum class Integrator {
 
 /// Where the energy went, all zero at the start. Per mm of width  [N]
 struct EnergyLedger {
-  double potential = 0;    ///< -F_cm X, thesis (9.7)
-  double translation = 0;  ///< m v^2/2
-  double rotation = 0;     ///< I omega^2/2
-  double elastic = 0;      ///< half the integral of p u
-  double dissipated = 0;   ///< thesis (9.11), with tractions at the end of each step
-  /// With (p + p')/2 at each material point; nan on a grid that moves with the contact
-  double mean_dissipated = 0;
+  double potential = 0;       ///< -F_cm X, thesis (9.7)
+  double translation = 0;     ///< m v^2/2
+  double rotation = 0;        ///< I omega^2/2
+  double elastic = 0;         ///< half the integral of p u
+  double dissipated = 0;      ///< with (p + p')/2 at each material point
+  double end_dissipated = 0;  ///< thesis (9.11), with tractions at the end of each step
 
   /// The sum with the first or the second kind of dissipation; constant in theory.
   double total() const { return motion() + dissipated; }
-  double mean_total() const { return motion() + mean_dissipated; }
+  double end_total() const { return motion() + end_dissipated; }
 
  private:
   double motion() const { return potential + translation + rotation + elastic; }
@@ -66,9 +65,14 @@ class RollingCylinder {
  public:
   /// \param contact     creepage-driven, so its kernel.width or kernel.length matters
   /// \param step_ratio  c, > 0  [1]
-  /// \throws std::invalid_argument outside the ranges
+  /// \throws std::invalid_argument outside the ranges, and if the slope is so small that the first
+  ///                               step is next to none
   RollingCylinder(const TransientProblem& contact, const Cylinder& cylinder, Integrator integrator,
                   double step_ratio);
+
+  /// About how many steps it takes to roll so far from rest, as long as the contact does not slide:
+  /// within a fifth (tests/unit/cylinder_test.cpp).
+  double steps_from_rest(double distance) const;
 
   /// Of the body that swings on a contact which sticks  [s]
   double period() const { return period_; }
@@ -107,7 +111,7 @@ class RollingCylinder {
   double ahead_time_ = 0;
   double slope_ = 1;  ///< midpoint: of the last secant, >= 1
   double dissipated_ = 0;
-  double mean_dissipated_ = 0;
+  double end_dissipated_ = 0;
 };
 
 }  // namespace microslip

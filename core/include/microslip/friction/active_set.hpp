@@ -7,7 +7,6 @@
 #include <variant>
 #include <vector>
 
-#include "microslip/friction/evidence.hpp"
 #include "microslip/linalg/solver.hpp"
 #include "microslip/linalg/square_matrix.hpp"
 
@@ -48,6 +47,14 @@ struct SlipConditions {
   std::optional<SoftElement> soft = std::nullopt;
 };
 
+/// How exactly slip conditions are met.
+struct Residuals {
+  double equations = 0;  ///< slip left in adhesion, over the largest term of its equations  [1]
+  double bound = 0;      ///< of |p| above the bound, over the largest bound  [1]
+  double slip = 0;  ///< of slip along the traction instead of against it, over the largest slip
+                    ///< [1]
+};
+
 /// The answer to slip conditions.
 struct ContactState {
   Eigen::VectorXd traction;  ///< n  [N/mm^2]
@@ -55,7 +62,7 @@ struct ContactState {
   std::vector<Zone> zones;   ///< n
   double creepage = 0;       ///< w, prescribed or found, in the unit of the slip
   int iterations = 0;        ///< partitions tried
-  Evidence evidence = {};
+  Residuals residuals = {};
 };
 
 /// Finds tractions, slip and their partition: in adhesion s = 0 and |p| <= bound, in slip

@@ -83,7 +83,7 @@ class PolynomialBound {
 class TabulatedBound {
  public:
   /// \param half_width  a, in (0, inf)  [mm]
-  /// \param x           at least one position, ascending, in [-a, a]  [mm]
+  /// \param x           ascending, in [-a, a], the edges to 4 roundings  [mm]
   /// \param values      as many, >= 0, not all zero  [N/mm^2]
   /// \throws std::invalid_argument outside the ranges
   TabulatedBound(double half_width, const Eigen::VectorXd& x, const Eigen::VectorXd& values);
@@ -111,8 +111,11 @@ class TabulatedBound {
 
  private:
   double half_width_;
+  void integrate();
+
   Eigen::VectorXd x_;  ///< with the edges
   Eigen::VectorXd values_;
+  Eigen::VectorXd integrals_;  ///< of g up to each place
 };
 
 using TractionBound = std::variant<HertzBound, PolynomialBound, TabulatedBound>;
@@ -132,6 +135,13 @@ Eigen::VectorXd bound_at(const TractionBound& bound, const Eigen::VectorXd& x);
 /// \param width  in (0, inf)  [mm]
 Eigen::VectorXd mean_bound_around(const TractionBound& bound, const Eigen::VectorXd& x,
                                   double width);
+
+/// Means of g over elements that fill the contact, so that they sum up to full sliding: around each
+/// node, the outermost extended to the edges; the integral over one is divided by its length.
+/// \param x        nodes, ascending  [mm]
+/// \param lengths  of the elements, (0, inf)  [mm]
+Eigen::VectorXd element_means(const TractionBound& bound, const Eigen::VectorXd& x,
+                              const Eigen::VectorXd& lengths);
 
 /// The force of full sliding  [N/mm]
 double full_sliding_force(const TractionBound& bound);

@@ -67,6 +67,7 @@ class PlaneKernel {
   double integral(double z) const;         ///< of K, from 0; odd in z
   double double_integral(double z) const;  ///< of that, from 0; even in z
   double clear_distance() const;
+  double length() const { return length_; }
   const Material& material() const { return material_; }
 
  private:
@@ -81,6 +82,12 @@ const Material& material_of(const Kernel& kernel);
 
 /// Factor of the logarithm at z = 0, 2 (1 - nu) / (pi G)  [mm^2/N]
 double log_factor(const Kernel& kernel);
+
+/// Tractions on an interval of less than this half-length do work against the displacement that
+/// they cause, whatever they are: the kernel is positive definite there. A strip's is everywhere,
+/// as it falls and is convex: inf. In plane strain it is 2 L0, where the logarithmic capacity of
+/// the interval, half its half-length, is L0  [mm]
+double definite_half_length(const Kernel& kernel);
 
 /// Distance of the nearest singularity of the regular parts from the real axis  [mm]
 double clear_distance(const Kernel& kernel);

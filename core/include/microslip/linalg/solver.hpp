@@ -19,8 +19,9 @@ struct Solver {
   /// Within [1e-12, 1e-3].
   double tolerance = 1e-10;
 
-  /// Largest violation of the contact conditions that require_evidence() accepts, in (0, 1].
-  double violation = 1e-3;
+  /// Largest violation of the contact conditions that require_evidence() accepts, relative to the
+  /// load, in (0, 1]; a tenth of it is doubtful.
+  double violation = 0.05;
 
   /// Largest condition number that it accepts, >= 1: rounding may cost up to 2e-16 times as much.
   double condition = 1e13;

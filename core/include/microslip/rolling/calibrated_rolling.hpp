@@ -66,7 +66,7 @@ class CalibratedRolling {
  public:
   /// \param basis     constant, linear or quadratic
   /// \param elements  n, >= 2; odd for quadratic functions
-  /// \throws std::invalid_argument as ChebyshevField
+  /// \throws std::invalid_argument as FullSliding
   CalibratedRolling(const Kernel& kernel, const TractionBound& bound, const Basis& basis,
                     Eigen::Index elements, const Solver& solver = {});
   ~CalibratedRolling();
@@ -117,7 +117,7 @@ class CalibratedSolution : public LoadedSolution {
   double slip(double x) const;          ///< s(x) inside the contact  [1]
   double displacement(double x) const;  ///< u(x) inside the contact  [mm]
 
-  /// At the nodes in adhesion and at 200 points in slip.
+  /// By samples of an element each, see evidence_by_samples.
   Evidence evidence() const;
 
  private:

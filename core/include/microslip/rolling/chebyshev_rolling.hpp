@@ -30,7 +30,7 @@ class ChebyshevSolution : public LoadedSolution {
   double slip(double x) const;          ///< s(x) inside the contact  [1]
   double displacement(double x) const;  ///< u(x)  [mm]
 
-  /// At 200 points.
+  /// By samples, see evidence_by_samples.
   Evidence evidence() const;
 
  private:
@@ -62,8 +62,9 @@ class ChebyshevRolling {
   CreepageForce at(double stick_edge) const;
 
   /// \throws std::invalid_argument if a force is not below full sliding
-  /// \throws NotConverged          if the contact conditions are violated by more than 1e-9: then
-  ///                               there is more than one stick zone
+  /// \throws NotConverged          if the contact conditions are violated by more than 1e-9 of the
+  ///                               load: then there is more than one stick zone; or if 64 unknowns
+  ///                               do not suffice for ten digits of the load
   ChebyshevSolution solve(const Load& load) const;
 
  private:
@@ -73,6 +74,7 @@ class ChebyshevRolling {
     double residual;
     double condition;
   };
+  void add_unknowns();
   void tabulate();
   Zone zone(double stick_edge) const;
   CreepageForceCurve curve() const;
@@ -80,6 +82,7 @@ class ChebyshevRolling {
   Kernel kernel_;
   ChebyshevField sliding_;
   Eigen::Index unknowns_;
+  bool fixed_;                   ///< the number of unknowns
   Eigen::VectorXd collocation_;  ///< points, in (-1, 1)
   Eigen::VectorXd quadrature_;   ///< likewise
   Eigen::MatrixXd strains_;      ///< of each term in plane strain, and 1, at the former

@@ -4,8 +4,14 @@
 #include <functional>
 
 #include "microslip/friction/active_set.hpp"
+#include "microslip/rolling/evidence.hpp"
 
 namespace microslip {
+
+/// States of which less than this part of the contact's half slides are in proportion to the one
+/// where as much slides: their force is a difference to full sliding that loses digits. Force over
+/// creepage changes by about as much in between.
+inline constexpr double least_sliding = 2e-8;
 
 /// A steady state with one stick zone, [b, a], which ends at the leading edge. All are those of a
 /// positive creepage.
@@ -49,11 +55,6 @@ class LoadedSolution {
 
  protected:
   explicit LoadedSolution(const LoadedState& loaded) : loaded_(loaded) {}
-
-  /// \param excess      largest |p| - g, or 0  [N/mm^2]
-  /// \param peak        of the bound  [N/mm^2]
-  /// \param wrong_slip  largest slip along the traction, or 0  [1]
-  Evidence evidence_of(double excess, double peak, double wrong_slip) const;
 
   LoadedState loaded_;
   double residual_ = 0;  ///< of the equations in adhesion, over the strain  [1]

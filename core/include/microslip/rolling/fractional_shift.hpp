@@ -20,7 +20,7 @@ class FractionalShift {
  public:
   /// \param spacing   dx, in (0, inf)  [mm]
   /// \param elements  n, odd
-  /// \throws std::invalid_argument if n is even
+  /// \throws std::invalid_argument if n is even, or C has a negative eigenvalue (L0 < 3.8 a)
   /// \throws NotConverged if the influence coefficients are not positive definite, as in plane
   ///                      strain with a length L0 below that of the contact
   /// Cost: O(n^2), by Durbin's recursion; memory O(n).

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
-#include "microslip/rolling/bound_defect.hpp"
+#include "microslip/halfspace/kernel.hpp"
 #include "microslip/rolling/material_window.hpp"
 #include "microslip/spectrum/leading_edge.hpp"
 
@@ -45,21 +45,20 @@ struct MaterialState {
 
   /// At the nodes of the window; zones are slip where there is no bound. Slip and creepage are
   /// displacements [mm], summed over the parts of the step that led here, and so are the partitions
-  /// tried; the evidence is the worst. The slip of the coming node is 0 in adhesion.
+  /// tried; the residuals are the worst. The slip of the coming node is 0 in adhesion.
   ContactState contact;
 
-  double sliding_direction = 0;  ///< of the traction at the trailing edge when aligned; 0 in
-                                 ///< adhesion
   Approach approach;
 };
 
 /// A step on such a grid.
 struct MaterialStep {
   MaterialState end;
-  Eigen::VectorXd bound;        ///< at its end  [N/mm^2]
-  double dissipation = 0;       ///< with tractions at the end of each part  [N]
-  double mean_dissipation = 0;  ///< with mean tractions of each part, and slip by A alone  [N]
-  double mean_force = 0;        ///< over the distance, linear in each part  [N/mm]
+  Eigen::VectorXd bound;       ///< at its end  [N/mm^2]
+  double dissipation = 0;      ///< with mean tractions of each part, and slip by A alone  [N]
+  double end_dissipation = 0;  ///< with tractions at the end of each part  [N]
+  double mean_force = 0;       ///< over the distance, linear in each part  [N/mm]
+  double backward = 0;         ///< energy gained where slip has the traction's direction  [N]
 };
 
 /// Transient rolling on a grid that is fixed to the material, constant functions: S = W + A (p -
@@ -67,21 +66,20 @@ struct MaterialStep {
 ///
 /// - The leading edge is where the scheme feels it. A step that passes by a node there is split, so
 ///   that the scheme behaves as with c = 1 however short the steps are.
-/// - In between, the coming node takes part, but what adhesion adds to its sliding bound makes it
-///   yield by t/(1 - t) e0 2 (1 - nu)/G dx times that, where t is the part of an element that is
-///   missing. In adhesion its slip is that of the last element travelled. To first order this is
+/// - Between entries, the coming node carries traction through a spring of compliance
+///   C t/(1 - t), where t is the fraction of its element that is still outside, and C = e0 2 (1 -
+///   nu)/G dx. In adhesion its slip is that of the last element travelled. To first order this is
 ///   the mean of the solutions with and without it: the edge moves along evenly.
-/// - Where the trailing edge slides, p is plus or minus the bound but for what adhesion adds. The
-///   displacement by the former is known exactly: elements represent the latter, BoundDefect.
+/// - Bounds are means over elements. Where the bound is not reached it has no influence.
 ///
-/// Cost: a part of a step is a solve of ActiveSet, and if its phase is not among the known ones of
-/// BoundDefect, a product more. Nothing is allocated where phases are known and elements that come
-/// or leave have done so before, as in steady rolling. Accuracy: second order,
-/// tests/order/transient_order_test.cpp; where all parts stick or slip alike, tractions do not
-/// depend on the steps but for rounding, tests/unit/material_rolling_test.cpp
+/// Cost: a part of a step is a solve of ActiveSet. Nothing is allocated where elements that come or
+/// leave have done so before, as in steady rolling. Accuracy: the cumulative creep is of second
+/// order at any load, tests/order/transient_order_test.cpp; the creepage of steps that are shorter
+/// than an element has noise from elements that begin to slip. Where all parts stick or slip alike,
+/// tractions depend on the steps by rounding only, tests/unit/material_rolling_test.cpp
 class MaterialRolling {
  public:
-  /// \throws std::invalid_argument as MaterialWindow and BoundDefect
+  /// \throws std::invalid_argument as MaterialWindow
   MaterialRolling(const Kernel& kernel, const TractionBound& bound, const Grid& grid,
                   const Solver& solver = {});
 
@@ -111,7 +109,7 @@ class MaterialRolling {
   /// next to the leading edge coefficients. Zero outside the contact  [N/mm^2]
   Eigen::VectorXd values(const MaterialState& state) const;
 
-  /// At the nodes, with the exact one of what slides; before the leading edge continued  [mm]
+  /// At the nodes  [mm]
   Eigen::VectorXd displacement(const MaterialState& state) const;
 
   /// A times tractions at the nodes of the window  [mm]
@@ -138,14 +136,12 @@ class MaterialRolling {
   double set_conditions(const MaterialState& from, const Part& part);
   void roll_part(MaterialStep& step, double length, double end, const Load& load);
   std::optional<SoftElement> soft_element(double phase) const;
-  double trailing_direction(const Eigen::VectorXd& bound, const std::vector<Zone>& zones) const;
 
   TractionBound bound_;
   MaterialWindow window_;
   LeadingEdgeConstants edge_;
   double compliance_;  ///< e0 2 (1 - nu)/G dx  [mm^3/N]
   ActiveSet active_set_;
-  BoundDefect defect_;
 
   // Of the part that is being rolled.
   SlipConditions conditions_;

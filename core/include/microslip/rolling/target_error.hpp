@@ -12,6 +12,11 @@ struct SteadyContact {
   Load load;
 };
 
+/// That contact on a grid that fills it, with constant functions.
+/// \param elements  N, in [1, 4e6]
+SteadyProblem problem_of(const SteadyContact& contact, Eigen::Index elements,
+                         const SteadyMethod& method);
+
 /// A solution and how far it is from the exact one.
 struct EstimatedSteady {
   SteadyProblem problem;  ///< with the method, the basis and the grid that were picked
@@ -29,15 +34,17 @@ inline constexpr double finest_target = 1e-11;
 /// \throws std::invalid_argument outside them
 void require_target_error(double target);
 
-/// By what is cheapest in the study speed_accuracy: Chebyshev collocation where the bound is
-/// smooth, the strip wide enough and one zone sticks; else as estimate_by_elements(). \param target
-/// in [1e-11, 0.1]  [1] \throws std::invalid_argument for loads and targets out of their ranges
+/// By Chebyshev collocation where the bound is smooth, the strip wide enough and one zone sticks,
+/// because it is cheapest in the study speed_accuracy; else as estimate_by_elements().
+///
+/// \param target  in [1e-11, 0.1]  [1]
+/// \throws std::invalid_argument for loads and targets out of their ranges
 /// \throws NotConverged          if the target is not reached
 EstimatedSteady solve_steady_to(const SteadyContact& contact, double target);
 
-/// Calibrated constant elements, the number of which grows until the estimate is below the target.
-/// Estimate: half the difference to a solution by half as many elements, where second order says a
-/// third; all of it where there is more than one stick zone, and convergence less even.
+/// Constant elements, the number of which grows until the estimate is below the target. It has two
+/// parts: the difference to solutions by fewer elements, and the cost of violations of the contact
+/// conditions. tests/property/generated_contacts_test.cpp counts how often it holds.
 /// \throws as solve_steady_to
 EstimatedSteady estimate_by_elements(const SteadyContact& contact, double target);
 

@@ -13,6 +13,8 @@ struct Key {
   std::string_view unit;  ///< "1" for words and pure numbers
   std::string_view meaning;
   std::string_view accepted;  ///< and, in brackets, the default
+  /// Scenes in which the key has a role, as a noun; empty if it has one in all. Others refuse it.
+  std::string_view role;
 };
 
 /// All of them, in the order in which a scene is written.

@@ -50,8 +50,8 @@ Load read_load(Scene& scene);
 ///   standard    `Differences` with step.ratio (1)
 ///   exact       the same, with the displacement at the leading edge from Chebyshev collocation
 ///   trimmed     the same as standard, with the last of linear functions trimmed
-/// All of the above, but no basis and solver with chebyshev. A step.ratio may stand in any steady
-/// scene, but has a role only in the last three.
+/// All of the above, but the grid's offsets in the last three only, and no basis and solver with
+/// chebyshev.
 SteadyProblem read_steady(Scene& scene);
 
 /// All of the above, with a given method.

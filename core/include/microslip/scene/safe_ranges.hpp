@@ -30,4 +30,10 @@ SafeRange safe_elements(const Basis& basis);
 /// that is fixed to the material, any.
 SafeRange safe_steps(const AdvectionScheme& scheme);
 
+/// c of a transient under a force, of 5 % of full sliding or more, from which on rounding leaves 1
+/// % of the creepage or less: that is a shift over the length of a step, and the shift has the
+/// rounding of the displacements. On a grid that is fixed to the material those of the bound are
+/// among them, and nodes enter to 1e-9 of an element. tests/unit/small_steps_test.cpp  [1]
+double least_step_under_force(const AdvectionScheme& scheme, Eigen::Index elements);
+
 }  // namespace microslip

@@ -40,8 +40,8 @@ class Scene {
   /// Replaces what the other scene also gives, and adds the rest.
   void overlay(const Scene& other);
 
-  /// \param assignment  "key.sub=value"; an empty value removes the key, and any other wins over
-  ///                    "sweep.key.sub"
+  /// \param assignment  "key.sub=value"; an empty value removes the key and "sweep.key.sub", one of
+  ///                    which there must be, and any other wins over "sweep.key.sub"
   void set(std::string_view assignment);
 
   /// Takes all keys below a section out: a scene of their own, in which they lack its name.
@@ -119,6 +119,7 @@ class Scene {
                                        const std::vector<std::string>& names);
   const Value& value(const std::string& key) const;
   bool put(const std::string& key, const std::string& text, const std::string& folder);
+  void remove(const std::string& key);
 
   std::map<std::string, Value> values_;
   std::size_t next_place_ = 0;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <map>
 #include <string>
 #include <utility>
 #include <variant>
@@ -18,6 +19,15 @@ struct Column {
   std::string name;
   std::string unit;  ///< "1" if it has none
   std::string meaning;
+  /// A number of this size or less is nothing but rounding: it depends on the processor and the
+  /// compiler, and has no reference. 0 if the column has no such numbers.
+  double rounding = 0;
+};
+
+/// The same of one number in a row, where a column holds quantities of several kinds.
+struct Rounding {
+  std::string column;
+  double bound;  ///< as Column::rounding
 };
 
 /// A named result: what a program writes as NAME.tsv.
@@ -32,6 +42,17 @@ class Table {
   /// \throws std::logic_error if the number of cells is not that of the columns
   void add(std::vector<Cell> row);
 
+  /// The same for a row with a number that is rounding up to a bound.
+  void add(std::vector<Cell> row, const Rounding& rounding);
+
+  /// Takes the place of a cell.
+  /// \throws std::out_of_range if there is no such row or column
+  void put(std::size_t row, const std::string& column, Cell cell);
+
+  /// Up to here a number in that place is nothing but rounding; 0 if it never is.
+  /// \throws std::out_of_range if there is no such column
+  double rounding(std::size_t row, const std::string& column) const;
+
   /// \throws std::out_of_range if there is no such row or column
   const Cell& at(std::size_t row, const std::string& column) const;
   double number(std::size_t row, const std::string& column) const;
@@ -40,7 +61,8 @@ class Table {
   double latest(const std::vector<std::pair<std::string, Cell>>& cells,
                 const std::string& column) const;
 
-  /// Comment block (program, parameters, columns), one header line, rows; tab-separated, %.17g.
+  /// Comment block (program, parameters, columns, bounds of rounding), one header line, rows;
+  /// tab-separated, %.17g.
   void write(std::ostream& out, const std::string& program, const Parameters& parameters) const;
 
  private:
@@ -48,6 +70,10 @@ class Table {
   std::string description_;
   std::vector<Column> columns_;
   std::vector<std::vector<Cell>> rows_;
+  std::map<std::size_t, Rounding> rounding_;  ///< of rows
+
+  std::size_t index_of(const std::string& column) const;
+  void write_rounding(std::ostream& out) const;
 };
 
 /// A table as it was written; all cells are text.

@@ -21,7 +21,7 @@ void require(bool accepted_by_caller, std::string_view key, double value,
   if (!accepted_by_caller || !std::isfinite(value)) require(false, key, value, accepted());
 }
 
-/// The same for the commonest range, (0, inf).
+/// The same for sizes in mm, N and s: from 1e-50 to 1e50, so that their products are doubles.
 void require_positive(std::string_view key, double value);
 
 }  // namespace microslip

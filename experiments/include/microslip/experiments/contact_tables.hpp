@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,10 +38,35 @@ struct WorstOfSteps {
   void include(const TransientState& state);
 };
 
-/// Adds what a result shows of its own correctness to such a table, if the solver accepts it.
-/// \param iterations  that the result took
+/// How much the creepage of single steps differs from its mean over an element's travel.
+class StepNoise {
+ public:
+  /// \param element  dx  [mm]
+  explicit StepNoise(double element) : element_(element) {}
+
+  void include(double length, double creepage);
+
+  /// Root mean square of the difference over that of the means; 0 for steps of whole elements  [1]
+  double relative() const;
+
+ private:
+  double element_;
+  double length_ = 0, sum_ = 0, squares_ = 0;  ///< of the element that is being travelled
+  double noise_ = 0, signal_ = 0;              ///< of those before
+};
+
+/// What evidence is judged by, and what the result is of.
+struct Judged {
+  double condition;  ///< of the equations in adhesion, estimate
+  int iterations;    ///< that the result took
+  Solver accepted;
+  bool steady = false;
+  std::optional<std::string> doubt = std::nullopt;  ///< another one, in a sentence; goes first
+};
+
+/// Adds what a result shows of its own correctness to such a table, if the solver accepts it; the
+/// last row, `warning`, says what is doubtful, or "none".
 /// \throws as require_evidence
-void add_evidence(Table& summary, const Evidence& evidence, double condition, int iterations,
-                  const Solver& accepted);
+void add_evidence(Table& summary, const Evidence& evidence, const Judged& judged);
 
 }  // namespace microslip::experiments

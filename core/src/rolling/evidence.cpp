@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/rolling/evidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "microslip/support/format.hpp"
+#include "microslip/support/not_converged.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// From this fraction of what is accepted on, a violation is doubtful.
+constexpr double doubtful = 0.1;
+
+/// Errors of the dissipation from here on are doubtful; so is what elements do not resolve.
+constexpr double doubtful_dissipation = 0.25;
+constexpr double doubtful_resolution = 0.05;
+
+/// Samples of each part of the contact, and of the slip zone.
+constexpr Index samples_of_part = 5;
+constexpr Index samples_of_slip = 200;
+
+double ratio(double part, double whole) { return part > 0 ? part / whole : 0; }
+
+}  // namespace
+
+double Evidence::bound_violation() const { return ratio(excess, load); }
+double Evidence::slip_violation() const { return ratio(backward, power); }
+double Evidence::bound_resolution() const { return ratio(unresolved, load); }
+double Evidence::dissipation_error() const { return ratio(std::abs(dissipated - power), power); }
+double Evidence::violation() const { return std::max(bound_violation(), slip_violation()); }
+
+Evidence worst_of(const Evidence& a, const Evidence& b) {
+  return {.residual = std::max(a.residual, b.residual),
+          .excess = std::max(a.excess, b.excess),
+          .backward = std::max(a.backward, b.backward),
+          .unresolved = std::max(a.unresolved, b.unresolved),
+          .dissipated = std::min(a.dissipated, b.dissipated),
+          .load = std::max(a.load, b.load),
+          .power = std::max(a.power, b.power),
+          .full_sliding = std::max(a.full_sliding, b.full_sliding)};
+}
+
+Evidence evidence_by_elements(const ElementValues& values, double force, double creepage) {
+  const auto& [lengths, bound, means, traction, slip] = values;
+  Evidence evidence{.load = std::abs(force),
+                    .power = std::abs(creepage * force),
+                    .full_sliding = lengths.dot(means)};
+  for (Index i = 0; i < lengths.size(); ++i) {
+    const double size = std::abs(traction[i]);
+    const double power = lengths[i] * traction[i] * slip[i];
+    if (size > bound[i]) evidence.excess += lengths[i] * (size - bound[i]);
+    if (slip[i] != 0) evidence.unresolved += lengths[i] * std::abs(bound[i] - means[i]);
+    evidence.backward += std::max(0.0, power);
+    evidence.dissipated -= power;
+  }
+  return evidence;
+}
+
+Evidence evidence_by_samples(const TractionBound& bound,
+                             const std::function<double(double)>& traction,
+                             const std::function<double(double)>& slip, double stick_edge,
+                             Index parts, double force, double creepage) {
+  const double a = half_width_of(bound);
+  Evidence evidence{.load = std::abs(force),
+                    .power = std::abs(creepage * force),
+                    .full_sliding = full_sliding_force(bound)};
+  const auto places = [](double from, double to, Index samples) -> VectorXd {
+    const double width = (to - from) / static_cast<double>(samples);
+    return VectorXd::NullaryExpr(
+        samples, [=](Index i) { return from + width * (static_cast<double>(i) + 0.5); });
+  };
+  const Index samples = samples_of_part * parts;
+  for (const double x : places(-a, a, samples)) {
+    const double g = std::visit([&](const auto& of) { return of(x); }, bound);
+    evidence.excess +=
+        std::max(0.0, std::abs(traction(x)) - g) * 2 * a / static_cast<double>(samples);
+  }
+  const double width = (stick_edge + a) / samples_of_slip;
+  if (width <= 0) return evidence;
+  for (const double x : places(-a, stick_edge, samples_of_slip)) {
+    const double power = width * traction(x) * slip(x);
+    evidence.backward += std::max(0.0, power);
+    evidence.dissipated -= power;
+  }
+  return evidence;
+}
+
+void require_evidence(const Evidence& evidence, double condition, int iterations,
+                      const Solver& accepted) {
+  const auto refuse = [&](const std::string& why) {
+    throw NotConverged(why, iterations, evidence.violation());
+  };
+  const auto check = [&](const std::string& name, double value, const std::string& key,
+                         double limit) {
+    if (value <= limit) return;
+    refuse("the result's " + name + " is " + format_short(value) + ": expected at most " + key +
+           " = " + format_short(limit));
+  };
+  check("residual", evidence.residual, "solver.tolerance", accepted.tolerance);
+  check("condition", condition, "solver.condition", accepted.condition);
+  check("bound_violation", evidence.bound_violation(), "solver.violation", accepted.violation);
+  check("slip_violation", evidence.slip_violation(), "solver.violation", accepted.violation);
+  if (evidence.load > (1 + accepted.violation) * evidence.full_sliding) {
+    refuse(
+        "the result's force, " + format_short(evidence.load) + ", is above full sliding, " +
+        format_short(evidence.full_sliding) +
+        ": the elements do not resolve the bound; take more of them, or leading_edge calibrated");
+  }
+  if (evidence.dissipated < -accepted.violation * evidence.power) {
+    refuse("the result's dissipation is negative, " + format_short(evidence.dissipated) +
+           ": take more elements");
+  }
+}
+
+std::optional<std::string> doubt_of(const Evidence& evidence, const Solver& accepted, bool steady) {
+  const auto above = [](const std::string& name, double value, const std::string& why) {
+    return name + " is " + format_roughly(value) + ": " + why;
+  };
+  if (evidence.violation() > doubtful * accepted.violation) {
+    return above("the violation of the contact conditions", evidence.violation(),
+                 "force or creepage may be wrong by as much; take more elements");
+  }
+  if (evidence.bound_resolution() > doubtful_resolution) {
+    return above("bound_resolution", evidence.bound_resolution(),
+                 "the elements do not resolve the bound; take more of them, or leading_edge "
+                 "calibrated, or step.scheme material");
+  }
+  if (steady && evidence.dissipated > (1 + doubtful_dissipation) * evidence.power) {
+    return above("dissipation_error", evidence.dissipation_error(),
+                 "tractions and slip at the nodes lose more energy than the load gives; take more "
+                 "elements");
+  }
+  return std::nullopt;
+}
+
+}  // namespace microslip

@@ -1,0 +1,79 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""examples/python/microslip.py: copies are contacts of their own, and a failed constructor raises its own
+error only. Usage: python_test.py, with MICROSLIP_LIBRARY and PYTHONPATH set."""
+import copy
+import pickle
+import subprocess
+import sys
+import unittest
+
+import microslip
+
+MATERIAL = microslip.Material(82000, 0.28)
+CONTACT = microslip.Contact(half_width=5, peak_traction=300)
+STRIP = microslip.Kernel(microslip.Kernel.STRIP, 10)
+GRID = microslip.Grid(20, microslip.Grid.MATERIAL)
+MAKE = "import microslip as m; m.Rolling(m.Material(1, 0.3), m.Contact(half_width=1, peak_traction=1)"
+
+
+def rolling(kind=microslip.Rolling):
+    contact = kind(MATERIAL, CONTACT, STRIP, GRID)
+    contact.start_from_shift(-1000)
+    contact.set_force(-1500)
+    return contact
+
+
+class Named(microslip.Rolling):
+    """One with an attribute of its own."""
+
+    name = property(lambda self: self.notes[0])
+
+
+class Copies(unittest.TestCase):
+    def test_roll_on_their_own(self):
+        for make in (microslip.Rolling.copy, copy.copy, copy.deepcopy, lambda one: copy.deepcopy([one, one])[1]):
+            with self.subTest(make=make):
+                original = rolling()
+                other = make(original)
+                original.advance(0.1)
+                self.assertEqual(other.state.distance, 0)
+                other.advance(0.1)
+                self.assertEqual(list(other.traction), list(original.traction))
+                other.advance(0.2)
+                del other
+                self.assertEqual(original.state.distance, 0.1)
+
+    def test_keep_class_and_attributes(self):
+        original = rolling(Named)
+        original.notes = ["wheel"]
+        for make, is_shared in ((microslip.Rolling.copy, True), (copy.copy, True), (copy.deepcopy, False)):
+            other = make(original)
+            self.assertIsInstance(other, Named)
+            self.assertEqual(other.name, "wheel")
+            self.assertEqual(other.notes is original.notes, is_shared)
+
+    def test_within_one_deepcopy_are_one(self):
+        first, second = copy.deepcopy([*[rolling()] * 2])
+        self.assertIs(first, second)
+
+    def test_by_pickling_are_refused(self):
+        with self.assertRaises((ValueError, TypeError)):
+            pickle.dumps(rolling())
+
+
+class Constructors(unittest.TestCase):
+    def test_that_fail_raise_their_own_error_only(self):
+        """A process of its own each, as what a destructor raises is only printed."""
+        for rest, error in ((")", "TypeError"), (", m.Kernel(0, -1), m.Grid(10, 0))", "Error"),
+                            (", None, 5)", "ArgumentError"), (", m.Kernel(0, 1), m.Grid(10, 0), 1)", "TypeError")):
+            with self.subTest(rest=rest):
+                done = subprocess.run([sys.executable, "-c", MAKE + rest], capture_output=True, text=True, check=False)
+                self.assertEqual(done.returncode, 1)
+                self.assertEqual(done.stderr.count("Traceback"), 1, done.stderr)
+                self.assertNotIn("Exception ignored", done.stderr)
+                self.assertIn(error + ":", done.stderr.splitlines()[-1])
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=0)

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steady rolling of contacts that nobody chose, against the scheme of the thesis on fine grids: it
+// has another grid, other bounds of its elements and another order.
+#include "property/generated_contacts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <optional>
+
+#include "microslip/support/not_converged.hpp"
+
+namespace microslip {
+namespace {
+
+using Eigen::Index;
+
+double creepage(const SteadyContact& contact, Index elements, const SteadyMethod& method) {
+  return solve_steady(problem_of(contact, elements, method)).creepage;
+}
+
+/// Extrapolated for first order, from two pairs of grids whose nodes lie differently.
+struct Truth {
+  double creepage;
+  double uncertainty;  ///< twice the last change, or the difference of the two pairs
+
+  explicit Truth(const SteadyContact& contact) {
+    const auto of = [&](Index n) { return microslip::creepage(contact, n, Differences{}); };
+    const double coarse = of(800), fine = of(1600);
+    const double other = 2 * of(1893) - of(947);
+    creepage = 2 * fine - coarse;
+    uncertainty = std::max(2 * std::abs(fine - coarse), std::abs(other - creepage));
+  }
+};
+
+struct Count {
+  int held = 0, broken = 0, refused = 0;
+  double worst = 0;  ///< relative error
+};
+
+void print(const std::string& what, const std::map<std::string, Count>& counts) {
+  for (const auto& [kind, count] : counts) {
+    std::cout << what << ", " << kind << ": " << count.held << " held, " << count.broken
+              << " broken, " << count.refused << " refused; largest relative error " << count.worst
+              << '\n';
+  }
+}
+
+int total(const std::map<std::string, Count>& counts, int Count::*what) {
+  int sum = 0;
+  for (const auto& [kind, count] : counts) sum += count.*what;
+  return sum;
+}
+
+// Of the right sign, and within one and a half times the larger of 1 % and the error of the
+// thesis's scheme with as many elements.
+TEST(GeneratedContacts, DefaultMethodIsRight) {
+  ContactGenerator generator(seed_of_tests());
+  std::map<std::string, Count> counts;
+  for (int i = 0; i < 240; ++i) {
+    const auto [kind, contact] = generator.next();
+    const Truth truth(contact);
+    const auto error = [&](const SteadyMethod& method) {
+      return std::abs(creepage(contact, 100, method) - truth.creepage);
+    };
+    const double size = std::abs(truth.creepage);
+    const double found = error(Calibrated{});
+    const double allowed = 1.5 * std::max(0.01 * size, error(Differences{})) + truth.uncertainty;
+    Count& count = counts[kind];
+    ++(found <= allowed ? count.held : count.broken);
+    count.worst = std::max(count.worst, found / size);
+    EXPECT_LE(found, allowed) << kind << ", case " << i << ": " << found / size;
+  }
+  print("default method, N = 100", counts);
+}
+
+// The estimate is meant to be an upper limit. The truth is known to its uncertainty only. Jumps are
+// what breaks it most often; but the error is never above five times the target.
+TEST(GeneratedContacts, EstimatesHold) {
+  ContactGenerator generator(seed_of_tests() + 1000);
+  std::map<std::string, Count> counts;
+  for (int i = 0; i < 500; ++i) {
+    const auto [kind, contact] = generator.next();
+    Count& count = counts[kind];
+    try {
+      const EstimatedSteady found = solve_steady_to(contact, 1e-3);
+      const Truth truth(contact);
+      const double size = std::abs(truth.creepage);
+      const double error = std::abs(found.solution.creepage - truth.creepage);
+      const bool held = error <= found.error * size + truth.uncertainty;
+      ++(held ? count.held : count.broken);
+      count.worst = std::max(count.worst, error / size);
+      EXPECT_LE(error, 0.005 * size + truth.uncertainty) << kind << ", case " << i;
+    } catch (const NotConverged&) {
+      ++count.refused;
+    }
+  }
+  print("target_error 1e-3", counts);
+  EXPECT_GE(total(counts, &Count::held), 30 * total(counts, &Count::broken));
+  EXPECT_LE(total(counts, &Count::refused), 25);
+}
+
+}  // namespace
+}  // namespace microslip

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is neither done by the force nor stored is dissipated.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "microslip/rolling/transient.hpp"
+
+namespace microslip {
+namespace {
+
+struct Case {
+  AdvectionScheme scheme;
+  double step_ratio;
+  double accepted;  ///< error with 101 elements, relative
+};
+
+/// Dissipation over what the balance says, less 1, after a way on which rolling has become steady.
+struct Missing {
+  double by_mean;
+  double by_end;
+};
+
+Missing missing(const Case& c, Eigen::Index n, const Load& load) {
+  TransientRolling rolling({.kernel = StripKernel({82000, 0.28}, 10),
+                            .bound = HertzBound(5, 300),
+                            .grid = Grid({.half_width = 5, .elements = n}),
+                            .basis = constant_basis(),
+                            .scheme = c.scheme});
+  const double length = c.step_ratio * 10 / static_cast<double>(n);
+  rolling.roll(60, {length}, load, [](const TransientState&) {});
+  // Over an element, as a grid fixed to the material only comes back to where it was after one.
+  double by_mean = 0, by_end = 0, work = 0;
+  const double stored = rolling.elastic_energy();
+  double last = rolling.state().distance;
+  rolling.roll(std::max(1.0, c.step_ratio) * 10 / static_cast<double>(n), {length}, load,
+               [&](const TransientState& state) {
+                 const double step = state.distance - last;
+                 last = state.distance;
+                 by_mean += step * state.dissipation;
+                 by_end += step * state.end_dissipation;
+                 work -= step * state.mean_force * state.creepage;
+               });
+  const double lost = work - (rolling.elastic_energy() - stored);
+  return {by_mean / lost - 1, by_end / lost - 1};
+}
+
+TEST(Dissipation, OfTransientsIsTheWorkLessWhatIsStored) {
+  for (const Case& c :
+       {Case{MaterialFixed{}, 1, 1e-12}, Case{MaterialFixed{}, 0.25, 1e-12},
+        Case{MaterialFixed{}, 2, 1e-12}, Case{Direct{}, 1, 3e-4}, Case{Direct{}, 0.5, 2e-3},
+        Case{Direct{}, 2, 2e-3}, Case{Relaxed{1}, 0.25, 3e-4}, Case{RelaxedTraction{1}, 0.5, 3e-4},
+        Case{Fractional{}, 0.5, 0.05}}) {
+    for (const double creepage : {0.001, 0.004}) {
+      const Missing found = missing(c, 101, PrescribedCreepage{creepage});
+      EXPECT_LT(std::abs(found.by_mean), c.accepted) << c.scheme.index() << ' ' << c.step_ratio;
+      if (std::holds_alternative<Fractional>(c.scheme)) continue;
+      EXPECT_LT(found.by_end, -3e-3) << c.scheme.index() << ' ' << c.step_ratio;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace microslip

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which key has a role in which scene: each key is typed into each scene, and is either accepted or
+// refused by name. Values that are the defaults make no difference.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "good_scene.hpp"
+#include "microslip/scene/keys.hpp"
+#include "microslip/scene/model.hpp"
+#include "scene_text.hpp"
+
+namespace microslip {
+namespace {
+
+using Settings = std::vector<std::string>;
+
+const Settings steady = {"problem=steady", "load.creepage=0.4", "grid.elements=21"};
+const Settings transient = {"problem=transient",   "grid.elements=21", "start.type=cattaneo",
+                            "motion.distance=0.3", "load.force=-1",    "step.ratio=1"};
+const Settings cylinder = {
+    "problem=cylinder",     "grid.elements=21",         "cylinder.mass=1",    "cylinder.radius=100",
+    "cylinder.inertia=5e3", "cylinder.slope_force=0.3", "motion.distance=0.3"};
+
+Settings with(Settings settings, const Settings& more) {
+  settings.insert(settings.end(), more.begin(), more.end());
+  return settings;
+}
+
+/// In each, all that has to be there, and the choices that its name says.
+const std::map<std::string, Settings> scenes = {
+    {"calibrated", steady},
+    {"plane", with(steady, {"kernel.width=", "kernel.type=plane", "kernel.length=10"})},
+    {"polynomial", with(steady, {"contact.bound_polynomial=1 0.3"})},
+    {"table", with(steady, {"contact.peak_traction=", "contact.bound_file=bound"})},
+    {"chebyshev", with(steady, {"method=chebyshev"})},
+    {"target_error", with(steady, {"grid.elements=", "target_error=1e-3"})},
+    {"standard", with(steady, {"leading_edge=standard"})},
+    {"exact", with(steady, {"leading_edge=exact"})},
+    {"trimmed", with(steady, {"leading_edge=trimmed", "basis=linear"})},
+    {"material", transient},
+    {"direct", with(transient, {"step.scheme=direct"})},
+    {"relaxed", with(transient, {"step.scheme=relaxed"})},
+    {"relaxed_traction", with(transient, {"step.scheme=relaxed_traction"})},
+    {"fractional", with(transient, {"step.scheme=fractional"})},
+    {"rest", with(transient, {"start.type=rest"})},
+    {"file", with(transient, {"start.type=file", "start.file=traction"})},
+    {"creepage", with(transient, {"load.force=", "load.creepage=0.1", "start.force=-1"})},
+    {"cylinder", cylinder},
+    {"cylinder_relaxed", with(cylinder, {"step.scheme=relaxed"})}};
+
+Scene scene_with(const Settings& settings) {
+  Scene scene = scene_of(good_contact);
+  for (const std::string& setting : settings) scene.set(setting);
+  scene.read_files_by([](const std::string& path) {
+    return path == "bound" ? "x bound\n0 1\n"
+                           : "x traction\n-1 0\n-0.5 -0.1\n0 -0.1\n0.5 -0.1\n1 0\n";
+  });
+  return scene;
+}
+
+std::string answer(const Settings& settings) {
+  return message([&] {
+    Scene scene = scene_with(settings);
+    read_model(scene);
+    scene.reject_unread();
+  });
+}
+
+std::set<std::string> words(const std::string& text) {
+  std::istringstream in(text);
+  return {std::istream_iterator<std::string>(in), {}};
+}
+
+struct Role {
+  std::string key;
+  std::string value;   ///< the default, if it has one
+  std::string scenes;  ///< where it has a role, by their names
+};
+
+const std::string with_target =
+    "calibrated plane polynomial table chebyshev target_error standard exact trimmed ";
+const std::string steady_scenes =
+    "calibrated plane polynomial table chebyshev standard exact trimmed ";
+const std::string by_elements = "calibrated plane polynomial table standard exact trimmed ";
+const std::string differences = "standard exact trimmed ";
+const std::string transients =
+    "material direct relaxed relaxed_traction fractional rest file creepage ";
+const std::string cylinders = "cylinder cylinder_relaxed ";
+const std::string strips =
+    "calibrated polynomial table chebyshev target_error standard exact trimmed " + transients +
+    cylinders;
+const std::string all = "plane " + strips;
+
+/// Of a choice between keys, the one that is not in a scene is refused with the others' names.
+const std::vector<Role> roles = {
+    {"problem", "", all},
+    {"material.shear_modulus", "1", all},
+    {"material.poisson_ratio", "0.28", all},
+    {"contact.half_width", "1", all},
+    {"contact.peak_traction", "1", all},
+    {"contact.bound_polynomial", "1", all},
+    {"contact.bound_file", "bound", "table"},
+    {"kernel.type", "", all},
+    {"kernel.width", "40", strips},
+    {"kernel.length", "10", "plane"},
+    {"grid.elements", "21", steady_scenes + transients + cylinders},
+    {"grid.leading_offset", "0.5", differences + transients + cylinders},
+    {"grid.trailing_offset", "0.5", differences + transients + cylinders},
+    {"method", "collocation", steady_scenes},
+    {"leading_edge", "calibrated", by_elements},
+    {"basis", "constant", by_elements + transients + cylinders},
+    {"target_error", "1e-3", with_target},
+    {"load.creepage", "0.4", with_target + transients},
+    {"load.force", "-1", with_target + transients},
+    {"start.type", "rest", transients},
+    {"start.force", "-1", "material direct relaxed relaxed_traction fractional creepage"},
+    {"start.file", "traction", "file"},
+    {"step.ratio", "1", differences + transients + cylinders},
+    {"step.scheme", "material", transients + cylinders},
+    {"step.relaxation", "1", "relaxed relaxed_traction cylinder_relaxed"},
+    {"cylinder.mass", "1", cylinders},
+    {"cylinder.inertia", "5e3", cylinders},
+    {"cylinder.radius", "100", cylinders},
+    {"cylinder.slope_force", "0.3", cylinders},
+    {"motion.distance", "0.3", transients + cylinders},
+    {"motion.integrator", "midpoint", cylinders},
+    {"solver.type", "auto", by_elements + transients + cylinders},
+    {"solver.tolerance", "1e-10", by_elements + transients + cylinders},
+    {"solver.violation", "1e-3", by_elements + transients + cylinders},
+    {"solver.condition", "1e13", by_elements + transients + cylinders}};
+
+TEST(KeysOfScenes, AreAllInTheTableOfRoles) {
+  std::vector<std::string> in_table, in_scenes;
+  for (const Role& role : roles) in_table.push_back(role.key);
+  for (const Key& key : keys_of_scenes()) in_scenes.emplace_back(key.name);
+  std::ranges::sort(in_table);
+  std::ranges::sort(in_scenes);
+  EXPECT_EQ(in_table, in_scenes);
+  for (const auto& [name, settings] : scenes) EXPECT_EQ(answer(settings), "") << name;
+}
+
+// A key that is in the scene keeps its value; target_error wants other keys away and has tests of
+// its own.
+TEST(KeysOfScenes, HaveARoleOrAreRefused) {
+  for (const auto& [key, value, where] : roles) {
+    const std::set<std::string> accepting = words(where);
+    for (const auto& [name, settings] : scenes) {
+      SCOPED_TRACE(key + " in " + name);
+      const bool there = scene_with(settings).has(key);
+      const bool has_role = accepting.contains(name);
+      EXPECT_TRUE(has_role || !there);
+      if (there || (key == "target_error" && has_role)) continue;
+      const std::string said = answer(with(settings, {key + "=" + value}));
+      const bool by_choice = said.starts_with("expected only one of") ||
+                             (key == "contact.bound_polynomial" && name == "table" &&
+                              said.starts_with("key 'contact.bound_file' has no role"));
+      if (has_role || by_choice) {
+        EXPECT_TRUE(said.empty() || by_choice) << said;
+      } else {
+        EXPECT_TRUE(said.starts_with("key '" + key + "' has no role here: it is for ")) << said;
+      }
+    }
+  }
+}
+
+TEST(KeysOfScenes, SayWhereTheyHaveARole) {
+  EXPECT_TRUE(
+      answer(with(steady, {"step.ratio=0.01"}))
+          .starts_with("key 'step.ratio' has no role here: it is for leading_edge standard, "
+                       "exact or trimmed, or problem transient or cylinder; known to"));
+}
+
+}  // namespace
+}  // namespace microslip
