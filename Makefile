@@ -14,7 +14,7 @@ STUDIES := $(patsubst studies/%/study.info,%,$(wildcard studies/*/study.info))
 SOURCES = $(shell find core capi experiments program apps studies bench examples tests tools fuzz \
   -name '*.[ch]pp' -o -name '*.[ch]')
 
-.PHONY: help deps build install package docs figures report quick bench test verify references coverage sanitize fuzz keep-corpus \
+.PHONY: help deps build install package docs figures report quick bench test verify references coverage mutants sanitize fuzz keep-corpus \
   format check-format clean $(STUDIES)
 
 help:
@@ -24,9 +24,10 @@ help:
 	@echo 'make quick        every study, coarser, into results/quick'
 	@echo 'make bench        times against N into results/bench, with figures; about five minutes'
 	@echo 'make test         build and run all tests'
-	@echo 'make verify       two clean builds: the same bytes, and agreement with tests/reference_tables'
+	@echo 'make verify       two clean builds: the same bytes; these, and other instructions and compilers: agreement with tests/reference_tables'
 	@echo 'make references   make the tables of this build those of tests/reference_tables'
 	@echo 'make coverage     the lines of core that the tests run; at least 95 %'
+	@echo 'make mutants      which test fails for each change of tests/mutants.tsv; MUTANTS="NAME ..." for some'
 	@echo 'make sanitize     the tests of units and of the C interface, and the corpus, under the address and undefined-behaviour sanitizers'
 	@echo 'make fuzz         libFuzzer on every reader of input, FUZZ_SECONDS=$(FUZZ_SECONDS) each, with both sanitizers'
 	@echo 'make keep-corpus  what it found that reaches new code, into fuzz/corpus'
@@ -129,6 +130,10 @@ coverage:
 	find build/coverage -name '*.gcda' -delete
 	ctest --preset coverage -j $(JOBS)
 	gcovr --root . --filter core/ --exclude-throw-branches --fail-under-line 95 build/coverage
+
+# In a copy of the tree; no part of the tests, as each mutant takes ten to fifty seconds.
+mutants: deps
+	@tools/mutants.py build/mutants $(JOBS) $(MUTANTS)
 
 sanitize: deps
 	@$(call cmake_build,debug,--target unit_tests capi_tests corpus)

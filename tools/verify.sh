@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Two clean builds in two folders, with one thread and with two, must give the same bytes in every
-# table and figure, and tables that agree with those of tests/reference_tables.
+# table and figure, and tables that agree with those of tests/reference_tables. So must the tables
+# of other instructions, optimisations and compilers.
 # Usage: tools/verify.sh WORK_FOLDER JOBS
 set -euo pipefail
 work=$1 jobs=$2
@@ -55,6 +56,7 @@ diff -rq "$work/a/figures" "$work/b-figures" || status=1
   echo "verify: $(find "$work/a/tables" -name '*.tsv' ! -name '*_timing.tsv' | wc -l) tables and" \
     "$(find "$work/a/figures" -name '*.svg' | wc -l) figures are the same bytes in both"
 "$work/a/build/bin/compare_tables" "$work/a/tables" "$root/tests/reference_tables" || status=1
+"$work/a/tools/elsewhere/elsewhere.sh" "$work/a/build/bin" "$work/elsewhere" "$jobs" || status=1
 case $status in
   0) echo "verify: all is the same, or agrees within the tolerances" ;;
   *) echo "verify: there are differences" >&2 ;;

@@ -8,6 +8,8 @@
 #include <optional>
 #include <sstream>
 
+#include "microslip/support/format.hpp"
+
 namespace microslip::tools {
 
 namespace {
@@ -21,6 +23,16 @@ std::optional<double> number_in(const std::string& text) {
 
 const std::string& text_at(const Table& table, std::size_t row, const std::string& column) {
   return std::get<std::string>(table.at(row, column));
+}
+
+constexpr const char* rounding_word = "rounding";
+
+/// The text of a cell; of a number that is nothing but rounding only this.
+std::string without_rounding(const Table& table, std::size_t row, const std::string& column) {
+  const std::string& text = text_at(table, row, column);
+  const double bound = table.rounding(row, column);
+  const auto number = number_in(text);
+  return bound > 0 && number && std::abs(*number) <= bound ? rounding_word : text;
 }
 
 double largest_in(const Table& table, const std::string& column) {
@@ -59,6 +71,20 @@ double excess(const std::string& cell, const std::string& reference, const Toler
   return (references >> std::ws).eof() ? worst : infinite;
 }
 
+/// The first of the bounds of rounding that differ, in tables of one form; empty if none does.
+std::string difference_of_rounding(const Table& table, const Table& reference) {
+  for (const Column& column : reference.columns()) {
+    for (std::size_t row = 0; row < reference.rows(); ++row) {
+      const double bound = table.rounding(row, column.name);
+      const double expected = reference.rounding(row, column.name);
+      if (bound == expected) continue;
+      return column.name + " in row " + std::to_string(row + 1) + " is rounding up to " +
+             format_short(bound) + ", reference " + format_short(expected);
+    }
+  }
+  return "";
+}
+
 /// What differs besides cells; empty if nothing does.
 std::string difference_of_heads(const WrittenTable& table, const WrittenTable& reference) {
   if (table.parameters != reference.parameters) {
@@ -83,7 +109,7 @@ std::string difference_of_heads(const WrittenTable& table, const WrittenTable& r
     return std::to_string(table.table.rows()) + " rows, reference " +
            std::to_string(reference.table.rows());
   }
-  return "";
+  return difference_of_rounding(table.table, reference.table);
 }
 
 }  // namespace
@@ -105,6 +131,16 @@ WrittenTable thinned(const WrittenTable& whole, std::size_t kept) {
   return part;
 }
 
+WrittenTable without_rounding(const WrittenTable& whole) {
+  WrittenTable kept = whole;
+  for (std::size_t row = 0; row < kept.table.rows(); ++row) {
+    for (const Column& column : kept.table.columns()) {
+      kept.table.put(row, column.name, without_rounding(whole.table, row, column.name));
+    }
+  }
+  return kept;
+}
+
 Comparison compare(const std::string& name, const WrittenTable& table,
                    const WrittenTable& reference, const Tolerances& tolerances) {
   const std::string heads = difference_of_heads(table, reference);
@@ -113,12 +149,14 @@ Comparison compare(const std::string& name, const WrittenTable& table,
   std::size_t beyond = 0;
   double worst = 0;
   std::string where;
-  for (const auto& [column, unit, meaning] : reference.table.columns()) {
+  for (const auto& [column, unit, meaning, rounding] : reference.table.columns()) {
     const Tolerance tolerance = tolerances.of(name, column);
     const double largest = largest_in(reference.table, column);
     for (std::size_t row = 0; row < reference.table.rows(); ++row) {
-      const std::string& text = text_at(table.table, row, column);
       const std::string& expected = text_at(reference.table, row, column);
+      const std::string text = expected == rounding_word
+                                   ? without_rounding(table.table, row, column)
+                                   : text_at(table.table, row, column);
       if (text != expected) ++different;
       const double size = excess(text, expected, tolerance, largest);
       if (size > 1) ++beyond;

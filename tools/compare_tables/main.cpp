@@ -91,7 +91,8 @@ void update(const std::string& study, const Tables& tables, const fs::path& fold
   for (const auto& [name, written] : tables) {
     const fs::path file = folder / (name + ".tsv");
     std::ofstream out(file);
-    written.table.write(out, study, written.parameters);
+    const WrittenTable kept = tools::without_rounding(written);
+    kept.table.write(out, study, kept.parameters);
     out.close();
     if (!out) throw std::runtime_error(file.string() + ": cannot write it");
   }

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The page: first screen, all claims, and a section for each study."""
+import math
 from collections import Counter
 from html import escape
 from pathlib import Path
 
-from tables import VERDICTS
+from tables import GIVEN, NOT_JUDGED, VERDICTS
 from text import number, prose, unit, words
 
 THESIS = "N. van der Wekken, <cite>Improving CONTACT for varying timesteps</cite> (TU Delft, 2017)"
@@ -14,6 +15,7 @@ MEANING = {
     "refuted": "it does not hold",
     "not_comparable": "not enough is known to compare",
     "ours": "no claim of the thesis, but a finding of microslip",
+    NOT_JUDGED: "the run has other parameters than the study",
 }
 WIDE = 800  # pixels, of figures with panels side by side
 
@@ -29,7 +31,7 @@ def verdict_mark(verdict):
 def page(studies, figures, headline):
     """`figures` are those of each study, by its name; `headline` is that of the first screen."""
     claims = [claim for study in studies for claim in study.claims]
-    findings = sum(claim.verdict == "ours" for claim in claims)
+    judged = sum(claim.verdict not in ("ours", NOT_JUDGED) for claim in claims)
     sections = "\n".join(section(study, figures[study.name]) for study in studies)
     style = Path(__file__).with_name("page.css").read_text(encoding="utf-8")
     return f"""<!DOCTYPE html>
@@ -47,7 +49,7 @@ def page(studies, figures, headline):
 <h1>Rolling contact, step by step</h1>
 <p class="lead">{THESIS}, says what a boundary-element program computes when a wheel moves by a small
 fraction of an element, and why it goes wrong. <strong>microslip</strong> computes it anew, and holds
-{len(claims) - findings} of its claims against measurements. Every number here stands in a table, and every figure is drawn from
+{judged} of its claims against measurements. Every number here stands in a table, and every figure is drawn from
 one.</p>
 </header>
 <div class="first">
@@ -65,11 +67,12 @@ one.</p>
 
 def summary(studies, claims):
     counts = Counter(claim.verdict for claim in claims)
+    verdicts = [verdict for verdict in VERDICTS if verdict != NOT_JUDGED or counts[verdict]]
     bar = "".join(f'<span class="{verdict}" style="flex-grow:{counts[verdict]}"></span>'
-                  for verdict in VERDICTS if counts[verdict])
+                  for verdict in verdicts if counts[verdict])
     totals = "".join(f'<li class="{verdict}"><b data-count="{verdict}">{counts[verdict]}</b> '
-                     f"<span>{words(verdict)}: {MEANING[verdict]}</span></li>" for verdict in VERDICTS)
-    heads = "".join(f'<th class="count">{words(verdict)}</th>' for verdict in VERDICTS)
+                     f"<span>{words(verdict)}: {MEANING[verdict]}</span></li>" for verdict in verdicts)
+    heads = "".join(f'<th class="count">{words(verdict)}</th>' for verdict in GIVEN)
     rows = "".join(summary_row(study) for study in studies)
     return f"""<div class="bar" aria-hidden="true">{bar}</div>
 <ul class="totals">{totals}</ul>
@@ -79,38 +82,50 @@ def summary(studies, claims):
 
 def summary_row(study):
     counts = Counter(claim.verdict for claim in study.claims)
-    cells = "".join(f'<td class="count {verdict}">{counts[verdict] or "<i>·</i>"}</td>' for verdict in VERDICTS)
+    cells = "".join(f'<td class="count {verdict}">{counts[verdict] or "<i>·</i>"}</td>' for verdict in GIVEN)
+    if study.not_judged:
+        cells = f'<td class="count {NOT_JUDGED}" colspan="{len(GIVEN)}">{counts[NOT_JUDGED]} not judged</td>'
     return f'<tr><td><a href="#{study.name}">{study.name}</a></td>{cells}</tr>'
 
 
 def all_claims(studies):
     groups = "".join(
-        f'<tbody><tr class="group"><th colspan="5"><a href="#{study.name}">{study.name}</a> '
-        f"{prose(study.question)}</th></tr>" + "".join(claim_row(claim) for claim in study.claims) + "</tbody>"
+        f'<tbody><tr class="group"><th colspan="6"><a href="#{study.name}">{study.name}</a> '
+        f"{prose(study.question)}{not_judged(study)}</th></tr>" + "".join(claim_row(claim) for claim in study.claims) + "</tbody>"
         for study in studies)
     return f"""<table class="claims"><thead><tr><th>the thesis says</th><th>section</th><th>its value</th>
-<th>measured</th><th>verdict</th></tr></thead>{groups}</table>"""
+<th>measured</th><th>tolerance</th><th>verdict</th></tr></thead>{groups}</table>"""
+
+
+def not_judged(study):
+    return f'<span class="unjudged">Not judged: {escape(study.not_judged)}.</span>' if study.not_judged else ""
 
 
 def values(claim):
-    return number(claim.thesis_value, 6), number(claim.measured_value) + unit(claim.unit)
+    """Of the thesis, measured, and the tolerance."""
+    tolerance = "" if math.isnan(claim.tolerance) else "±" + number(claim.tolerance)
+    rounding = 0 < claim.rounding >= abs(claim.measured_value)
+    measured = "below " + number(claim.rounding) if rounding else number(claim.measured_value)
+    return number(claim.thesis_value, 6), measured + unit(claim.unit), tolerance
 
 
 def claim_row(claim):
-    thesis, measured = values(claim)
+    thesis, measured, tolerance = values(claim)
     return (f'<tr><td class="statement"><a href="#{claim.id}">{prose(claim.claim)}</a></td>'
             f'<td class="section">{escape(claim.section)}</td><td class="thesis">{thesis}</td>'
-            f'<td class="measured">{measured}</td><td>{verdict_mark(claim.verdict)}</td></tr>\n')
+            f'<td class="measured">{measured}</td><td class="tolerance">{tolerance}</td><td>{verdict_mark(claim.verdict)}</td></tr>\n')
 
 
 def claim_card(claim):
-    thesis, measured = values(claim)
+    thesis, measured, tolerance = values(claim)
+    tolerated = f"<div><dt>tolerance</dt><dd>{tolerance}</dd></div>" if tolerance else ""
     link = f' <a href="#{claim.figure}">Figure</a>' if claim.figure != "none" else ""
     return f"""<article id="{claim.id}" class="claim {claim.verdict}">
 <h4>{prose(claim.claim)}</h4>
 <dl><div><dt>thesis §&nbsp;{escape(claim.section)}</dt><dd>{thesis}</dd></div><div><dt>measured</dt><dd>{measured}</dd></div>
-<div><dt>verdict</dt><dd>{verdict_mark(claim.verdict)}</dd></div></dl>
+{tolerated}<div><dt>verdict</dt><dd>{verdict_mark(claim.verdict)}</dd></div></dl>
 <p>{prose(claim.note)}.{link}</p>
+<p class="rule">Rule: {prose(claim.rule)}.</p>
 </article>
 """
 
@@ -149,7 +164,7 @@ def section(study, figures):
     tables = "".join(table_block(table) for table in study.tables)
     return f"""<section id="{study.name}">
 <h2>{study.name}</h2>
-<p class="question">{prose(study.question)}</p>
+<p class="question">{prose(study.question)}</p>{not_judged(study)}
 {exhibits(study, figures)}
 <h3>Made by</h3>
 <pre tabindex="0"><code>{escape(chr(10).join(commands))}</code></pre>

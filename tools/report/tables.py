@@ -5,8 +5,12 @@ import shlex
 from dataclasses import dataclass
 from pathlib import Path
 
-VERDICTS = ("reproduced", "corrected", "refuted", "not_comparable", "ours")
-CLAIM_COLUMNS = ("claim", "section", "thesis_value", "measured_value", "unit", "verdict", "note", "figure")
+ROUNDING = "# nothing but rounding"
+NOT_JUDGED = "not_judged"
+GIVEN = ("reproduced", "corrected", "refuted", "not_comparable", "ours")  # by the rule of a claim
+VERDICTS = (*GIVEN, NOT_JUDGED)
+CLAIM_COLUMNS = ("claim", "section", "thesis_value", "measured_value", "unit", "rule", "tolerance", "verdict", "note",
+                 "figure")
 
 
 class ReportError(Exception):
@@ -29,6 +33,7 @@ class Table:
     parameters: list  # of (key, value)
     columns: list  # of (name, unit, meaning)
     rows: list  # of cells, as text
+    rounding: dict  # bounds up to which numbers are nothing but rounding, by column and first cell or None
 
 
 def read_table(path):
@@ -46,15 +51,18 @@ def read_table(path):
         raise bad("a comment with description, parameters and columns")
     at = comments.index("# columns")
     parameters = [tuple(line[4:].split(" = ", 1)) for line in comments[2:at]]
-    columns = [re.fullmatch(r"#   (\S+) \[(.*?)\]: (.*)", line) for line in comments[at + 1:]]
-    if not all(columns) or any(len(parameter) != 2 for parameter in parameters):
+    end = comments.index(ROUNDING) if ROUNDING in comments[at:] else len(comments)
+    columns = [re.fullmatch(r"#   (\S+) \[(.*?)\]: (.*)", line) for line in comments[at + 1:end]]
+    bounds = [re.fullmatch(r"#   (\S+) up to (\S+)(?: where \S+ = (.*))?", line) for line in comments[end + 1:]]
+    if not all(columns + bounds) or any(len(parameter) != 2 for parameter in parameters):
         raise bad("`key = value` and `column [unit]: meaning`")
+    rounding = {(column, name): float(bound) for column, bound, name in (line.groups() for line in bounds)}
     columns = [column.groups() for column in columns]
     names = [column[0] for column in columns]
     rows = [line.split("\t") for line in lines[len(comments):]]
     if not rows or rows[0] != names or any(len(row) != len(names) for row in rows):
         raise bad("rows of " + ", ".join(names))
-    return Table(Path(path).stem, first[2], parameters, columns, rows[1:])
+    return Table(Path(path).stem, first[2], parameters, columns, rows[1:], rounding)
 
 
 @dataclass
@@ -64,13 +72,19 @@ class Claim:
     thesis_value: float  # nan if it gives none
     measured_value: float  # nan if nothing could be measured, as in some quick runs
     unit: str
+    rule: str  # how the verdict follows from the measured value
+    tolerance: float  # half the width of the range that the rule accepts; nan if it has one bound
     verdict: str
     note: str
     figure: str  # or none
     id: str = ""
+    rounding: float = 0  # the measured value is nothing but that, up to this
 
     def __post_init__(self):
         self.thesis_value, self.measured_value = float(self.thesis_value), float(self.measured_value)
+        self.tolerance = float(self.tolerance)
+        if not self.rule:
+            raise ValueError(f"'{self.claim}' has no rule")
         if self.verdict not in VERDICTS:
             raise ValueError(f"unknown verdict '{self.verdict}'; known: {', '.join(VERDICTS)}")
 
@@ -83,6 +97,7 @@ class Study:
     provenance: dict
     tables: list
     claims: list
+    not_judged: str  # why, or empty
 
     @property
     def parameters(self):
@@ -104,9 +119,14 @@ def read_study(results, name, question):
     if tuple(column[0] for column in table.columns) != CLAIM_COLUMNS:
         raise ReportError(f"{claims_file}: expected the columns {', '.join(CLAIM_COLUMNS)}")
     try:
-        claims = [Claim(*row, id=f"{name}-{i}") for i, row in enumerate(table.rows, 1)]
+        claims = [Claim(*row, id=f"{name}-{i}",
+                        rounding=table.rounding.get(("measured_value", row[0]), 0)) for i, row in enumerate(table.rows, 1)]
     except ValueError as error:
         raise ReportError(f"{claims_file}: {error}") from None
+    not_judged = table.description.partition("; not judged: ")[2]
+    if any((claim.verdict == NOT_JUDGED) != bool(not_judged) for claim in claims):
+        raise ReportError(f"{claims_file}: expected the verdict {NOT_JUDGED} of all claims, and the reason in the first "
+                          "line, or neither")
     path = folder / "provenance.txt"
     lines = read_text(path).splitlines()
     provenance = dict(line.split(": ", 1) for line in lines if ": " in line)
@@ -119,4 +139,4 @@ def read_study(results, name, question):
     except ValueError as error:
         raise ReportError(f"{path}: command: {error}") from None
     tables = [read_table(folder / file) for file in provenance["tables"].split()]
-    return Study(name, question, command, provenance, tables, claims)
+    return Study(name, question, command, provenance, tables, claims, not_judged)
