@@ -1,6 +1,6 @@
 # One system with influence coefficients, three ways from scratch, and with what is known of its matrix.
 load scripts."/bench.gpi"
-set terminal svg size 980,600
+eval page(980, 600)
 set multiplot layout 1,2 margins 0.08,0.98,0.36,0.84 spacing 0.09 title "solve of one Toeplitz system, strip\n{/*0.8 one core of ".processor."}"
 set key maxrows 5
 named(text, quantity, method) = text.": ".power(quantity, "strip", method)

@@ -1,6 +1,6 @@
 # A transient step that leaves the partition as it is, and N steps from a Cattaneo shift.
 load scripts."/bench.gpi"
-set terminal svg size 980,540
+eval page(980, 540)
 set multiplot layout 1,2 margins 0.08,0.98,0.3,0.83 spacing 0.09 title "transient rolling, steps of one element, strip\n{/*0.8 ".machines."}"
 set key maxrows 3
 named(text, quantity, method) = text.": ".power(quantity, "strip", method)

@@ -1,6 +1,6 @@
 # The force error against the step ratio: "for c < 0.55 the accuracy decreases" (thesis, introduction).
 accuracy = tables."/accuracy.tsv"
-set terminal svg size 640,380
+eval page(640, 380)
 set xlabel "step ratio c = dq/dx"
 set ylabel "relative error of the force [1]"
 set yrange [0:*]

@@ -7,7 +7,7 @@ plot tables."/summary.tsv" using (ratios = ratios.sprintf(" %g", column("step_ra
 unset table
 at(c) = same(column("step_ratio"), real(c)) ? column("x") : NaN
 
-set terminal svg size 640,560
+eval page(640, 560)
 set multiplot layout 2,1 margins 0.13,0.98,0.11,0.93 spacing 0.07
 set xrange [-1:1]
 set format x ""

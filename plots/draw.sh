@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Draws one figure. Usage: plots/draw.sh FIGURE.gp TABLES_FOLDER OUTPUT.svg
+# Draws one figure. Usage: plots/draw.sh FIGURE.gp TABLES_FOLDER OUTPUT.svg|OUTPUT.png|OUTPUT.pdf
 # A gnuplot warning is a failure, as is a table without content, and a failure leaves no figure.
-# The comment that the script begins with says what the figure shows, and becomes the figure's title.
+# The comment that the script begins with says what the figure shows, and becomes the title of an SVG.
 set -euo pipefail
 script=$1 tables=$2 output=$3
 plots=$(dirname "$0")
@@ -10,6 +10,11 @@ fail() {
   exit 1
 }
 
+format=${output##*.}
+case "$format" in
+  svg | png | pdf) ;;
+  *) fail "$output: expected a name that ends in .svg, .png or .pdf" ;;
+esac
 rm -f "$output"
 command -v gnuplot >/dev/null || fail "gnuplot is not installed"
 
@@ -36,11 +41,22 @@ mkdir -p "$(dirname "$output")"
 partial=$(dirname "$output")/.$(basename "$output").$$.part
 trap 'rm -f "$partial" "$partial.log"' EXIT
 status=0
-gnuplot -e "tables='${tables//\'/\'\'}'; scripts='${plots//\'/\'\'}'" "$plots/style.gp" "$script" 2>"$partial.log" |
-  caption=$caption awk '{ if (sub("<title>Gnuplot</title>", "")) print "<title>" ENVIRON["caption"] "</title>"; else print }' \
-    >"$partial" || status=$?
-# gnuplot takes no notice of a full disk.
-tail -c 10 "$partial" | grep -q "</svg>" || status=1
+titled() {
+  if [ "$format" = svg ]; then
+    caption=$caption awk '{ if (sub("<title>Gnuplot</title>", "")) print "<title>" ENVIRON["caption"] "</title>"; else print }'
+  else
+    cat
+  fi
+}
+gnuplot -e "format='$format'; tables='${tables//\'/\'\'}'; scripts='${plots//\'/\'\'}'" "$plots/style.gp" "$script" 2>"$partial.log" |
+  titled >"$partial" || status=$?
+# gnuplot takes no notice of a full disk: is the end there?
+case "$format" in
+  svg) last="</svg>" ;;
+  png) last=IEND ;;
+  pdf) last="%%EOF" ;;
+esac
+tail -c 10 "$partial" | grep -aq "$last" || status=1
 if [ $status -ne 0 ] || [ -s "$partial.log" ]; then
   cat "$partial.log" >&2
   fail "gnuplot failed"

@@ -3,7 +3,7 @@ energy = tables."/energy_error.tsv"
 motion = tables."/motion_error.tsv"
 of(frame, integrator) = strcol("frame") eq frame && strcol("integrator") eq integrator ? column("elements") : NaN
 
-set terminal svg size 860,400
+eval page(860, 400)
 set multiplot layout 1,2 margins 0.08,0.98,0.15,0.9 spacing 0.12
 set logscale xy
 set format y "10^{%T}"

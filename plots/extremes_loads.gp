@@ -3,7 +3,7 @@ loads = tables."/loads.tsv"
 of(name, coordinate, limit) = strcol("scheme") eq name && strcol("verdict") eq "ok" && column(coordinate) > 0 && column(coordinate) <= limit ? column(coordinate) : NaN
 names = "standard 'standard linear' exact calibrated chebyshev"
 
-set terminal svg size 860,420
+eval page(860, 420)
 set logscale xy
 set format "10^{%T}"
 set yrange [1e-16:1]

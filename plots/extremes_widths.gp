@@ -2,7 +2,7 @@
 widths = tables."/widths.tsv"
 of(name, nu) = strcol("scheme") eq name && same(column("poisson_ratio"), nu) && strcol("verdict") eq "ok" ? column("width") : NaN
 
-set terminal svg size 640,400
+eval page(640, 400)
 set logscale xy
 set format "10^{%T}"
 set xlabel "strip width Δy/dx [1]"

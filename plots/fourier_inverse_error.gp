@@ -8,7 +8,7 @@ plot errors using (column(0) == 0 ? first = column("elements") : 0, strcol("basi
 unset table
 of(name, c) = strcol("basis") eq name && same(column("step_ratio"), real(c)) ? column("elements") : NaN
 
-set terminal svg size 640,420
+eval page(640, 420)
 set logscale xy
 set format y "10^{%T}"
 set xlabel "size of B [1]"

@@ -2,7 +2,7 @@
 timing = tables."/cost_timing.tsv"
 stats timing using (log10(column("elements"))):(log10(column("action"))) name "action" nooutput
 stats timing using (log10(column("elements"))):(log10(column("schur"))) name "schur" nooutput
-set terminal svg size 640,440
+eval page(640, 440)
 set logscale xy
 set format y "10^{%T}"
 set xlabel "number of elements N [1]"

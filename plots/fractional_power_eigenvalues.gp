@@ -5,7 +5,7 @@ odd = STATS_max
 even = STATS_min
 of(n) = column("elements") == n ? column("real") : NaN
 
-set terminal svg size 560,520
+eval page(560, 520)
 set size ratio -1
 set xrange [-1.1:1.1]
 set yrange [-1.1:1.1]

@@ -11,7 +11,7 @@ unset table
 middle = word(steps, 2)
 of(shape, n) = strcol("shape") eq shape && column("steps") == real(n) ? column("position") : NaN
 
-set terminal svg size 900,640
+eval page(900, 640)
 set multiplot layout 2,4 margins 0.085,0.985,0.09,0.94 spacing 0.055,0.13
 set xrange [-150:0]
 set xtics 50

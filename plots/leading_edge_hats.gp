@@ -1,6 +1,6 @@
 # Thesis Fig. 10.2: the general hat at the last node, and the one that ends at the leading edge.
 hats = tables."/hats.tsv"
-set terminal svg size 640,280
+eval page(640, 280)
 set multiplot layout 1,2 margins 0.12,0.98,0.22,0.86 spacing 0.12
 set xrange [-1.5:1.5]
 set yrange [0:1.1]

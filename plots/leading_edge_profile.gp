@@ -7,7 +7,7 @@ plot profile using (same(column("leading_offset"), 0.5) ? 0 : (offset = column("
 unset table
 of(name, beta) = strcol("scheme") eq name && same(column("leading_offset"), beta) ? column("x") : NaN
 
-set terminal svg size 800,400
+eval page(800, 400)
 set multiplot layout 1,2 margins 0.09,0.98,0.16,0.9 spacing 0.12
 # The stick zone and a part of the slip zone.
 half_width = parameter(profile, "contact.half_width")

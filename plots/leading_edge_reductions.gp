@@ -1,7 +1,7 @@
 # By what factor does doubling N reduce the traction's error? All alignments and stick ratios; the box
 # holds half of them. The thesis gives one mean and one best factor a scheme.
 summary = tables."/summary.tsv"
-set terminal svg size 640,430
+eval page(640, 430)
 set logscale y
 set ylabel "factor per doubling of N [1]"
 set yrange [0.9:12]

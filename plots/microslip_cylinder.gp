@@ -2,7 +2,7 @@
 # the balance of energy misses with tractions at the end of each step.
 history = tables."/history.tsv"
 traction = tables."/traction.tsv"
-set terminal svg size 640,900
+eval page(640, 900)
 set multiplot layout 4,1 margins 0.15,0.97,0.06,0.98 spacing 0.07
 set xlabel "x [mm], rolling to the right"
 set ylabel "traction p [N/mm^2]"

@@ -1,6 +1,6 @@
 # Steady rolling: tractions within their bound, and slip.
 traction = tables."/traction.tsv"
-set terminal svg size 640,520
+eval page(640, 520)
 set multiplot layout 2,1 margins 0.15,0.97,0.11,0.96 spacing 0.04
 set format x ""
 set ylabel "traction p [N/mm^2]"

@@ -1,7 +1,7 @@
 # A transient: tractions within their bound at the end, and force and creepage on the way.
 traction = tables."/traction.tsv"
 history = tables."/history.tsv"
-set terminal svg size 640,620
+eval page(640, 620)
 set multiplot layout 2,1 margins 0.15,0.83,0.09,0.96 spacing 0.13
 set xlabel "x [mm], rolling to the right"
 set ylabel "traction p [N/mm^2]"

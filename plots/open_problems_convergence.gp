@@ -11,7 +11,7 @@ plot orders using (order_of = order_of.sprintf(" %s %.2f", strcol("scheme"), col
 unset table
 order(scheme) = word(order_of, 1 + int(sum [i=1:words(order_of)] (word(order_of, i) eq scheme ? i : 0)))
 
-set terminal svg size 720,460
+eval page(720, 460)
 set logscale xy
 set format y "10^{%T}"
 set xtics (15, 30, 60, 120, 240, 480)

@@ -3,7 +3,7 @@ steady = tables."/steady_steps.tsv"
 steps = tables."/steps.tsv"
 of(scheme) = strcol("scheme") eq scheme ? column("step_ratio") : NaN
 
-set terminal svg size 860,400
+eval page(860, 400)
 set multiplot layout 1,2 margins 0.09,0.98,0.14,0.9 spacing 0.1
 set logscale xy
 set format "10^{%T}"

@@ -8,7 +8,7 @@ plot tables."/pulse_summary.tsv" using \
 unset table
 at(basis, c) = strcol("basis") eq basis && same(column("step_ratio"), real(c)) ? column("frequency") : NaN
 
-set terminal svg size 860,600
+eval page(860, 600)
 set multiplot layout 2,2 margins 0.09,0.98,0.1,0.93 spacing 0.09,0.11
 set xrange [0:1]
 do for [quantity in "damping speed"] {

@@ -11,7 +11,7 @@ unset table
 at(basis, c, long) = strcol("basis") eq basis && same(column("step_ratio"), real(c)) && \
   (column("distance") > 2) == long ? column("position") : NaN
 
-set terminal svg size 860,600
+eval page(860, 600)
 set multiplot layout 2,2 margins 0.08,0.98,0.1,0.93 spacing 0.09,0.13
 set ylabel "traction [1]"
 do for [basis in "constant linear"] {

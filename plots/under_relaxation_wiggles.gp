@@ -2,7 +2,7 @@
 wiggles = tables."/wiggles.tsv"
 of(scheme) = strcol("scheme") eq scheme ? column("step_ratio") : NaN
 
-set terminal svg size 640,360
+eval page(640, 360)
 set logscale x
 set format x "10^{%T}"
 set xlabel "step ratio c = dq/dx [1]"

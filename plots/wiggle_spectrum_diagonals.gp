@@ -6,7 +6,7 @@ set table $crossing
 plot tables."/crossing.tsv" using (strcol("basis") eq "constant" && strcol("kernel") eq "scene" ? crossing = column("step_ratio") : 0) with table
 unset table
 
-set terminal svg size 800,380
+eval page(800, 380)
 set multiplot layout 1,2 margins 0.09,0.98,0.17,0.9 spacing 0.11
 set xlabel "step ratio c = dq/dx"
 set xrange [0:1]

@@ -2,7 +2,7 @@
 functions = tables."/functions.tsv"
 of(name) = strcol("basis") eq name ? column("s") : NaN
 
-set terminal svg size 640,300
+eval page(640, 300)
 set multiplot layout 1,2 margins 0.12,0.98,0.2,0.88 spacing 0.12
 set xrange [-1.5:1.5]
 set yrange [-1.1:2.4]

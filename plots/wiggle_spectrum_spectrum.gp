@@ -5,7 +5,7 @@ of(name) = strcol("basis") eq name ? column("step_ratio") : NaN
 stats tables."/matrix.tsv" using "row" nooutput
 n = int(STATS_max)
 
-set terminal svg size 800,400
+eval page(800, 400)
 set multiplot layout 1,2 margins 0.1,0.98,0.16,0.9 spacing 0.12
 set logscale xy
 set format xy "10^{%T}"

@@ -10,7 +10,7 @@ stats noise using (strcol("series") eq "elements" && column("elements") == n_min
 stats noise using (strcol("series") eq "elements" ? column("step_ratio") : NaN) name "c" nooutput
 stats noise using (strcol("series") eq "step_ratio" ? column("elements") : NaN) name "fixed" nooutput
 
-set terminal svg size 860,440
+eval page(860, 440)
 set multiplot layout 1,2 margins 0.09,0.98,0.14,0.92 spacing 0.1
 set logscale xy
 set yrange [1e-5:1]
