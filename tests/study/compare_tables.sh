@@ -61,6 +61,8 @@ expected=$'large\t2.5\trounding\nsmall\trounding\trounding\nodd\t7e-11\t0.5'
 [ "$(tail -n 3 "$work/references/study/result.tsv")" = "$expected" ] || { echo "rounding has digits" >&2; exit 1; }
 expect 0 'study/result: identical' ''
 expect 0 'study/result: identical' 's/3e-11/9e-10/; s/-4e-15/8e-13/'
+expect 0 'study/result: agrees: 1 cells *' 's/\t0\.5/\t0.5000000009/'
+expect 1 'study/result: differs: 1 cells *in residual in row 3: 0.500000003, reference 0.5' 's/\t0\.5/\t0.500000003/'
 expect 1 'study/result: differs: 1 cells *in residual in row 1: 2e-09, reference rounding' 's/3e-11/2e-09/'
 expect 1 'study/result: differs: 1 cells *in value in row 2: -2e-12, reference rounding' 's/-4e-15/-2e-12/'
 expect 1 'study/result: differs: 1 cells *in value in row 3: 8e-11, reference 7e-11' 's/7e-11/8e-11/'

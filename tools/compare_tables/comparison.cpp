@@ -158,7 +158,9 @@ Comparison compare(const std::string& name, const WrittenTable& table,
                                    ? without_rounding(table.table, row, column)
                                    : text_at(table.table, row, column);
       if (text != expected) ++different;
-      const double size = excess(text, expected, tolerance, largest);
+      Tolerance with_rounding = tolerance;
+      with_rounding.absolute += reference.table.rounding(row, column);
+      const double size = excess(text, expected, with_rounding, largest);
       if (size > 1) ++beyond;
       if (size <= worst) continue;
       worst = size;

@@ -24,8 +24,8 @@ struct Comparison {
 };
 
 /// Compares parameters, columns, rows and cells. Numbers, those in sentences too, may differ within
-/// the tolerances; all other text may not. Where the reference says "rounding" the number must be
-/// rounding according to its own table, too.
+/// the tolerances, and by their bound of rounding; all other text may not. Where the reference says
+/// "rounding" the number must be rounding according to its own table, too.
 /// \param name  "study/table", for the tolerances
 Comparison compare(const std::string& name, const WrittenTable& table,
                    const WrittenTable& reference, const Tolerances& tolerances);
