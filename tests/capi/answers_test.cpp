@@ -45,7 +45,7 @@ std::vector<Case> cases() {
   const Eigen::VectorXd values = Eigen::Map<const Eigen::Vector3d>(table_value);
   const microslip_kernel plane{MICROSLIP_PLANE, 200}, strip{MICROSLIP_STRIP, 3};
   return {make_case("material", hertz, HertzBound(1, 2), plane, PlaneKernel(material, 200),
-                    {41, MICROSLIP_MATERIAL}, PrescribedCreepage{-0.7}),
+                    {41, MICROSLIP_MATERIAL}, PrescribedCreepage{-5}),
           make_case("fft", hertz, HertzBound(1, 2), strip, StripKernel(material, 3),
                     {150, MICROSLIP_MATERIAL}, PrescribedForce{1.5}),
           make_case("table", table, TabulatedBound(1, x, values), strip, StripKernel(material, 3),

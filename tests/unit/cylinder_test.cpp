@@ -95,12 +95,12 @@ TEST(RollingCylinder, RefusesASlopeThatNextToNeverMovesIt) {
 
 // A solid cylinder that rolls needs a third of the slope's force at the contact, and twice that
 // where it swings. On a gentle slope the first element takes so long that time steps follow the
-// swing.
+// swing; on 40 elements it grows by a percent in the first five.
 TEST_P(EveryIntegrator, FollowsTheSwingOfTheContactOnAGentleSlope) {
   for (const double slope_force : {1e-2, 1e-4, 1e-6}) {
     Cylinder gentle = cylinder;
     gentle.slope_force = slope_force;
-    RollingCylinder body = rolling(GetParam(), MaterialFixed{}, 1, gentle);
+    RollingCylinder body = rolling(GetParam(), MaterialFixed{}, 1, gentle, 80);
     for (int k = 0; k < 200; ++k) {
       body.step();
       EXPECT_GT(body.state().force, -0.68 * slope_force);

@@ -109,8 +109,8 @@ class ContactSearch {
     }
     traction = conditions.reference + increment_;
     slip = conditions.offset;
-    if (const auto& soft = conditions_->soft) {
-      slip[soft->element] += soft->compliance * traction[soft->element];
+    for (const auto& [element, compliance] : conditions_->soft) {
+      slip[element] += compliance * increment_[element];
     }
     if (!increment_.isZero(0)) {
       system_.response().apply(increment_, product_);
@@ -179,21 +179,24 @@ class ContactSearch {
   struct Exchange {
     double part;
     Index element;
-    Zone zone;
+    Zone from;
+    Zone to;
   };
 
   /// The first exchange on the way on which the part of a relief that is left falls to zero, and
-  /// traction and slip are the response plus that part of `rise`. The element of the last one
-  /// cannot be the next.
+  /// traction and slip are the response plus that part of `rise`. The last one cannot be taken back
+  /// at once; but an element of a small bound may stick only on its way from one direction of slip
+  /// to the other.
   std::optional<Exchange> next_exchange(const SlipConditions& relief, const Response& rise,
-                                        Index last) const {
+                                        const std::optional<Exchange>& last) const {
     std::optional<Exchange> next;
     const auto consider = [&](double violation, double slope, double scale, Index i, Zone to) {
       if (slope <= 0 || violation <= tolerance * scale) return;
-      if (!next || violation > slope * next->part) next = {violation / slope, i, to};
+      if (last && last->element == i && last->from == to) return;
+      if (!next || violation > slope * next->part) next = {violation / slope, i, zone(i), to};
     };
     for (Index i = 0; i < size(); ++i) {
-      if (i == last || conditions_->bound[i] <= 0) continue;
+      if (conditions_->bound[i] <= 0) continue;
       if (zone(i) != Zone::adhesion) {
         consider(wrong_slip(zone(i), response_.slip[i]), -wrong_slip(zone(i), rise.slip[i]),
                  slip_scale_, i, Zone::adhesion);
@@ -204,6 +207,21 @@ class ContactSearch {
         consider(s * response_.traction[i] - conditions_->bound[i],
                  relief.bound[i] - s * rise.traction[i], bound_scale_, i, to);
       }
+    }
+    return next;
+  }
+
+  /// Where the last element in adhesion begins to slip under a force, the creepage changes at once:
+  /// until one that slips in the other direction sticks in its place.
+  std::optional<Exchange> next_to_stick(const Exchange& slips) const {
+    std::optional<Exchange> next;
+    double least = std::numeric_limits<double>::infinity();
+    for (Index i = 0; i < size(); ++i) {
+      if (conditions_->bound[i] <= 0 || zone(i) == slips.to) continue;
+      const double slip = std::abs(response_.slip[i] + slips.part * rise_.slip[i]);
+      if (slip >= least) continue;
+      least = slip;
+      next = {slips.part, i, zone(i), Zone::adhesion};
     }
     return next;
   }
@@ -234,13 +252,17 @@ class ContactSearch {
   /// False if the end is not reached in so many exchanges.
   bool follow_path(const SlipConditions& relief, Index most_exchanges) {
     const Index limit = iterations_ + most_exchanges;
-    for (Index last = -1; iterations_ < limit;) {
+    for (std::optional<Exchange> last; iterations_ < limit;) {
       answer(relief, 0, rise_);
       const auto next = next_exchange(relief, rise_, last);
       if (!next) return largest_violation() <= acceptable_violation;
-      zone(next->element) = next->zone;
-      last = next->element;
-      if (!carries_load()) return false;
+      zone(next->element) = next->to;
+      last = next;
+      if (!carries_load()) {
+        last = next_to_stick(*next);
+        if (!last) return false;
+        zone(last->element) = last->to;
+      }
       respond();
     }
     return false;

@@ -53,19 +53,30 @@ void AdhesionSystem::prescribe_force(bool force) {
   base_.clear();
 }
 
-void AdhesionSystem::soften(const std::optional<SoftElement>& soft) {
-  if (!soft && !soft_) return;
-  const bool was_in_base = soft_ && in_base(soft_->element);
+void AdhesionSystem::soften(const std::vector<SoftElement>& soft) {
+  if (soft.empty() && soft_.empty()) return;
   soft_ = soft;
   border_is_new_ = true;
-  if (was_in_base || (soft && in_base(soft->element))) base_.clear();
+}
+
+double AdhesionSystem::softness(Index i) const {
+  for (const auto& [element, compliance] : soft_) {
+    if (element == i) return compliance;
+  }
+  return 0;
+}
+
+/// What softness adds to the diagonal of the Schur complement.
+double AdhesionSystem::corner(Index i) const {
+  const double soft = is_stuck(i) ? softness(i) : 0;
+  return in_base(i) && soft > 0 ? -scale_ * scale_ / soft : soft;
 }
 
 std::size_t AdhesionSystem::most_changes() const {
   return by_block_ ? most_changes_of_block : base_.size() / 16 + 8;
 }
 
-/// Of the response with the added row and column last, but for what is soft.
+/// Of the response with the added row and column last, as if nothing were soft.
 double AdhesionSystem::entry(Index i, Index j) const {
   const Index n = size();
   if (i < n) return j < n ? response_(i, j) : scale_;
@@ -78,9 +89,9 @@ void AdhesionSystem::follow(const std::vector<Zone>& zones) {
   for (std::size_t k = 0; k < zones.size(); ++k) {
     const bool stuck = zones[k] == Zone::adhesion;
     const auto i = static_cast<Index>(k);
-    if (stuck == is_stuck(i)) continue;
+    if (stuck != is_stuck(i)) border_is_new_ = true;
     stuck_[k] = stuck ? 1 : 0;
-    border_is_new_ = true;
+    if (!is_active(i)) continue;
     const auto is_same = [i](const Change& change) { return change.element == i; };
     if (std::none_of(changes_.begin(), changes_.end(), is_same)) arrivals_.push_back(i);
   }
@@ -93,37 +104,37 @@ void AdhesionSystem::follow(const std::vector<Zone>& zones) {
   if (spoils || serves_too_long()) factorise();
 }
 
-/// Solves with a border cost more than without: in the end, new factors are cheaper. A soft element
+/// Solves with a border cost more than without: in the end, new factors are cheaper. Soft elements
 /// would be in the border of the new ones, too.
 bool AdhesionSystem::serves_too_long() {
   const std::size_t patience = by_block_ ? 3 * most_changes_of_block : base_.size() / 3;
   bool too_long = false;
   for (Change& change : changes_) {
-    const bool serves = is_active(change.element) && border_softness(change.element) == 0;
+    const bool serves = is_active(change.element) && corner(change.element) == 0;
     change.rounds = serves ? change.rounds + 1 : 0;
     too_long = too_long || change.rounds > patience;
   }
   return too_long;
 }
 
-/// A soft element is left to the border, unless the others would be singular without it: a force
-/// needs an element that sticks.
+/// Soft elements are left to the border, as if they came later, or, if none else sticks, as if they
+/// became soft later: a force needs an element that sticks.
 void AdhesionSystem::factorise() {
   changes_.clear();
   base_.clear();
   std::fill(position_.begin(), position_.end(), -1);
-  const auto stuck = std::count(stuck_.begin(), stuck_.end(), 1);
-  const auto stuck_soft = soft_ && is_stuck(soft_->element) ? 1 : 0;
-  const bool leave_out = stuck - 1 > stuck_soft;
-  std::vector<Index> left_out;
-  for (std::size_t i = 0; i < stuck_.size(); ++i) {
-    if (!is_stuck(static_cast<Index>(i))) continue;
-    if (leave_out && is_soft(static_cast<Index>(i))) {
-      left_out.push_back(static_cast<Index>(i));
-      continue;
-    }
-    position_[i] = static_cast<Index>(base_.size());
-    base_.push_back(static_cast<Index>(i));
+  const auto is_soft = [this](Index i) { return softness(i) > 0; };
+  const auto sticks_hard = [&](Index i) { return is_stuck(i) && !is_soft(i); };
+  Index hard = 0;
+  for (Index i = 0; i < size(); ++i) hard += sticks_hard(i) ? 1 : 0;
+  std::vector<Index> soft;
+  for (std::size_t k = 0; k < stuck_.size(); ++k) {
+    const auto i = static_cast<Index>(k);
+    if (!is_stuck(i)) continue;
+    if (is_soft(i)) soft.push_back(i);
+    if (is_soft(i) && hard > 0) continue;
+    position_[k] = static_cast<Index>(base_.size());
+    base_.push_back(i);
   }
   factorise_base();
   const auto most = static_cast<Index>(most_changes());
@@ -131,7 +142,7 @@ void AdhesionSystem::factorise() {
   columns_.resize(static_cast<Index>(base_.size()), most);
   schur_.resize(most, most);
   border_is_new_ = true;
-  border(left_out);
+  border(soft);
 }
 
 void AdhesionSystem::factorise_base() {
@@ -150,10 +161,6 @@ void AdhesionSystem::factorise_base() {
   for (Index k = 0; k <= stuck; ++k) {
     matrix(k, stuck) = entry(base_[to_size(k)], size());
     matrix(stuck, k) = entry(size(), base_[to_size(k)]);
-  }
-  if (soft_ && in_base(soft_->element)) {
-    const Index at = position(soft_->element);
-    matrix(at, at) += soft_->compliance;
   }
   count_work(2.0 / 3 * std::pow(stuck + 1, 3));
   factors_.compute(matrix);
@@ -198,8 +205,8 @@ void AdhesionSystem::border(const std::vector<Index>& arrivals) {
   if (border_is_new_) factorise_schur();
 }
 
-/// What has gone back is decoupled. With the compliance of a soft element; its column is divided,
-/// or it would spoil the condition.
+/// What has gone back is decoupled. Columns of soft elements are divided, or their corners would
+/// spoil the condition.
 void AdhesionSystem::factorise_schur() {
   border_is_new_ = false;
   schur_rcond_ = 1;
@@ -208,8 +215,8 @@ void AdhesionSystem::factorise_schur() {
   count_work(2.0 / 3 * std::pow(n, 3));
   schur_factors_.compute(MatrixXd::NullaryExpr(n, n, [this](Index k, Index l) {
     if (k != l && !(is_active(element(k)) && is_active(element(l)))) return 0.0;
-    const double softness = k == l ? border_softness(element(k)) : 0;
-    return (schur_(k, l) + softness) / border_scale(element(l));
+    const double soft = k == l ? corner(element(k)) : 0;
+    return (schur_(k, l) + soft) / border_scale(element(l));
   }));
   const auto pivots = schur_factors_.matrixLU().diagonal().cwiseAbs();
   schur_rcond_ = pivots.minCoeff() / pivots.maxCoeff();
@@ -261,7 +268,7 @@ void AdhesionSystem::solve_bordered(const VectorXd& rhs, VectorXd& all) {
   values_ = rhs(index_view(base_));
   for (const Change& change : changes_) {
     const Index i = change.element;
-    if (in_base(i) && is_active(i)) values_[position(i)] = 0;
+    if (in_base(i) && !is_stuck(i)) values_[position(i)] = 0;
   }
   solve_base(values_);
   const auto changes = static_cast<Index>(changes_.size());
@@ -281,7 +288,13 @@ void AdhesionSystem::solve_bordered(const VectorXd& rhs, VectorXd& all) {
   all(index_view(base_)) = values_;
   for (Index k = 0; k < changes; ++k) {
     const Index i = element(k);
-    if (is_active(i)) all[i] = in_base(i) ? 0 : border_solved_[k];
+    if (!is_stuck(i)) {
+      all[i] = 0;
+    } else if (!in_base(i)) {
+      all[i] = border_solved_[k];
+    } else if (softness(i) > scale_) {
+      all[i] = border_solved_[k] * scale_ / softness(i);  // the small difference of large numbers
+    }
   }
 }
 
@@ -293,7 +306,7 @@ double AdhesionSystem::find_rest(const Unknowns& unknowns) {
   for (Index i = 0; i < n; ++i) {
     if (!is_stuck(i)) continue;
     rest_[i] = rhs_[i] - unknowns.response[i] - unknowns.creepage;
-    if (is_soft(i)) rest_[i] -= soft_->compliance * unknowns.increment[i];
+    rest_[i] -= softness(i) * unknowns.increment[i];
     largest = std::max(largest, std::abs(rest_[i]));
   }
   rest_[n] = rhs_[n] - (force_prescribed_ ? force_scale_ * weights_.dot(unknowns.increment)

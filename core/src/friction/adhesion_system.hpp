@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -18,8 +19,8 @@ namespace microslip {
 /// have gone back keep their place in the border, for on a grid that is fixed to the material the
 /// same ones come and go with every element travelled. After some exchanges, when the border is
 /// badly conditioned, or when a part of it has served long enough, the factors are made anew: LU,
-/// or ToeplitzBlock. A soft element is in the border, where its diagonal entry may change from
-/// solve to solve, if any other one sticks.
+/// or ToeplitzBlock. Soft elements are in the border, where their entries on the diagonal may
+/// change from solve to solve.
 ///
 /// Memory is allocated for new factors, and where an element comes or leaves that the border does
 /// not know.
@@ -35,8 +36,8 @@ class AdhesionSystem {
   /// Whether the added row holds the weights, for a force, or the creepage alone.
   void prescribe_force(bool force);
 
-  /// Which element yields besides, if any; the response() does not show it.
-  void soften(const std::optional<SoftElement>& soft);
+  /// Which elements yield besides; the response() does not show it.
+  void soften(const std::vector<SoftElement>& soft);
 
   /// Makes the elements in adhesion the unknowns.
   void follow(const std::vector<Zone>& zones);
@@ -63,16 +64,16 @@ class AdhesionSystem {
 
   bool in_base(Index i) const { return position_[static_cast<std::size_t>(i)] >= 0; }
   Index position(Index i) const { return position_[static_cast<std::size_t>(i)]; }
-  bool is_soft(Index i) const { return soft_ && soft_->element == i; }
+  double softness(Index i) const;
   bool is_stuck(Index i) const { return stuck_[static_cast<std::size_t>(i)] != 0; }
   Index element(Index change) const { return changes_[static_cast<std::size_t>(change)].element; }
-  /// Whether an element of the border has come or left, and not gone back.
-  bool is_active(Index i) const { return is_stuck(i) != in_base(i); }
-  std::size_t most_changes() const;
-  double border_softness(Index i) const {
-    return is_soft(i) && !in_base(i) ? soft_->compliance : 0;
+  /// Whether an element of the border has come, left or become soft, and not gone back.
+  bool is_active(Index i) const {
+    return is_stuck(i) ? !in_base(i) || softness(i) > 0 : in_base(i);
   }
-  double border_scale(Index i) const { return 1 + border_softness(i) / scale_; }
+  std::size_t most_changes() const;
+  double corner(Index i) const;
+  double border_scale(Index i) const { return 1 + std::abs(corner(i)) / scale_; }
 
   double entry(Index i, Index j) const;
 
@@ -93,7 +94,7 @@ class AdhesionSystem {
   double scale_;  ///< makes the added row and column as large as the others
   double force_scale_;
   bool force_prescribed_ = true;
-  std::optional<SoftElement> soft_;
+  std::vector<SoftElement> soft_;
 
   std::vector<char> stuck_;      ///< the unknowns; the creepage always is one
   std::vector<Index> base_;      ///< those of the factors
@@ -114,8 +115,9 @@ class AdhesionSystem {
     std::size_t rounds = 0;  ///< that it has served in a row
   };
 
-  // The border. An element that came adds its row and column, and one that left those that make it
-  // zero. The matrices have room for most_changes().
+  // The border. An element that came adds its row and column. One of the base that left adds a slip
+  // of its own as an unknown, and the condition that its traction is zero, or, if it has become
+  // soft, that slip over its compliance. The matrices have room for most_changes().
   std::vector<Change> changes_;
   Eigen::MatrixXd rows_;     ///< of each change, at the elements of the base
   Eigen::MatrixXd columns_;  ///< factors^-1 times the column of each

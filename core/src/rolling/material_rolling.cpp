@@ -18,6 +18,14 @@ constexpr double history_resolution = 1e-3;
 
 Zone& at(std::vector<Zone>& zones, Index i) { return zones[static_cast<std::size_t>(i)]; }
 
+/// Part of the coming node's element that is inside when nothing rolls: where tractions are
+/// singular, the scheme feels the leading edge half an element nearer than in rolling.
+constexpr double coming_in_shift = 0.5;
+
+bool sticks(const std::vector<Zone>& zones, Index i) {
+  return zones[static_cast<std::size_t>(i)] == Zone::adhesion;
+}
+
 double direction(Zone zone) { return static_cast<double>(zone); }
 
 }  // namespace
@@ -89,9 +97,9 @@ VectorXd MaterialRolling::displacement(const MaterialState& state) const {
   return respond(state.contact.traction);
 }
 
-std::optional<SoftElement> MaterialRolling::soft_element(double phase) const {
-  if (phase <= MaterialWindow::rounding) return std::nullopt;
-  return SoftElement{window_.coming(), compliance_ * (1 - phase) / phase};
+/// Compliance of the spring of a node whose element is inside the contact by some part, in (0, 1].
+double MaterialRolling::softness(double inside) const {
+  return compliance_ * (1 - inside) / inside;
 }
 
 MaterialState MaterialRolling::start(const VectorXd& traction) const {
@@ -109,10 +117,20 @@ MaterialState MaterialRolling::start(const VectorXd& traction) const {
 
 MaterialRolling::Shifted MaterialRolling::shift(const PrescribedForce& force) {
   MaterialState state = start(VectorXd::Zero(window_.size()));
-  const SlipConditions conditions{.bound = window_.bound(0),
-                                  .offset = VectorXd::Zero(window_.size()),
-                                  .reference = state.contact.traction};
-  const ContactState contact = active_set_.solve(conditions, force, state.contact.zones);
+  SlipConditions conditions{.bound = window_.bound(0),
+                            .offset = VectorXd::Zero(window_.size()),
+                            .reference = state.contact.traction};
+  ContactState contact = active_set_.solve(conditions, force, state.contact.zones);
+  const auto leaving = window_.leaving(0);
+  if (sticks(contact.zones, window_.leading()) && sticks(contact.zones, leaving.node)) {
+    window_.bound(0, coming_in_shift, conditions.bound);
+    window_.let_leave(0, conditions.bound);
+    conditions.soft = {{window_.coming(), softness(coming_in_shift)},
+                       {leaving.node, softness(leaving.inside)}};
+    contact = active_set_.solve(conditions, force, state.contact.zones);
+    state.leaving = static_cast<double>(leaving.node);
+    state.leaves_softly = true;
+  }
   state.contact.traction = contact.traction;
   state.contact.zones = contact.zones;
   return {std::move(state), contact.creepage};
@@ -154,19 +172,36 @@ void MaterialRolling::set_first_zones(const MaterialState& from, const Part& par
   if (was_out && part.edge_is_new) at(contact_.zones, part.edge) = Zone::adhesion;
 }
 
-/// \return what is added at the edge: its condition is about the last element travelled
-double MaterialRolling::set_conditions(const MaterialState& from, const Part& part) {
-  window_.bound(part.now, conditions_.bound);
+/// A soft element yields for the change of its traction, and for its former traction as it becomes
+/// softer. The condition of one that enters or comes is about the last element travelled.
+void MaterialRolling::set_conditions(MaterialState& state, const Part& part) {
+  window_.bound(part.now, part.now, conditions_.bound);
   conditions_.offset.setZero(window_.size());
-  conditions_.reference = from.contact.traction;
+  conditions_.reference = state.contact.traction;
   move_on(conditions_.reference, part.moved, 0.0);
-  conditions_.soft = soft_element(part.now);
-  double added = 0;
-  if (part.edge_is_new) {
-    added = from.approach.since_one_element_before(part.moved == 1 ? 1 : part.now);
+  conditions_.soft.clear();
+  if (part.now > MaterialWindow::rounding) {
+    conditions_.soft.push_back({window_.coming(), softness(part.now)});
   }
-  conditions_.offset[part.edge] += added;
-  return added;
+  const auto [leaving, inside] = window_.leaving(part.now);
+  const auto number = state.entered + static_cast<double>(part.moved + leaving);
+  if (number != state.leaving) {
+    state.leaving = number;
+    state.leaves_softly = sticks(state.contact.zones, leaving + part.moved);
+  }
+  if (state.leaves_softly && inside < 1 - MaterialWindow::rounding) {
+    window_.let_leave(part.now, conditions_.bound);
+    const double before = window_.inside(leaving, part.before - static_cast<double>(part.moved));
+    const double softer = compliance_ * (before - inside) / (before * inside);
+    conditions_.soft.push_back({leaving, softness(inside)});
+    conditions_.offset[leaving] = softer * conditions_.reference[leaving];
+  }
+  if (part.edge_is_new) {
+    const double yielded =
+        part.moved == 1 ? 0 : softness(part.now) * conditions_.reference[part.edge];
+    conditions_.offset[part.edge] =
+        yielded + state.approach.since_one_element_before(part.moved == 1 ? 1 : part.now);
+  }
 }
 
 /// Up to the next node's entrance at most.
@@ -180,17 +215,19 @@ void MaterialRolling::roll_part(MaterialStep& step, double length, double end, c
                   .moved = enters ? 1 : 0,
                   .edge = enters ? window_.leading() : window_.coming(),
                   .edge_is_new = enters || now > MaterialWindow::rounding};
-  const double added = set_conditions(state, part);
+  set_conditions(state, part);
   set_first_zones(state, part);
   active_set_.solve(conditions_, over(load, length), contact_);
 
   const VectorXd& traction = contact_.traction;
   VectorXd& slip = contact_.slip;
-  if (conditions_.soft) slip[part.edge] -= conditions_.soft->compliance * traction[part.edge];
+  for (const auto& [element, compliance] : conditions_.soft) {
+    slip[element] -= compliance * (traction[element] - conditions_.reference[element]);
+  }
+  slip -= conditions_.offset;
   const auto mean = (traction + conditions_.reference) / 2;
-  step.dissipation -= window_.spacing() * mean.dot(slip - conditions_.offset);
+  step.dissipation -= window_.spacing() * mean.dot(slip);
   step.mean_force += mean.sum() * window_.spacing() * length;
-  slip[part.edge] -= added;
 
   state.distance = end;
   if (enters) {
@@ -200,10 +237,14 @@ void MaterialRolling::roll_part(MaterialStep& step, double length, double end, c
   } else {
     state.approach.advance(part.now, slip[window_.coming()], slip[window_.ahead()]);
   }
-  if (at(contact_.zones, part.edge) == Zone::adhesion) slip[part.edge] = 0;
+  step.end_dissipation -= window_.spacing() * traction.dot(slip);
+  const auto yields = [&](Index element) {
+    if (at(contact_.zones, element) == Zone::adhesion) slip[element] = 0;
+  };
+  yields(part.edge);
+  for (const auto& soft : conditions_.soft) yields(soft.element);
 
   step.bound = conditions_.bound;
-  step.end_dissipation -= window_.spacing() * traction.dot(slip);
   step.backward += window_.spacing() * traction.cwiseProduct(slip).cwiseMax(0).sum();
   state.contact.traction = traction;
   state.contact.zones = contact_.zones;

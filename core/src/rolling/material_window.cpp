@@ -24,34 +24,51 @@ MaterialWindow::MaterialWindow(const TractionBound& bound, const Grid& grid, dou
           "0.5 on a grid that is fixed to the material");
 }
 
-/// Force of the contact before the element behind the leading node's when it slides  [N/mm]
-double MaterialWindow::leading_force(double phase) const {
-  const double end = half_width_ - (leading_offset_ + phase + 0.5) * spacing_;
-  const auto behind = [&](const auto& g) { return g.integral(end); };
-  return full_sliding_force(bound_) - std::visit(behind, bound_);
+double MaterialWindow::inside(Index node, double phase) const {
+  // Distance from the trailing edge's place for the node behind the contact, when aligned.
+  const double behind = 2 * leading_offset_ - 1.5;
+  return std::min(1.0, static_cast<double>(node) - behind - phase);
 }
 
-void MaterialWindow::bound(double phase, VectorXd& means) const {
+MaterialWindow::Leaving MaterialWindow::leaving(double phase) const {
+  for (Index i = 0;; ++i) {
+    if (const double part = inside(i, phase); part > rounding) return {i, part};
+  }
+}
+
+/// Force of the contact up to a place when it slides  [N/mm]
+double MaterialWindow::force_up_to(double x) const {
+  return std::visit([x](const auto& g) { return g.integral(x); }, bound_);
+}
+
+void MaterialWindow::bound(double phase, double coming_part, VectorXd& means) const {
+  const double whole = full_sliding_force(bound_);
+  const double before_coming = force_up_to(half_width_ - (leading_offset_ + 0.5) * spacing_);
+  const double coming = coming_part > rounding ? coming_part * (whole - before_coming) : 0;
+  const auto nodes = x(phase);
   means.resize(size());
-  // An end of an element is that of the next one, too.
-  const auto set_means = [&](const auto& g) {
-    const auto nodes = x(phase);
-    double before = g.integral(nodes[0] - spacing_ / 2);
-    for (Index i = 0; i < size(); ++i) {
-      const double after = g.integral(nodes[i] + spacing_ / 2);
-      means[i] = std::max(0.0, after - before) / spacing_;
-      before = after;
-    }
-  };
-  std::visit(set_means, bound_);
-  means[ahead()] = 0;
-  means[coming()] = phase > rounding ? phase * leading_force(0) / spacing_ : 0;
-  means[leading()] = std::max(0.0, leading_force(phase) / spacing_ - means[coming()]);
+  double before = 0;
+  for (Index i = 0; i < size(); ++i) {
+    double after = force_up_to(nodes[i] + spacing_ / 2);
+    if (i == leading()) after = whole - coming;
+    if (i > leading()) after = whole;
+    means[i] = std::max(0.0, after - before) / spacing_;
+    before = after;
+  }
+}
+
+void MaterialWindow::let_leave(double phase, VectorXd& means) const {
+  const auto [node, part] = leaving(phase);
+  const double both = means.head(node + 2).sum();
+  const double whole = force_up_to(leading_offset_ * spacing_ - half_width_) / spacing_;
+  means.head(node).setZero();
+  means[node] = std::min(part * whole, both);
+  means[node + 1] = both - means[node];
 }
 
 VectorXd MaterialWindow::bound(double phase) const {
   VectorXd means;
-  bound(phase, means);
+  bound(phase, phase, means);
   return means;
 }
 

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <optional>
 #include <variant>
 #include <vector>
 
@@ -31,20 +30,20 @@ Load over(const Load& load, double length);
 /// In slip, the sign is that of the traction.
 enum class Zone : signed char { slip_negative = -1, adhesion = 0, slip_positive = 1 };
 
-/// An element that yields: a compliance times its traction adds to its slip.
+/// An element that yields: a compliance times the change of its traction adds to its slip.
 struct SoftElement {
   Eigen::Index element;
   double compliance;  ///< >= 0, in the unit of the response
 };
 
 /// What the slip of n traction coefficients p starts from, and the bound they must keep:
-/// s = w + offset + response (p - reference), |p_i| <= bound_i. Where the bound is zero, so is p,
-/// whatever the slip.
+/// s = w + offset + (response + soft) (p - reference), |p_i| <= bound_i. Where the bound is zero,
+/// so is p, whatever the slip.
 struct SlipConditions {
   Eigen::VectorXd bound;      ///< n, >= 0  [N/mm^2]
   Eigen::VectorXd offset;     ///< n, in the unit of the slip
   Eigen::VectorXd reference;  ///< n  [N/mm^2]
-  std::optional<SoftElement> soft = std::nullopt;
+  std::vector<SoftElement> soft = {};
 };
 
 /// How exactly slip conditions are met.
@@ -85,7 +84,7 @@ struct ContactState {
 ///
 /// Cost of a dense response: n^2 numbers, and O(n^3) for the first factors. They are kept from
 /// solve to solve: a round with few exchanges costs O(n^2), as does a solve whose partition stays.
-/// The compliance of a soft element may change from solve to solve at no cost. Of a Toeplitz
+/// The compliances of soft elements may change from solve to solve at no cost. Of a Toeplitz
 /// response: O(n) numbers and O(n log n) each, about 14 transforms of 2n numbers where the
 /// partition stays.
 class ActiveSet {

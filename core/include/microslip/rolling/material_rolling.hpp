@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
@@ -49,6 +48,11 @@ struct MaterialState {
   ContactState contact;
 
   Approach approach;
+
+  /// The node that leaves, counted from the first one of the start, and whether it stuck when it
+  /// began to.
+  double leaving = 0;
+  bool leaves_softly = false;
 };
 
 /// A step on such a grid.
@@ -70,6 +74,9 @@ struct MaterialStep {
 ///   C t/(1 - t), where t is the fraction of its element that is still outside, and C = e0 2 (1 -
 ///   nu)/G dx. In adhesion its slip is that of the last element travelled. To first order this is
 ///   the mean of the solutions with and without it: the edge moves along evenly.
+/// - A node that sticks when it begins to leave does so through the same spring, where t is the
+///   fraction of its element that has left: the trailing edge moves along evenly, too. A shift
+///   without rolling ends at both edges alike.
 /// - Bounds are means over elements. Where the bound is not reached it has no influence.
 ///
 /// Cost: a part of a step is a solve of ActiveSet. Nothing is allocated where elements that come or
@@ -133,9 +140,9 @@ class MaterialRolling {
   };
 
   void set_first_zones(const MaterialState& from, const Part& part);
-  double set_conditions(const MaterialState& from, const Part& part);
+  void set_conditions(MaterialState& state, const Part& part);
   void roll_part(MaterialStep& step, double length, double end, const Load& load);
-  std::optional<SoftElement> soft_element(double phase) const;
+  double softness(double inside) const;
 
   TractionBound bound_;
   MaterialWindow window_;

@@ -15,7 +15,9 @@ namespace microslip {
 ///
 /// From the trailing edge on it holds one node behind the contact, because the displacement before
 /// a step still feels a traction that has just left, N nodes in contact, the node that comes next,
-/// and the one after that.
+/// and the one after that. A node leaves while it goes from half an element less than the leading
+/// offset before the trailing edge to an element further on: where it sticks, that is where the
+/// scheme feels the edge.
 ///
 /// Everything is a function of the phase: distance rolled since it was last aligned, in [0, 1) [dx]
 class MaterialWindow {
@@ -36,6 +38,16 @@ class MaterialWindow {
   Eigen::Index coming() const { return size() - 2; }
   Eigen::Index ahead() const { return size() - 1; }
 
+  /// The first node that has not left, and the part of its way out that is left, in (0, 1].
+  struct Leaving {
+    Eigen::Index node;
+    double inside;
+  };
+  Leaving leaving(double phase) const;
+
+  /// What leaving() says of any node: <= 0 outside, and 1 where it has not begun to leave.
+  double inside(Eigen::Index node, double phase) const;
+
   /// Nodes in the contact's frame, where its centre is x = 0; an expression  [mm]
   auto x(double phase) const {
     const double last = half_width_ - (leading_offset_ + phase) * spacing_;
@@ -45,14 +57,21 @@ class MaterialWindow {
     return Eigen::VectorXd::NullaryExpr(size(), node);
   }
 
-  /// Means over the elements around the nodes, but that the leading one also takes what lies before
-  /// its element, less what the coming one has: in proportion to the phase, up to what it has when
-  /// it enters. So the bound sums up to full sliding.  [N/mm^2]
-  void bound(double phase, Eigen::VectorXd& means) const;
+  /// Means over the elements around the nodes, except that the leading one also takes what lies
+  /// before its element, less what the coming one has: in proportion to its part, up to what it has
+  /// when it enters. So the bound sums up to full sliding.
+  /// \param coming_part  part that the coming node has of its bound, in [0, 1]; in rolling, the
+  ///                     phase
+  void bound(double phase, double coming_part, Eigen::VectorXd& means) const;  ///< [N/mm^2]
   Eigen::VectorXd bound(double phase) const;
 
+  /// Gives the node that leaves, where it sticks, a bound in proportion to its part that is inside,
+  /// and the rest to the next one.
+  /// \param means  of bound(), in and out
+  void let_leave(double phase, Eigen::VectorXd& means) const;
+
  private:
-  double leading_force(double phase) const;
+  double force_up_to(double x) const;
 
   TractionBound bound_;
   double half_width_;
