@@ -5,7 +5,7 @@ bases = '"constant" "linear" "quadratic" "quadratic as printed"'
 of(name) = strcol("basis") eq name ? column("elements") : NaN
 
 eval page(800, 400)
-set multiplot layout 1,2 margins 0.09,0.98,0.16,0.9 spacing 0.1
+set multiplot layout 1,2 margins 0.105,0.98,0.16,0.9 spacing 0.1
 set logscale xy
 set xrange [12:640]
 set format y "10^{%T}"

@@ -3,7 +3,7 @@ energy = tables."/energy.tsv"
 at(frame, integrator) = strcol("frame") eq frame && strcol("integrator") eq integrator ? column("X") : NaN
 
 eval page(860, 400)
-set multiplot layout 1,2 margins 0.08,0.98,0.15,0.9 spacing 0.12
+set multiplot layout 1,2 margins 0.095,0.98,0.15,0.9 spacing 0.12
 set xlabel "distance rolled X [mm]"
 set ylabel "energy per mm of width [N]"
 set key bottom right

@@ -4,7 +4,7 @@ motion = tables."/motion_error.tsv"
 of(frame, integrator) = strcol("frame") eq frame && strcol("integrator") eq integrator ? column("elements") : NaN
 
 eval page(860, 400)
-set multiplot layout 1,2 margins 0.08,0.98,0.15,0.9 spacing 0.12
+set multiplot layout 1,2 margins 0.11,0.98,0.15,0.9 spacing 0.12
 set logscale xy
 set format y "10^{%T}"
 set xlabel "number of elements N [1]"

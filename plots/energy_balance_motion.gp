@@ -1,7 +1,7 @@
 # Thesis chapter 9: velocity, rotation and traction of a cylinder that starts to roll, until they settle.
 motion = tables."/motion.tsv"
 eval page(700, 560)
-set multiplot layout 2,1 margins 0.11,0.89,0.11,0.95 spacing 0.05
+set multiplot layout 2,1 margins 0.125,0.89,0.11,0.95 spacing 0.05
 set format x ""
 set ylabel "velocity [mm/s]"
 set key bottom right

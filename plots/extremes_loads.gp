@@ -10,7 +10,7 @@ set yrange [1e-16:1]
 set multiplot
 set bmargin at screen 0.15
 set tmargin at screen 0.9
-set lmargin at screen 0.09
+set lmargin at screen 0.105
 set rmargin at screen 0.42
 set ylabel "error of force or creepage [1]"
 set xlabel "part that sticks a' [1]"

@@ -17,7 +17,7 @@ at(scheme, c, d) = strcol("scheme") eq scheme && same(column("step_ratio"), real
 from(d) = same(column("distance"), real(d)) ? column("x") : NaN
 
 eval page(860, 600)
-set multiplot layout 2,2 margins 0.09,0.98,0.1,0.94 spacing 0.09,0.08
+set multiplot layout 2,2 margins 0.105,0.98,0.1,0.94 spacing 0.09,0.08
 set xrange [-1:1]
 set format x ""
 do for [panel=1:4] {

@@ -8,7 +8,7 @@ unset table
 of(name, beta) = strcol("scheme") eq name && same(column("leading_offset"), beta) ? column("x") : NaN
 
 eval page(800, 400)
-set multiplot layout 1,2 margins 0.09,0.98,0.16,0.9 spacing 0.12
+set multiplot layout 1,2 margins 0.105,0.98,0.16,0.9 spacing 0.12
 # The stick zone and a part of the slip zone.
 half_width = parameter(profile, "contact.half_width")
 set xrange [half_width * (0.9 - 2 * parameter(profile, "profile.stick_ratio")):half_width]

@@ -6,7 +6,7 @@ small = 0.1
 at(scheme, c) = strcol("scheme") eq scheme && same(column("step_ratio"), c) ? column("x") : NaN
 
 eval page(860, 400)
-set multiplot layout 1,2 margins 0.09,0.98,0.14,0.9 spacing 0.1
+set multiplot layout 1,2 margins 0.105,0.98,0.14,0.9 spacing 0.1
 set logscale x
 set xlabel "step ratio c = dq/dx [1]"
 set ylabel "height of the peak over the reference's [1]"

@@ -12,7 +12,7 @@ at(basis, c, long) = strcol("basis") eq basis && same(column("step_ratio"), real
   (column("distance") > 2) == long ? column("position") : NaN
 
 eval page(860, 600)
-set multiplot layout 2,2 margins 0.08,0.98,0.1,0.93 spacing 0.09,0.13
+set multiplot layout 2,2 margins 0.095,0.98,0.1,0.93 spacing 0.09,0.13
 set ylabel "traction [1]"
 do for [basis in "constant linear"] {
   set xrange [-4:3]

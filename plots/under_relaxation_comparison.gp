@@ -6,7 +6,7 @@ set table $first
 plot parting using (first = column("q"), 0) with table
 unset table
 eval page(860, 380)
-set multiplot layout 1,2 margins 0.09,0.98,0.16,0.9 spacing 0.1
+set multiplot layout 1,2 margins 0.105,0.98,0.16,0.9 spacing 0.1
 set logscale y
 set format y "10^{%T}"
 set xlabel "distance rolled [dx]"

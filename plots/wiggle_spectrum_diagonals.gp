@@ -7,7 +7,7 @@ plot tables."/crossing.tsv" using (strcol("basis") eq "constant" && strcol("kern
 unset table
 
 eval page(800, 380)
-set multiplot layout 1,2 margins 0.09,0.98,0.17,0.9 spacing 0.11
+set multiplot layout 1,2 margins 0.105,0.98,0.17,0.9 spacing 0.11
 set xlabel "step ratio c = dq/dx"
 set xrange [0:1]
 set arrow from crossing, graph 0 to crossing, graph 1 nohead linecolor "gray60" dashtype 2

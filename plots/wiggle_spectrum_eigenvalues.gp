@@ -4,7 +4,7 @@ of(name, c) = strcol("basis") eq name && same(column("step_ratio"), c) ? column(
 ratios = "1 0.1 0.01"
 
 eval page(800, 400)
-set multiplot layout 1,2 margins 0.09,0.98,0.16,0.9 spacing 0.09
+set multiplot layout 1,2 margins 0.105,0.98,0.16,0.9 spacing 0.09
 set xlabel "real part of λ/c [2(1-ν)dx/G]"
 set ylabel "imaginary part of λ/c [2(1-ν)dx/G]"
 set xrange [-0.05:1.3]

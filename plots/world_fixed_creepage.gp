@@ -7,7 +7,7 @@ names = '"at_node" "cell_mean" "cut" "direct"'
 titles = '"nodes on and off" "mean bounds" "cut elements" "direct scheme"'
 
 eval page(860, 440)
-set multiplot layout 1,2 margins 0.08,0.98,0.14,0.92 spacing 0.09
+set multiplot layout 1,2 margins 0.095,0.98,0.14,0.92 spacing 0.09
 set xlabel "distance rolled q [dx]"
 set format x "%g"
 set ylabel "creepage / mean [1]"
