@@ -81,6 +81,20 @@ TEST_F(Commands, ExplainSaysTheScenesErrorsAndWarnings) {
   EXPECT_NE(direct.output.find("in 6734 steps"), std::string::npos) << direct.output;
 }
 
+TEST_F(Commands, ExplainSaysWhichSteadyMethodRuns) {
+  run_in_folder("init steady");
+  const Outcome hertz = run_in_folder("explain steady.info");
+  EXPECT_NE(hertz.output.find("calibrated elements on the stick zone"), std::string::npos);
+  std::ofstream(folder_ / "bound.tsv") << "x\tbound\n-5\t0\n0\t300\n5\t0\n";
+  const std::string table =
+      "steady.info --set contact.peak_traction= --set contact.bound_file=bound.tsv";
+  const Outcome explained = run_in_folder("explain " + table);
+  EXPECT_NE(explained.output.find("elements over the whole contact, constant functions, as the "
+                                  "bound is a table"),
+            std::string::npos)
+      << explained.output << explained.error;
+}
+
 // On a terminal, which `script` provides: after two seconds, and not before.
 TEST_F(Commands, ProgressHasRateAndRemainingTime) {
   if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "no script";

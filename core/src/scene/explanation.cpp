@@ -42,8 +42,13 @@ std::string method_of(const SteadyProblem& problem) {
     return "Chebyshev collocation on the stick zone: ten digits; values at the nodes of the grid";
   }
   const auto* differences = std::get_if<Differences>(&problem.method);
+  if (differences == nullptr && std::holds_alternative<TabulatedBound>(problem.bound)) {
+    return "elements over the whole contact, " + functions + ", as the bound is a table";
+  }
   if (differences == nullptr) {
-    return "calibrated elements on the stick zone, " + functions + ": second order in dx";
+    return "calibrated elements on the stick zone, " + functions +
+           ": second order in dx; or elements over the whole contact where these disagree, which "
+           "row 'method' of the summary says";
   }
   return "differences over c = " + number(differences->step_ratio) + " elements, " + functions +
          (differences->edge_displacement ? ", displacement at the leading edge known: order 3/2"
@@ -86,7 +91,7 @@ struct Explain {
         kind_of(target.contact.load),
         {sliding(target.contact.bound, target.contact.load),
          "method and grid are picked: Chebyshev collocation where it can be used, else as "
-         "many calibrated elements as the error needs"});
+         "many elements as the error needs"});
   }
   Explanation operator()(const TransientScene& scene) const {
     return {"transient rolling under " + kind_of(scene.load),
