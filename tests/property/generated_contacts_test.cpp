@@ -139,8 +139,8 @@ TEST(GeneratedContacts, DefaultMethodIsRight) {
   print("default method, N = 100", counts);
 }
 
-// The estimate is meant to be an upper limit. The truth is known to its uncertainty only. Jumps are
-// what breaks it most often; but the error is never above five times the target.
+// The estimate is meant to be an upper limit. The truth is known to its uncertainty only. The error
+// is never above five times the target.
 TEST(GeneratedContacts, EstimatesHold) {
   ContactGenerator generator(seed_of_tests() + 1000);
   std::map<std::string, Count> counts;
@@ -161,7 +161,7 @@ TEST(GeneratedContacts, EstimatesHold) {
     }
   }
   print("target_error 1e-3", counts);
-  EXPECT_GE(total(counts, &Count::held), 30 * total(counts, &Count::broken));
+  EXPECT_GE(total(counts, &Count::held), 100 * total(counts, &Count::broken));
   EXPECT_LE(total(counts, &Count::refused), 25);
 }
 
