@@ -273,6 +273,8 @@ TEST(MaterialFixed, WantsConstantFunctionsThatFillTheContact) {
   p = problem();
   p.grid = Grid({.half_width = 1, .elements = 41, .leading_offset = 1});
   EXPECT_THROW(TransientRolling{p}, std::invalid_argument);
+  EXPECT_THROW(TransientRolling{problem(1)}, std::invalid_argument);
+  EXPECT_NO_THROW(TransientRolling{problem(2)});
 }
 
 // After four contact widths Carter's solution is there, up to the last node, at any phase.

@@ -27,7 +27,7 @@ class MaterialWindow {
 
   /// \param grid            with offsets 1/2
   /// \param leading_offset  of the nodes from the leading edge when aligned, > 1/2  [dx]
-  /// \throws std::invalid_argument for other offsets of the grid
+  /// \throws std::invalid_argument for other offsets of the grid, and for one element
   MaterialWindow(const TractionBound& bound, const Grid& grid, double leading_offset);
 
   Eigen::Index size() const { return elements_ + 3; }
