@@ -60,8 +60,9 @@ struct SteadyProblem {
 /// element less before the first.
 /// Accuracy: within 1 % of force and creepage at N = 100 for any bound, kernel and load,
 /// tests/property/generated_contacts_test.cpp; second order, with noise from stick-slip points
-/// inside elements. The bound has no influence where it is not reached. \return the problem with
-/// that grid and method
+/// inside elements. The bound has no influence where it is not reached.
+///
+/// \return the problem with that grid and method
 SteadyProblem whole_contact(const SteadyProblem& problem);
 
 /// How a solution was made.
