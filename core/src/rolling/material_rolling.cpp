@@ -112,6 +112,7 @@ MaterialState MaterialRolling::start(const VectorXd& traction) const {
     state.contact.zones.push_back(
         !slips ? Zone::adhesion : (traction[i] > 0 ? Zone::slip_positive : Zone::slip_negative));
   }
+  state.leaves_softly = sticks(state.contact.zones, window_.leaving(0).node);
   return state;
 }
 
@@ -122,14 +123,13 @@ MaterialRolling::Shifted MaterialRolling::shift(const PrescribedForce& force) {
                             .reference = state.contact.traction};
   ContactState contact = active_set_.solve(conditions, force, state.contact.zones);
   const auto leaving = window_.leaving(0);
-  if (sticks(contact.zones, window_.leading()) && sticks(contact.zones, leaving.node)) {
+  state.leaves_softly = sticks(contact.zones, leaving.node);
+  if (state.leaves_softly && sticks(contact.zones, window_.leading())) {
     window_.bound(0, coming_in_shift, conditions.bound);
     window_.let_leave(0, conditions.bound);
     conditions.soft = {{window_.coming(), softness(coming_in_shift)},
                        {leaving.node, softness(leaving.inside)}};
     contact = active_set_.solve(conditions, force, state.contact.zones);
-    state.leaving = static_cast<double>(leaving.node);
-    state.leaves_softly = true;
   }
   state.contact.traction = contact.traction;
   state.contact.zones = contact.zones;
@@ -184,23 +184,21 @@ void MaterialRolling::set_conditions(MaterialState& state, const Part& part) {
     conditions_.soft.push_back({window_.coming(), softness(part.now)});
   }
   const auto [leaving, inside] = window_.leaving(part.now);
-  const auto number = state.entered + static_cast<double>(part.moved + leaving);
-  if (number != state.leaving) {
-    state.leaving = number;
-    state.leaves_softly = sticks(state.contact.zones, leaving + part.moved);
+  const Index before = leaving + part.moved;
+  if (before != window_.leaving(part.before).node) {
+    state.leaves_softly = sticks(state.contact.zones, before);
   }
   if (state.leaves_softly && inside < 1 - MaterialWindow::rounding) {
     window_.let_leave(part.now, conditions_.bound);
-    const double before = window_.inside(leaving, part.before - static_cast<double>(part.moved));
-    const double softer = compliance_ * (before - inside) / (before * inside);
+    const double inside_before = window_.inside(before, part.before);
+    const double softer = compliance_ * (inside_before - inside) / (inside_before * inside);
     conditions_.soft.push_back({leaving, softness(inside)});
     conditions_.offset[leaving] = softer * conditions_.reference[leaving];
   }
   if (part.edge_is_new) {
-    const double yielded =
-        part.moved == 1 ? 0 : softness(part.now) * conditions_.reference[part.edge];
-    conditions_.offset[part.edge] =
-        yielded + state.approach.since_one_element_before(part.moved == 1 ? 1 : part.now);
+    const double part_inside = part.moved == 1 ? 1 : part.now;
+    conditions_.offset[part.edge] = softness(part_inside) * conditions_.reference[part.edge] +
+                                    state.approach.since_one_element_before(part_inside);
   }
 }
 

@@ -49,9 +49,7 @@ struct MaterialState {
 
   Approach approach;
 
-  /// The node that leaves, counted from the first one of the start, and whether it stuck when it
-  /// began to.
-  double leaving = 0;
+  /// Whether the node that leaves stuck when it began to.
   bool leaves_softly = false;
 };
 
