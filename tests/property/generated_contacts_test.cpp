@@ -40,12 +40,12 @@ std::optional<double> closed_form(const SteadyContact& contact) {
 /// differently.
 struct Truth {
   double creepage;
-  double uncertainty;  ///< twice the last change, or the difference of the two pairs
+  double uncertainty;  ///< thrice the last change, or the difference of the two pairs
 
   explicit Truth(const SteadyContact& contact) {
     if (const auto exact = closed_form(contact)) {
       creepage = *exact;
-      uncertainty = 1e-9 * std::abs(creepage);
+      uncertainty = 1e-6 * std::abs(creepage);  // of slip at the leading edge
     } else {
       extrapolate(contact);
     }
@@ -56,7 +56,7 @@ struct Truth {
     const double coarse = of(800), fine = of(1600);
     const double other = 2 * of(1893) - of(947);
     creepage = 2 * fine - coarse;
-    uncertainty = std::max(2 * std::abs(fine - coarse), std::abs(other - creepage));
+    uncertainty = std::max(3 * std::abs(fine - coarse), std::abs(other - creepage));
   }
 };
 
@@ -108,9 +108,9 @@ TEST(GeneratedContacts, SmallLoadsAreThoseOfTheClosedForm) {
     const auto exact = closed_form(contact);
     if (!exact) continue;
     Count& count = counts[kind + " " + format_short(ratio)];
-    const double error = std::abs(creepage(contact, 100, Calibrated{}) / *exact - 1);
+    const double error = std::abs(creepage(contact, 100, Inversion{}) / *exact - 1);
     count.worst = std::max(count.worst, error);
-    ++(error <= 0.01 ? count.held : count.broken);
+    ++(error <= 1e-6 ? count.held : count.broken);
   }
   print("small loads, N = 100", counts);
   EXPECT_EQ(total(counts, &Count::broken), 0);
@@ -129,7 +129,7 @@ TEST(GeneratedContacts, DefaultMethodIsRight) {
       return std::abs(creepage(contact, 100, method) - truth.creepage);
     };
     const double size = std::abs(truth.creepage);
-    const double found = error(Calibrated{});
+    const double found = error(Inversion{});
     const double allowed = 1.5 * std::max(0.01 * size, error(Differences{})) + truth.uncertainty;
     Count& count = counts[kind];
     ++(found <= allowed ? count.held : count.broken);

@@ -50,7 +50,6 @@ TEST(Cost, OfSteadyRollingIsForeseenWithinAFactorOfThree) {
       expect_foreseen(steady + "method chebyshev\n", n);
     }
     for (const int n : {101, 401, 801}) {
-      expect_foreseen(steady + "solver { type dense }\n", n);
       expect_foreseen(steady + "leading_edge standard\nsolver { type dense }\n", n);
     }
   }

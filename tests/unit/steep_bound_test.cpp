@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "microslip/friction/full_sliding.hpp"
-#include "microslip/rolling/calibrated_rolling.hpp"
 #include "microslip/rolling/chebyshev_rolling.hpp"
+#include "microslip/rolling/inverted_rolling.hpp"
 #include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/transient.hpp"
 
@@ -41,13 +41,13 @@ TEST(SteepBound, MayEndAtTheEdges) {
        {table({-5, 0, 5}, {0, 100, 50}), table({-5, 0, 5}, {50, 100, 0}),
         table({-5, 0, 5}, {50, 100, 50}), table({-5, 5}, {80, 80})}) {
     for (const double creepage : {1e-5, 1e-4, 5e-4, 1e-3, 2e-3, -1e-3}) {
-      const double force = solve(bound, creepage, 100, Calibrated{}).force;
+      const double force = solve(bound, creepage, 100, Inversion{}).force;
       const double coarse = solve(bound, creepage, 400, Differences{}).force;
       const double fine = solve(bound, creepage, 800, Differences{}).force;
       EXPECT_NEAR(force / (2 * fine - coarse), 1, 0.01) << creepage;
     }
     for (const double creepage : {0.1, 1.0, 100.0}) {
-      EXPECT_NEAR(solve(bound, creepage, 100, Calibrated{}).force, -bound.total(),
+      EXPECT_NEAR(solve(bound, creepage, 100, Inversion{}).force, -bound.total(),
                   0.01 * bound.total())
           << creepage;
     }
@@ -61,7 +61,7 @@ TEST(SteepBound, HasNoNoiseWhereItIsSteep) {
     for (const double creepage : {1e-5, 1.3e-5, 1.5e-5, 1.62e-5, 2e-5, 1e-4, 1.6e-4}) {
       for (const Kernel& kernel : {Kernel(StripKernel(steel, 10)), Kernel(PlaneKernel(steel, 10)),
                                    Kernel(StripKernel(steel, 1))}) {
-        EXPECT_NO_THROW(solve(bound, creepage, n, Calibrated{}, kernel)) << n << ' ' << creepage;
+        EXPECT_NO_THROW(solve(bound, creepage, n, Inversion{}, kernel)) << n << ' ' << creepage;
       }
     }
   }

@@ -68,9 +68,7 @@ TEST_P(StructuredSteady, IsTheDenseSolution) {
 
 INSTANTIATE_TEST_SUITE_P(
     Methods, StructuredSteady,
-    testing::Values(Kind{"calibrated", PlaneKernel(material, 10), Calibrated{}},
-                    Kind{"calibrated strip", StripKernel(material, 2), Calibrated{}},
-                    Kind{"standard", PlaneKernel(material, 10), Differences{1}},
+    testing::Values(Kind{"standard", PlaneKernel(material, 10), Differences{1}},
                     Kind{"standard strip", StripKernel(material, 0.5), Differences{1}},
                     Kind{"half a step", PlaneKernel(material, 10), Differences{0.5}}));
 
@@ -85,17 +83,6 @@ TEST(StructuredSteady, NumberOfRoundsDoesNotGrow) {
       EXPECT_LE(solution.evidence.residual, 1e-11);
     }
   }
-}
-
-// Second order, so 1e-8 of the error at N = 1e4; what rounding adds would show.
-TEST(StructuredSteady, LargeCalibratedContactsAreAsAccurateAsTheirOrderSays) {
-  const auto creepage = [](Index n) {
-    return solve_steady(steady(PlaneKernel(material, 10), n, Calibrated{}, PrescribedForce{-1.0}))
-        .creepage;
-  };
-  const double limit = 0.5934008373;  // Chebyshev collocation
-  EXPECT_NEAR((creepage(1000) - limit) / (creepage(4000) - limit), 16, 0.5);
-  EXPECT_NEAR(creepage(50000), limit, 2e-10);
 }
 
 /// The bound has a dent in the middle, where slip begins.
@@ -168,8 +155,6 @@ TEST(Solver, FftIsForEqualFunctions) {
   problem.solver = fft;
   problem.basis = quadratic_basis();
   EXPECT_THROW(solve_steady(problem), std::invalid_argument);
-  problem.method = Calibrated{};
-  EXPECT_THROW(solve_steady(problem), std::invalid_argument);
   problem.basis = constant_basis();
   problem.method = Differences{1, 0.1};
   EXPECT_THROW(solve_steady(problem), std::invalid_argument);
@@ -177,10 +162,8 @@ TEST(Solver, FftIsForEqualFunctions) {
 
 TEST(Solver, DenseIsForMatricesThatFit) {
   SteadyProblem problem =
-      steady(PlaneKernel(material, 1), 100001, Calibrated{}, PrescribedCreepage{0.4});
+      steady(PlaneKernel(material, 1), 100001, Differences{1}, PrescribedCreepage{0.4});
   problem.solver = dense;
-  EXPECT_THROW(solve_steady(problem), std::invalid_argument);
-  problem.method = Differences{1};
   EXPECT_THROW(solve_steady(problem), std::invalid_argument);
   problem.solver = {};
   problem.basis = quadratic_basis();

@@ -155,14 +155,6 @@ TabulatedBound::TabulatedBound(double half_width, const VectorXd& x, const Vecto
   integrate();
 }
 
-void TabulatedBound::stretch(double half_width) {
-  x_ *= half_width / half_width_;
-  half_width_ = half_width;
-  x_[0] = -half_width;
-  x_[x_.size() - 1] = half_width;
-  integrate();
-}
-
 double TabulatedBound::operator()(double x) const {
   if (std::abs(x) > half_width_) return 0;
   const auto after = std::upper_bound(x_.begin() + 1, x_.end() - 1, x);
@@ -207,20 +199,6 @@ double TabulatedBound::mean_around(double x, double width) const {
 
 double half_width_of(const TractionBound& bound) {
   return std::visit([](const auto& b) { return b.half_width(); }, bound);
-}
-
-TractionBound stretched(const TractionBound& bound, double half_width) {
-  if (const auto* hertz = std::get_if<HertzBound>(&bound)) {
-    return HertzBound(half_width, hertz->peak());
-  }
-  if (const auto* polynomial = std::get_if<PolynomialBound>(&bound)) {
-    return PolynomialBound(
-        ChebyshevTraction(-half_width, half_width, polynomial->traction().coefficients()));
-  }
-  const auto& table = std::get<TabulatedBound>(bound);
-  TabulatedBound other = table;
-  other.stretch(half_width);
-  return other;
 }
 
 VectorXd bound_at(const TractionBound& bound, const VectorXd& x) {

@@ -76,11 +76,16 @@ double ChebyshevSolution::displacement(double x) const {
   return -loaded_.direction * loaded_.part * (sliding_.displacement(x) - stuck);
 }
 
+Eigen::VectorXd ChebyshevSolution::displacement(const Eigen::VectorXd& x) const {
+  return x.unaryExpr([this](double xi) { return displacement(xi); });
+}
+
 Evidence ChebyshevSolution::evidence() const {
   constexpr Index parts = 40;
   Evidence evidence = evidence_by_samples(
       PolynomialBound(sliding_.traction()), [this](double x) { return traction(x); },
-      [this](double x) { return slip(x); }, stick_edge(), parts, force(), creepage());
+      [this](double x) { return slip(x); }, stick_edge(), sliding_.traction().end(), parts, force(),
+      creepage());
   evidence.residual = residual_;
   return evidence;
 }

@@ -41,11 +41,6 @@ Target target_of(const CreepageForceCurve& curve, const Load& load) {
 }  // namespace
 
 LoadedState meet_load(const CreepageForceCurve& curve, const Load& load) {
-  return meet_load(curve, load, 0, curve.half_width);
-}
-
-LoadedState meet_load(const CreepageForceCurve& curve, const Load& load, double near,
-                      double uncertainty) {
   const Target target = target_of(curve, load);
   const double a = curve.half_width;
   int evaluations = 0;
@@ -59,26 +54,19 @@ LoadedState meet_load(const CreepageForceCurve& curve, const Load& load, double 
     return {{a, target.size, -curve.full_sliding_force}, 1, target.direction, 0};
   }
   const double least = -a * (1 - least_sliding);
-  double low = std::max(least, near - uncertainty);
-  double high = std::min(a, near + uncertainty);
   const double at_full_sliding =
       (target.force ? curve.full_sliding_force : curve.full_sliding_creepage) - target.size;
-  double at_low = excess(low);
-  if (at_low > 0 && low > least) at_low = excess(low = least);
-  if (at_low >= 0) {
+  const double at_least = excess(least);
+  if (at_least >= 0) {
     const CreepageForce all = curve.at(least);
     const double reached = target.reached_by(all);
     const double part = reached > 0 ? target.size / reached : 0;
     return {{least, part * all.creepage, part * all.force}, part, target.direction, evaluations};
   }
-  double at_high = high < a ? excess(high) : at_full_sliding;
-  if (at_high < 0) {
-    high = a;
-    at_high = at_full_sliding;
-  }
   std::uintmax_t most = 60;
-  const auto root = boost::math::tools::toms748_solve(
-      excess, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(51), most);
+  const auto root =
+      boost::math::tools::toms748_solve(excess, least, a, at_least, at_full_sliding,
+                                        boost::math::tools::eps_tolerance<double>(51), most);
   const double b = (root.first + root.second) / 2;
   CreepageForce state = curve.at(b);
   const double residual =

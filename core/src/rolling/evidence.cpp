@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
@@ -65,7 +66,7 @@ Evidence evidence_by_elements(const ElementValues& values, double force, double 
 Evidence evidence_by_samples(const TractionBound& bound,
                              const std::function<double(double)>& traction,
                              const std::function<double(double)>& slip, double stick_edge,
-                             Index parts, double force, double creepage) {
+                             double stick_end, Index parts, double force, double creepage) {
   const double a = half_width_of(bound);
   Evidence evidence{.load = std::abs(force),
                     .power = std::abs(creepage * force),
@@ -81,12 +82,14 @@ Evidence evidence_by_samples(const TractionBound& bound,
     evidence.excess +=
         std::max(0.0, std::abs(traction(x)) - g) * 2 * a / static_cast<double>(samples);
   }
-  const double width = (stick_edge + a) / samples_of_slip;
-  if (width <= 0) return evidence;
-  for (const double x : places(-a, stick_edge, samples_of_slip)) {
-    const double power = width * traction(x) * slip(x);
-    evidence.backward += std::max(0.0, power);
-    evidence.dissipated -= power;
+  for (const auto& [from, to] : {std::pair(-a, stick_edge), std::pair(stick_end, a)}) {
+    const double width = (to - from) / samples_of_slip;
+    if (width <= 0) continue;
+    for (const double x : places(from, to, samples_of_slip)) {
+      const double power = width * traction(x) * slip(x);
+      evidence.backward += std::max(0.0, power);
+      evidence.dissipated -= power;
+    }
   }
   return evidence;
 }
@@ -107,10 +110,9 @@ void require_evidence(const Evidence& evidence, double condition, int iterations
   check("bound_violation", evidence.bound_violation(), "solver.violation", accepted.violation);
   check("slip_violation", evidence.slip_violation(), "solver.violation", accepted.violation);
   if (evidence.load > (1 + accepted.violation) * evidence.full_sliding) {
-    refuse(
-        "the result's force, " + format_short(evidence.load) + ", is above full sliding, " +
-        format_short(evidence.full_sliding) +
-        ": the elements do not resolve the bound; take more of them, or leading_edge calibrated");
+    refuse("the result's force, " + format_short(evidence.load) + ", is above full sliding, " +
+           format_short(evidence.full_sliding) +
+           ": the elements do not resolve the bound; take more of them, or leading_edge inversion");
   }
   if (evidence.dissipated < -accepted.violation * evidence.power) {
     refuse("the result's dissipation is negative, " + format_short(evidence.dissipated) +
@@ -129,7 +131,7 @@ std::optional<std::string> doubt_of(const Evidence& evidence, const Solver& acce
   if (evidence.bound_resolution() > doubtful_resolution) {
     return above("bound_resolution", evidence.bound_resolution(),
                  "the elements do not resolve the bound; take more of them, or leading_edge "
-                 "calibrated, or step.scheme material");
+                 "inversion, or step.scheme material");
   }
   if (steady && evidence.dissipated > (1 + doubtful_dissipation) * evidence.power) {
     return above("dissipation_error", evidence.dissipation_error(),

@@ -8,7 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "microslip/rolling/chebyshev_rolling.hpp"
+#include "microslip/rolling/inverted_rolling.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
@@ -32,10 +32,12 @@ namespace {
 constexpr Index shown_nodes = 100;
 
 constexpr Index fewest_elements = 16;
-constexpr Index most_elements = 1 << 20;
+/// More would take minutes.
+constexpr Index most_elements = 1 << 16;
 
-/// Over the whole contact: more would take minutes.
-constexpr Index most_whole = 1 << 16;
+SteadyProblem by_elements(const SteadyContact& contact, Index elements) {
+  return problem_of(contact, elements, Calibrated{});
+}
 
 double relative(double difference, double value) {
   return difference == 0 ? 0 : std::abs(difference / value);
@@ -45,7 +47,7 @@ double relative(double difference, double value) {
 double sensitivity(const SteadyContact& contact) {
   constexpr double change = 1e-2;
   constexpr Index elements = 64;
-  SteadyProblem problem = whole_contact(problem_of(contact, elements, Calibrated{}));
+  SteadyProblem problem = by_elements(contact, elements);
   const double value = answer_of(contact.load, solve_steady(problem));
   std::visit([](auto& load) { load.value *= 1 - change; }, problem.load);
   return relative(answer_of(contact.load, solve_steady(problem)) - value, value) / change;
@@ -60,46 +62,25 @@ double cost_of(const Evidence& evidence, const SteadyContact& contact) {
   return violation * (by_force ? std::max(1.0, sensitivity(contact)) : 1);
 }
 
-/// Of solutions with so little slip that they are proportional to another one.
-double cost_of_proportion(const SteadySolution& solution, double half_width) {
-  const bool proportional =
-      solution.stick_edge && *solution.stick_edge <= -half_width * (1 - 1.01 * least_sliding);
-  return proportional ? least_sliding : 0;
-}
-
-/// Rounding is estimated from what other numbers of unknowns make of it, and so is truncation.
-double chebyshev_error(const SteadyContact& contact, Index unknowns,
-                       const SteadySolution& solution) {
+/// None where there is more than one stick zone.
+std::optional<EstimatedSteady> by_inversion(const SteadyContact& contact) {
+  constexpr double finer = 1.5;
+  constexpr double rounding = 1e-13;
+  const SteadyProblem problem = problem_of(contact, shown_nodes, Inversion{});
+  const SteadySolution solution = solve_steady(problem);
+  if (solution.scheme != SteadyScheme::inversion) return std::nullopt;
   const double found = answer_of(contact.load, solution);
-  const bool by_force = std::holds_alternative<PrescribedForce>(contact.load);
-  const auto value = [&](Index n) {
-    const ChebyshevSolution other =
-        ChebyshevRolling(contact.kernel, contact.bound, n).solve(contact.load);
-    return by_force ? other.creepage() : other.force();
-  };
-  double largest = 0;
-  for (const Index more : {3, 6, 9}) {
-    largest = std::max(largest, std::abs(value(unknowns + more) - found));
-  }
-  return relative(2 * largest, found) + 2 * std::numeric_limits<double>::epsilon() +
-         cost_of(solution.evidence, contact) +
-         cost_of_proportion(solution, half_width_of(contact.bound));
-}
-
-/// None where Chebyshev collocation is refused.
-std::optional<EstimatedSteady> by_chebyshev(const SteadyContact& contact) {
-  constexpr Index most_compared = 55;  // with 9 more
   try {
-    const Index unknowns = ChebyshevRolling(contact.kernel, contact.bound).unknowns();
-    if (unknowns > most_compared) return std::nullopt;
-    const SteadyProblem problem = problem_of(contact, shown_nodes, ChebyshevCollocation{});
-    const SteadySolution solution = solve_steady(problem);
-    return EstimatedSteady{problem, solution, unknowns,
-                           chebyshev_error(contact, unknowns, solution)};
+    const InvertedSolution other =
+        InvertedRolling(contact.kernel, contact.bound, finer).solve(contact.load);
+    const bool by_force = std::holds_alternative<PrescribedForce>(contact.load);
+    const double change = (by_force ? other.creepage() : other.force()) - found;
+    return EstimatedSteady{
+        problem, solution, other.unknowns(),
+        relative(2 * change, found) + rounding + cost_of(solution.evidence, contact)};
   } catch (const NotConverged&) {
-  } catch (const std::invalid_argument&) {
+    return std::nullopt;
   }
-  return std::nullopt;
 }
 
 }  // namespace
@@ -111,7 +92,7 @@ void require_target_error(double target) {
 
 EstimatedSteady solve_steady_to(const SteadyContact& contact, double target) {
   require_target_error(target);
-  std::optional<EstimatedSteady> found = by_chebyshev(contact);
+  const std::optional<EstimatedSteady> found = by_inversion(contact);
   return found && found->error <= target ? *found : estimate_by_elements(contact, target);
 }
 
@@ -198,29 +179,20 @@ double cost_of_unresolved_jumps(const SteadySolution& solution) {
   return cost;
 }
 
-/// How far the answers of fewer elements are from that of `fine`. By calibrated elements half of
-/// the difference to half as many, where second order says a third. Otherwise errors change with
-/// the place of each kink within its element: thrice the largest of several differences is taken.
+/// Errors change with the place of each kink within its element: thrice the largest of several
+/// differences to fewer elements is taken.
 double error_of(const SteadyContact& contact, Index elements, const SteadySolution& fine) {
   const double value = answer_of(contact.load, fine);
-  const auto solution = [&](Index n) { return solve_steady(problem_of(contact, n, Calibrated{})); };
-  const auto difference = [&](const SteadySolution& coarse) {
-    return relative(value - answer_of(contact.load, coarse), value);
+  const auto difference = [&](Index n) {
+    return relative(value - answer_of(contact.load, solve_steady(by_elements(contact, n))), value);
   };
-  const SteadySolution half = solution(elements / 2);
-  double error = 0;
-  if (fine.scheme == SteadyScheme::calibrated && half.scheme == SteadyScheme::calibrated) {
-    error = 0.5 * difference(half);
-  } else {
-    error = std::max(difference(half), difference(solution(elements / 4)) / 2);
-    for (const Index sevenths : {4, 5, 6}) {
-      error = std::max(error, difference(solution(elements * sevenths / 7)));
-    }
-    error = 3 * error + cost_of_unresolved_slip(contact, fine) +
-            cost_of_unresolved_leading_slip(contact, fine) + cost_of_unresolved_jumps(fine);
+  double error = std::max(difference(elements / 2), difference(elements / 4) / 2);
+  for (const Index sevenths : {4, 5, 6}) {
+    error = std::max(error, difference(elements * sevenths / 7));
   }
-  return error + 2 * std::numeric_limits<double>::epsilon() + cost_of(fine.evidence, contact) +
-         cost_of_proportion(fine, half_width_of(contact.bound));
+  return 3 * error + cost_of_unresolved_slip(contact, fine) +
+         cost_of_unresolved_leading_slip(contact, fine) + cost_of_unresolved_jumps(fine) +
+         2 * std::numeric_limits<double>::epsilon() + cost_of(fine.evidence, contact);
 }
 
 }  // namespace
@@ -229,20 +201,18 @@ EstimatedSteady estimate_by_elements(const SteadyContact& contact, double target
   require_target_error(target);
   Index elements = fewest_for(contact.bound);
   for (;;) {
-    const SteadyProblem problem = problem_of(contact, elements, Calibrated{});
+    const SteadyProblem problem = by_elements(contact, elements);
     const SteadySolution fine = solve_steady(problem);
-    const bool calibrated = fine.scheme == SteadyScheme::calibrated;
     const double error = error_of(contact, elements, fine);
     if (error <= target) return {problem, fine, elements, error};
-    const Index limit = calibrated ? most_elements : most_whole;
-    if (elements >= limit) {
+    if (elements >= most_elements) {
       throw NotConverged("target_error = " + format_short(target) + " is not reached by " +
                              std::to_string(elements) + " elements, the error of which may be " +
                              format_short(error),
                          0, error);
     }
     const double wanted = 1.1 * static_cast<double>(elements) * std::sqrt(error / target);
-    const Index most = std::min(limit, 16 * elements);
+    const Index most = std::min(most_elements, 16 * elements);
     elements = std::clamp(2 * static_cast<Index>(std::ceil(wanted / 2)), 2 * elements, most);
   }
 }

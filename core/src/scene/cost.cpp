@@ -48,10 +48,8 @@ struct MemoryOf {
     if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
       return memory_by({.element = 600, .matrices = 0}, true, n);
     }
-    const bool calibrated = std::holds_alternative<Calibrated>(problem.method);
-    return memory_by(calibrated ? Memory{.element = 750, .matrices = 5}
-                                : Memory{.element = 1000, .matrices = 2.7},
-                     by_fft(problem), n);
+    const bool differences = std::holds_alternative<Differences>(problem.method);
+    return memory_by({.element = 1000, .matrices = differences ? 2.7 : 4}, by_fft(problem), n);
   }
   double operator()(const SteadyTarget&) const { return 0; }
   double operator()(const TransientScene& scene) const {
@@ -84,13 +82,12 @@ struct WorkOf {
   double operator()(const SteadyProblem& problem) const {
     const auto n = static_cast<double>(problem.grid.size());
     const bool strip = std::holds_alternative<StripKernel>(problem.kernel);
+    if (std::holds_alternative<Inversion>(problem.method)) return 4e5 + 2000 * n;
     if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
       return 3e5 + (strip ? 60 * kernel_work : 60) * n;
     }
-    const bool calibrated = std::holds_alternative<Calibrated>(problem.method);
-    const double sums = calibrated && strip ? 1000 * kernel_work * n : 0;
-    if (by_fft(problem)) return sums + (calibrated ? 2200 : 1500) * n * log2_of(n);
-    return sums + (calibrated ? n * n + 9000 : 0.4 * n * n + 5000) * n;
+    if (by_fft(problem)) return 1500 * n * log2_of(n);
+    return (0.4 * n * n + 5000) * n;
   }
   double operator()(const SteadyTarget&) const { return std::numeric_limits<double>::quiet_NaN(); }
   double operator()(const TransientScene& scene) const {

@@ -41,14 +41,15 @@ std::string method_of(const SteadyProblem& problem) {
   if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
     return "Chebyshev collocation on the stick zone: ten digits; values at the nodes of the grid";
   }
-  const auto* differences = std::get_if<Differences>(&problem.method);
-  if (differences == nullptr && std::holds_alternative<TabulatedBound>(problem.bound)) {
-    return "elements over the whole contact, " + functions + ", as the bound is a table";
+  if (std::holds_alternative<Calibrated>(problem.method)) {
+    return "elements over the whole contact, " + functions +
+           ", with calibrated edges: second order in dx, with noise from stick-slip points inside "
+           "elements";
   }
+  const auto* differences = std::get_if<Differences>(&problem.method);
   if (differences == nullptr) {
-    return "calibrated elements on the stick zone, " + functions +
-           ": second order in dx; or elements over the whole contact where these disagree, which "
-           "row 'method' of the summary says";
+    return "inversion on the one stick zone: ten digits; or elements over the whole contact, " +
+           functions + ", where there are more zones, which row 'method' of the summary says";
   }
   return "differences over c = " + number(differences->step_ratio) + " elements, " + functions +
          (differences->edge_displacement ? ", displacement at the leading edge known: order 3/2"

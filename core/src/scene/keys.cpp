@@ -40,7 +40,7 @@ constexpr auto keys = std::to_array<Key>({
     {"method", "1", "how steady rolling is solved", "collocation, chebyshev [collocation]",
      "problem steady without target_error"},
     {"leading_edge", "1", "how steady collocation treats its edges",
-     "calibrated, standard, exact, trimmed [calibrated]",
+     "inversion, calibrated, standard, exact, trimmed [inversion]",
      "problem steady with method collocation, without target_error"},
     {"basis", "1", "traction basis functions", "constant, linear, quadratic (odd N) [constant]",
      elements},

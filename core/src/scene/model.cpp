@@ -173,11 +173,21 @@ double exact_edge_displacement(const SteadyProblem& problem) {
 SteadyProblem read_steady(Scene& scene) {
   const bool chebyshev = scene.word_or_first("method", {"collocation", "chebyshev"}) == "chebyshev";
   const std::string edge =
-      chebyshev
-          ? ""
-          : scene.word_or_first("leading_edge", {"calibrated", "standard", "exact", "trimmed"});
+      chebyshev ? ""
+                : scene.word_or_first("leading_edge",
+                                      {"inversion", "calibrated", "standard", "exact", "trimmed"});
   if (chebyshev) return read_steady(scene, ChebyshevCollocation{});
-  if (edge == "calibrated") return read_steady(scene, Calibrated{});
+  if (edge == "inversion") return read_steady(scene, Inversion{});
+  const std::string instead = "leading_edge inversion";
+  const auto warn_of_few = [&](const SteadyProblem& problem) {
+    warn_outside(scene, safe_elements(problem.basis), "grid.elements",
+                 static_cast<double>(problem.grid.size()), instead);
+  };
+  if (edge == "calibrated") {
+    SteadyProblem problem = read_steady(scene, Calibrated{});
+    warn_of_few(problem);
+    return problem;
+  }
   const double step_ratio = scene.number("step.ratio", 1);
   require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
   SteadyProblem problem = read_steady(scene, Differences{.step_ratio = step_ratio});
@@ -192,10 +202,8 @@ SteadyProblem read_steady(Scene& scene) {
     }
     problem.basis = trimmed_linear_basis(problem.grid.leading_offset());
   }
-  const std::string instead = "leading_edge calibrated";
   warn_outside(scene, safe_difference, "step.ratio", step_ratio, instead);
-  warn_outside(scene, safe_elements(problem.basis), "grid.elements",
-               static_cast<double>(problem.grid.size()), instead);
+  warn_of_few(problem);
   return problem;
 }
 

@@ -36,12 +36,4 @@ double ChebyshevSeries::operator()(double x) const {
   return gsl_cheb_eval(series_.get(), x);  // reports no errors
 }
 
-ChebyshevSeries ChebyshevSeries::integral() const {
-  const auto integral = empty_series(gsl_cheb_order(series_.get()));
-  gsl::require_success(
-      gsl::quietly([&] { return gsl_cheb_calc_integ(integral.get(), series_.get()); }),
-      "integral of a Chebyshev series");
-  return ChebyshevSeries(Series(integral));
-}
-
 }  // namespace microslip

@@ -20,17 +20,12 @@ class FullSliding {
   /// -du/dx, inside and behind the contact, and continued before it  [1]
   double strain(double x) const;
 
-  /// The same at ascending places inside the contact, many of which are interpolated where that is
-  /// cheaper: to 1e-13.
-  Eigen::VectorXd strain(const Eigen::VectorXd& x) const;
-
   /// u, likewise  [mm]
   double displacement(double x) const;
 
  private:
   double force_;
   double half_width_;
-  double clear_distance_;
   ChebyshevField field_;
 };
 

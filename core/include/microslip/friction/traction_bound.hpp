@@ -102,9 +102,6 @@ class TabulatedBound {
   /// The force of full sliding: its integral  [N/mm]
   double total() const { return integral(half_width_); }
 
-  /// Moves all positions in proportion to the half-width.
-  void stretch(double half_width);
-
   // Where its straight pieces end, the edges included, and the values there.
   const Eigen::VectorXd& x() const { return x_; }            ///< [mm]
   const Eigen::VectorXd& values() const { return values_; }  ///< [N/mm^2]
@@ -124,9 +121,6 @@ double half_width_of(const TractionBound& bound);
 
 /// The bound as a sum of Chebyshev's polynomials, if it is one.
 std::optional<ChebyshevTraction> chebyshev_traction(const TractionBound& bound);
-
-/// The same bound, stretched to another half-width; values are kept.
-TractionBound stretched(const TractionBound& bound, double half_width);
 
 /// g at each position  [N/mm^2]
 Eigen::VectorXd bound_at(const TractionBound& bound, const Eigen::VectorXd& x);

@@ -29,6 +29,7 @@ class ChebyshevSolution : public LoadedSolution {
   double traction(double x) const;      ///< p(x), zero outside the contact  [N/mm^2]
   double slip(double x) const;          ///< s(x) inside the contact  [1]
   double displacement(double x) const;  ///< u(x)  [mm]
+  Eigen::VectorXd displacement(const Eigen::VectorXd& x) const;  ///< likewise  [mm]
 
   /// By samples, see evidence_by_samples.
   Evidence evidence() const;

@@ -39,7 +39,7 @@ struct LoadedState {
   int evaluations;   ///< of the curve
 };
 
-/// What both solvers' steady states have in common, with the sign of the load.
+/// A steady state with the sign of the load.
 class LoadedSolution {
  public:
   double creepage() const { return loaded_.direction * loaded_.state.creepage; }  ///< w  [1]
@@ -65,10 +65,5 @@ class LoadedSolution {
 /// \throws std::invalid_argument if a force is not below full sliding
 /// \throws NotConverged          if the root is not found
 LoadedState meet_load(const CreepageForceCurve& curve, const Load& load);
-
-/// The same in about five evaluations with a good guess.
-/// \param near  look there first, with this uncertainty  [mm]
-LoadedState meet_load(const CreepageForceCurve& curve, const Load& load, double near,
-                      double uncertainty);
 
 }  // namespace microslip

@@ -54,12 +54,12 @@ struct ElementValues {
 Evidence evidence_by_elements(const ElementValues& values, double force, double creepage);
 
 /// Evidence of tractions and slip that are functions of the place, by 5 samples in each of n equal
-/// parts of the contact, and in the slip zone of [-a, stick_edge] by 200.
-/// \param stick_edge  where the one stick zone begins  [mm]
+/// parts of the contact, and in each of the slip zones beside the one stick zone by 200.
+/// \param stick_edge, stick_end  where that begins and ends  [mm]
 Evidence evidence_by_samples(const TractionBound& bound,
                              const std::function<double(double)>& traction,
                              const std::function<double(double)>& slip, double stick_edge,
-                             Eigen::Index parts, double force, double creepage);
+                             double stick_end, Eigen::Index parts, double force, double creepage);
 
 /// \param condition   of the equations in adhesion, estimate  [1]
 /// \param iterations  for the message

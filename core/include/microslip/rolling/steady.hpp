@@ -32,30 +32,31 @@ struct Differences {
   bool mean_bounds = false;
 };
 
-/// CalibratedRolling, sampled at the nodes: second order, for smooth bounds with one stick zone. It
-/// is taken where it agrees with whole_contact(); that is taken for tables, several stick zones,
-/// leading edges that slip, and loads so small that N elements do not resolve the bound next to
-/// them. SteadySolution::scheme says which one made the solution.
+/// Differences over one element, with the edges where the scheme feels them: whole_contact().
 struct Calibrated {};
+
+/// InvertedRolling, sampled at the nodes: ten digits, for any bound with one stick zone; else
+/// Calibrated. SteadySolution::scheme says which one made the solution.
+struct Inversion {};
 
 /// ChebyshevRolling, sampled at the nodes: ten digits. For smooth bounds and one stick zone.
 struct ChebyshevCollocation {};
 
-using SteadyMethod = std::variant<Differences, Calibrated, ChebyshevCollocation>;
+using SteadyMethod = std::variant<Differences, Calibrated, Inversion, ChebyshevCollocation>;
 
 /// Steady rolling of quasi-identical bodies in 2D: s = w - du/dx, thesis (3.2).
 struct SteadyProblem {
   Kernel kernel;
   TractionBound bound;
   Grid grid;                       ///< on the same [-a, a] as the bound
-  Basis basis = constant_basis();  ///< no part of Chebyshev collocation
-  SteadyMethod method = Calibrated{};
+  Basis basis = constant_basis();  ///< of elements: no part of inversion and collocation
+  SteadyMethod method = Inversion{};
   Load load;
   Solver solver = {};
 };
 
 /// Differences over one element, with mean bounds, and with the edges where the scheme feels them:
-/// tractions that vanish like a square root at the leading edge do so EdgeCalibration::offset
+/// tractions that vanish like a square root at the leading edge do so calibrated_offset()
 /// elements beyond the last node, and those of a trailing edge that sticks are singular half an
 /// element less before the first.
 /// Accuracy: within 1 % of force and creepage at N = 100 for any bound, kernel and load,
@@ -66,7 +67,7 @@ struct SteadyProblem {
 SteadyProblem whole_contact(const SteadyProblem& problem);
 
 /// How a solution was made.
-enum class SteadyScheme { differences, calibrated, whole_contact, chebyshev };
+enum class SteadyScheme { differences, calibrated, inversion, chebyshev };
 std::string name_of(SteadyScheme scheme);
 
 /// Values at the N nodes, and what follows from them. A positive creepage gives negative tractions.
@@ -97,7 +98,8 @@ double answer_of(const Load& load, const SteadySolution& solution);
 
 /// Cost: O(N^2) memory; time as the method.
 /// \throws std::invalid_argument for a step ratio or load outside its range, for a known u_LE at
-///                               beta = 0, and as the method
+///                               beta = 0, for fewer than 11 elements where these must replace the
+///                               inversion, and as the method
 /// \throws NotConverged          as ActiveSet::solve or the method
 SteadySolution solve_steady(const SteadyProblem& problem);
 

@@ -21,7 +21,7 @@ SteadyProblem problem_of(const SteadyContact& contact, Eigen::Index elements,
 struct EstimatedSteady {
   SteadyProblem problem;  ///< with the method, the basis and the grid that were picked
   SteadySolution solution;
-  Eigen::Index unknowns;  ///< of its systems
+  Eigen::Index unknowns;  ///< of its systems; 0 without one
   /// Estimate of the relative error of what is not prescribed, the creepage or the force. Meant to
   /// be an upper limit of the right size: tests/unit/target_error_test.cpp  [1]
   double error;
@@ -34,18 +34,17 @@ inline constexpr double finest_target = 1e-11;
 /// \throws std::invalid_argument outside them
 void require_target_error(double target);
 
-/// By Chebyshev collocation where the bound is smooth, the strip wide enough and one zone sticks,
-/// because it is cheapest in the study speed_accuracy; else as estimate_by_elements().
+/// By inversion where one zone sticks; else as estimate_by_elements().
 ///
 /// \param target  in [1e-11, 0.1]  [1]
 /// \throws std::invalid_argument for loads and targets out of their ranges
 /// \throws NotConverged          if the target is not reached
 EstimatedSteady solve_steady_to(const SteadyContact& contact, double target);
 
-/// Constant elements, the number of which grows until the estimate is below the target. It has two
-/// parts: the difference to solutions by fewer elements, and the cost of violations of the contact
-/// conditions. tests/property/generated_contacts_test.cpp counts how often it holds.
-/// \throws as solve_steady_to
+/// Constant elements over the whole contact, the number of which grows until the estimate is below
+/// the target. It has two parts: the difference to solutions by fewer elements, and the cost of
+/// violations of the contact conditions. tests/property/generated_contacts_test.cpp counts how
+/// often it holds. \throws as solve_steady_to
 EstimatedSteady estimate_by_elements(const SteadyContact& contact, double target);
 
 }  // namespace microslip

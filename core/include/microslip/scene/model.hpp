@@ -45,7 +45,8 @@ Solver read_solver(Scene& scene);
 Load read_load(Scene& scene);
 
 /// method collocation|chebyshev (collocation), and of the first leading_edge
-/// calibrated|standard|exact|trimmed (calibrated):
+/// inversion|calibrated|standard|exact|trimmed (inversion):
+///   inversion   `Inversion`
 ///   calibrated  `Calibrated`
 ///   standard    `Differences` with step.ratio (1)
 ///   exact       the same, with the displacement at the leading edge from Chebyshev collocation

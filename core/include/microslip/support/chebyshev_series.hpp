@@ -20,13 +20,8 @@ class ChebyshevSeries {
 
   double operator()(double x) const;
 
-  /// Its integral from the beginning, as a series of the same order.
-  ChebyshevSeries integral() const;
-
  private:
   using Series = std::shared_ptr<const gsl_cheb_series_struct>;
-
-  explicit ChebyshevSeries(Series series) : series_(std::move(series)) {}
 
   Series series_;
 };

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "microslip/halfspace/basis.hpp"
+#include "microslip/linalg/solver.hpp"
+
+namespace microslip {
+
+/// Distance, in elements, from the outermost nodes to the edges at which a scheme of differences
+/// over one element feels its tractions vanish, found where the exact solution is known: for n
+/// elements and a strain that grows linearly (Carter's), the distance for which the force is exact.
+/// For n -> inf it tends to 0.825347 for constant and to 0.884948 for linear functions, as
+/// Wiener-Hopf theory says, tests/unit/edge_calibration_test.cpp.
+/// \param elements  n, >= 2; odd for quadratic functions
+double calibrated_offset(const Basis& basis, Eigen::Index elements, const Solver& solver = {});
+
+}  // namespace microslip

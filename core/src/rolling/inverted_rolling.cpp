@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/rolling/inverted_rolling.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "microslip/support/format.hpp"
+#include "microslip/support/not_converged.hpp"
+#include "microslip/support/require.hpp"
+#include "stick_zone.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Beyond it the stick zone is shorter than 1e-80 of the contact.
+constexpr double largest_theta = 200;
+constexpr double least_theta = 1e-100;
+
+/// Of a search for the logarithm of theta.
+constexpr double most_step = 0.25;
+constexpr double least_step = 1e-6;
+
+/// How a search begins: at a logarithm of theta, and with steps that grow.
+struct Guess {
+  double at;
+  double step;        ///< as small as the guess is good
+  double longest_up;  ///< step upwards
+};
+
+/// A change of sign of f(ln theta), looked for from a guess on: upwards if f is below zero there.
+/// \param bits  of the result
+/// \return ln theta; none if the sign does not change
+template <class Function>
+std::optional<double> root_from(const Guess& guess, const Function& f, int bits) {
+  const double lowest = std::log(least_theta);
+  const double highest = std::log(largest_theta);
+  double at = std::clamp(guess.at, lowest, highest);
+  double value = f(at);
+  double step = value < 0 ? guess.step : -guess.step;
+  double next = at;
+  double next_value = value;
+  while (value * next_value > 0) {
+    at = std::exchange(next, std::clamp(next + step, lowest, highest));
+    if (next == at) return std::nullopt;
+    value = std::exchange(next_value, f(next));
+    step = std::min(guess.longest_up, step * (std::abs(step) < 0.1 ? 4 : 1.5));
+  }
+  if (next_value == 0) return next;
+  if (value == 0) return at;
+  std::uintmax_t most = 80;
+  const bool up = at < next;
+  const auto root = boost::math::tools::toms748_solve(
+      f, up ? at : next, up ? next : at, up ? value : next_value, up ? next_value : value,
+      boost::math::tools::eps_tolerance<double>(bits), most);
+  return (root.first + root.second) / 2;
+}
+
+/// Finds the stick zone of a load.
+class Search {
+ public:
+  explicit Search(std::shared_ptr<const InvertedContact> contact) : contact_(std::move(contact)) {}
+
+  int evaluations() const { return evaluations_; }
+
+  /// The next one for the same load on another contact, the stick zone of which is near.
+  Search next(std::shared_ptr<const InvertedContact> contact, double near) const {
+    Search next(std::move(contact));
+    next.trailing_ = {trailing_.at, near, most_step};
+    next.leading_ = {leading_.at, near, most_step};
+    next.known_ = true;
+    next.slopes_ = slopes_;
+    next.evaluations_ = evaluations_;
+    return next;
+  }
+
+  /// \param reached  the load that a zone carries
+  /// \throws NotConverged if there is none
+  StickZone meet(double load, const std::function<double(const StickZone&)>& reached) {
+    const auto excess = [&](const StickZone& zone) {
+      const double carried = reached(zone);
+      return carried > 0 ? std::log(carried / load) : -1000;
+    };
+    if (!contact_->slips_before()) {
+      trailing_.at = root([&](double at) { return excess(zone(at, 0)); }, all_bits);
+      return zone(trailing_.at, 0);
+    }
+    if (!known_) guess(excess);
+    if (polish(excess)) return zone(trailing_.at, std::exp(leading_.at));
+    trailing_ = {small, most_step, any};
+    trailing_.at = root([&](double at) { return excess(with_trailing(at)); }, few_bits);
+    with_trailing(trailing_.at);
+    leading_.at = leading_roots_.at(trailing_.at);
+    if (!polish(excess)) throw failure("a kink of the bound ends the stick zone");
+    return zone(trailing_.at, std::exp(leading_.at));
+  }
+
+ private:
+  NotConverged failure(const std::string& why) const {
+    return {"steady rolling: " + why, evaluations_, 1};
+  }
+
+  StickZone zone(double log_trailing, double leading) {
+    ++evaluations_;
+    return {contact_, std::exp(log_trailing), leading};
+  }
+
+  template <class Excess>
+  double root(const Excess& excess, int bits) {
+    const auto found = root_from(trailing_, excess, bits);
+    if (!found) throw failure("no stick zone carries the load");
+    return *found;
+  }
+
+  /// By the zone that carries the load without slip before it.
+  template <class Excess>
+  void guess(const Excess& excess) {
+    const double at =
+        root([&](double log_trailing) { return excess(zone(log_trailing, 0)); }, few_bits);
+    trailing_.at = at;
+    with_trailing(at);
+    leading_.at = leading_roots_.at(at);
+  }
+
+  StickZone with_trailing(double log_trailing) {
+    const auto lack = [&](double log_leading) {
+      return -zone(log_trailing, std::exp(log_leading)).leading_root();
+    };
+    const auto root = root_from(leading_guess(log_trailing), lack, few_bits);
+    if (!root) throw failure("no end of the stick zone");
+    leading_roots_[log_trailing] = *root;
+    return zone(log_trailing, std::exp(*root));
+  }
+
+  /// Newton's method for both ends at once, from a guess. The slopes are kept as long as they
+  /// serve.
+  template <class Excess>
+  bool polish(const Excess& excess) {
+    constexpr int most = 30;
+    constexpr double difference = 1e-6;
+    constexpr double longest = 0.5;
+    constexpr double rounding = 1e-13;
+    const auto residual = [&](const Eigen::Vector2d& at) {
+      const StickZone found = zone(at[0], std::exp(at[1]));
+      return Eigen::Vector2d(excess(found), found.relative_leading_root());
+    };
+    Eigen::Vector2d at(trailing_.at, leading_.at);
+    Eigen::Vector2d value = residual(at);
+    double before = HUGE_VAL;
+    for (int i = 0; i < most && value.allFinite(); ++i) {
+      const double size = value.norm();
+      const bool slow = size > 0.1 * before;
+      if (slow && size < least_residual) break;
+      if (slow || slopes_.isZero()) {
+        slopes_.col(0) = (residual(at + Eigen::Vector2d(difference, 0)) - value) / difference;
+        slopes_.col(1) = (residual(at + Eigen::Vector2d(0, difference)) - value) / difference;
+      }
+      Eigen::Vector2d step = slopes_.inverse() * value;
+      if (!step.allFinite()) return false;
+      step *= std::min(1.0, longest / step.norm());
+      at -= step;
+      before = size;
+      value = residual(at);
+      if (step.norm() < rounding) break;
+    }
+    if (!(value.norm() < least_residual)) return false;
+    trailing_.at = at[0];
+    leading_.at = at[1];
+    return true;
+  }
+
+  /// The end of adhesion is the first root from the leading edge on, and moves away from it as the
+  /// trailing slip zone grows: from the root of a shorter one the way is upwards.
+  Guess leading_guess(double log_trailing) const {
+    const auto longer = leading_roots_.lower_bound(log_trailing);
+    if (longer == leading_roots_.begin()) return leading_;
+    const auto& [shorter, root] = *std::prev(longer);
+    return {root, std::clamp(log_trailing - shorter, least_step, most_step), most_step};
+  }
+
+  static constexpr int all_bits = 52;
+  static constexpr int few_bits = 8;
+  static constexpr double least_residual = 1e-9;
+  static constexpr double small = -18;
+  static constexpr double any = 4;
+
+  std::shared_ptr<const InvertedContact> contact_;
+  Guess trailing_{0, most_step, any};
+  Guess leading_{-6, most_step, most_step};
+  bool known_ = false;  ///< whether these are good guesses
+  Eigen::Matrix2d slopes_ = Eigen::Matrix2d::Zero();
+  std::map<double, double> leading_roots_;  ///< by the logarithm of the trailing theta
+  int evaluations_ = 0;
+};
+
+}  // namespace
+
+InvertedRolling::InvertedRolling(const Kernel& kernel, const TractionBound& bound, double fineness)
+    : contact_(std::make_shared<InvertedContact>(kernel, bound, fineness)) {
+  if (std::holds_alternative<StripKernel>(kernel)) {
+    constexpr double coarse = 0.4;
+    const PlaneKernel plane(material_of(kernel), 1);
+    stages_.push_back({std::make_shared<InvertedContact>(plane, bound, 1), most_step});
+    stages_.push_back({std::make_shared<InvertedContact>(kernel, bound, coarse), 0.1});
+  }
+  stages_.push_back({contact_, 1e-4});
+}
+
+InvertedSolution InvertedRolling::solve(const Load& load) const {
+  const auto* force = std::get_if<PrescribedForce>(&load);
+  const double value = std::visit([](const auto& of) { return of.value; }, load);
+  const double target = std::abs(value);
+  if (force != nullptr) {
+    const double most = full_sliding_force(contact_->bound);
+    require(target < most, "load.force", value,
+            [&] { return "an absolute value below full sliding, " + format_short(most); });
+  }
+  require(true, "load.creepage", value, "a finite number");
+  if (target == 0 || (force == nullptr && target >= contact_->sliding_creepage())) {
+    return {contact_, nullptr, load, 0};
+  }
+  const auto reached = [&](const StickZone& zone) {
+    return force != nullptr ? zone.force() : zone.creepage();
+  };
+  Search search(stages_.front().contact);
+  StickZone zone = search.meet(target, reached);
+  for (std::size_t i = 1; i < stages_.size(); ++i) {
+    search = search.next(stages_[i].contact, stages_[i].near);
+    zone = search.meet(target, reached);
+  }
+  zone.complete();
+  return {contact_, std::make_shared<StickZone>(std::move(zone)), load, search.evaluations()};
+}
+
+InvertedSolution::InvertedSolution(std::shared_ptr<const InvertedContact> contact,
+                                   std::shared_ptr<const StickZone> zone, const Load& load,
+                                   int evaluations)
+    : contact_(std::move(contact)), zone_(std::move(zone)), evaluations_(evaluations) {
+  const bool by_force = std::holds_alternative<PrescribedForce>(load);
+  const double value = std::visit([](const auto& of) { return of.value; }, load);
+  direction_ = value == 0 ? 0 : (value < 0) == by_force ? 1 : -1;
+  const double carried = zone_ ? zone_->force() : full_sliding_force(contact_->bound);
+  creepage_ = by_force && zone_ ? direction_ * zone_->creepage() : by_force ? 0 : value;
+  force_ = by_force ? value : -direction_ * carried;
+}
+
+double InvertedSolution::creepage() const { return creepage_; }
+double InvertedSolution::force() const { return force_; }
+double InvertedSolution::dissipation() const { return -creepage_ * force_; }
+Index InvertedSolution::unknowns() const { return zone_ ? zone_->unknowns() : 0; }
+double InvertedSolution::condition() const { return zone_ ? zone_->condition() : 1; }
+
+double InvertedSolution::stick_edge() const {
+  if (zone_) return zone_->begin();
+  return direction_ == 0 ? -contact_->half_width() : contact_->half_width();
+}
+
+double InvertedSolution::stick_end() const { return zone_ ? zone_->end() : contact_->half_width(); }
+
+bool InvertedSolution::sticks(double x) const {
+  return direction_ == 0 || (zone_ && x >= zone_->begin() && x <= zone_->end());
+}
+
+double InvertedSolution::traction(double x) const {
+  return -direction_ * (zone_ ? zone_->traction(x) : contact_->bound_at(x));
+}
+
+double InvertedSolution::slip(double x) const {
+  if (sticks(x)) return 0;
+  return zone_ ? direction_ * zone_->slip(x)
+               : creepage_ - direction_ * contact_->sliding->strain(x);
+}
+
+VectorXd InvertedSolution::displacement(const VectorXd& x) const {
+  if (direction_ == 0) return VectorXd::Zero(x.size());
+  if (zone_) return -direction_ * zone_->displacement(x);
+  return -direction_ *
+         x.unaryExpr([this](double xi) { return contact_->sliding->displacement(xi); });
+}
+
+bool InvertedSolution::keeps_conditions() const { return !zone_ || zone_->keeps_conditions(); }
+
+Evidence InvertedSolution::evidence() const {
+  constexpr Index fewest = 20;
+  constexpr Index most = 100;
+  const auto* table = std::get_if<TabulatedBound>(&contact_->bound);
+  const Index parts = table == nullptr ? fewest : std::clamp(table->x().size(), fewest, most);
+  return evidence_by_samples(
+      contact_->bound, [this](double x) { return traction(x); },
+      [this](double x) { return slip(x); }, stick_edge(), stick_end(), parts, force(), creepage());
+}
+
+}  // namespace microslip

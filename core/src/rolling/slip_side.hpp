@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "microslip/friction/traction_bound.hpp"
+
+namespace microslip {
+
+/// A bound by the distance from one edge of the contact.
+class SidedBound {
+ public:
+  enum class Edge { trailing, leading };
+
+  SidedBound(const TractionBound& bound, Edge edge);
+
+  /// Distance from the edge to the place where the bound begins to differ from zero  [mm]
+  double begin() const { return begin_; }
+
+  /// The polynomial and its square roots, unless the bound is a table.
+  const std::optional<ChebyshevTraction>& smooth() const { return smooth_; }
+
+  /// Of a table: distances of its rows from begin(), ascending from 0  [mm]
+  const std::vector<double>& rows() const { return rows_; }
+  const std::vector<double>& values() const { return values_; }  ///< there  [N/mm^2]
+
+  /// g of a smooth bound, without the cancellation of a position next to the edge  [N/mm^2]
+  /// \param distance  from the edge, >= 0  [mm]
+  double operator()(double distance) const;
+
+ private:
+  std::optional<ChebyshevTraction> smooth_;
+  Edge edge_;
+  double begin_ = 0;
+  std::vector<double> rows_, values_;
+};
+
+/// The bound on one side of a stick zone, where the bodies slip, and the integrals over it that
+/// invert the finite Hilbert transform on the zone. The outward distance from the end of the zone,
+/// over half its length, is the versine v = cosh(theta) - 1. In theta, the square root that the
+/// inversion has at the end of the zone is no more.
+///
+/// A table's pieces are integrated in closed form where a place is near them. A smooth bound has a
+/// square root at the edge of the contact: the last panel of its quadrature has theta = extent -
+/// length r^2. Next to a place, its value there is taken away and integrated in closed form.
+class SlipSide {
+ public:
+  struct Panels {     ///< of the quadrature
+    double longest;   ///< for integrands with a length of their own  [mm]
+    double fineness;  ///< how much shorter than needed
+  };
+
+  /// \param bound        outlives this
+  /// \param extent       theta where the bound begins, > 0
+  /// \param half_length  of the stick zone  [mm]
+  SlipSide(const SidedBound& bound, double extent, double half_length, const Panels& panels);
+
+  // Nodes of a quadrature over theta, for what is smooth on this side and beyond its ends.
+  const Eigen::ArrayXd& theta() const { return theta_; }
+  const Eigen::ArrayXd& versine() const { return versine_; }
+  const Eigen::ArrayXd& load() const { return load_; }  ///< weight times bound  [N/mm^2]
+
+  /// The integral of g/(v(theta) - versine) over theta times sqrt(|versine (2 + versine)|), as a
+  /// principal value  [N/mm^2]
+  /// \param versine  of a place: above 0 on this side, from -2 to 0 in the stick zone, below -2 on
+  ///                 the other side
+  double transform(double versine) const;
+
+  /// The finite part of the integral of g/v over theta: at the near end of the stick zone.
+  double at_near_end() const;
+
+  /// The integral of g/(2 + v) over theta: at its far end.
+  double at_far_end() const;
+
+ private:
+  struct Piece {                // of a table, a straight line
+    double from, to;            // theta, from < to
+    double versine, value;      // at the outer end
+    double slope;               // of g over v
+    Eigen::Index first, count;  // of its nodes
+    double reach;               // to places nearer than this, in theta, nodes do not serve
+    double at(double v) const { return value + slope * (v - versine); }
+  };
+  struct Place;
+
+  void lay_table(const Panels& panels);
+  void lay_smooth(const Panels& panels);
+  template <class Bound>
+  void lay(double from, double to, int points, const Bound& bound);
+  void finish();
+
+  double transform_table(const Place& place) const;
+  double transform_smooth(const Place& place) const;
+  double by_nodes(Eigen::Index first, Eigen::Index count, double versine) const;
+
+  const SidedBound* bound_;
+  double extent_, half_length_;
+  std::vector<double> thetas_, weights_, loads_;  ///< until the nodes are complete
+  Eigen::ArrayXd theta_, versine_, weight_, load_;
+  std::vector<Piece> pieces_;
+  double edge_ = 0;              ///< theta where the last panel of a smooth bound begins
+  double near_ = 0;              ///< so near to the end, in theta, nodes do not serve
+  Eigen::Index edge_nodes_ = 0;  ///< the first node of that panel
+  Eigen::ArrayXd root_;          ///< r at its nodes
+};
+
+}  // namespace microslip
