@@ -7,7 +7,5 @@ plot times using (of("influence", "strip", "difference")):"time" with linespoint
      times using (of("influence", "plane", "difference")):"time" with linespoints linetype 3 dashtype 2 pointtype 6 pointsize 0.5 title named("the same, plane strain", "influence", "plane", "difference"), \
      times using (of("product", "strip", "dense")):"time" with linespoints linetype 7 pointtype 5 pointsize 0.5 title named("product, dense", "product", "strip", "dense"), \
      times using (of("product", "strip", "fft")):"time" with linespoints linetype 5 pointtype 7 pointsize 0.5 title named("product, FFT", "product", "strip", "fft"), \
-     times using (of("point", "strip", "calibrated")):"time" with linespoints linetype 1 pointtype 7 pointsize 0.5 title named("calibrated point, strip", "point", "strip", "calibrated"), \
-     times using (of("point", "plane", "calibrated")):"time" with linespoints linetype 1 dashtype 2 pointtype 6 pointsize 0.5 title named("the same, plane strain", "point", "plane", "calibrated"), \
      times using (of("point", "strip", "chebyshev")):"time" with linespoints linetype 4 pointtype 7 pointsize 0.5 title named("Chebyshev point, strip", "point", "strip", "chebyshev"), \
      times using (of("point", "plane", "chebyshev")):"time" with linespoints linetype 4 dashtype 2 pointtype 6 pointsize 0.5 title named("the same, plane strain", "point", "plane", "chebyshev")

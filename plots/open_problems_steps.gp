@@ -4,7 +4,7 @@ steps = tables."/steps.tsv"
 of(scheme) = strcol("scheme") eq scheme ? column("step_ratio") : NaN
 
 eval page(860, 400)
-set multiplot layout 1,2 margins 0.09,0.98,0.14,0.9 spacing 0.1
+set multiplot layout 1,2 margins 0.11,0.98,0.16,0.9 spacing 0.12
 set logscale xy
 set format "10^{%T}"
 set xlabel "step ratio c = dq/dx [1]"
@@ -13,7 +13,7 @@ set title "steady rolling"
 set key at graph 0.62, 0.36
 set xtics 1e-12, 1000
 plot steady using (of("standard")):"force_error" with linespoints linetype 1 pointtype 7 pointsize 0.5 title "standard", \
-     steady using (of("calibrated")):"force_error" with linespoints linetype 3 pointtype 7 pointsize 0.5 title "calibrated"
+     steady using (of("inversion")):"force_error" with linespoints linetype 3 pointtype 7 pointsize 0.5 title "inversion"
 set xtics auto
 set title "from a Cattaneo shift"
 set ylabel "integral of |p - reference| [N/mm]"

@@ -98,8 +98,8 @@ Table scales_table(const ExtremesParameters& p) {
         1e-12}});
   const std::vector<Scheme> schemes{steady("standard", Differences{1}, false),
                                     steady("standard, c = 0.001", Differences{1e-3}, false),
-                                    steady("calibrated", Calibrated{}, false),
-                                    steady("calibrated strip", Calibrated{}, true),
+                                    steady("inversion", Inversion{}, false),
+                                    steady("inversion strip", Inversion{}, true),
                                     steady("chebyshev strip", ChebyshevCollocation{}, true),
                                     transient("direct", Direct{}),
                                     transient("fractional", Fractional{}),

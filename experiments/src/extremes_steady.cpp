@@ -30,6 +30,7 @@ const Scheme standard_quadratic{"standard quadratic", "standard", "quadratic"};
 const Scheme exact_edge{"exact", "exact"};
 const Scheme trimmed{"trimmed", "trimmed", "linear"};
 const Scheme calibrated{"calibrated", "calibrated"};
+const Scheme inversion{"inversion", "inversion"};
 const Scheme chebyshev{"chebyshev", "chebyshev"};
 
 /// The solution for one load, and both ways to prescribe it.
@@ -59,6 +60,7 @@ Setting carter_setting(const ExtremesParameters& p, double sliding) {
 SteadyMethod method_of(const Scheme& scheme, const Setting& setting, const Load& load,
                        double step_ratio) {
   if (scheme.edge == "calibrated") return Calibrated{};
+  if (scheme.edge == "inversion") return Inversion{};
   if (scheme.edge == "chebyshev") return ChebyshevCollocation{};
   if (scheme.edge != "exact") return Differences{.step_ratio = step_ratio};
   const double displacement = ChebyshevRolling(setting.kernel, setting.bound)
@@ -176,7 +178,7 @@ Map steps_map(const ExtremesParameters& p) {
       for (const Index n : p.steps.large) add(scheme, c, {n});
     }
   }
-  for (const Scheme& scheme : {calibrated, chebyshev}) {
+  for (const Scheme& scheme : {calibrated, inversion, chebyshev}) {
     add(scheme, 1, p.steps.sizes);
     for (const Index n : p.steps.large) add(scheme, 1, {n});
   }
@@ -194,7 +196,7 @@ Map widths_map(const ExtremesParameters& p) {
     for (const double width : p.widths.ratios) {
       const Kernel kernel = StripKernel({p.material.shear_modulus, nu}, width * dx);
       const Setting setting{kernel, p.bound, strip_truth(kernel, p.bound, p)};
-      for (const Scheme& scheme : {standard, standard_linear, calibrated, chebyshev}) {
+      for (const Scheme& scheme : {standard, standard_linear, calibrated, inversion, chebyshev}) {
         map.cases.push_back(case_of(scheme, setting, grid_of(p, p.elements), 1, {width, nu}));
       }
     }
@@ -210,7 +212,8 @@ Map loads_map(const ExtremesParameters& p) {
           {}};
   const auto add = [&](double stuck, double sliding) {
     const Setting setting = carter_setting(p, sliding);
-    for (const Scheme& scheme : {standard, standard_linear, exact_edge, calibrated, chebyshev}) {
+    for (const Scheme& scheme :
+         {standard, standard_linear, exact_edge, calibrated, inversion, chebyshev}) {
       map.cases.push_back(case_of(scheme, setting, grid_of(p, p.elements), 1, {stuck, sliding}));
     }
   };
@@ -236,7 +239,7 @@ Map offsets_map(const ExtremesParameters& p) {
           {}};
   const Setting setting = carter_setting(p, 1 - p.stick_ratio);
   for (const Scheme& scheme :
-       {standard, standard_linear, standard_quadratic, exact_edge, trimmed, calibrated}) {
+       {standard, standard_linear, standard_quadratic, exact_edge, trimmed, inversion}) {
     for (const double beta : p.offsets) {
       for (const double alpha : p.offsets) {
         Grid::Parameters grid = grid_of(p, p.elements);

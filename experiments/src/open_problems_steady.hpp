@@ -18,6 +18,9 @@ SteadyTables steady_tables(const OpenProblemsParameters& p, const Progress& prog
 /// An error of Chebyshev collocation up to this is nothing but rounding  [1].
 inline constexpr double chebyshev_rounding = 1e-12;
 
+/// Of errors of the inversion.
+inline constexpr double inversion_rounding = 1e-12;
+
 /// The creepage-force curve, and the digits of its points.
 struct CurveTables {
   Table curve;

@@ -19,7 +19,7 @@ using Eigen::Index;
 
 Table runs_table(const std::vector<Run>& runs) {
   std::vector<Column> columns = contestant_columns();
-  columns.push_back({"elements", "1", "N; unknowns of chebyshev"});
+  columns.push_back({"elements", "1", "N; unknowns of chebyshev; nodes shown of inversion"});
   columns.insert(
       columns.end(),
       {{"force_error", "1", "steady: largest over the loads, relative"},
@@ -47,7 +47,7 @@ Table runs_table(const std::vector<Run>& runs) {
 
 Table times_table(const std::vector<Run>& runs) {
   std::vector<Column> columns = contestant_columns();
-  columns.push_back({"elements", "1", "N; unknowns of chebyshev"});
+  columns.push_back({"elements", "1", "N; unknowns of chebyshev; nodes shown of inversion"});
   for (const char* quantity : quantity_names) {
     columns.push_back({std::string(quantity) + "_error", "1", "as in runs"});
   }

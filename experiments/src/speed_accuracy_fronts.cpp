@@ -26,7 +26,10 @@ struct Contest {
   double error(const Run& run) const { return run.judgement.errors.values[quantity]; }
 };
 
-bool by_elements(const Run& run) { return run.contestant.scheme != "chebyshev"; }
+bool by_elements(const Run& run) {
+  const std::string& scheme = run.contestant.scheme;
+  return scheme != "chebyshev" && scheme != "inversion";
+}
 
 /// Runs of a problem that succeeded, if they have the quantity.
 Contest contest_of(const std::string& problem, std::size_t quantity, bool elements_only,
@@ -72,13 +75,14 @@ std::vector<Cell> joined(std::vector<Cell> cells, std::initializer_list<Cell> mo
 std::vector<Column> columns_of(const Cost& cost, const std::vector<Column>& first) {
   std::vector<Column> columns{{"problem", "1", "plane, strip, transient or cylinder"},
                               {"quantity", "1", "of which the error is"},
-                              {"among", "1", "all, or elements: without chebyshev"}};
+                              {"among", "1", "all, or elements: without chebyshev and inversion"}};
   columns.insert(columns.end(), first.begin(), first.end());
   const std::vector<Column> who = contestant_columns();
   columns.insert(columns.end(), who.begin() + 1, who.end());
-  columns.insert(columns.end(), {{"elements", "1", "N; unknowns of chebyshev"},
-                                 {"error", "1", "relative"},
-                                 {cost.name, cost.unit, cost.meaning}});
+  columns.insert(columns.end(),
+                 {{"elements", "1", "N; unknowns of chebyshev; nodes shown of inversion"},
+                  {"error", "1", "relative"},
+                  {cost.name, cost.unit, cost.meaning}});
   return columns;
 }
 
@@ -97,7 +101,7 @@ void append(std::vector<Cell>& row, const std::vector<Cell>& cells) {
 std::vector<Column> contestant_columns() {
   return {
       {"problem", "1", "plane, strip, transient or cylinder"},
-      {"scheme", "1", "collocation or chebyshev; step.scheme; with the integrator"},
+      {"scheme", "1", "collocation, chebyshev or inversion; step.scheme; with the integrator"},
       {"edge", "1", "leading_edge; aligned: standard, with the edges where the scheme feels them"},
       {"basis", "1", "constant, linear, quadratic, or linear with the last one trimmed"},
       {"step_ratio", "1", "c = dq/dx; nan where it has no role"},

@@ -72,23 +72,22 @@ Solve steady_solve(const std::shared_ptr<const Problem>& problem, const Edge& ed
                      .trailing_offset = edge.trailing_offset});
     std::vector<SteadySolution> solutions;
     for (const Truth& truth : problem->truths) {
-      SteadyMethod method = Calibrated{};
-      if (edge.name != "calibrated") {
-        Differences differences{.step_ratio = step_ratio};
-        if (edge.name == "exact") {
-          differences.edge_displacement = ChebyshevRolling(problem->kernel, problem->bound)
-                                              .solve(truth.load)
-                                              .displacement(problem->bound.half_width());
-        }
-        method = differences;
+      Differences differences{.step_ratio = std::isnan(step_ratio) ? 1 : step_ratio};
+      if (edge.name == "exact") {
+        differences.edge_displacement = ChebyshevRolling(problem->kernel, problem->bound)
+                                            .solve(truth.load)
+                                            .displacement(problem->bound.half_width());
       }
-      solutions.push_back(solve_steady({.kernel = problem->kernel,
-                                        .bound = problem->bound,
-                                        .grid = grid,
-                                        .basis = basis,
-                                        .method = method,
-                                        .load = truth.load,
-                                        .solver = {.type = type}}));
+      SteadyProblem problem_of_load{.kernel = problem->kernel,
+                                    .bound = problem->bound,
+                                    .grid = grid,
+                                    .basis = basis,
+                                    .method = differences,
+                                    .load = truth.load,
+                                    .solver = {.type = type}};
+      if (edge.name == "inversion") problem_of_load.method = Inversion{};
+      if (edge.name == "calibrated") problem_of_load.method = Calibrated{};
+      solutions.push_back(solve_steady(problem_of_load));
     }
     return [=] {
       Judgement judgement;
@@ -133,6 +132,12 @@ void add_problem(const SpeedAccuracyParameters& p, const std::shared_ptr<const P
     all.push_back(
         {who, p.sizes, p.steady.limit, loads, steady_solve(problem, edge, basis, c, type)});
   };
+  all.push_back(
+      {{problem->name, "inversion", "none", "none", not_given, "none"},
+       {p.sizes.front()},
+       p.steady.limit,
+       loads,
+       steady_solve(problem, {"inversion"}, constant_basis(), not_given, Solver::Type::automatic)});
   for (const auto type : {Solver::Type::dense, Solver::Type::fft}) {
     for (const char* name : {"constant", "linear", "quadratic"}) {
       const Basis basis = make_basis(name);

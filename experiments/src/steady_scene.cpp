@@ -74,8 +74,8 @@ std::vector<Table> scene_tables(const SteadyTarget& target, const Progress& prog
   const EstimatedSteady found = solve_steady_to(target.contact, target.error);
   const std::string unknowns = std::to_string(found.unknowns);
   const std::string picked =
-      found.solution.scheme == SteadyScheme::chebyshev
-          ? "method chebyshev, " + unknowns + " unknowns"
+      found.solution.scheme == SteadyScheme::inversion
+          ? "leading_edge inversion"
           : "leading_edge calibrated, basis constant, grid.elements " + unknowns;
   Table summary = summary_of("steady rolling, the whole contact; picked: " + picked, found.solution,
                              found.problem, found.error);

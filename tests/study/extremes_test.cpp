@@ -137,8 +137,8 @@ TEST_F(Extremes, TransientsAreSafeWhereTheReaderSaysSo) {
 }
 
 // Ours are safe everywhere, with errors that say so.
-TEST_F(Extremes, CalibratedAndChebyshevHoldFromFullSlidingToFullStick) {
-  for (const std::string scheme : {"calibrated", "chebyshev"}) {
+TEST_F(Extremes, InversionAndChebyshevHoldFromFullSlidingToFullStick) {
+  for (const std::string scheme : {"inversion", "chebyshev"}) {
     for_rows("loads", scheme, [&](const Table& rows, std::size_t i) {
       if (rows.number(i, "stuck") == 0) {
         EXPECT_EQ(text(rows, i, "verdict"), "refused");  // a force of full sliding
@@ -147,7 +147,7 @@ TEST_F(Extremes, CalibratedAndChebyshevHoldFromFullSlidingToFullStick) {
       }
     });
   }
-  for_rows("offsets", "calibrated",
+  for_rows("offsets", "inversion",
            [](const Table& rows, std::size_t i) { EXPECT_LE(rows.number(i, "error"), 1e-14); });
   for_rows("transient", "material", [](const Table& rows, std::size_t i) {
     const bool fine = rows.number(i, "elements") == 51;
