@@ -2,7 +2,6 @@
 #include <memory>
 
 #include "bench.hpp"
-#include "microslip/rolling/calibrated_rolling.hpp"
 #include "microslip/rolling/chebyshev_rolling.hpp"
 #include "microslip/rolling/steady.hpp"
 #include "peak_memory.hpp"
@@ -12,17 +11,6 @@ namespace microslip::bench {
 namespace {
 
 using Eigen::Index;
-
-struct NamedMethod {
-  std::string name;
-  SteadyMethod method;
-};
-
-const std::vector<NamedMethod>& methods() {
-  static const std::vector<NamedMethod> all = {{"standard", Differences{.step_ratio = 1}},
-                                               {"calibrated", Calibrated{}}};
-  return all;
-}
 
 SteadyProblem problem_of(const BenchParameters& p, const Kernel& kernel, const SteadyMethod& method,
                          Index n, Solver::Type type) {
@@ -35,19 +23,22 @@ SteadyProblem problem_of(const BenchParameters& p, const Kernel& kernel, const S
 }
 
 void add_steady(std::vector<Case>& cases, const BenchParameters& p, Index n) {
-  const auto add = [&](const NamedKernel& kernel, const NamedMethod& method,
-                       const std::string& solver, Solver::Type type) {
-    cases.push_back({{"steady", kernel.name, method.name + '_' + solver, n}, [=, &p] {
-                       const SteadyProblem problem =
-                           problem_of(p, kernel.kernel, method.method, n, type);
-                       return [problem] { return solve_steady(problem).iterations; };
+  const auto add = [&](const NamedKernel& kernel, const std::string& name,
+                       const SteadyProblem& problem) {
+    cases.push_back({{"steady", kernel.name, name, n}, [problem] {
+                       return Work([problem] { return solve_steady(problem).iterations; });
                      }});
   };
   for (const NamedKernel& kernel : p.kernels) {
-    for (const NamedMethod& method : methods()) {
-      add(kernel, method, "fft", Solver::Type::fft);
-      if (n <= p.dense_steady) add(kernel, method, "dense", Solver::Type::dense);
-    }
+    const auto add_elements = [&](const std::string& solver, Solver::Type type) {
+      const SteadyProblem problem =
+          problem_of(p, kernel.kernel, Differences{.step_ratio = 1}, n, type);
+      add(kernel, "standard_" + solver, problem);
+      add(kernel, "calibrated_" + solver, problem_of(p, kernel.kernel, Calibrated{}, n, type));
+    };
+    add(kernel, "inversion", problem_of(p, kernel.kernel, Inversion{}, n, Solver::Type::automatic));
+    add_elements("fft", Solver::Type::fft);
+    if (n <= p.dense_steady) add_elements("dense", Solver::Type::dense);
   }
 }
 
@@ -65,16 +56,6 @@ Work points(Rolling rolling, double near) {
     state->rolling.at(state->stick_edge);
     return 0;
   };
-}
-
-void add_calibrated_points(std::vector<Case>& cases, const BenchParameters& p, Index n) {
-  for (const NamedKernel& kernel : p.kernels) {
-    cases.push_back({{"point", kernel.name, "calibrated", n}, [=, &p] {
-                       CalibratedRolling rolling(kernel.kernel, p.bound, constant_basis(), n);
-                       const double edge = -0.2 * p.bound.half_width();
-                       return points(std::move(rolling), edge);
-                     }});
-  }
 }
 
 void add_chebyshev_points(std::vector<Case>& cases, const BenchParameters& p, Index unknowns) {
@@ -104,7 +85,6 @@ void add_chebyshev_steady(std::vector<Case>& cases, const BenchParameters& p) {
 std::vector<Case> steady_cases(const BenchParameters& p) {
   std::vector<Case> cases;
   for (const Index n : p.steady) add_steady(cases, p, n);
-  for (const Index n : p.points) add_calibrated_points(cases, p, n);
   for (const Index n : p.unknowns) add_chebyshev_points(cases, p, n);
   add_chebyshev_steady(cases, p);
   return cases;
@@ -117,11 +97,15 @@ Table memory_table(const BenchParameters& p) {
                {"elements", "1", "number N of elements"},
                {"peak_memory", "byte", "largest resident set, with that of the program itself"}});
   for (const Index n : p.memory) {
-    for (const NamedMethod& method : methods()) {
-      const auto problem = problem_of(p, p.strip(), method.method, n, Solver::Type::fft);
+    const auto add = [&](const std::string& method, const SteadyProblem& problem) {
       const double peak = peak_memory([&] { solve_steady(problem); });
-      table.add({p.kernels.front().name, method.name, static_cast<double>(n), peak});
-    }
+      table.add({p.kernels.front().name, method, static_cast<double>(n), peak});
+    };
+    const SteadyProblem standard =
+        problem_of(p, p.strip(), Differences{.step_ratio = 1}, n, Solver::Type::fft);
+    add("standard", standard);
+    add("calibrated", problem_of(p, p.strip(), Calibrated{}, n, Solver::Type::fft));
+    add("inversion", problem_of(p, p.strip(), Inversion{}, n, Solver::Type::fft));
   }
   return table;
 }

@@ -20,7 +20,7 @@ struct NamedScheme {
 
 const std::vector<NamedScheme>& schemes() {
   static const std::vector<NamedScheme> all = {{"direct", Direct{}, Differences{.step_ratio = 1}},
-                                               {"material", MaterialFixed{}, Calibrated{}}};
+                                               {"material", MaterialFixed{}, Inversion{}}};
   return all;
 }
 
