@@ -93,7 +93,7 @@ TEST_F(BadScenes, UnknownWords) {
 
 TEST_F(BadScenes, MethodsOfSteadyRolling) {
   expect_rejected(good_scene, "--set method=spectral", "method = 'spectral': expected collocation");
-  expect_rejected(good_scene, "--set leading_edge=sharp", "leading_edge = 'sharp': expected cal");
+  expect_rejected(good_scene, "--set leading_edge=sharp", "leading_edge = 'sharp': expected inv");
   expect_rejected(good_scene, "--set method=chebyshev --set leading_edge=standard",
                   "key 'leading_edge' has no role here");
   expect_rejected(good_scene, "--set method=chebyshev --set basis=linear",
@@ -102,7 +102,8 @@ TEST_F(BadScenes, MethodsOfSteadyRolling) {
                   "basis = 'constant': expected linear where the last function is trimmed");
   expect_rejected(good_scene, "--set kernel.width=0.01",
                   "kernel.width = 0.01: expected at least 0.02 half-widths");
-  expect_rejected(good_scene, "--set grid.elements=1", "grid.elements = 1: expected at least 2");
+  expect_rejected(good_scene, "--set contact.bound_polynomial='0.02 0 4' --set grid.elements=4",
+                  "grid.elements = 4: expected at least 11, as there is more than one zone of");
   for (const char* method : {"leading_edge=standard", "leading_edge=exact", "method=chebyshev",
                              "leading_edge=trimmed --set basis=linear --set grid.elements=21"}) {
     EXPECT_EQ(run(good_scene, "--set " + std::string(method)).error, "") << method;
@@ -160,12 +161,14 @@ TEST_F(BadScenes, UnsafeValuesAreWarnedOf) {
   };
   const std::string standard = "--set leading_edge=standard --set grid.elements=51 ";
   expect_warned(good_scene, standard + "--set step.ratio=0.1",
-                "step.ratio = 0.1: this scheme is safe from 0.7 to 1.5; leading_edge calibrated is "
+                "step.ratio = 0.1: this scheme is safe from 0.7 to 1.5; leading_edge inversion is "
                 "safe for any");
+  expect_warned(good_scene, standard + "--set grid.elements=4",
+                "grid.elements = 4: this scheme is safe from 11 on; leading_edge inversion is safe "
+                "for any");
   expect_warned(
-      good_scene, standard + "--set grid.elements=4",
-      "grid.elements = 4: this scheme is safe from 11 on; leading_edge calibrated is safe "
-      "for any");
+      good_scene, "--set leading_edge=calibrated --set grid.elements=4",
+      "grid.elements = 4: this scheme is safe from 11 on; leading_edge inversion is safe for any");
   expect_warned(good_transient, "--set step.scheme=direct --set step.ratio=0.1",
                 "step.ratio = 0.1: this scheme is safe from 0.5 to 1.3; step.scheme material is "
                 "safe for any");
@@ -194,12 +197,13 @@ TEST_F(BadScenes, TargetErrors) {
                   "key 'basis' has no role here");
   EXPECT_NE(run(good_transient, "--target-error 1e-4").error.find("it is for problem steady"),
             std::string::npos);
-  for (const std::string width : {"40", "0.3"}) {
-    EXPECT_EQ(run(good_scene, free + "--target-error 1e-4 --set kernel.width=" + width).error, "");
-    EXPECT_NE(text_of(out() / "summary.tsv")
-                  .find(width == "40" ? "picked: method chebyshev" : "picked: leading_edge calibr"),
-              std::string::npos);
-    EXPECT_LE(summary_value("estimated_error"), 1e-4);
+  const std::pair<std::string, std::string> picked[] = {
+      {"kernel.width=40", "leading_edge inversion"},
+      {"contact.bound_polynomial='0.02 0 4'", "leading_edge calibrated, basis constant"}};
+  for (const auto& [setting, method] : picked) {
+    EXPECT_EQ(run(good_scene, free + "--target-error 1e-3 --set " + setting).error, "");
+    EXPECT_NE(text_of(out() / "summary.tsv").find("picked: " + method), std::string::npos);
+    EXPECT_LE(summary_value("estimated_error"), 1e-3);
   }
 }
 
