@@ -64,6 +64,7 @@ ExtremesParameters read_extremes(Scene& scene) {
                  .poisson_ratios = numbers_within(scene, "widths.poisson_ratios", 0, 0.5)},
       .loads = {.stuck = numbers_within(scene, "loads.stuck", 0, 1),
                 .sliding = numbers_within(scene, "loads.sliding", 0, 1)},
+      .bounds = numbers_within(scene, "bounds", 1e-12, 0.999999),
       .offsets = numbers_within(scene, "offsets", 0, 1),
       .transient = {.ratios = numbers_within(scene, "transient.ratios", 1e-15, 1e6),
                     .sizes = scene.wholes("transient.sizes", 1, most_elements),
@@ -80,7 +81,7 @@ ExtremesParameters read_extremes(Scene& scene) {
 }
 
 std::vector<Table> extremes(const ExtremesParameters& p, const Progress& progress) {
-  const std::vector<Map> maps{steps_map(p),   widths_map(p),    loads_map(p),
+  const std::vector<Map> maps{steps_map(p),   widths_map(p),    loads_map(p),    bounds_map(p),
                               offsets_map(p), transient_map(p), endurance_map(p)};
   std::size_t total = 0;
   for (const Map& map : maps) total += map.cases.size();

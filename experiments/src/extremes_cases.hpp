@@ -74,6 +74,7 @@ void add_ranges(Table& ranges, const Map& map, const std::vector<Outcome>& outco
 Map steps_map(const ExtremesParameters& p);
 Map widths_map(const ExtremesParameters& p);
 Map loads_map(const ExtremesParameters& p);
+Map bounds_map(const ExtremesParameters& p);
 Map offsets_map(const ExtremesParameters& p);
 Map transient_map(const ExtremesParameters& p);
 Map endurance_map(const ExtremesParameters& p);

@@ -27,6 +27,7 @@ ExtremesParameters parameters() {
                     .large = {10001}},
           .widths = {.ratios = {1e-3, 0.1, 1, 10, 1000, 1e8}, .poisson_ratios = {0, 0.28, 0.5}},
           .loads = {.stuck = {0, 1e-6, 1e-3, 0.1}, .sliding = {0, 1e-12, 1e-9, 1e-6, 1e-3, 0.1}},
+          .bounds = {1e-6, 1e-3, 0.1, 0.5, 0.9, 0.99},
           .offsets = {0, 1e-9, 0.5, 0.8253, 1},
           .transient = {.ratios = {1e-12, 1e-3, 0.01, 0.1, 0.3, 0.5, 0.8, 1, 1.3, 2, 100, 1000},
                         .sizes = {11, 25, 51},
@@ -152,6 +153,19 @@ TEST_F(Extremes, InversionAndChebyshevHoldFromFullSlidingToFullStick) {
   for_rows("transient", "material", [](const Table& rows, std::size_t i) {
     const bool fine = rows.number(i, "elements") == 51;
     EXPECT_LE(rows.number(i, "error"), fine ? 0.007 : 0.1);
+  });
+}
+
+// Small loads, bounds that are not smooth (1 to 3), and two stick zones (4). Where the rough bound
+// (1) is reached at many places, elements replace the inversion.
+TEST_F(Extremes, InversionHoldsUnderAnyBound) {
+  for_rows("bounds", "inversion", [](const Table& rows, std::size_t i) {
+    const double bound = rows.number(i, "bound");
+    const bool one_zone = bound == 2 || bound == 3 || rows.number(i, "load") <= 0.1;
+    EXPECT_LE(rows.number(i, "error"), one_zone ? 1e-9 : 0.02) << "row " << i;
+  });
+  for_rows("bounds", "calibrated", [](const Table& rows, std::size_t i) {
+    EXPECT_LE(rows.number(i, "error"), 0.02) << "row " << i;
   });
 }
 

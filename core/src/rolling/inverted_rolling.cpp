@@ -25,7 +25,13 @@ namespace {
 
 /// Beyond it the stick zone is shorter than 1e-80 of the contact.
 constexpr double largest_theta = 200;
-constexpr double least_theta = 1e-100;
+
+/// Half the width of a strip, over the half-width of the contact, that takes panels as short.
+constexpr double narrowest = 0.01;
+
+/// Pieces of a table: the cost of looking at all tractions grows with their square.
+constexpr Index most_pieces = 20000;
+constexpr double least_theta = 1e-140;
 
 /// Of a search for the logarithm of theta.
 constexpr double most_step = 0.25;
@@ -216,7 +222,19 @@ InvertedRolling::InvertedRolling(const Kernel& kernel, const TractionBound& boun
   stages_.push_back({contact_, 1e-4});
 }
 
+std::optional<std::string> InvertedRolling::obstacle() const {
+  if (clear_distance(contact_->kernel) < narrowest * contact_->half_width()) {
+    return "the strip is too narrow for the inversion";
+  }
+  const auto* table = std::get_if<TabulatedBound>(&contact_->bound);
+  if (table != nullptr && table->x().size() > most_pieces) {
+    return "the bound has too many pieces for the inversion";
+  }
+  return std::nullopt;
+}
+
 InvertedSolution InvertedRolling::solve(const Load& load) const {
+  if (const auto why = obstacle()) throw NotConverged("steady rolling: " + *why, 0, 1);
   const auto* force = std::get_if<PrescribedForce>(&load);
   const double value = std::visit([](const auto& of) { return of.value; }, load);
   const double target = std::abs(value);

@@ -194,9 +194,10 @@ SteadySolution instead_of_inversion(const SteadyProblem& problem, const std::str
 }
 
 SteadySolution by_inversion(const SteadyProblem& problem) {
+  const InvertedRolling rolling(problem.kernel, problem.bound);
+  if (const auto why = rolling.obstacle()) return instead_of_inversion(problem, *why);
   try {
-    const InvertedSolution solution =
-        InvertedRolling(problem.kernel, problem.bound).solve(problem.load);
+    const InvertedSolution solution = rolling.solve(problem.load);
     if (solution.keeps_conditions()) {
       return sampled(problem, solution, SteadyScheme::inversion);
     }

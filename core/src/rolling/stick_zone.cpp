@@ -221,6 +221,7 @@ bool StickZone::keeps_conditions() const {
   constexpr Index parts = 12;
   constexpr Index many_rows = 100;
   constexpr std::size_t few_places = 3;
+  constexpr std::size_t most_looked_at = 2000;
   constexpr double places[] = {0.5, 1e-2, 0.99, 1e-3, 0.999, 0.25, 0.75, 0.05, 0.95, 1e-5, 0.99999};
   const auto* table = std::get_if<TabulatedBound>(&contact_->bound);
   const double a = contact_->half_width();
@@ -229,10 +230,11 @@ bool StickZone::keeps_conditions() const {
   std::vector<double> ends(rows.begin(), rows.end());
   ends.insert(ends.end(), {begin_, end_});
   std::sort(ends.begin(), ends.end());
+  const std::size_t stride = 1 + ends.size() / most_looked_at;
   const std::size_t count = rows.size() > many_rows ? few_places : std::size(places);
   for (std::size_t k = 0; k < count; ++k) {
     const double place = places[k];
-    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < ends.size(); i += stride) {
       const double x = ends[i] + place * (ends[i + 1] - ends[i]);
       const bool known = x - ends[i] > rounding && ends[i + 1] - x > rounding;
       if (known && !keeps_conditions_at(x)) return false;

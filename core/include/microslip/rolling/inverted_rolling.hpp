@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
@@ -69,8 +71,13 @@ class InvertedRolling {
   /// \throws std::invalid_argument as FullSliding, for a smooth bound
   InvertedRolling(const Kernel& kernel, const TractionBound& bound, double fineness = 1);
 
+  /// Why it would cost too much, if it would: strips narrower than 0.02 half-widths, and tables of
+  /// more than 20 000 rows.
+  std::optional<std::string> obstacle() const;
+
   /// \throws std::invalid_argument if a force is not below full sliding
-  /// \throws NotConverged          if no such stick zone carries the load. Whether the one that
+  /// \throws NotConverged          if there is an obstacle, or no such stick zone carries the load.
+  /// Whether the one that
   ///                               does keeps the contact conditions, the solution says.
   InvertedSolution solve(const Load& load) const;
 

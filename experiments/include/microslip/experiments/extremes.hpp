@@ -44,6 +44,7 @@ struct ExtremesParameters {
     std::vector<double> sliding;  ///< 1 - a'  [1]
   } loads;
 
+  std::vector<double> bounds;   ///< forces over full sliding, under bounds that are not smooth  [1]
   std::vector<double> offsets;  ///< alpha and beta  [dx]
 
   struct {
@@ -62,13 +63,14 @@ struct ExtremesParameters {
 };
 
 /// material.*, contact.*, kernel.length, grid.elements, load.stick_ratio, limits.*, steps.*,
-/// widths.*, loads.*, offsets, transient.*, endurance.*, scales: see the scene of the study.
+/// widths.*, loads.*, bounds, offsets, transient.*, endurance.*, scales: see the scene of the
+/// study.
 ExtremesParameters read_extremes(Scene& scene);
 
 /// Tables: steps (c and N of steady rolling), widths (strip width and Poisson ratio), loads (from
-/// full stick to full sliding), offsets (of both edges), transient (c and N), endurance (many
-/// steps), each with a row a case, failures included; scales (what is left of scale invariance);
-/// ranges (where each scheme is safe) and claims.
+/// full stick to full sliding), bounds (that are not smooth), offsets (of both edges), transient (c
+/// and N), endurance (many steps), each with a row a case, failures included; scales (what is left
+/// of scale invariance); ranges (where each scheme is safe) and claims.
 std::vector<Table> extremes(const ExtremesParameters& parameters, const Progress& progress);
 
 }  // namespace microslip::experiments

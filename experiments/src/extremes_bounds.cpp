@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+#include "extremes_cases.hpp"
+#include "microslip/rolling/inverted_rolling.hpp"
+#include "microslip/rolling/steady.hpp"
+#include "microslip/support/not_converged.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+struct Scheme {
+  std::string name;
+  SteadyMethod method;
+};
+
+/// Hertz's bound in 201 rows, each 30 % too high or too low.
+TractionBound rough_bound(const HertzBound& hertz) {
+  constexpr Index rows = 201;
+  constexpr double share = 0.3;
+  const double a = hertz.half_width();
+  const VectorXd x = VectorXd::LinSpaced(rows, -a, a);
+  VectorXd values(rows);
+  for (Index i = 0; i < rows; ++i) {
+    const double place = std::fmod(static_cast<double>(i) * std::sqrt(2.0), 1.0);
+    values[i] = hertz(x[i]) * (place < 0.5 ? 1 - share : 1 + share);
+  }
+  return TabulatedBound(a, x, values);
+}
+
+TractionBound table_of(double half_width, const VectorXd& places, const VectorXd& values) {
+  return TabulatedBound(half_width, half_width * places, values);
+}
+
+/// In the order of the coordinate `bound`.
+std::vector<TractionBound> bounds(const HertzBound& hertz) {
+  const double a = hertz.half_width();
+  const double peak = hertz.peak();
+  return {rough_bound(hertz), table_of(a, Eigen::Vector2d(-1, 1), peak * Eigen::Vector2d(0.5, 1)),
+          table_of(a, Eigen::Vector4d(-1, 0, 1e-3, 1), peak * Eigen::Vector4d(0.5, 0.5, 1, 0)),
+          PolynomialBound(a, peak, Eigen::Vector3d(0.05, 0, 1))};
+}
+
+/// The creepage: by inversion with finer quadratures, or by as many elements as give four digits.
+double truth_of(const Kernel& kernel, const TractionBound& bound, const Load& load) {
+  constexpr double finer = 2;
+  constexpr Index elements = 4001;
+  try {
+    const InvertedSolution found = InvertedRolling(kernel, bound, finer).solve(load);
+    if (found.keeps_conditions()) return found.creepage();
+  } catch (const NotConverged&) {
+  }
+  return solve_steady({.kernel = kernel,
+                       .bound = bound,
+                       .grid = Grid({.half_width = half_width_of(bound), .elements = elements}),
+                       .method = Calibrated{},
+                       .load = load})
+      .creepage;
+}
+
+Finding solve(const SteadyProblem& problem, double truth) {
+  const SteadySolution found = solve_steady(problem);
+  return {.error = std::abs(found.creepage / truth - 1),
+          .condition = found.condition,
+          .evidence = found.evidence,
+          .iterations = static_cast<double>(found.iterations)};
+}
+
+}  // namespace
+
+Map bounds_map(const ExtremesParameters& p) {
+  Map map{
+      "bounds",
+      "steady rolling in plane strain, bounds that are not smooth, under small and large forces",
+      {{"bound", "1",
+        "1 rough (30 %), 2 finite at both edges, 3 with a jump, 4 with two humps: two stick "
+        "zones"},
+       {"load", "1", "force over full sliding"}},
+      {1, 0.5},
+      {}};
+  const Kernel kernel = PlaneKernel(p.material, p.length);
+  const std::vector<Scheme> schemes{
+      {"standard", Differences{1}}, {"calibrated", Calibrated{}}, {"inversion", Inversion{}}};
+  double kind = 0;
+  for (const TractionBound& bound : bounds(p.bound)) {
+    ++kind;
+    for (const double part : p.bounds) {
+      const Load load = PrescribedForce{-part * full_sliding_force(bound)};
+      const auto truth = std::make_shared<const double>(truth_of(kernel, bound, load));
+      for (const Scheme& scheme : schemes) {
+        const SteadyProblem problem{
+            .kernel = kernel,
+            .bound = bound,
+            .grid = Grid({.half_width = p.bound.half_width(), .elements = p.elements}),
+            .method = scheme.method,
+            .load = load};
+        map.cases.push_back({.scheme = scheme.name,
+                             .place = {kind, part},
+                             .size = static_cast<double>(p.elements),
+                             .solve = [=] { return solve(problem, *truth); }});
+      }
+    }
+  }
+  return map;
+}
+
+}  // namespace microslip::experiments
