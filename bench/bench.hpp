@@ -30,7 +30,6 @@ struct BenchParameters {
 
   Sizes parts;     ///< of influence coefficients, products and solves
   Sizes steady;    ///< of steady rolling
-  Sizes points;    ///< of points of its creepage-force curve
   Sizes unknowns;  ///< of Chebyshev collocation
   Sizes step;      ///< of a transient step
   Sizes rolling;   ///< of N transient steps

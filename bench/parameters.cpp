@@ -35,7 +35,6 @@ BenchParameters read_bench(Scene& scene) {
           .tolerance = scene.number("solve.tolerance"),
           .parts = sizes("sizes.parts"),
           .steady = sizes("sizes.steady"),
-          .points = sizes("sizes.points"),
           .unknowns = sizes("sizes.unknowns"),
           .step = sizes("sizes.step"),
           .rolling = sizes("sizes.rolling"),

@@ -1,4 +1,4 @@
-# Steady rolling: our two schemes by FFT and with all entries, and CONTACT's.
+# Steady rolling: two schemes by FFT and with all entries, the inversion, and CONTACT's.
 load scripts."/bench.gpi"
 set key maxrows 3
 set title "steady rolling, 0.64 of full sliding, strip\n{/*0.8 ".machines."}"
@@ -7,4 +7,5 @@ plot peer using (of("steady", "strip", "CONTACT")):"time" with linespoints linet
      times using (of("steady", "strip", "standard_dense")):"time" with linespoints linetype 2 dashtype 2 pointtype 6 pointsize 0.5 title named("standard, dense", "standard_dense"), \
      times using (of("steady", "strip", "standard_fft")):"time" with linespoints linetype 2 pointtype 7 pointsize 0.5 title named("standard, FFT", "standard_fft"), \
      times using (of("steady", "strip", "calibrated_dense")):"time" with linespoints linetype 1 dashtype 2 pointtype 6 pointsize 0.5 title named("calibrated, dense", "calibrated_dense"), \
-     times using (of("steady", "strip", "calibrated_fft")):"time" with linespoints linetype 1 pointtype 7 pointsize 0.5 title named("calibrated, FFT", "calibrated_fft")
+     times using (of("steady", "strip", "calibrated_fft")):"time" with linespoints linetype 1 pointtype 7 pointsize 0.5 title named("calibrated, FFT", "calibrated_fft"), \
+     times using (of("steady", "strip", "inversion")):"time" with linespoints linetype 4 pointtype 7 pointsize 0.5 title named("inversion", "inversion")

@@ -117,6 +117,36 @@ TEST(InvertedRolling, DoesNotKnowTheBoundWhereItIsNotReached) {
   }
 }
 
+// More rows on its straight pieces are the same bound, next to its kinks as well.
+TEST(InvertedRolling, DoesNotKnowRowsOnStraightPieces) {
+  const std::vector<double> x{-1, -0.9, -0.5, -0.3, 0.4, 1};
+  const std::vector<double> bound{0.1, 0.4, 0.45, 0.8, 1, 0};
+  std::vector<double> more_x, more_bound;
+  for (std::size_t i = 0; i + 1 < x.size(); ++i) {
+    for (const double part : {0.0, 0.1, 0.13, 0.5, 0.9}) {
+      more_x.push_back(x[i] + part * (x[i + 1] - x[i]));
+      more_bound.push_back(bound[i] + part * (bound[i + 1] - bound[i]));
+    }
+  }
+  more_x.push_back(x.back());
+  more_bound.push_back(bound.back());
+  for (const Kernel& kernel :
+       {Kernel(PlaneKernel(material, 7)), Kernel(StripKernel(material, 2))}) {
+    for (const double force : {-0.9, -0.5, -0.05}) {
+      const Load load = PrescribedForce{force};
+      const InvertedSolution few = InvertedRolling(kernel, table(1, x, bound)).solve(load);
+      const InvertedSolution many =
+          InvertedRolling(kernel, table(1, more_x, more_bound)).solve(load);
+      EXPECT_NEAR(few.creepage() / many.creepage(), 1, 1e-12);
+      for (int i = 0; i < 400; ++i) {
+        const double at = -1 + (i + 0.5) / 200;
+        EXPECT_NEAR(few.traction(at), many.traction(at), 1e-11) << at;
+        EXPECT_NEAR(few.slip(at), many.slip(at), 1e-11) << at;
+      }
+    }
+  }
+}
+
 // Roughness of a smooth bound that keeps its slip zone.
 TEST(InvertedRolling, DoesNotKnowARoughBoundWhereItIsNotReached) {
   const HertzBound hertz(5, 300);
