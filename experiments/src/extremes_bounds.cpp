@@ -75,6 +75,7 @@ Finding solve(const SteadyProblem& problem, double truth) {
 }  // namespace
 
 Map bounds_map(const ExtremesParameters& p) {
+  // Rounding: what the tolerance of the solver leaves of many elements.
   Map map{
       "bounds",
       "steady rolling in plane strain, bounds that are not smooth, under small and large forces",
@@ -83,7 +84,8 @@ Map bounds_map(const ExtremesParameters& p) {
         "zones"},
        {"load", "1", "force over full sliding"}},
       {1, 0.5},
-      {}};
+      {},
+      1e-10};
   const Kernel kernel = PlaneKernel(p.material, p.length);
   const std::vector<Scheme> schemes{
       {"standard", Differences{1}}, {"calibrated", Calibrated{}}, {"inversion", Inversion{}}};

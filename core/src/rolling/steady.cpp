@@ -199,7 +199,9 @@ SteadySolution by_inversion(const SteadyProblem& problem) {
   try {
     const InvertedSolution solution = rolling.solve(problem.load);
     if (solution.keeps_conditions()) {
-      return sampled(problem, solution, SteadyScheme::inversion);
+      SteadySolution found = sampled(problem, solution, SteadyScheme::inversion);
+      found.iterations = 0;
+      return found;
     }
   } catch (const NotConverged&) {
     return instead_of_inversion(problem, "no single stick zone carries the load");

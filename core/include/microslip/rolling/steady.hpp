@@ -81,7 +81,9 @@ struct SteadySolution {
   double force;        ///< integral of the traction  [N/mm]
   double creepage;     ///< w  [1]
   double dissipation;  ///< -w F, energy per mm rolled and mm width: nothing is stored  [N/mm]
-  int iterations;      ///< partitions tried on this grid, or systems solved
+  /// Partitions tried on this grid, or systems solved by Chebyshev collocation; 0 by inversion, the
+  /// search of which ends at rounding and so takes more steps on one processor than on another.
+  int iterations;
   Evidence evidence;
   double condition;  ///< estimate for the equations in adhesion, in the 1-norm; 1 if all slides
   /// The stick-slip point b, where a method finds it between nodes; a in full sliding  [mm]
