@@ -139,6 +139,18 @@ TEST(GeneratedContacts, DefaultMethodIsRight) {
   print("default method, N = 100", counts);
 }
 
+// The force leads to a creepage, and that back to the force, by elements or not.
+TEST(GeneratedContacts, ForcesAndCreepagesLeadToEachOther) {
+  ContactGenerator generator(seed_of_tests() + 10);
+  for (int i = 0; i < 600; ++i) {
+    const auto [kind, contact] = generator.next();
+    SteadyProblem problem = problem_of(contact, 200, Inversion{});
+    const double force = std::get<PrescribedForce>(contact.load).value;
+    problem.load = PrescribedCreepage{solve_steady(problem).creepage};
+    EXPECT_NEAR(solve_steady(problem).force / force, 1, 0.02) << kind << ", case " << i;
+  }
+}
+
 // The estimate is meant to be an upper limit. The truth is known to its uncertainty only. The error
 // is never above five times the target.
 TEST(GeneratedContacts, EstimatesHold) {

@@ -277,6 +277,20 @@ TEST(Inversion, TakesSeveralStickZones) {
   }
 }
 
+// The strain of full sliding is largest inside the contact, under a hump: there the bodies still
+// stick under creepages at which one zone at the leading edge would slide.
+TEST(Inversion, SlidesFullyWhereNoHumpSticks) {
+  for (const double place : {-0.5, 0.5}) {
+    const PolynomialBound humps(1, 1, Eigen::Vector3d(place * place + 0.03, -2 * place, 1));
+    for (const double part : {0.5, 0.7, 0.8, 0.9, 0.95, 0.98}) {
+      const double force = -part * humps.total();
+      const double creepage = solve_steady(problem(humps, PrescribedForce{force}, 400)).creepage;
+      const SteadySolution s = solve_steady(problem(humps, PrescribedCreepage{creepage}, 400));
+      EXPECT_NEAR(s.force / force, 1, 0.003) << place << ' ' << part;
+    }
+  }
+}
+
 // Next to the load at which the dent begins to slip; there the dent's zone is short, and what one
 // stick zone would have above the bound is less than a hundredth of the peak.
 TEST(Inversion, SeesASecondSlipZoneWhileItIsShort) {
