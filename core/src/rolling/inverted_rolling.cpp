@@ -290,6 +290,7 @@ bool InvertedSolution::sticks(double x) const {
 }
 
 double InvertedSolution::traction(double x) const {
+  if (direction_ == 0) return 0;
   return -direction_ * (zone_ ? zone_->traction(x) : contact_->bound_at(x));
 }
 

@@ -13,16 +13,16 @@ namespace microslip {
 using Eigen::ArrayXd;
 using Eigen::Index;
 
-namespace {
-
-using Edge = SidedBound::Edge;
-
 double versine_of(double theta) {
   const double root = std::sinh(theta / 2);
   return 2 * root * root;
 }
 
 double theta_of(double versine) { return 2 * std::asinh(std::sqrt(std::max(0.0, versine) / 2)); }
+
+namespace {
+
+using Edge = SidedBound::Edge;
 
 template <int points, class Take>
 void legendre(const Take& take) {
@@ -294,19 +294,12 @@ double SlipSide::transform_smooth(const Place& place) const {
 
 double SlipSide::at_near_end() const {
   const auto coth = [](double theta) { return 1 / std::tanh(theta / 2); };
-  if (!bound_->smooth()) {
-    double sum = 0;
-    for (const Piece& piece : pieces_) {
-      const double inner = piece.from > 0 ? coth(piece.from) : 0;
-      sum += piece.at(0) * (inner - coth(piece.to)) + piece.slope * (piece.to - piece.from);
-    }
-    return sum;
+  double sum = 0;
+  for (const Piece& piece : pieces_) {
+    const double inner = piece.from > 0 ? coth(piece.from) : 0;
+    sum += piece.at(0) * (inner - coth(piece.to)) + piece.slope * (piece.to - piece.from);
   }
-  const double g = (*bound_)(half_length_ * versine_of(extent_));
-  const Index last = theta_.size() - edge_nodes_;
-  return ((load_.head(edge_nodes_) - g * weight_.head(edge_nodes_)) / versine_.head(edge_nodes_))
-             .sum() -
-         g * coth(edge_) + by_nodes(edge_nodes_, last, 0);
+  return sum;
 }
 
 double SlipSide::at_far_end() const { return by_nodes(0, theta_.size(), -2); }

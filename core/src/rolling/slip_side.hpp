@@ -2,13 +2,16 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "microslip/friction/traction_bound.hpp"
 
 namespace microslip {
+
+/// v = cosh(theta) - 1, without cancellation; and theta of it, 0 for v <= 0.
+double versine_of(double theta);
+double theta_of(double versine);
 
 /// A bound by the distance from one edge of the contact.
 class SidedBound {
@@ -69,7 +72,8 @@ class SlipSide {
   ///                 the other side
   double transform(double versine) const;
 
-  /// The finite part of the integral of g/v over theta: at the near end of the stick zone.
+  /// The finite part of the integral of g/v over theta, of a table: at the near end of the stick
+  /// zone.
   double at_near_end() const;
 
   /// The integral of g/(2 + v) over theta: at its far end.

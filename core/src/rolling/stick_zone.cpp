@@ -34,8 +34,6 @@ SlipSide::Panels panels_of(const InvertedContact& contact) {
 
 double one_norm(const MatrixXd& matrix) { return matrix.cwiseAbs().colwise().sum().maxCoeff(); }
 
-double versine_of(double theta) { return 2 * std::pow(std::sinh(theta / 2), 2); }
-
 }  // namespace
 
 InvertedContact::InvertedContact(const Kernel& of_kernel, const TractionBound& of_bound,
@@ -203,7 +201,7 @@ double StickZone::slip(double x) const {
   const bool trails = x < begin_;
   double slip = log_factor_ * (trails ? -transform(x) : transform(x));
   if (!regular_) return slip;
-  const double theta = 2 * std::asinh(std::sqrt((trails ? behind(x) : before(x)) / 2));
+  const double theta = theta_of(trails ? behind(x) : before(x));
   const double ratio = (trails ? -1 : 1) * std::exp(-theta);
   double strain = 0;
   for (Index n = added_.size() - 1; n >= 0; --n) strain = ratio * (added_[n] + strain);
@@ -272,9 +270,7 @@ double StickZone::displacement_at_end() const {
 double StickZone::slip_between(double from, double to) const {
   constexpr double parts_of_contact = 50;
   const bool trails = to <= begin_;
-  const auto theta = [&](double x) {
-    return 2 * std::asinh(std::sqrt(std::max(0.0, trails ? behind(x) : before(x)) / 2));
-  };
+  const auto theta = [&](double x) { return theta_of(trails ? behind(x) : before(x)); };
   const double first = theta(trails ? to : from);
   const double last = theta(trails ? from : to);
   const double parts = std::ceil((to - from) / contact_->half_width() * parts_of_contact);

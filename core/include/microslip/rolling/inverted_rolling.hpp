@@ -20,7 +20,7 @@ class StickZone;
 /// A steady state as functions of the position.
 class InvertedSolution {
  public:
-  /// \param zone   of a positive creepage; none in full sliding
+  /// \param zone   of a positive creepage; none in full sliding, and without a load
   /// \param load   that it meets
   InvertedSolution(std::shared_ptr<const InvertedContact> contact,
                    std::shared_ptr<const StickZone> zone, const Load& load, int evaluations);
@@ -76,9 +76,8 @@ class InvertedRolling {
   std::optional<std::string> obstacle() const;
 
   /// \throws std::invalid_argument if a force is not below full sliding
-  /// \throws NotConverged          if there is an obstacle, or no such stick zone carries the load.
-  /// Whether the one that
-  ///                               does keeps the contact conditions, the solution says.
+  /// \throws NotConverged          if there is an obstacle, or no such stick zone carries the load
+  /// \return which may be no solution: that it keeps the contact conditions is another question
   InvertedSolution solve(const Load& load) const;
 
  private:
