@@ -2,7 +2,7 @@
 traction = tables."/traction.tsv"
 history = tables."/history.tsv"
 eval page(640, 620)
-set multiplot layout 2,1 margins 0.15,0.83,0.09,0.96 spacing 0.13
+set multiplot layout 2,1 margins 0.15,0.83,0.11,0.96 spacing 0.13
 set xlabel "x [mm], rolling to the right"
 set ylabel "traction p [N/mm^2]"
 set key at graph 0.66,0.9
@@ -18,7 +18,7 @@ set y2tics
 set yrange [*<0:0<*]
 set y2range [*<0:0<*]
 set key at graph 0.97,0.5
-# The first row is the start, where there is no creepage.
+# The first row is the start, where there is no creepage. Steps shorter than an element have noise.
 plot history using "q":"force" with lines linetype 3 title "force, left", \
-     history using (column("q") > 0 ? column("q") : NaN):"creepage" axes x1y2 with lines linetype 2 title "creepage, right"
+     history using (column("q") > 0 ? column("q") : NaN):"element_creepage" axes x1y2 with lines linetype 2 title "creepage over an element, right"
 unset multiplot

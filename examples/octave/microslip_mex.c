@@ -125,6 +125,8 @@ static mxArray* answer(const char* command, microslip_rolling* h, double argumen
   }
   if (is(command, "elastic_energy")) {
     check(microslip_get_elastic_energy(h, &result), microslip_message(h));
+  } else if (is(command, "element_creepage")) {
+    check(microslip_get_element_creepage(h, &result), microslip_message(h));
   } else if (is(command, "full_sliding")) {
     check(microslip_get_full_sliding(h, &result), microslip_message(h));
   } else if (is(command, "start_from_shift")) {

@@ -19,6 +19,8 @@ Table empty_history() {
           {{"q", "mm", "distance rolled"},
            {"force", "N/mm", "total force F"},
            {"creepage", "1", "relative rigid slip w of the step"},
+           {"element_creepage", "1",
+            "its mean over the last element travelled, without the noise of shorter steps"},
            {"adhesion_elements", "1", "elements in adhesion"},
            {"slip_elements", "1", "elements in slip"},
            {"dissipation", "N/mm", "energy lost per mm rolled and mm width, with mean tractions"},
@@ -26,7 +28,7 @@ Table empty_history() {
 }
 
 void add(Table& history, const TransientState& state) {
-  history.add({state.distance, state.force, state.creepage,
+  history.add({state.distance, state.force, state.creepage, state.element_creepage,
                static_cast<double>(state.adhesion_elements),
                static_cast<double>(state.slip_elements), state.dissipation,
                static_cast<double>(state.iterations)});
@@ -37,8 +39,9 @@ std::optional<std::string> doubt_of(double noise) {
   constexpr double doubtful = 0.5;
   if (noise <= doubtful) return std::nullopt;
   return "creepage_noise is " + format_roughly(noise) +
-         ": the creepage of steps that are shorter than an element is not resolved; its mean over "
-         "an element and cumulative_creep are";
+         ": the creepage of steps that are shorter than an element is not resolved; "
+         "element_creepage "
+         "and cumulative_creep are";
 }
 
 }  // namespace
@@ -71,6 +74,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   summary.add({"steps", static_cast<double>(steps), "1"});
   summary.add({"force", last.force, "N/mm"});
   summary.add({"creepage", last.creepage, "1"});
+  summary.add({"element_creepage", last.element_creepage, "1"});
   summary.add({"cumulative_creep", cumulative_creep, "mm"});
   summary.add({"force_ratio", last.force / full_sliding, "1"});
   summary.add({"full_sliding_force", full_sliding, "N/mm"});

@@ -83,6 +83,7 @@ std::vector<double> library_numbers(const TransientState& s) {
 std::vector<double> library_answers(const TransientRolling& rolling) {
   std::vector<double> all = library_numbers(rolling.state());
   all.push_back(rolling.elastic_energy());
+  all.push_back(rolling.state().element_creepage);
   for (const Eigen::VectorXd& values :
        {Eigen::VectorXd(rolling.x()), rolling.traction_at_nodes(), rolling.bound_at_nodes(),
         rolling.state().slip, rolling.displacement()}) {

@@ -102,6 +102,7 @@ TEST(CErrors, ANullHandleIsABadInput) {
   EXPECT_EQ(microslip_attempt(nullptr, 1, &state), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_get_state(nullptr, &state), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_get_elastic_energy(nullptr, &value), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_get_element_creepage(nullptr, &value), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_get_full_sliding(nullptr, &value), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_get_nodes(nullptr, &value, 1), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_get_zones(nullptr, &zone, 1), MICROSLIP_BAD_INPUT);

@@ -63,9 +63,11 @@ inline std::vector<double> numbers(const microslip_state& s) {
 /// All that a handle answers.
 inline std::vector<double> answers(const Handle& handle) {
   std::vector<double> all = numbers(state_of(handle));
-  double energy = 0;
-  EXPECT_EQ(microslip_get_elastic_energy(handle.get(), &energy), MICROSLIP_OK);
-  all.push_back(energy);
+  double number = 0;
+  EXPECT_EQ(microslip_get_elastic_energy(handle.get(), &number), MICROSLIP_OK);
+  all.push_back(number);
+  EXPECT_EQ(microslip_get_element_creepage(handle.get(), &number), MICROSLIP_OK);
+  all.push_back(number);
   std::vector<double> values(microslip_size(handle.get()));
   for (const auto get : {microslip_get_nodes, microslip_get_traction, microslip_get_bound,
                          microslip_get_slip, microslip_get_displacement}) {

@@ -96,7 +96,7 @@ void require_within_bound(const VectorXd& x, const VectorXd& bound, const Vector
 }
 
 TransientRolling::TransientRolling(const TransientProblem& problem, const Start& start)
-    : problem_(problem), spacing_(problem.grid.spacing()) {
+    : problem_(problem), spacing_(problem.grid.spacing()), creep_(spacing_) {
   require_definite(problem);
   if (std::holds_alternative<MaterialFixed>(problem.scheme)) {
     if (problem.basis.name() != "constant") {
@@ -129,11 +129,18 @@ void TransientRolling::make_system() {
                      problem_.solver);
 }
 
+/// Nothing is rolled yet.
+void TransientRolling::begin(const ContactState& contact) {
+  creep_.start();
+  describe(0, contact, 1, bound_, state_);
+  state_.element_creepage = 0;
+}
+
 void TransientRolling::start_material(const MaterialState& start) {
   x_ = material_->window().x(0);
   bound_ = material_->window().bound(0);
   material_state_ = start;
-  describe(0, start.contact, 1, bound_, state_);
+  begin(start.contact);
 }
 
 void TransientRolling::start_from(const VectorXd& traction) {
@@ -154,7 +161,7 @@ void TransientRolling::start_from(const VectorXd& traction) {
     zones.push_back(!slips ? Zone::adhesion
                            : (traction[i] > 0 ? Zone::slip_positive : Zone::slip_negative));
   }
-  describe(0, at_rest(traction, zones), 1, bound_, state_);
+  begin(at_rest(traction, zones));
 }
 
 double TransientRolling::start_from_shift(const PrescribedForce& force) {
@@ -166,7 +173,7 @@ double TransientRolling::start_from_shift(const PrescribedForce& force) {
   const VectorXd zeros = VectorXd::Zero(x_.size());
   const ContactState contact =
       active_set_->solve({.bound = bound_, .offset = zeros, .reference = zeros}, force);
-  describe(0, at_rest(contact.traction, contact.zones), 1, bound_, state_);
+  begin(at_rest(contact.traction, contact.zones));
   return contact.creepage;
 }
 
@@ -236,8 +243,12 @@ void TransientRolling::look_ahead_with_material(double length, const Load& load)
 }
 
 void TransientRolling::look_ahead(double length, const Load& load) {
-  if (material_) return look_ahead_with_material(length, load);
-  look_ahead_with_contact(length, load);
+  if (material_) {
+    look_ahead_with_material(length, load);
+  } else {
+    look_ahead_with_contact(length, load);
+  }
+  next_.element_creepage = creep_.mean_with(length, next_.creepage);
 }
 
 TransientState TransientRolling::attempt(double length, const Load& load) {
@@ -248,6 +259,7 @@ TransientState TransientRolling::attempt(double length, const Load& load) {
 void TransientRolling::step(double length, const Load& load) {
   look_ahead(length, load);
   std::swap(state_, next_);
+  creep_.include(length, state_.creepage);
   if (!material_) return;
   std::swap(material_state_, material_step_.end);
   bound_.swap(material_step_.bound);
