@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Transient rolling on a grid that is fixed to the material.
-#include "microslip/rolling/material_rolling.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>

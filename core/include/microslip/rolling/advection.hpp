@@ -36,8 +36,9 @@ struct RelaxedTraction {
 /// A' = A (A^-1 A'(1))^c: thesis (8.4). For equal functions on an odd number of nodes.
 struct Fractional {};
 
-/// A' = A on a grid that is fixed to the material, see MaterialRolling: u' needs no interpolation,
-/// and the results do not depend on c. For constant functions that fill the contact.
+/// A' = A on a grid that is fixed to the material: u' needs no interpolation, and the results do
+/// not depend on c. docs/theory.md describes its edges. For constant functions that fill the
+/// contact.
 struct MaterialFixed {};
 
 using AdvectionScheme = std::variant<Direct, Relaxed, RelaxedTraction, Fractional, MaterialFixed>;

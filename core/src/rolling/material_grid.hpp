@@ -2,12 +2,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
-#include "microslip/halfspace/kernel.hpp"
+#include "microslip/friction/traction_bound.hpp"
 #include "microslip/rolling/material_window.hpp"
 #include "microslip/spectrum/leading_edge.hpp"
+#include "rolling_grid.hpp"
 
 namespace microslip {
 
@@ -63,8 +65,8 @@ struct MaterialStep {
   double backward = 0;         ///< energy gained where slip has the traction's direction  [N]
 };
 
-/// Transient rolling on a grid that is fixed to the material, constant functions: S = W + A (p -
-/// p') needs no interpolation.
+/// Nodes that move with the material, constant functions: S = W + A (p - p') needs no
+/// interpolation.
 ///
 /// - The leading edge is where the scheme feels it. A step that passes by a node there is split, so
 ///   that the scheme behaves as with c = 1 however short the steps are.
@@ -82,53 +84,27 @@ struct MaterialStep {
 /// order at any load, tests/order/transient_order_test.cpp; the creepage of steps that are shorter
 /// than an element has noise from elements that begin to slip. Where all parts stick or slip alike,
 /// tractions depend on the steps by rounding only, tests/unit/material_rolling_test.cpp
-class MaterialRolling {
+class MaterialGrid final : public RollingGrid {
  public:
   /// \throws std::invalid_argument as MaterialWindow
-  MaterialRolling(const Kernel& kernel, const TractionBound& bound, const Grid& grid,
-                  const Solver& solver = {});
+  explicit MaterialGrid(const TransientProblem& problem);
 
-  const MaterialWindow& window() const { return window_; }
-  double phase(const MaterialState& state) const;
-
-  /// Nothing rolled.
-  /// \param traction  at the nodes of the window, within its bound
-  MaterialState start(const Eigen::VectorXd& traction) const;
-
-  /// A shift without rolling.
-  struct Shifted {
-    MaterialState state;
-    double shift;  ///< [mm]
-  };
-
-  /// From no tractions until the bodies carry the force.
-  /// \throws as ActiveSet::solve
-  Shifted shift(const PrescribedForce& force);
-
-  /// \param length  (0, inf)  [mm]
-  /// \param step    out
-  /// \throws as ActiveSet::solve
-  void step(const MaterialState& from, double length, const Load& load, MaterialStep& step);
-
-  /// Tractions at the nodes, where those of a state are what elements balance: means over them, and
-  /// next to the leading edge coefficients. Zero outside the contact  [N/mm^2]
-  Eigen::VectorXd values(const MaterialState& state) const;
-
-  /// At the nodes  [mm]
-  Eigen::VectorXd displacement(const MaterialState& state) const;
-
-  /// A times tractions at the nodes of the window  [mm]
-  Eigen::VectorXd respond(const Eigen::VectorXd& traction) const;
-
-  /// As ActiveSet::condition.
-  double condition() { return active_set_.condition(); }
+  std::unique_ptr<RollingGrid> clone() const override;
+  Eigen::VectorXd traction_at_nodes(const TransientState& state) const override;
+  Eigen::VectorXd displacement(const Eigen::VectorXd& traction) const override;
+  double condition() override { return active_set_.condition(); }
+  void start_from(const Eigen::VectorXd& traction, TransientState& state) override;
+  double start_from_shift(const PrescribedForce& force, TransientState& state) override;
+  void solve_step(const TransientState& before, double length, const Load& load,
+                  TransientState& after) override;
+  void accept_step() override;
+  void move_to(double distance) override;
 
  private:
-  MaterialRolling(const Kernel& kernel, const TractionBound& bound, const Grid& grid,
-                  const Solver& solver, const LeadingEdgeConstants& edge);
+  MaterialGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge);
 
   /// Of a step, between two entrances of nodes.
-  struct Part {
+  struct Substep {
     double before;       ///< phase  [dx]
     double now;          ///< likewise, at its end
     double length;       ///< [mm]
@@ -137,18 +113,25 @@ class MaterialRolling {
     bool edge_is_new;    ///< so that its condition is about the last element travelled
   };
 
-  void set_first_zones(const MaterialState& from, const Part& part);
-  void set_conditions(MaterialState& state, const Part& part);
-  void roll_part(MaterialStep& step, double length, double end, const Load& load);
+  double phase(const MaterialState& state) const;
   double softness(double inside) const;
+  MaterialState at_rest(const Eigen::VectorXd& traction) const;
+  void begin(MaterialState start, TransientState& state);
+  void roll(double length, const Load& load);
+  void roll_substep(double length, double end, const Load& load);
+  void set_first_zones(const MaterialState& from, const Substep& substep);
+  void set_conditions(MaterialState& state, const Substep& substep);
 
-  TractionBound bound_;
+  TractionBound traction_bound_;
+  Eigen::VectorXd problem_nodes_;  ///< [mm]
   MaterialWindow window_;
   LeadingEdgeConstants edge_;
   double compliance_;  ///< e0 2 (1 - nu)/G dx  [mm^3/N]
   ActiveSet active_set_;
+  MaterialState state_;
+  MaterialStep step_;  ///< that was solved last
 
-  // Of the part that is being rolled.
+  // Of the substep that is being rolled.
   SlipConditions conditions_;
   ContactState contact_;
 };

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <variant>
+#include <vector>
+
+#include "microslip/friction/active_set.hpp"
+#include "microslip/friction/traction_bound.hpp"
+#include "microslip/halfspace/basis.hpp"
+#include "microslip/halfspace/grid.hpp"
+#include "microslip/halfspace/kernel.hpp"
+#include "microslip/linalg/solver.hpp"
+#include "microslip/rolling/advection.hpp"
+#include "microslip/rolling/evidence.hpp"
+
+namespace microslip {
+
+/// Transient rolling of quasi-identical bodies in 2D: s = w + (1/V) Du/Dt, thesis (3.9). The grid
+/// moves with the contact, or with the material if the scheme is MaterialFixed.
+struct TransientProblem {
+  Kernel kernel;
+  TractionBound bound;
+  Grid grid;  ///< on the same [-a, a] as the bound
+  Basis basis;
+  AdvectionScheme scheme;
+  Solver solver = {};
+};
+
+/// A transient is about displacements, and so wants a contact that resists them: with an L0 of
+/// plane strain up to (a + dx)/2, half the half-length of elements that reach beyond the edges by
+/// dx, a creepage would drive the force the wrong way. Steady rolling is about strains alone.
+/// \throws std::invalid_argument unless definite_half_length() is above a + dx
+void require_definite(const TransientProblem& problem);
+
+/// No tractions.
+struct Rest {};
+
+/// A shift without rolling, from no tractions, until the bodies carry a force.
+struct CattaneoShift {
+  double force;  ///< less in absolute value than full sliding  [N/mm]
+};
+
+/// The last are tractions at the N nodes, nowhere above the bound by more than 1e-3 of the largest:
+/// they may have been printed with few digits  [N/mm^2]
+using Start = std::variant<Rest, CattaneoShift, Eigen::VectorXd>;
+
+/// \throws std::invalid_argument if a traction is not finite or above the bound, see Start
+void require_within_bound(const Eigen::VectorXd& x, const Eigen::VectorXd& bound,
+                          const Eigen::VectorXd& traction);
+
+/// Values at the N nodes at the end of a step, and what follows from them. A positive creepage
+/// gives negative tractions.
+struct TransientState {
+  double distance;           ///< q rolled so far  [mm]
+  Eigen::VectorXd traction;  ///< coefficients of the basis  [N/mm^2]
+  Eigen::VectorXd slip;      ///< relative slip s of the step; zero before the first  [1]
+  std::vector<Zone> zones;
+  double force;     ///< integral of the traction  [N/mm]
+  double creepage;  ///< w of the step; zero before the first  [1]
+  /// Mean of the creepage over the last element travelled, or since the start: it lags by half an
+  /// element. Under a force, a step shorter than an element has noise, because elements begin to
+  /// slip one by one. The mean has 40 to 5000 times less where an element is a whole number of
+  /// steps, and 10 times less with c = 0.3. tests/unit/element_creepage_test.cpp  [1]
+  double element_creepage;
+  /// Energy lost per mm rolled and mm width: -integral of (p + p')/2 s over the material points,
+  /// those that have just left included. On a grid fixed to the material the slip is that by A p
+  /// alone, and under a prescribed creepage this is -mean_force w less the change of
+  /// elastic_energy() per dq, to rounding. On one that moves with the contact that holds to 1e-3 in
+  /// steady rolling with 101 nodes, with Fractional to 5 %: slip is interpolated where a node has
+  /// come to. tests/unit/dissipation_test.cpp  [N/mm]
+  double dissipation;
+  /// The same with the tractions at the end of the step, as the thesis has it in (9.11): of first
+  /// order, and too low where slip grows in the step  [N/mm]
+  double end_dissipation;
+  double mean_force;               ///< over the step, linear in it or in each of its parts  [N/mm]
+  int iterations;                  ///< stick/slip partitions tried
+  Evidence evidence;               ///< at its end; the residual is the worst of its parts
+  Eigen::Index adhesion_elements;  ///< of those with a bound above zero
+  Eigen::Index slip_elements;      ///< likewise
+};
+
+}  // namespace microslip

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_grid.hpp"
+
+#include <variant>
+
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/support/interpolation.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+ContactGrid::ContactGrid(const TransientProblem& problem)
+    : scheme_(problem.scheme),
+      spacing_(problem.grid.spacing()),
+      active_set_(influence_operator(problem.kernel, problem.basis, spacing_, problem.grid.size(),
+                                     problem.solver),
+                  problem.basis.weights(spacing_, problem.grid.size()), problem.solver),
+      advection_(problem.kernel, problem.basis, spacing_, problem.grid.size(), problem.scheme,
+                 problem.solver) {
+  x_ = problem.grid.nodes();
+  bound_ = bound_at(problem.bound, x_);
+  weights_ = problem.basis.weights(spacing_, x_.size());
+  mean_bound_ = element_means(problem.bound, x_, weights_);
+  conditions_.bound = bound_;
+}
+
+std::unique_ptr<RollingGrid> ContactGrid::clone() const {
+  return std::make_unique<ContactGrid>(*this);
+}
+
+VectorXd ContactGrid::traction_at_nodes(const TransientState& state) const {
+  return state.traction;
+}
+
+VectorXd ContactGrid::displacement(const VectorXd& traction) const {
+  return active_set_.response() * traction;
+}
+
+void ContactGrid::start_from(const VectorXd& traction, TransientState& state) {
+  const ContactState contact{.traction = traction,
+                             .slip = VectorXd::Zero(x_.size()),
+                             .zones = zones_at(traction, bound_),
+                             .creepage = 0};
+  fill_state(0, contact, 1, bound_, mean_bound_, state);
+}
+
+double ContactGrid::start_from_shift(const PrescribedForce& force, TransientState& state) {
+  const VectorXd zeros = VectorXd::Zero(x_.size());
+  ContactState contact =
+      active_set_.solve({.bound = bound_, .offset = zeros, .reference = zeros}, force);
+  const double shift = contact.creepage;
+  contact = {.traction = contact.traction, .slip = zeros, .zones = contact.zones, .creepage = 0};
+  fill_state(0, contact, 1, bound_, mean_bound_, state);
+  return shift;
+}
+
+void ContactGrid::solve_step(const TransientState& before, double length, const Load& load,
+                             TransientState& after) {
+  const double step_ratio = length / spacing_;
+  const double solved_length = advection_.solved_step_ratio(step_ratio) * spacing_;
+  advection_.advect(before.traction, step_ratio, conditions_);
+  contact_.zones = before.zones;
+  active_set_.solve(conditions_, over(load, solved_length), contact_);
+  const double fraction = advection_.fraction(step_ratio);
+  contact_.traction = (1 - fraction) * before.traction + fraction * contact_.traction;
+  fill_state(before.distance + length, contact_, solved_length, bound_, mean_bound_, after);
+  after.dissipation = dissipation(before, after, length);
+  after.mean_force = (before.force + after.force) / 2;
+}
+
+/// With mean tractions. Those before are on material that has moved on, beyond the trailing node
+/// with the slip there. Slip of relaxed schemes is that over c* dx, whatever the step.
+double ContactGrid::dissipation(const TransientState& before, const TransientState& after,
+                                double length) const {
+  const auto* relaxed = std::get_if<Relaxed>(&scheme_);
+  const double step_ratio =
+      relaxed != nullptr ? relaxed->step_ratio : advection_.solved_step_ratio(length / spacing_);
+  double at_start = 0;
+  for (Index i = 0; i < x_.size(); ++i) {
+    at_start -= weights_[i] * before.traction[i] *
+                interpolated(x_, after.slip, x_[i] - step_ratio * spacing_);
+  }
+  return (at_start + after.end_dissipation) / 2;
+}
+
+}  // namespace microslip

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "microslip/friction/active_set.hpp"
+#include "microslip/rolling/advection.hpp"
+#include "rolling_grid.hpp"
+
+namespace microslip {
+
+/// Nodes that move with the contact, so that the previous tractions have to be moved.
+class ContactGrid final : public RollingGrid {
+ public:
+  /// \throws std::invalid_argument as Advection
+  explicit ContactGrid(const TransientProblem& problem);
+
+  std::unique_ptr<RollingGrid> clone() const override;
+  Eigen::VectorXd traction_at_nodes(const TransientState& state) const override;
+  Eigen::VectorXd displacement(const Eigen::VectorXd& traction) const override;
+  double condition() override { return active_set_.condition(); }
+  void start_from(const Eigen::VectorXd& traction, TransientState& state) override;
+  double start_from_shift(const PrescribedForce& force, TransientState& state) override;
+  void solve_step(const TransientState& before, double length, const Load& load,
+                  TransientState& after) override;
+
+ private:
+  double dissipation(const TransientState& before, const TransientState& after,
+                     double length) const;
+
+  AdvectionScheme scheme_;
+  double spacing_;
+  Eigen::VectorXd mean_bound_;
+  ActiveSet active_set_;
+  Advection advection_;
+
+  // Of the step that was solved last.
+  SlipConditions conditions_;
+  ContactState contact_;
+};
+
+}  // namespace microslip

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "material_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/support/interpolation.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Closer points of the history would only cost memory  [dx]
+constexpr double history_resolution = 1e-3;
+
+Zone& at(std::vector<Zone>& zones, Index i) { return zones[static_cast<std::size_t>(i)]; }
+
+/// Part of the coming node's element that is inside when nothing rolls: where tractions are
+/// singular, the scheme feels the leading edge half an element nearer than in rolling.
+constexpr double coming_in_shift = 0.5;
+
+bool sticks(const std::vector<Zone>& zones, Index i) {
+  return zones[static_cast<std::size_t>(i)] == Zone::adhesion;
+}
+
+double direction(Zone zone) { return static_cast<double>(zone); }
+
+}  // namespace
+
+void Approach::advance(double phase, double coming_slip, double ahead_slip) {
+  coming_ += coming_slip;
+  const double ahead = (ahead_.empty() ? 0 : ahead_.back().slip) + ahead_slip;
+  const double last_but_one = ahead_.size() < 2 ? 0 : ahead_[ahead_.size() - 2].phase;
+  const bool close = !ahead_.empty() && phase - last_but_one < history_resolution;
+  if (close) ahead_.pop_back();
+  ahead_.push_back({phase, ahead});
+}
+
+void Approach::enter() {
+  before_.swap(ahead_);
+  ahead_.clear();
+  coming_ = before_.empty() ? 0 : before_.back().slip;
+}
+
+double Approach::since_one_element_before(double phase) const {
+  Point from{0, 0};
+  for (const Point& to : before_) {
+    if (phase < to.phase) {
+      const double part = (phase - from.phase) / (to.phase - from.phase);
+      return coming_ - ((1 - part) * from.slip + part * to.slip);
+    }
+    from = to;
+  }
+  return coming_ - from.slip;
+}
+
+MaterialGrid::MaterialGrid(const TransientProblem& problem)
+    : MaterialGrid(problem, leading_edge_constants(constant_basis())) {}
+
+MaterialGrid::MaterialGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge)
+    : traction_bound_(problem.bound),
+      problem_nodes_(problem.grid.nodes()),
+      window_(problem.bound, problem.grid, edge.offset),
+      edge_(edge),
+      compliance_(edge.compliance * compliance(material_of(problem.kernel)) * window_.spacing()),
+      active_set_(influence_operator(problem.kernel, constant_basis(), window_.spacing(),
+                                     window_.size(), problem.solver),
+                  VectorXd::Constant(window_.size(), window_.spacing()), problem.solver) {
+  weights_ = VectorXd::Constant(window_.size(), window_.spacing());
+}
+
+std::unique_ptr<RollingGrid> MaterialGrid::clone() const {
+  return std::make_unique<MaterialGrid>(*this);
+}
+
+double MaterialGrid::phase(const MaterialState& state) const {
+  return state.distance / window_.spacing() - state.entered;
+}
+
+VectorXd MaterialGrid::displacement(const VectorXd& traction) const {
+  return active_set_.response() * traction;
+}
+
+VectorXd MaterialGrid::traction_at_nodes(const TransientState& state) const {
+  const double fraction = std::max(0.0, phase(state_));
+  const VectorXd at_nodes = bound_at(traction_bound_, window_.x(fraction));
+  VectorXd values = VectorXd::Zero(window_.size());
+  for (Index i = 0; i <= window_.coming(); ++i) {
+    if (at_nodes[i] <= 0) continue;
+    const Zone zone = state.zones[static_cast<std::size_t>(i)];
+    values[i] = zone == Zone::adhesion
+                    ? state.traction[i] / edge_.value(window_.leading() - i, fraction)
+                    : direction(zone) * at_nodes[i];
+  }
+  return values;
+}
+
+/// Compliance of the spring of a node, of whose element the fraction `inside` is in the contact, in
+/// (0, 1].
+double MaterialGrid::softness(double inside) const { return compliance_ * (1 - inside) / inside; }
+
+/// \param traction  at the nodes of the window, within its bound
+MaterialState MaterialGrid::at_rest(const VectorXd& traction) const {
+  MaterialState state;
+  state.contact.traction = traction;
+  state.contact.slip = VectorXd::Zero(traction.size());
+  state.contact.zones = zones_at(traction, window_.bound(0));
+  state.leaves_softly = sticks(state.contact.zones, window_.leaving(0).node);
+  return state;
+}
+
+void MaterialGrid::begin(MaterialState start, TransientState& state) {
+  state_ = std::move(start);
+  x_ = window_.x(0);
+  bound_ = window_.bound(0);
+  fill_state(0, state_.contact, 1, bound_, bound_, state);
+}
+
+/// Takes the ratio of tractions to the bound to the nodes of the window.
+void MaterialGrid::start_from(const VectorXd& traction, TransientState& state) {
+  const VectorXd bound = bound_at(traction_bound_, problem_nodes_);
+  const VectorXd ratio =
+      (bound.array() > 0).select(traction.array() / bound.array(), 0).cwiseMax(-1).cwiseMin(1);
+  const VectorXd at_nodes = interpolated(problem_nodes_, ratio, window_.x(0));
+  begin(at_rest(window_.bound(0).cwiseProduct(at_nodes)), state);
+}
+
+double MaterialGrid::start_from_shift(const PrescribedForce& force, TransientState& state) {
+  MaterialState start = at_rest(VectorXd::Zero(window_.size()));
+  SlipConditions conditions{.bound = window_.bound(0),
+                            .offset = VectorXd::Zero(window_.size()),
+                            .reference = start.contact.traction};
+  ContactState contact = active_set_.solve(conditions, force, start.contact.zones);
+  const auto leaving = window_.leaving(0);
+  start.leaves_softly = sticks(contact.zones, leaving.node);
+  if (start.leaves_softly && sticks(contact.zones, window_.leading())) {
+    window_.bound(0, coming_in_shift, conditions.bound);
+    window_.let_leave(0, conditions.bound);
+    conditions.soft = {{window_.coming(), softness(coming_in_shift)},
+                       {leaving.node, softness(leaving.inside)}};
+    contact = active_set_.solve(conditions, force, start.contact.zones);
+  }
+  start.contact.traction = contact.traction;
+  start.contact.zones = contact.zones;
+  begin(std::move(start), state);
+  return contact.creepage;
+}
+
+void MaterialGrid::solve_step(const TransientState&, double length, const Load& load,
+                              TransientState& after) {
+  const double step_ratio = length / window_.spacing();
+  require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
+  roll(length, load);
+  fill_state(step_.end.distance, step_.end.contact, length, step_.bound, step_.bound, after);
+  after.dissipation = step_.dissipation / length;
+  after.end_dissipation = step_.end_dissipation / length;
+  after.mean_force = step_.mean_force;
+  after.evidence.backward = step_.backward / length;
+}
+
+void MaterialGrid::accept_step() {
+  std::swap(state_, step_.end);
+  bound_.swap(step_.bound);
+  x_ = window_.x(phase(state_));
+}
+
+void MaterialGrid::move_to(double distance) {
+  state_.distance = distance;
+  state_.distance_error = 0;
+}
+
+void MaterialGrid::roll(double length, const Load& load) {
+  step_.end = state_;
+  step_.end.contact.slip.setZero();
+  step_.end.contact.creepage = 0;
+  step_.end.contact.iterations = 0;
+  step_.end.contact.residuals = {};
+  step_.dissipation = 0;
+  step_.end_dissipation = 0;
+  step_.mean_force = 0;
+  step_.backward = 0;
+  // Compensated, or steps of whole elements would be split after some ten thousand.
+  const double added = length - state_.distance_error;
+  const double end = state_.distance + added;
+  const double error = (end - state_.distance) - added;
+  double rest = length;
+  for (double next = state_.entered + 1; end / window_.spacing() - next > MaterialWindow::rounding;
+       ++next) {
+    const double substep = next * window_.spacing() - step_.end.distance;
+    roll_substep(substep, next * window_.spacing(), load);
+    rest -= substep;
+  }
+  roll_substep(rest, end, load);
+  step_.end.distance_error = error;
+  step_.mean_force /= length;
+}
+
+/// Those of before at the same places of the contact, to the nearest node; a node that comes or
+/// enters is taken to stick.
+void MaterialGrid::set_first_zones(const MaterialState& from, const Substep& substep) {
+  contact_.zones = from.contact.zones;
+  move_on(contact_.zones, substep.before > 0.5 ? substep.moved : 0, Zone::slip_negative);
+  const bool was_out = substep.before <= MaterialWindow::rounding;
+  if (was_out && substep.edge_is_new) at(contact_.zones, substep.edge) = Zone::adhesion;
+}
+
+/// A soft element yields for the change of its traction, and for its former traction as it becomes
+/// softer. The condition of one that enters or comes is about the last element travelled.
+void MaterialGrid::set_conditions(MaterialState& state, const Substep& substep) {
+  window_.bound(substep.now, substep.now, conditions_.bound);
+  conditions_.offset.setZero(window_.size());
+  conditions_.reference = state.contact.traction;
+  move_on(conditions_.reference, substep.moved, 0.0);
+  conditions_.soft.clear();
+  if (substep.now > MaterialWindow::rounding) {
+    conditions_.soft.push_back({window_.coming(), softness(substep.now)});
+  }
+  const auto [leaving, inside] = window_.leaving(substep.now);
+  const Index before = leaving + substep.moved;
+  if (before != window_.leaving(substep.before).node) {
+    state.leaves_softly = sticks(state.contact.zones, before);
+  }
+  if (state.leaves_softly && inside < 1 - MaterialWindow::rounding) {
+    window_.let_leave(substep.now, conditions_.bound);
+    const double inside_before = window_.inside(before, substep.before);
+    const double softer = compliance_ * (inside_before - inside) / (inside_before * inside);
+    conditions_.soft.push_back({leaving, softness(inside)});
+    conditions_.offset[leaving] = softer * conditions_.reference[leaving];
+  }
+  if (substep.edge_is_new) {
+    const double inside_now = substep.moved == 1 ? 1 : substep.now;
+    conditions_.offset[substep.edge] = softness(inside_now) * conditions_.reference[substep.edge] +
+                                       state.approach.since_one_element_before(inside_now);
+  }
+}
+
+/// Up to the next node's entrance at most.
+void MaterialGrid::roll_substep(double length, double end, const Load& load) {
+  MaterialState& state = step_.end;
+  const bool enters = end / window_.spacing() - state.entered >= 1 - MaterialWindow::rounding;
+  const double now = end / window_.spacing() - state.entered - (enters ? 1 : 0);
+  const Substep substep{.before = phase(state),
+                        .now = now,
+                        .length = length,
+                        .moved = enters ? 1 : 0,
+                        .edge = enters ? window_.leading() : window_.coming(),
+                        .edge_is_new = enters || now > MaterialWindow::rounding};
+  set_conditions(state, substep);
+  set_first_zones(state, substep);
+  active_set_.solve(conditions_, over(load, length), contact_);
+
+  const VectorXd& traction = contact_.traction;
+  VectorXd& slip = contact_.slip;
+  for (const auto& [element, compliance] : conditions_.soft) {
+    slip[element] -= compliance * (traction[element] - conditions_.reference[element]);
+  }
+  slip -= conditions_.offset;
+  const auto mean = (traction + conditions_.reference) / 2;
+  step_.dissipation -= window_.spacing() * mean.dot(slip);
+  step_.mean_force += mean.sum() * window_.spacing() * length;
+
+  state.distance = end;
+  if (enters) {
+    state.approach.advance(1, 0, slip[window_.coming()]);
+    state.approach.enter();
+    state.entered += 1;
+  } else {
+    state.approach.advance(substep.now, slip[window_.coming()], slip[window_.ahead()]);
+  }
+  step_.end_dissipation -= window_.spacing() * traction.dot(slip);
+  const auto yields = [&](Index element) {
+    if (at(contact_.zones, element) == Zone::adhesion) slip[element] = 0;
+  };
+  yields(substep.edge);
+  for (const auto& soft : conditions_.soft) yields(soft.element);
+
+  step_.bound = conditions_.bound;
+  step_.backward += window_.spacing() * traction.cwiseProduct(slip).cwiseMax(0).sum();
+  state.contact.traction = traction;
+  state.contact.zones = contact_.zones;
+  move_on(state.contact.slip, substep.moved, 0.0);
+  state.contact.slip += slip;
+  state.contact.creepage += contact_.creepage;
+  state.contact.iterations += contact_.iterations;
+  double& residual = state.contact.residuals.equations;
+  residual = std::max(residual, contact_.residuals.equations);
+}
+
+}  // namespace microslip

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "rolling_grid.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <variant>
+
+#include "contact_grid.hpp"
+#include "material_grid.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+void RollingGrid::fill_state(double distance, const ContactState& contact, double length,
+                             const VectorXd& bound, const VectorXd& mean_bound,
+                             TransientState& state) const {
+  state.distance = distance;
+  state.traction = contact.traction;
+  state.slip = contact.slip / length;
+  state.zones = contact.zones;
+  state.force = weights_.dot(contact.traction);
+  state.creepage = contact.creepage / length;
+  state.end_dissipation = -weights_.cwiseProduct(state.traction).dot(state.slip);
+  state.dissipation = state.end_dissipation;
+  state.mean_force = state.force;
+  state.iterations = contact.iterations;
+  state.evidence = evidence_by_elements({weights_, bound, mean_bound, state.traction, state.slip},
+                                        state.force, state.creepage);
+  state.evidence.residual = contact.residuals.equations;
+  state.adhesion_elements = 0;
+  state.slip_elements = 0;
+  for (Index i = 0; i < bound.size(); ++i) {
+    if (bound[i] <= 0) continue;
+    const bool sticks = state.zones[static_cast<std::size_t>(i)] == Zone::adhesion;
+    ++(sticks ? state.adhesion_elements : state.slip_elements);
+  }
+}
+
+std::vector<Zone> zones_at(const VectorXd& traction, const VectorXd& bound) {
+  std::vector<Zone> zones;
+  for (Index i = 0; i < bound.size(); ++i) {
+    const bool sticks = std::abs(traction[i]) < bound[i];
+    zones.push_back(sticks            ? Zone::adhesion
+                    : traction[i] > 0 ? Zone::slip_positive
+                                      : Zone::slip_negative);
+  }
+  return zones;
+}
+
+std::unique_ptr<RollingGrid> rolling_grid(const TransientProblem& problem) {
+  if (!std::holds_alternative<MaterialFixed>(problem.scheme)) {
+    return std::make_unique<ContactGrid>(problem);
+  }
+  if (problem.basis.name() != "constant") {
+    throw std::invalid_argument("basis = '" + problem.basis.name() +
+                                "': expected constant on a grid that is fixed to the material");
+  }
+  return std::make_unique<MaterialGrid>(problem);
+}
+
+}  // namespace microslip

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "microslip/friction/active_set.hpp"
+#include "microslip/rolling/transient_problem.hpp"
+
+namespace microslip {
+
+/// The nodes of a transient, and a step on them. TransientRolling holds the state.
+class RollingGrid {
+ public:
+  virtual ~RollingGrid() = default;
+
+  /// An independent grid that goes on like this one.
+  virtual std::unique_ptr<RollingGrid> clone() const = 0;
+
+  const Eigen::VectorXd& x() const { return x_; }              ///< in the contact's frame  [mm]
+  const Eigen::VectorXd& bound() const { return bound_; }      ///< that tractions keep  [N/mm^2]
+  const Eigen::VectorXd& weights() const { return weights_; }  ///< of tractions, in a force  [mm]
+
+  /// Tractions as values at the nodes, where those of the state are coefficients  [N/mm^2]
+  virtual Eigen::VectorXd traction_at_nodes(const TransientState& state) const = 0;
+
+  /// A times tractions at the nodes  [mm]
+  virtual Eigen::VectorXd displacement(const Eigen::VectorXd& traction) const = 0;
+
+  /// As ActiveSet::condition, for the step that was solved last.
+  virtual double condition() = 0;
+
+  /// Starts from tractions, with nothing rolled.
+  /// \param traction  at the nodes of the problem's grid, within the bound  [N/mm^2]
+  /// \param state     out
+  virtual void start_from(const Eigen::VectorXd& traction, TransientState& state) = 0;
+
+  /// Starts from a shift without rolling.
+  /// \param state  out
+  /// \return the shift  [mm]
+  /// \throws as ActiveSet::solve
+  virtual double start_from_shift(const PrescribedForce& force, TransientState& state) = 0;
+
+  /// Solves a step, and stays where it is.
+  /// \param before  the state now
+  /// \param length  dq  [mm]
+  /// \param after   out
+  /// \throws std::invalid_argument for a length outside the range, and as ActiveSet::solve
+  virtual void solve_step(const TransientState& before, double length, const Load& load,
+                          TransientState& after) = 0;
+
+  /// Moves to the end of the step that was solved last.
+  virtual void accept_step() {}
+
+  /// Takes the same place with fewer rounding errors.
+  /// \param distance  rolled  [mm]
+  virtual void move_to(double distance) { (void)distance; }
+
+ protected:
+  /// What a solved contact is to a state; dissipation and mean force are those at the end.
+  /// \param contact  with slip and creepage as displacements over the length  [mm]
+  /// \param bound    that its tractions kept, and its means over elements  [N/mm^2]
+  void fill_state(double distance, const ContactState& contact, double length,
+                  const Eigen::VectorXd& bound, const Eigen::VectorXd& mean_bound,
+                  TransientState& state) const;
+
+  Eigen::VectorXd x_, bound_, weights_;
+};
+
+/// Slip where tractions reach the bound, and where that is zero; else adhesion.
+std::vector<Zone> zones_at(const Eigen::VectorXd& traction, const Eigen::VectorXd& bound);
+
+/// The grid of the problem's scheme.
+/// \throws std::invalid_argument if basis, grid and scheme do not go together
+std::unique_ptr<RollingGrid> rolling_grid(const TransientProblem& problem);
+
+}  // namespace microslip
