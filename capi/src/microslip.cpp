@@ -107,7 +107,7 @@ template <class Value, class Values>
 microslip_status copy_values(microslip_rolling* handle, Value* to, std::size_t length,
                              const Values& values) noexcept {
   return with(handle, [&](const microslip_rolling& of) {
-    given(to, "values");
+    require_pointer(to, "values");
     const auto size = static_cast<std::size_t>(of.contact->x().size());
     microslip::require(length >= size, "length", static_cast<double>(length),
                        [&] { return "at least " + std::to_string(size); });
@@ -127,17 +127,17 @@ microslip_status microslip_create(const microslip_material* material,
                                   char* message, size_t message_size) {
   if (rolling != nullptr) *rolling = nullptr;
   return guarded({message, message_size}, [&] {
-    microslip_rolling*& made = given(rolling, "rolling");
+    microslip_rolling*& made = require_pointer(rolling, "rolling");
     made = new microslip_rolling(
-        microslip::capi::make_problem(given(material, "material"), given(contact, "contact"),
-                                      given(kernel, "kernel"), given(grid, "grid")));
+        microslip::capi::make_problem(require_pointer(material, "material"), require_pointer(contact, "contact"),
+                                      require_pointer(kernel, "kernel"), require_pointer(grid, "grid")));
   });
 }
 
 microslip_status microslip_copy(microslip_rolling* rolling, microslip_rolling** copy) {
   if (copy != nullptr) *copy = nullptr;
   return with(rolling, [&](const microslip_rolling& from) {
-    microslip_rolling*& made = given(copy, "copy");
+    microslip_rolling*& made = require_pointer(copy, "copy");
     made = new microslip_rolling(from);
   });
 }
@@ -182,32 +182,32 @@ microslip_status microslip_advance(microslip_rolling* rolling, double dq) {
 
 microslip_status microslip_attempt(microslip_rolling* rolling, double dq, microslip_state* state) {
   return roll_with(rolling, [&](microslip_rolling& of) {
-    microslip_state& out = given(state, "state");
+    microslip_state& out = require_pointer(state, "state");
     out = in_c(of.contact->attempt(dq, require_step(of, dq)));
   });
 }
 
 microslip_status microslip_get_state(microslip_rolling* rolling, microslip_state* state) {
   return with(rolling, [&](const microslip_rolling& of) {
-    given(state, "state") = in_c(of.contact->state());
+    require_pointer(state, "state") = in_c(of.contact->state());
   });
 }
 
 microslip_status microslip_get_element_creepage(microslip_rolling* rolling, double* creepage) {
   return with(rolling, [&](const microslip_rolling& of) {
-    given(creepage, "creepage") = of.contact->state().element_creepage;
+    require_pointer(creepage, "creepage") = of.contact->state().element_creepage;
   });
 }
 
 microslip_status microslip_get_elastic_energy(microslip_rolling* rolling, double* energy) {
   return with(rolling, [&](const microslip_rolling& of) {
-    given(energy, "energy") = of.contact->elastic_energy();
+    require_pointer(energy, "energy") = of.contact->elastic_energy();
   });
 }
 
 microslip_status microslip_get_full_sliding(microslip_rolling* rolling, double* force) {
   return with(rolling,
-              [&](const microslip_rolling& of) { given(force, "force") = of.full_sliding; });
+              [&](const microslip_rolling& of) { require_pointer(force, "force") = of.full_sliding; });
 }
 
 size_t microslip_size(microslip_rolling* rolling) {

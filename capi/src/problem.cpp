@@ -19,8 +19,8 @@ TractionBound make_bound(const microslip_contact& contact) {
     require(contact.bound_rows == 0, "contact.bound_rows", rows, "0 without a table of the bound");
     return HertzBound(contact.half_width, contact.peak_traction);
   }
-  given(contact.bound_x, "contact.bound_x");
-  given(contact.bound_value, "contact.bound_value");
+  require_pointer(contact.bound_x, "contact.bound_x");
+  require_pointer(contact.bound_value, "contact.bound_value");
   require(contact.bound_rows > 0, "contact.bound_rows", rows, "at least one row of the table");
   require(contact.peak_traction == 0, "contact.peak_traction", contact.peak_traction,
           "0 with a table of the bound");

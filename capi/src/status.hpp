@@ -52,7 +52,7 @@ microslip_status guarded(const Message& message, const Work& work) noexcept {
 
 /// \throws std::invalid_argument if a pointer that the caller gave is null
 template <class Value>
-Value& given(Value* pointer, std::string_view name) {
+Value& require_pointer(Value* pointer, std::string_view name) {
   if (pointer == nullptr) {
     throw std::invalid_argument(std::string(name) + " = null: expected a pointer");
   }

@@ -226,7 +226,7 @@ TEST(ActiveSet, SoftElementsAreEntriesOfTheDiagonal) {
   kept.solve({.bound = equations.bound,
               .offset = equations.offset,
               .reference = reference,
-              .soft = {{soft, stiff}}},
+              .compliant = {{soft, stiff}}},
              PrescribedForce{-0.8}, zones);
   int stuck = 0;
   for (const double compliance : {1e12, 30.0, 3.0, 1.0, 0.2, 0.0, 1.0, 1e15}) {
@@ -235,7 +235,7 @@ TEST(ActiveSet, SoftElementsAreEntriesOfTheDiagonal) {
       const ContactState state = kept.solve({.bound = equations.bound,
                                              .offset = equations.offset,
                                              .reference = reference,
-                                             .soft = {{soft, value}, {later, value / 2}}},
+                                             .compliant = {{soft, value}, {later, value / 2}}},
                                             load, zones);
       zones = state.zones;
       SlipEquations same = equations;
@@ -301,7 +301,7 @@ TEST(ActiveSet, ASoftElementMayBeTheOnlyOneThatSticks) {
       const ContactState state = kept.solve({.bound = equations.bound,
                                              .offset = equations.offset,
                                              .reference = Eigen::VectorXd::Zero(n),
-                                             .soft = {{soft, compliance}}},
+                                             .compliant = {{soft, compliance}}},
                                             load, zones);
       zones = state.zones;
       expect_contact_conditions(same, state);

@@ -23,13 +23,14 @@ using Eigen::VectorXd;
 /// Violations below this, relative to the largest bound or slip, are rounding.
 constexpr double tolerance = 1e-12;
 
-/// Of what relieves a violation, so that not all end at once.
+/// Extra relief, relative to the violation, so that elements do not all reach their bound at the
+/// same place of the path.
 constexpr double margin = 0.1;
 
-/// A good partition to start from is fewer exchanges away.
+/// A path from a given partition that takes more exchanges starts again from adhesion.
 constexpr int most_exchanges_from_given = 60;
 
-/// Of a solution that a path has led to.
+/// Largest violation at the end of a path, relative to the largest bound or slip.
 constexpr double acceptable_violation = 1e-9;
 
 double prescribed_value(const Load& load) {
@@ -42,7 +43,7 @@ double wrong_slip(Zone zone, double slip) { return static_cast<double>(zone) * s
 
 Zone slip_zone(double traction) { return traction > 0 ? Zone::slip_positive : Zone::slip_negative; }
 
-/// What a partition answers to bound, offset, reference and load; linear in the four.
+/// The solution of a partition; linear in bound, offset, reference and load.
 struct Response {
   VectorXd traction;
   VectorXd slip;  ///< zero in adhesion
@@ -52,7 +53,7 @@ struct Response {
 
 }  // namespace
 
-/// The search for the partition of given conditions, and what is kept from one to the next.
+/// Searches for the partition of given conditions, and keeps factors from one search to the next.
 class ContactSearch {
  public:
   ContactSearch(SquareMatrix response, VectorXd weights, const Solver& solver)
@@ -69,7 +70,7 @@ class ContactSearch {
     zones_ = state.zones;
     iterations_ = 0;
     system_.prescribe_force(force_prescribed_);
-    system_.soften(conditions.soft);
+    system_.set_compliant(conditions.compliant);
     if (!exchange_blocks() && !follow_path_from(state.zones) && !follow_path_from_adhesion()) {
       throw NotConverged("active set: no stick/slip partition found", iterations_,
                          largest_violation());
@@ -97,9 +98,9 @@ class ContactSearch {
            std::find(zones_.begin(), zones_.end(), Zone::adhesion) != zones_.end();
   }
 
-  /// The answer of the partition that the system follows. Increments p - reference are what is
-  /// computed, so that small ones keep their digits.
-  void answer(const SlipConditions& conditions, double prescribed, Response& response) {
+  /// Solves for the partition that the system follows. The unknowns are increments p - reference,
+  /// so that small ones keep their digits.
+  void solve_partition(const SlipConditions& conditions, double prescribed, Response& response) {
     VectorXd& traction = response.traction;
     VectorXd& slip = response.slip;
     increment_.setZero(size());
@@ -109,7 +110,7 @@ class ContactSearch {
     }
     traction = conditions.reference + increment_;
     slip = conditions.offset;
-    for (const auto& [element, compliance] : conditions_->soft) {
+    for (const auto& [element, compliance] : conditions_->compliant) {
       slip[element] += compliance * increment_[element];
     }
     if (!increment_.isZero(0)) {
@@ -133,7 +134,7 @@ class ContactSearch {
     count_work(20 * static_cast<double>(size()));
     ++iterations_;
     system_.follow(zones_);
-    answer(*conditions_, prescribed_, response_);
+    solve_partition(*conditions_, prescribed_, response_);
     slip_scale_ = std::max(std::abs(response_.creepage), response_.slip.lpNorm<Eigen::Infinity>());
     if (!response_.traction.allFinite() || !std::isfinite(slip_scale_)) {
       throw NotConverged("active set: singular system", iterations_,
@@ -152,7 +153,8 @@ class ContactSearch {
            wrong_slip(zone(i), response_.slip[i]) > tolerance * slip_scale_;
   }
 
-  /// Thesis 3.1.1; false if the partitions do not settle: an element is to be released again.
+  /// Exchanges all violating elements at once, thesis 3.1.1.
+  /// \return false if the partitions do not settle: an element would be released a second time
   bool exchange_blocks() {
     released_.assign(zones_.size(), 0);
     while (carries_load()) {
@@ -177,23 +179,23 @@ class ContactSearch {
   }
 
   struct Exchange {
-    double part;
+    double fraction;  ///< of the relief that is left
     Index element;
     Zone from;
     Zone to;
   };
 
-  /// The first exchange on the way on which the part of a relief that is left falls to zero, and
-  /// traction and slip are the response plus that part of `rise`. The last one cannot be taken back
-  /// at once; but an element of a small bound may stick only on its way from one direction of slip
-  /// to the other.
+  /// The next exchange as the fraction of the relief that is left falls to zero. Traction and slip
+  /// are the response plus that fraction of `rise`. The last exchange cannot be taken back at once,
+  /// except that an element with a small bound may stick on its way from one direction of slip to
+  /// the other.
   std::optional<Exchange> next_exchange(const SlipConditions& relief, const Response& rise,
                                         const std::optional<Exchange>& last) const {
     std::optional<Exchange> next;
     const auto consider = [&](double violation, double slope, double scale, Index i, Zone to) {
       if (slope <= 0 || violation <= tolerance * scale) return;
       if (last && last->element == i && last->from == to) return;
-      if (!next || violation > slope * next->part) next = {violation / slope, i, zone(i), to};
+      if (!next || violation > slope * next->fraction) next = {violation / slope, i, zone(i), to};
     };
     for (Index i = 0; i < size(); ++i) {
       if (conditions_->bound[i] <= 0) continue;
@@ -211,17 +213,17 @@ class ContactSearch {
     return next;
   }
 
-  /// Where the last element in adhesion begins to slip under a force, the creepage changes at once:
-  /// until one that slips in the other direction sticks in its place.
+  /// The element that sticks when the last one in adhesion begins to slip under a force: the
+  /// creepage then jumps until an element that slips in the other direction sticks.
   std::optional<Exchange> next_to_stick(const Exchange& slips) const {
     std::optional<Exchange> next;
     double least = std::numeric_limits<double>::infinity();
     for (Index i = 0; i < size(); ++i) {
       if (conditions_->bound[i] <= 0 || zone(i) == slips.to) continue;
-      const double slip = std::abs(response_.slip[i] + slips.part * rise_.slip[i]);
+      const double slip = std::abs(response_.slip[i] + slips.fraction * rise_.slip[i]);
       if (slip >= least) continue;
       least = slip;
-      next = {slips.part, i, zone(i), Zone::adhesion};
+      next = {slips.fraction, i, zone(i), Zone::adhesion};
     }
     return next;
   }
@@ -231,7 +233,7 @@ class ContactSearch {
     return {.bound = zeros, .offset = zeros, .reference = zeros};
   }
 
-  /// Changes of bound and offset for which a partition is the solution, with something to spare.
+  /// Changes of bound and offset that make the partition the solution, with some margin.
   SlipConditions relieved() const {
     SlipConditions relief = unchanged();
     for (Index i = 0; i < size(); ++i) {
@@ -248,12 +250,13 @@ class ContactSearch {
     return relief;
   }
 
-  /// From a partition that the system follows, with its relief, to the given bounds and offsets.
-  /// False if the end is not reached in so many exchanges.
+  /// Follows the path from the partition of the system, with its relief, to the given bounds and
+  /// offsets.
+  /// \return false if so many exchanges do not reach the end
   bool follow_path(const SlipConditions& relief, Index most_exchanges) {
     const Index limit = iterations_ + most_exchanges;
     for (std::optional<Exchange> last; iterations_ < limit;) {
-      answer(relief, 0, rise_);
+      solve_partition(relief, 0, rise_);
       const auto next = next_exchange(relief, rise_, last);
       if (!next) return largest_violation() <= acceptable_violation;
       zone(next->element) = next->to;
@@ -268,7 +271,8 @@ class ContactSearch {
     return false;
   }
 
-  /// Where there is no bound, elements slip. False if none is left to carry the load.
+  /// Elements without a bound slip.
+  /// \return false if no element is left to carry the load
   bool start_from(const std::vector<Zone>& first) {
     zones_ = first;
     for (Index i = 0; i < size(); ++i) {
@@ -290,7 +294,7 @@ class ContactSearch {
            follow_path(higher, 20 * size() + 100);
   }
 
-  /// Of the last answer.
+  /// Residuals of the last solution.
   Residuals residuals() const {
     double excess = 0;
     double wrong = 0;
@@ -340,7 +344,7 @@ void require_below_full_sliding(const Load& load, double full_sliding) {
 
 }  // namespace
 
-Load over(const Load& load, double length) {
+Load load_of_step(const Load& load, double length) {
   const auto* creepage = std::get_if<PrescribedCreepage>(&load);
   return creepage == nullptr ? load : PrescribedCreepage{creepage->value * length};
 }

@@ -53,30 +53,30 @@ void AdhesionSystem::prescribe_force(bool force) {
   base_.clear();
 }
 
-void AdhesionSystem::soften(const std::vector<SoftElement>& soft) {
-  if (soft.empty() && soft_.empty()) return;
-  soft_ = soft;
+void AdhesionSystem::set_compliant(const std::vector<CompliantElement>& compliant) {
+  if (compliant.empty() && compliant_.empty()) return;
+  compliant_ = compliant;
   border_is_new_ = true;
 }
 
-double AdhesionSystem::softness(Index i) const {
-  for (const auto& [element, compliance] : soft_) {
+double AdhesionSystem::compliance_of(Index i) const {
+  for (const auto& [element, compliance] : compliant_) {
     if (element == i) return compliance;
   }
   return 0;
 }
 
-/// What softness adds to the diagonal of the Schur complement.
+/// The share of a compliance in the diagonal of the Schur complement.
 double AdhesionSystem::corner(Index i) const {
-  const double soft = is_stuck(i) ? softness(i) : 0;
-  return in_base(i) && soft > 0 ? -scale_ * scale_ / soft : soft;
+  const double compliance = is_stuck(i) ? compliance_of(i) : 0;
+  return in_base(i) && compliance > 0 ? -scale_ * scale_ / compliance : compliance;
 }
 
 std::size_t AdhesionSystem::most_changes() const {
   return by_block_ ? most_changes_of_block : base_.size() / 16 + 8;
 }
 
-/// Of the response with the added row and column last, as if nothing were soft.
+/// An entry of the response, with the added row and column last, as if no element were compliant.
 double AdhesionSystem::entry(Index i, Index j) const {
   const Index n = size();
   if (i < n) return j < n ? response_(i, j) : scale_;
@@ -118,21 +118,21 @@ bool AdhesionSystem::serves_too_long() {
 }
 
 /// Soft elements are left to the border, as if they came later, or, if none else sticks, as if they
-/// became soft later: a force needs an element that sticks.
+/// became compliant later: a force needs an element that sticks.
 void AdhesionSystem::factorise() {
   changes_.clear();
   base_.clear();
   std::fill(position_.begin(), position_.end(), -1);
-  const auto is_soft = [this](Index i) { return softness(i) > 0; };
-  const auto sticks_hard = [&](Index i) { return is_stuck(i) && !is_soft(i); };
+  const auto is_compliant = [this](Index i) { return compliance_of(i) > 0; };
+  const auto sticks_hard = [&](Index i) { return is_stuck(i) && !is_compliant(i); };
   Index hard = 0;
   for (Index i = 0; i < size(); ++i) hard += sticks_hard(i) ? 1 : 0;
-  std::vector<Index> soft;
+  std::vector<Index> compliant;
   for (std::size_t k = 0; k < stuck_.size(); ++k) {
     const auto i = static_cast<Index>(k);
     if (!is_stuck(i)) continue;
-    if (is_soft(i)) soft.push_back(i);
-    if (is_soft(i) && hard > 0) continue;
+    if (is_compliant(i)) compliant.push_back(i);
+    if (is_compliant(i) && hard > 0) continue;
     position_[k] = static_cast<Index>(base_.size());
     base_.push_back(i);
   }
@@ -142,7 +142,7 @@ void AdhesionSystem::factorise() {
   columns_.resize(static_cast<Index>(base_.size()), most);
   schur_.resize(most, most);
   border_is_new_ = true;
-  border(soft);
+  border(compliant);
 }
 
 void AdhesionSystem::factorise_base() {
@@ -205,8 +205,8 @@ void AdhesionSystem::border(const std::vector<Index>& arrivals) {
   if (border_is_new_) factorise_schur();
 }
 
-/// What has gone back is decoupled. Columns of soft elements are divided, or their corners would
-/// spoil the condition.
+/// What has gone back is decoupled. Columns of compliant elements are divided, or their corners
+/// would spoil the condition.
 void AdhesionSystem::factorise_schur() {
   border_is_new_ = false;
   schur_rcond_ = 1;
@@ -215,8 +215,8 @@ void AdhesionSystem::factorise_schur() {
   count_work(2.0 / 3 * std::pow(n, 3));
   schur_factors_.compute(MatrixXd::NullaryExpr(n, n, [this](Index k, Index l) {
     if (k != l && !(is_active(element(k)) && is_active(element(l)))) return 0.0;
-    const double soft = k == l ? corner(element(k)) : 0;
-    return (schur_(k, l) + soft) / border_scale(element(l));
+    const double own = k == l ? corner(element(k)) : 0;
+    return (schur_(k, l) + own) / border_scale(element(l));
   }));
   const auto pivots = schur_factors_.matrixLU().diagonal().cwiseAbs();
   schur_rcond_ = pivots.minCoeff() / pivots.maxCoeff();
@@ -292,8 +292,9 @@ void AdhesionSystem::solve_bordered(const VectorXd& rhs, VectorXd& all) {
       all[i] = 0;
     } else if (!in_base(i)) {
       all[i] = border_solved_[k];
-    } else if (softness(i) > scale_) {
-      all[i] = border_solved_[k] * scale_ / softness(i);  // the small difference of large numbers
+    } else if (compliance_of(i) > scale_) {
+      all[i] =
+          border_solved_[k] * scale_ / compliance_of(i);  // the small difference of large numbers
     }
   }
 }
@@ -306,7 +307,7 @@ double AdhesionSystem::find_rest(const Unknowns& unknowns) {
   for (Index i = 0; i < n; ++i) {
     if (!is_stuck(i)) continue;
     rest_[i] = rhs_[i] - unknowns.response[i] - unknowns.creepage;
-    rest_[i] -= softness(i) * unknowns.increment[i];
+    rest_[i] -= compliance_of(i) * unknowns.increment[i];
     largest = std::max(largest, std::abs(rest_[i]));
   }
   rest_[n] = rhs_[n] - (force_prescribed_ ? force_scale_ * weights_.dot(unknowns.increment)

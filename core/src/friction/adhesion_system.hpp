@@ -11,19 +11,18 @@
 
 namespace microslip {
 
-/// The linear equations of the elements in adhesion, with the creepage as one more unknown and one
-/// more row for what is prescribed: response_HH d_H + w = ..., thesis (3.19).
+/// The linear equations of the elements in adhesion: response_HH d_H + w = ..., thesis (3.19). The
+/// creepage is one more unknown, and the prescribed force or creepage one more row.
 ///
-/// Its factors follow the partition. Those of some earlier adhesion area stay; elements that came
-/// or left since then border it, and only the Schur complement of the border is new. Elements that
-/// have gone back keep their place in the border, for on a grid that is fixed to the material the
-/// same ones come and go with every element travelled. After some exchanges, when the border is
-/// badly conditioned, or when a part of it has served long enough, the factors are made anew: LU,
-/// or ToeplitzBlock. Soft elements are in the border, where their entries on the diagonal may
-/// change from solve to solve.
+/// The factors follow the partition. The factors of an earlier adhesion area, the base, stay.
+/// Elements that came or left since then border them, and only the Schur complement of the border
+/// is new. Elements that have gone back keep their place in the border, because on a grid fixed to
+/// the material the same elements come and go with every element travelled. New factors, LU or
+/// ToeplitzBlock, are made after some exchanges, when the border is badly conditioned, and when one
+/// of its elements has served long enough. Compliant elements are in the border, where their
+/// entries on the diagonal may change from solve to solve.
 ///
-/// Memory is allocated for new factors, and where an element comes or leaves that the border does
-/// not know.
+/// Memory is allocated for new factors, and for an element that is new in the border.
 class AdhesionSystem {
  public:
   AdhesionSystem(SquareMatrix response, Eigen::VectorXd weights, const Solver& solver);
@@ -36,8 +35,8 @@ class AdhesionSystem {
   /// Whether the added row holds the weights, for a force, or the creepage alone.
   void prescribe_force(bool force);
 
-  /// Which elements yield besides; the response() does not show it.
-  void soften(const std::vector<SoftElement>& soft);
+  /// Puts elements on springs, which the response() does not include.
+  void set_compliant(const std::vector<CompliantElement>& compliant);
 
   /// Makes the elements in adhesion the unknowns.
   void follow(const std::vector<Zone>& zones);
@@ -55,8 +54,8 @@ class AdhesionSystem {
   /// \param prescribed  that of the added row
   void solve(const Eigen::VectorXd& slip, double prescribed, Unknowns& unknowns);
 
-  /// Estimate of the condition number in the 1-norm; 1 without elements. What borders the factors
-  /// becomes part of new ones, or the estimate would be that of the way that led here.
+  /// Estimate of the condition number in the 1-norm; 1 without elements. Refactorises first, so
+  /// that the estimate does not depend on the history of updates.
   double condition();
 
  private:
@@ -64,12 +63,12 @@ class AdhesionSystem {
 
   bool in_base(Index i) const { return position_[static_cast<std::size_t>(i)] >= 0; }
   Index position(Index i) const { return position_[static_cast<std::size_t>(i)]; }
-  double softness(Index i) const;
+  double compliance_of(Index i) const;
   bool is_stuck(Index i) const { return stuck_[static_cast<std::size_t>(i)] != 0; }
   Index element(Index change) const { return changes_[static_cast<std::size_t>(change)].element; }
-  /// Whether an element of the border has come, left or become soft, and not gone back.
+  /// Whether an element of the border has come, left or become compliant, and not gone back.
   bool is_active(Index i) const {
-    return is_stuck(i) ? !in_base(i) || softness(i) > 0 : in_base(i);
+    return is_stuck(i) ? !in_base(i) || compliance_of(i) > 0 : in_base(i);
   }
   std::size_t most_changes() const;
   double corner(Index i) const;
@@ -94,16 +93,16 @@ class AdhesionSystem {
   double scale_;  ///< makes the added row and column as large as the others
   double force_scale_;
   bool force_prescribed_ = true;
-  std::vector<SoftElement> soft_;
+  std::vector<CompliantElement> compliant_;
 
-  std::vector<char> stuck_;      ///< the unknowns; the creepage always is one
-  std::vector<Index> base_;      ///< those of the factors
+  std::vector<char> stuck_;      ///< whether an element is in adhesion
+  std::vector<Index> base_;      ///< elements of the factors
   std::vector<Index> position_;  ///< in base_, or -1
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
   double factors_rcond_ = 0;
 
-  // In place of the factors where the base is Toeplitz and large. A constant is added to symmetric
-  // matrices, which makes them positive definite, and taken off the creepage again.
+  // These take the place of the factors where the base is Toeplitz and large. A constant added to
+  // symmetric matrices makes them positive definite; the creepage is corrected for it.
   std::optional<ToeplitzBlock> block_;
   double constant_ = 0;
   bool by_block_ = false;
@@ -115,13 +114,14 @@ class AdhesionSystem {
     std::size_t rounds = 0;  ///< that it has served in a row
   };
 
-  // The border. An element that came adds its row and column. One of the base that left adds a slip
-  // of its own as an unknown, and the condition that its traction is zero, or, if it has become
-  // soft, that slip over its compliance. The matrices have room for most_changes().
+  // The border. An element that came adds its row and column. An element of the base that left adds
+  // its slip as an unknown, and the equation that its traction is zero, or, if it has become
+  // compliant, that its traction is the slip over its compliance. The matrices have room for
+  // most_changes().
   std::vector<Change> changes_;
   Eigen::MatrixXd rows_;     ///< of each change, at the elements of the base
   Eigen::MatrixXd columns_;  ///< factors^-1 times the column of each
-  Eigen::MatrixXd schur_;    ///< as if nothing were soft, nor had gone back
+  Eigen::MatrixXd schur_;    ///< as if no element were compliant or had gone back
   Eigen::PartialPivLU<Eigen::MatrixXd> schur_factors_;
   double schur_rcond_ = 0;      ///< by its pivots
   bool border_is_new_ = false;  ///< since the factors of the Schur complement

@@ -62,7 +62,7 @@ void ContactGrid::solve_step(const TransientState& before, double length, const 
   const double solved_length = advection_.solved_step_ratio(step_ratio) * spacing_;
   advection_.advect(before.traction, step_ratio, conditions_);
   contact_.zones = before.zones;
-  active_set_.solve(conditions_, over(load, solved_length), contact_);
+  active_set_.solve(conditions_, load_of_step(load, solved_length), contact_);
   const double fraction = advection_.fraction(step_ratio);
   contact_.traction = (1 - fraction) * before.traction + fraction * contact_.traction;
   fill_state(before.distance + length, contact_, solved_length, bound_, mean_bound_, after);

@@ -16,12 +16,12 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Closer points of the history would only cost memory  [dx]
+/// Points of the history that are closer together would only cost memory  [dx]
 constexpr double history_resolution = 1e-3;
 
 Zone& at(std::vector<Zone>& zones, Index i) { return zones[static_cast<std::size_t>(i)]; }
 
-/// Part of the coming node's element that is inside when nothing rolls: where tractions are
+/// Fraction of the coming node's element that is inside when nothing rolls: where tractions are
 /// singular, the scheme feels the leading edge half an element nearer than in rolling.
 constexpr double coming_in_shift = 0.5;
 
@@ -33,7 +33,7 @@ double direction(Zone zone) { return static_cast<double>(zone); }
 
 }  // namespace
 
-void Approach::advance(double phase, double coming_slip, double ahead_slip) {
+void IncomingNode::advance(double phase, double coming_slip, double ahead_slip) {
   coming_ += coming_slip;
   const double ahead = (ahead_.empty() ? 0 : ahead_.back().slip) + ahead_slip;
   const double last_but_one = ahead_.size() < 2 ? 0 : ahead_[ahead_.size() - 2].phase;
@@ -42,18 +42,18 @@ void Approach::advance(double phase, double coming_slip, double ahead_slip) {
   ahead_.push_back({phase, ahead});
 }
 
-void Approach::enter() {
+void IncomingNode::enter() {
   before_.swap(ahead_);
   ahead_.clear();
   coming_ = before_.empty() ? 0 : before_.back().slip;
 }
 
-double Approach::since_one_element_before(double phase) const {
+double IncomingNode::since_one_element_before(double phase) const {
   Point from{0, 0};
   for (const Point& to : before_) {
     if (phase < to.phase) {
-      const double part = (phase - from.phase) / (to.phase - from.phase);
-      return coming_ - ((1 - part) * from.slip + part * to.slip);
+      const double fraction = (phase - from.phase) / (to.phase - from.phase);
+      return coming_ - ((1 - fraction) * from.slip + fraction * to.slip);
     }
     from = to;
   }
@@ -103,7 +103,9 @@ VectorXd MaterialGrid::traction_at_nodes(const TransientState& state) const {
 
 /// Compliance of the spring of a node, of whose element the fraction `inside` is in the contact, in
 /// (0, 1].
-double MaterialGrid::softness(double inside) const { return compliance_ * (1 - inside) / inside; }
+double MaterialGrid::spring_compliance(double inside) const {
+  return compliance_ * (1 - inside) / inside;
+}
 
 /// \param traction  at the nodes of the window, within its bound
 MaterialState MaterialGrid::at_rest(const VectorXd& traction) const {
@@ -111,7 +113,7 @@ MaterialState MaterialGrid::at_rest(const VectorXd& traction) const {
   state.contact.traction = traction;
   state.contact.slip = VectorXd::Zero(traction.size());
   state.contact.zones = zones_at(traction, window_.bound(0));
-  state.leaves_softly = sticks(state.contact.zones, window_.leaving(0).node);
+  state.leaves_by_spring = sticks(state.contact.zones, window_.leaving(0).node);
   return state;
 }
 
@@ -138,12 +140,12 @@ double MaterialGrid::start_from_shift(const PrescribedForce& force, TransientSta
                             .reference = start.contact.traction};
   ContactState contact = active_set_.solve(conditions, force, start.contact.zones);
   const auto leaving = window_.leaving(0);
-  start.leaves_softly = sticks(contact.zones, leaving.node);
-  if (start.leaves_softly && sticks(contact.zones, window_.leading())) {
+  start.leaves_by_spring = sticks(contact.zones, leaving.node);
+  if (start.leaves_by_spring && sticks(contact.zones, window_.leading())) {
     window_.bound(0, coming_in_shift, conditions.bound);
     window_.let_leave(0, conditions.bound);
-    conditions.soft = {{window_.coming(), softness(coming_in_shift)},
-                       {leaving.node, softness(leaving.inside)}};
+    conditions.compliant = {{window_.coming(), spring_compliance(coming_in_shift)},
+                            {leaving.node, spring_compliance(leaving.inside)}};
     contact = active_set_.solve(conditions, force, start.contact.zones);
   }
   start.contact.traction = contact.traction;
@@ -201,8 +203,8 @@ void MaterialGrid::roll(double length, const Load& load) {
   step_.mean_force /= length;
 }
 
-/// Those of before at the same places of the contact, to the nearest node; a node that comes or
-/// enters is taken to stick.
+/// Takes the zones before at the same places of the contact, to the nearest node. A node that comes
+/// or enters is taken to stick.
 void MaterialGrid::set_first_zones(const MaterialState& from, const Substep& substep) {
   contact_.zones = from.contact.zones;
   move_on(contact_.zones, substep.before > 0.5 ? substep.moved : 0, Zone::slip_negative);
@@ -210,37 +212,38 @@ void MaterialGrid::set_first_zones(const MaterialState& from, const Substep& sub
   if (was_out && substep.edge_is_new) at(contact_.zones, substep.edge) = Zone::adhesion;
 }
 
-/// A soft element yields for the change of its traction, and for its former traction as it becomes
-/// softer. The condition of one that enters or comes is about the last element travelled.
+/// A spring yields to the change of its traction, and to its former traction as its compliance
+/// grows. The condition of a node that enters or comes is about the last element travelled.
 void MaterialGrid::set_conditions(MaterialState& state, const Substep& substep) {
   window_.bound(substep.now, substep.now, conditions_.bound);
   conditions_.offset.setZero(window_.size());
   conditions_.reference = state.contact.traction;
   move_on(conditions_.reference, substep.moved, 0.0);
-  conditions_.soft.clear();
+  conditions_.compliant.clear();
   if (substep.now > MaterialWindow::rounding) {
-    conditions_.soft.push_back({window_.coming(), softness(substep.now)});
+    conditions_.compliant.push_back({window_.coming(), spring_compliance(substep.now)});
   }
   const auto [leaving, inside] = window_.leaving(substep.now);
   const Index before = leaving + substep.moved;
   if (before != window_.leaving(substep.before).node) {
-    state.leaves_softly = sticks(state.contact.zones, before);
+    state.leaves_by_spring = sticks(state.contact.zones, before);
   }
-  if (state.leaves_softly && inside < 1 - MaterialWindow::rounding) {
+  if (state.leaves_by_spring && inside < 1 - MaterialWindow::rounding) {
     window_.let_leave(substep.now, conditions_.bound);
     const double inside_before = window_.inside(before, substep.before);
-    const double softer = compliance_ * (inside_before - inside) / (inside_before * inside);
-    conditions_.soft.push_back({leaving, softness(inside)});
-    conditions_.offset[leaving] = softer * conditions_.reference[leaving];
+    const double grown = compliance_ * (inside_before - inside) / (inside_before * inside);
+    conditions_.compliant.push_back({leaving, spring_compliance(inside)});
+    conditions_.offset[leaving] = grown * conditions_.reference[leaving];
   }
   if (substep.edge_is_new) {
     const double inside_now = substep.moved == 1 ? 1 : substep.now;
-    conditions_.offset[substep.edge] = softness(inside_now) * conditions_.reference[substep.edge] +
-                                       state.approach.since_one_element_before(inside_now);
+    conditions_.offset[substep.edge] =
+        spring_compliance(inside_now) * conditions_.reference[substep.edge] +
+        state.incoming.since_one_element_before(inside_now);
   }
 }
 
-/// Up to the next node's entrance at most.
+/// Rolls up to the next node's entrance at most.
 void MaterialGrid::roll_substep(double length, double end, const Load& load) {
   MaterialState& state = step_.end;
   const bool enters = end / window_.spacing() - state.entered >= 1 - MaterialWindow::rounding;
@@ -253,11 +256,11 @@ void MaterialGrid::roll_substep(double length, double end, const Load& load) {
                         .edge_is_new = enters || now > MaterialWindow::rounding};
   set_conditions(state, substep);
   set_first_zones(state, substep);
-  active_set_.solve(conditions_, over(load, length), contact_);
+  active_set_.solve(conditions_, load_of_step(load, length), contact_);
 
   const VectorXd& traction = contact_.traction;
   VectorXd& slip = contact_.slip;
-  for (const auto& [element, compliance] : conditions_.soft) {
+  for (const auto& [element, compliance] : conditions_.compliant) {
     slip[element] -= compliance * (traction[element] - conditions_.reference[element]);
   }
   slip -= conditions_.offset;
@@ -267,18 +270,18 @@ void MaterialGrid::roll_substep(double length, double end, const Load& load) {
 
   state.distance = end;
   if (enters) {
-    state.approach.advance(1, 0, slip[window_.coming()]);
-    state.approach.enter();
+    state.incoming.advance(1, 0, slip[window_.coming()]);
+    state.incoming.enter();
     state.entered += 1;
   } else {
-    state.approach.advance(substep.now, slip[window_.coming()], slip[window_.ahead()]);
+    state.incoming.advance(substep.now, slip[window_.coming()], slip[window_.ahead()]);
   }
   step_.end_dissipation -= window_.spacing() * traction.dot(slip);
   const auto yields = [&](Index element) {
     if (at(contact_.zones, element) == Zone::adhesion) slip[element] = 0;
   };
   yields(substep.edge);
-  for (const auto& soft : conditions_.soft) yields(soft.element);
+  for (const auto& spring : conditions_.compliant) yields(spring.element);
 
   step_.bound = conditions_.bound;
   step_.backward += window_.spacing() * traction.cwiseProduct(slip).cwiseMax(0).sum();

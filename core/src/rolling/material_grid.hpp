@@ -13,18 +13,19 @@
 
 namespace microslip {
 
-/// Slip displacements of the two nodes before the leading edge. Both are followed from when the
-/// window was aligned; the later one becomes the earlier when it is so again.
-class Approach {
+/// History of the slip displacement of the incoming node, and of the node ahead of it. Both begin
+/// when a node enters; when the incoming node enters, the one ahead takes its place.
+class IncomingNode {
  public:
-  /// \param phase  at the end of the step, up to 1, and there in the last one before enter()
+  /// Adds the slip of a step.
+  /// \param phase  at the end of the step, up to 1; 1 in the last step before enter()
   void advance(double phase, double coming_slip, double ahead_slip);
 
-  /// The coming node has entered; the one ahead of it is the next to come.
+  /// The node has entered; the one ahead of it is the next to come.
   void enter();
 
-  /// Slip displacement of the coming node from one element's travel before a phase up to now [mm].
-  /// In between steps it is taken as linear.
+  /// Slip displacement of the incoming node since one element's travel before a phase, linear
+  /// between the ends of steps  [mm]
   double since_one_element_before(double phase) const;
 
  private:
@@ -33,35 +34,35 @@ class Approach {
     double slip;
   };
 
-  std::vector<Point> before_;  ///< of the coming node, in the element's travel before
-  std::vector<Point> ahead_;   ///< of the one ahead, since
-  double coming_ = 0;          ///< of the coming node up to now, from where before_ starts
+  std::vector<Point> before_;  ///< of the incoming node, over the element's travel before
+  std::vector<Point> ahead_;   ///< of the node ahead, since then
+  double coming_ = 0;          ///< slip of the incoming node since before_ starts  [mm]
 };
 
-/// What a step on a grid that is fixed to the material starts from.
+/// The state from which a step on such a grid starts.
 struct MaterialState {
   double distance = 0;        ///< rolled  [mm]
-  double distance_error = 0;  ///< what rounding added to it  [mm]
+  double distance_error = 0;  ///< that rounding added to it  [mm]
   double entered = 0;         ///< nodes, since the start
 
   /// At the nodes of the window; zones are slip where there is no bound. Slip and creepage are
-  /// displacements [mm], summed over the parts of the step that led here, and so are the partitions
-  /// tried; the residuals are the worst. The slip of the coming node is 0 in adhesion.
+  /// displacements [mm], summed over the substeps of the step that led here, and so are the
+  /// partitions tried; the residuals are the worst. The slip of the coming node is 0 in adhesion.
   ContactState contact;
 
-  Approach approach;
+  IncomingNode incoming;
 
-  /// Whether the node that leaves stuck when it began to.
-  bool leaves_softly = false;
+  /// Whether the node that leaves was in adhesion when it began to leave.
+  bool leaves_by_spring = false;
 };
 
-/// A step on such a grid.
+/// The result of a step on such a grid.
 struct MaterialStep {
   MaterialState end;
   Eigen::VectorXd bound;       ///< at its end  [N/mm^2]
-  double dissipation = 0;      ///< with mean tractions of each part, and slip by A alone  [N]
-  double end_dissipation = 0;  ///< with tractions at the end of each part  [N]
-  double mean_force = 0;       ///< over the distance, linear in each part  [N/mm]
+  double dissipation = 0;      ///< with mean tractions of each substep, slip by A  [N]
+  double end_dissipation = 0;  ///< with tractions at the end of each substep  [N]
+  double mean_force = 0;       ///< over the distance, linear in each substep  [N/mm]
   double backward = 0;         ///< energy gained where slip has the traction's direction  [N]
 };
 
@@ -79,10 +80,10 @@ struct MaterialStep {
 ///   without rolling ends at both edges alike.
 /// - Bounds are means over elements. Where the bound is not reached it has no influence.
 ///
-/// Cost: a part of a step is a solve of ActiveSet. Nothing is allocated where elements that come or
-/// leave have done so before, as in steady rolling. Accuracy: the cumulative creep is of second
-/// order at any load, tests/order/transient_order_test.cpp; the creepage of steps that are shorter
-/// than an element has noise from elements that begin to slip. Where all parts stick or slip alike,
+/// Cost: a solve of ActiveSet a substep. Nothing is allocated where elements that come or leave
+/// have done so before, as in steady rolling. Accuracy: the cumulative creep is of second order at
+/// any load, tests/order/transient_order_test.cpp. The creepage of steps that are shorter than an
+/// element has noise from elements that begin to slip. Where all substeps have the same partition,
 /// tractions depend on the steps by rounding only, tests/unit/material_rolling_test.cpp
 class MaterialGrid final : public RollingGrid {
  public:
@@ -114,7 +115,7 @@ class MaterialGrid final : public RollingGrid {
   };
 
   double phase(const MaterialState& state) const;
-  double softness(double inside) const;
+  double spring_compliance(double inside) const;
   MaterialState at_rest(const Eigen::VectorXd& traction) const;
   void begin(MaterialState start, TransientState& state);
   void roll(double length, const Load& load);

@@ -23,27 +23,27 @@ struct PrescribedForce {
 
 using Load = std::variant<PrescribedCreepage, PrescribedForce>;
 
-/// The load of a step of some length as that of a slip displacement: a creepage grows with it, and
-/// a force stays.
-Load over(const Load& load, double length);
+/// The load of a step as a slip displacement has it: the creepage times the length, or the force.
+/// \param length  of the step  [mm]
+Load load_of_step(const Load& load, double length);
 
 /// In slip, the sign is that of the traction.
 enum class Zone : signed char { slip_negative = -1, adhesion = 0, slip_positive = 1 };
 
-/// An element that yields: a compliance times the change of its traction adds to its slip.
-struct SoftElement {
+/// An element on a spring: its slip is larger by the compliance times the change of its traction.
+struct CompliantElement {
   Eigen::Index element;
   double compliance;  ///< >= 0, in the unit of the response
 };
 
-/// What the slip of n traction coefficients p starts from, and the bound they must keep:
-/// s = w + offset + (response + soft) (p - reference), |p_i| <= bound_i. Where the bound is zero,
-/// so is p, whatever the slip.
+/// The equation of the slip at n traction coefficients p, and the bound that they keep:
+/// s = w + offset + (response + springs) (p - reference), |p_i| <= bound_i. Where the bound is
+/// zero, so is p, whatever the slip.
 struct SlipConditions {
   Eigen::VectorXd bound;      ///< n, >= 0  [N/mm^2]
   Eigen::VectorXd offset;     ///< n, in the unit of the slip
   Eigen::VectorXd reference;  ///< n  [N/mm^2]
-  std::vector<SoftElement> soft = {};
+  std::vector<CompliantElement> compliant = {};
 };
 
 /// How exactly slip conditions are met.
@@ -68,25 +68,25 @@ struct ContactState {
 /// p = -bound s/|s|. Slip and creepage have the unit of response times traction: relative slip [1],
 /// or slip displacement [mm].
 ///
-/// First all violating elements are exchanged at once, those above the bound before those with the
-/// wrong direction of slip: thesis 3.1.1. From adhesion everywhere and for c near 1 this takes
-/// about log2(n) rounds; for c << 1 the partitions never settle. So an element may be released from
-/// adhesion once. Then an exact path is followed, exchanging one element at a time: from bounds and
-/// offsets that make the partition which the search started from the solution, down to the given
-/// ones. From a partition nearby that takes as many exchanges as it differs by, or few more. If it
-/// takes more than 60, the path starts again from a bound so high that all stick.
+/// The search has two phases. The first exchanges all violating elements at once, those above the
+/// bound before those with the wrong direction of slip: thesis 3.1.1. From adhesion everywhere and
+/// for c near 1 it takes about log2(n) rounds. For c << 1 the partitions never settle, so an
+/// element may be released from adhesion only once. The second phase exchanges one element at a
+/// time along an exact path. The path begins with bounds and offsets for which the first partition
+/// is the solution, and ends with the given ones. From a partition nearby it takes as many
+/// exchanges as partitions differ by, or few more. If it takes more than 60, the path starts again
+/// from a bound so high that all elements stick.
 ///
-/// Termination: the first phase has at most 3 n rounds. On a path the solution is piecewise linear
-/// in the part of the relief that is left, with one piece a partition; if response + response^T is
-/// positive definite, it is unique, and each of the finitely many partitions is met at most once.
-/// A is, and A - A' for all c <= 1 that were tried (tests/unit/active_set_test.cpp).
-/// Otherwise the path is given up after 20 n + 100 exchanges.
+/// Termination: the first phase has at most 3 n rounds. On the path the solution is piecewise
+/// linear in the fraction of the relief that is left, with one piece a partition. If response +
+/// response^T is positive definite, the solution is unique, and the path meets each partition at
+/// most once. A is positive definite, and so is A - A' for all c <= 1 that were tried
+/// (tests/unit/active_set_test.cpp). Otherwise the search gives up after 20 n + 100 exchanges.
 ///
 /// Cost of a dense response: n^2 numbers, and O(n^3) for the first factors. They are kept from
 /// solve to solve: a round with few exchanges costs O(n^2), as does a solve whose partition stays.
-/// The compliances of soft elements may change from solve to solve at no cost. Of a Toeplitz
-/// response: O(n) numbers and O(n log n) each, about 14 transforms of 2n numbers where the
-/// partition stays.
+/// Cost of a Toeplitz response: O(n) numbers, and O(n log n) a round, about 14 transforms of 2n
+/// numbers where the partition stays. Compliances may change from solve to solve at no cost.
 class ActiveSet {
  public:
   /// \param response  n x n, of the slip to the traction
