@@ -128,9 +128,9 @@ microslip_status microslip_create(const microslip_material* material,
   if (rolling != nullptr) *rolling = nullptr;
   return guarded({message, message_size}, [&] {
     microslip_rolling*& made = require_pointer(rolling, "rolling");
-    made = new microslip_rolling(
-        microslip::capi::make_problem(require_pointer(material, "material"), require_pointer(contact, "contact"),
-                                      require_pointer(kernel, "kernel"), require_pointer(grid, "grid")));
+    made = new microslip_rolling(microslip::capi::make_problem(
+        require_pointer(material, "material"), require_pointer(contact, "contact"),
+        require_pointer(kernel, "kernel"), require_pointer(grid, "grid")));
   });
 }
 
@@ -206,8 +206,9 @@ microslip_status microslip_get_elastic_energy(microslip_rolling* rolling, double
 }
 
 microslip_status microslip_get_full_sliding(microslip_rolling* rolling, double* force) {
-  return with(rolling,
-              [&](const microslip_rolling& of) { require_pointer(force, "force") = of.full_sliding; });
+  return with(rolling, [&](const microslip_rolling& of) {
+    require_pointer(force, "force") = of.full_sliding;
+  });
 }
 
 size_t microslip_size(microslip_rolling* rolling) {

@@ -23,7 +23,7 @@ namespace {
 
 constexpr Index most_unknowns = 64;
 
-/// Coefficients have converged when the last two are this part of the largest.
+/// Coefficients have converged when the last two are this fraction of the largest.
 constexpr double resolved = 1e-14;
 
 /// Violations of the contact conditions, relative to the load, that are rounding, also of a bound
@@ -62,18 +62,19 @@ ChebyshevSolution::ChebyshevSolution(const LoadedState& loaded, ChebyshevField s
 
 double ChebyshevSolution::traction(double x) const {
   const double stuck = adhesion_ ? adhesion_->traction()(x) : 0;
-  return -loaded_.direction * loaded_.part * (sliding_.traction()(x) - stuck);
+  return -loaded_.direction * loaded_.scale * (sliding_.traction()(x) - stuck);
 }
 
 double ChebyshevSolution::slip(double x) const {
   if (sticks(x)) return 0;
   const double stuck = adhesion_ ? adhesion_->strain(x) : 0;
-  return loaded_.direction * (loaded_.state.creepage - loaded_.part * (sliding_.strain(x) - stuck));
+  return loaded_.direction *
+         (loaded_.state.creepage - loaded_.scale * (sliding_.strain(x) - stuck));
 }
 
 double ChebyshevSolution::displacement(double x) const {
   const double stuck = adhesion_ ? adhesion_->displacement(x) : 0;
-  return -loaded_.direction * loaded_.part * (sliding_.displacement(x) - stuck);
+  return -loaded_.direction * loaded_.scale * (sliding_.displacement(x) - stuck);
 }
 
 Eigen::VectorXd ChebyshevSolution::displacement(const Eigen::VectorXd& x) const {
@@ -187,7 +188,7 @@ ChebyshevSolution ChebyshevRolling::solve(const Load& load) const {
   const double a = sliding_.traction().half_length();
   const double full_sliding = std::abs(sliding_.traction().force());
   const double amplified =
-      loaded.state.force == 0 ? 1 : full_sliding / std::abs(loaded.state.force / loaded.part);
+      loaded.state.force == 0 ? 1 : full_sliding / std::abs(loaded.state.force / loaded.scale);
   std::optional<ChebyshevSolution::Adhesion> adhesion;
   if (edge < a) {
     const Zone found = zone(edge);

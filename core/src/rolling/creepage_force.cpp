@@ -13,7 +13,7 @@ namespace microslip {
 
 namespace {
 
-/// Of a point of the curve, relative to itself.
+/// Rounding of a point of the curve, relative to it.
 constexpr double rounding = 2e-15;
 
 /// A load as a positive number that grows along the curve.
@@ -60,8 +60,8 @@ LoadedState meet_load(const CreepageForceCurve& curve, const Load& load) {
   if (at_least >= 0) {
     const CreepageForce all = curve.at(least);
     const double reached = target.reached_by(all);
-    const double part = reached > 0 ? target.size / reached : 0;
-    return {{least, part * all.creepage, part * all.force}, part, target.direction, evaluations};
+    const double scale = reached > 0 ? target.size / reached : 0;
+    return {{least, scale * all.creepage, scale * all.force}, scale, target.direction, evaluations};
   }
   std::uintmax_t most = 60;
   const auto root =

@@ -43,10 +43,10 @@ double MaterialWindow::force_up_to(double x) const {
   return std::visit([x](const auto& g) { return g.integral(x); }, bound_);
 }
 
-void MaterialWindow::bound(double phase, double coming_part, VectorXd& means) const {
+void MaterialWindow::bound(double phase, double coming_share, VectorXd& means) const {
   const double whole = full_sliding_force(bound_);
   const double before_coming = force_up_to(half_width_ - (leading_offset_ + 0.5) * spacing_);
-  const double coming = coming_part > rounding ? coming_part * (whole - before_coming) : 0;
+  const double coming = coming_share > rounding ? coming_share * (whole - before_coming) : 0;
   const auto nodes = x(phase);
   means.resize(size());
   double before = 0;

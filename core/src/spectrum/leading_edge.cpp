@@ -79,14 +79,15 @@ LeadingEdgeConstants integrated(const std::function<double(double)>& b_less_one)
 
 }  // namespace
 
-double LeadingEdgeConstants::value(Eigen::Index j, double part) const {
+double LeadingEdgeConstants::value(Eigen::Index j, double fraction) const {
   if (j + 1 >= static_cast<Eigen::Index>(layer.size())) return 1;
   const auto node = static_cast<double>(j);
   const auto value = [&](Eigen::Index i) {
     return i < 0 ? 0
                  : layer[static_cast<std::size_t>(i)] * std::sqrt(static_cast<double>(i) + offset);
   };
-  return ((1 - part) * value(j) + part * value(j + 1)) / std::sqrt(node + offset + part);
+  return ((1 - fraction) * value(j) + fraction * value(j + 1)) /
+         std::sqrt(node + offset + fraction);
 }
 
 LeadingEdgeConstants leading_edge_constants(const Basis& basis) {

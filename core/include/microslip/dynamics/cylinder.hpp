@@ -7,7 +7,8 @@ namespace microslip {
 
 /// \file
 /// A solid body of revolution that rolls down a slope, thesis chapter 9: m dv/dt = F_cm + F,
-/// I dw/dt = -R F, F the force of the contact. All per mm of width; units of mm, N and s.
+/// I dw/dt = -R F, where F is the force of the contact. All quantities are per mm of width, in mm,
+/// N and s.
 
 /// The body and what drives it.
 struct Cylinder {
@@ -17,8 +18,8 @@ struct Cylinder {
   double slope_force;  ///< F_cm, gravity along the slope, in (0, inf)  [N/mm]
 };
 
-/// How contact and motion are advanced together. The contact needs the distance and the shift of a
-/// step, and gives the force at its end.
+/// How contact and motion advance together. The contact needs the distance and the shift of a step,
+/// and gives the force at its end.
 enum class Integrator {
   verlet,    ///< velocity Verlet with predicted velocities, Groot and Warren's lambda = 1/2
   leapfrog,  ///< velocities half a step ahead of positions, with varying steps
@@ -27,7 +28,7 @@ enum class Integrator {
   midpoint
 };
 
-/// Where the energy went, all zero at the start. Per mm of width  [N]
+/// Energies per mm of width, all zero at the start  [N]
 struct EnergyLedger {
   double potential = 0;       ///< -F_cm X, thesis (9.7)
   double translation = 0;     ///< m v^2/2
@@ -54,10 +55,10 @@ struct CylinderState {
   double creepage = 0;          ///< (v - omega R)/v of the step  [1]
 };
 
-/// From rest. A step lasts c dx / v, but not longer than it takes F_cm to move the body by c dx
-/// from rest, so that a start from v = 0 works; nor than 4 c dx/a, at most an eighth, of the period
-/// in which the body swings on the contact as long as that sticks, 2 pi sqrt(m'/k), with 1/m' = 1/m
-/// + R^2/I and k the stiffness of the contact.
+/// A cylinder that starts from rest. A step lasts c dx / v, with two limits. It is no longer than
+/// F_cm takes to move the body by c dx from rest, so that a start from v = 0 works. And it is no
+/// longer than 4 c dx/a, at most an eighth, of the period in which the body swings on a contact
+/// that sticks, 2 pi sqrt(m'/k), with 1/m' = 1/m + R^2/I and k the stiffness of the contact.
 ///
 /// Order of accuracy: first in dx for any integrator, as that of the contact
 /// (tests/study/energy_balance_test.cpp). Cost: that of a transient step, midpoint about five.
@@ -70,17 +71,17 @@ class RollingCylinder {
   RollingCylinder(const TransientProblem& contact, const Cylinder& cylinder, Integrator integrator,
                   double step_ratio);
 
-  /// About how many steps it takes to roll so far from rest, as long as the contact does not slide:
-  /// within a fifth (tests/unit/cylinder_test.cpp).
+  /// Estimate of the number of steps to roll so far from rest, as long as the contact does not
+  /// slide; within a fifth (tests/unit/cylinder_test.cpp).
   double steps_from_rest(double distance) const;
 
-  /// Of the body that swings on a contact which sticks  [s]
+  /// Period of the body that swings on a contact which sticks  [s]
   double period() const { return period_; }
 
   const CylinderState& state() const { return state_; }
   const TransientRolling& contact() const { return contact_; }
 
-  /// Of the contact's last step, see there.
+  /// As TransientRolling::condition, for the last step.
   double condition() { return contact_.condition(); }
   EnergyLedger ledger() const;
 

@@ -8,8 +8,7 @@
 
 namespace microslip {
 
-/// Strain and displacement of the half-space where the bound itself is the traction: exactly, not
-/// by elements. `continued` as in ChebyshevField.
+/// Strain and displacement of the half-space under the bound itself as traction, to rounding.
 class FullSliding {
  public:
   /// \throws std::invalid_argument for a table, which is not smooth, and as ChebyshevField
@@ -17,7 +16,7 @@ class FullSliding {
 
   double force() const { return force_; }  ///< [N/mm]
 
-  /// -du/dx, inside and behind the contact, and continued before it  [1]
+  /// -du/dx inside and behind the contact; before it as ChebyshevField::continued_strain  [1]
   double strain(double x) const;
 
   /// u, likewise  [mm]

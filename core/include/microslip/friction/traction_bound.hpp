@@ -11,9 +11,9 @@ namespace microslip {
 
 /// \file
 /// Accuracy of values, integrals and means, up to 1e-15 half-widths from the edges and for elements
-/// down to that width: 1e-15 relative; of polynomials, 2e-15 up to degree 2 and 3e-14 at degree 32,
-/// of Hertz's times the sum of the coefficients' sizes, and of integrals, of the whole.
-/// tests/digits/bound_test.cpp
+/// down to that width: 1e-15 relative. The error of a polynomial bound is 2e-15 up to degree 2, and
+/// 3e-14 at degree 32, relative to Hertz's bound times the sum of the coefficients' sizes; the
+/// error of an integral is relative to the whole integral. tests/digits/bound_test.cpp
 
 /// g(x) = mu p_n(x) of a Hertzian line contact: peak sqrt(1 - (x/a)^2), zero outside [-a, a].
 class HertzBound {
@@ -78,8 +78,8 @@ class PolynomialBound {
   ChebyshevTraction traction_;
 };
 
-/// A bound known at points: linear between them, from the outermost ones to zero at the edges
-/// -+half_width, and zero outside.
+/// A bound known at points: linear between them, linear from the outermost points to zero at the
+/// edges -+half_width, and zero outside.
 class TabulatedBound {
  public:
   /// \param half_width  a, in (0, inf)  [mm]
@@ -102,7 +102,7 @@ class TabulatedBound {
   /// The force of full sliding: its integral  [N/mm]
   double total() const { return integral(half_width_); }
 
-  // Where its straight pieces end, the edges included, and the values there.
+  // The ends of the straight pieces, the edges included, and the values there.
   const Eigen::VectorXd& x() const { return x_; }            ///< [mm]
   const Eigen::VectorXd& values() const { return values_; }  ///< [N/mm^2]
 
@@ -130,10 +130,10 @@ Eigen::VectorXd bound_at(const TractionBound& bound, const Eigen::VectorXd& x);
 Eigen::VectorXd mean_bound_around(const TractionBound& bound, const Eigen::VectorXd& x,
                                   double width);
 
-/// Means of g over elements that fill the contact, so that they sum up to full sliding: around each
-/// node, the outermost extended to the edges; the integral over one is divided by its length.
-/// \param x        nodes, ascending  [mm]
-/// \param lengths  of the elements, (0, inf)  [mm]
+/// Means of g over elements that fill the contact, the outermost of which extend to the edges. A
+/// mean is the integral over an element divided by its length, so that means times lengths sum up
+/// to full sliding. \param x        nodes, ascending  [mm] \param lengths  of the elements, (0,
+/// inf)  [mm]
 Eigen::VectorXd element_means(const TractionBound& bound, const Eigen::VectorXd& x,
                               const Eigen::VectorXd& lengths);
 

@@ -48,20 +48,20 @@ Basis linear_basis();
 /// the contact.
 Basis quadratic_basis();
 
-/// The same as its influence coefficients are printed in (B.30): the vertex functions end at half
-/// their support.
+/// The quadratic basis with the influence coefficients that (B.30) prints: the vertex functions end
+/// at half their support.
 Basis quadratic_basis_as_printed();
 
 /// Hats, the last of which is zero beyond the leading edge: thesis Fig. 10.2.
 /// \param leading_offset  beta, distance of the edge from the last node in elements, in (0, 1]
 Basis trimmed_linear_basis(double leading_offset);
 
-/// Constant functions, and in the last element the antisymmetric one of thesis (C.1) besides. The
-/// thesis gives no equation for its coefficient. The closure here: the traction vanishes at the
-/// leading edge, which makes the two one function that falls linearly to zero (for beta = 1/2).
+/// Constant functions and, in the last element, also the antisymmetric function of thesis (C.1).
+/// The thesis gives no equation for its coefficient. Here the traction vanishes at the leading
+/// edge, which makes the two one function that falls linearly to zero (for beta = 1/2).
 Basis edge_constant_basis();
 
-/// Of those that scenes may choose, the default first.
+/// Names of the bases that scenes may choose, the default first.
 std::vector<std::string_view> basis_names();
 
 /// \throws std::invalid_argument for another name

@@ -8,13 +8,12 @@
 
 namespace microslip {
 
-/// What a ChebyshevTraction does to the half-space. The logarithm of the kernel is integrated in
-/// closed form, its regular part by Gauss-Chebyshev quadrature with as many points as its distance
-/// to the nearest singularity asks for.
-/// Accuracy: 2e-15, up to 1e-15 half-lengths from the ends and 1e6 away, for strips of at least
-/// 0.02 half-lengths; of 2 (1 - nu)/G times the sum of the coefficients' sizes, and for
-/// displacements times the half-length and the logarithm of the strip's width or L0 over it.
-/// tests/digits/field_test.cpp
+/// Strain and displacement of the half-space under a ChebyshevTraction. The logarithm of the kernel
+/// is integrated in closed form, its regular part by Gauss-Chebyshev quadrature with as many points
+/// as its distance to the nearest singularity asks for. Accuracy: 2e-15, up to 1e-15 half-lengths
+/// from the ends and 1e6 away, for strips of at least 0.02 half-lengths; of 2 (1 - nu)/G times the
+/// sum of the coefficients' sizes, and for displacements times the half-length and the logarithm of
+/// the strip's width or L0 over it. tests/digits/field_test.cpp
 class ChebyshevField {
  public:
   /// \throws std::invalid_argument if a strip is narrower than 0.02 half-lengths of the traction
@@ -28,9 +27,9 @@ class ChebyshevField {
   /// u, at any x  [mm]
   double displacement(double x) const;
 
-  // The same, but beyond the ends as if the functions inside went on analytically, without the
-  // square roots that they have there. This is what a scheme feels that takes a difference across
-  // the leading edge.
+  // Strain and displacement with the functions inside continued analytically beyond the ends,
+  // without their square roots there. A scheme that takes a difference across the leading edge
+  // feels these.
   double continued_strain(double x) const;        ///< [1]
   double continued_displacement(double x) const;  ///< [mm]
 

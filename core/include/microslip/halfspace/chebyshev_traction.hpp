@@ -26,8 +26,8 @@ class ChebyshevTraction {
   /// The integral of p up to x  [N/mm]
   double integral(double x) const;
 
-  /// The integral from x - behind to x + before, both inside the interval: without the cancellation
-  /// of a difference where they are next to nothing  [N/mm]
+  /// The integral from x - behind to x + before, both inside the interval, without the cancellation
+  /// of a difference for small lengths  [N/mm]
   double integral(double x, double behind, double before) const;
 
   /// The whole integral  [N/mm]

@@ -11,7 +11,7 @@ namespace microslip {
 /// With both offsets 1/2, the nodes are the centres of N elements that fill the contact.
 class Grid {
  public:
-  /// What makes a grid.
+  /// Width, number of nodes and offsets.
   struct Parameters {
     double half_width;             ///< a, in (0, inf)  [mm]
     Eigen::Index elements;         ///< N, in [1, 4e6]
@@ -19,7 +19,7 @@ class Grid {
     double trailing_offset = 0.5;  ///< alpha, in [0, 1]
   };
 
-  /// By FFT, more would take more than some GB.
+  /// More elements would take more than some GB, even by FFT.
   static constexpr Eigen::Index max_elements = 4000000;
 
   /// \throws std::invalid_argument outside the ranges, or if the only node lies on both edges

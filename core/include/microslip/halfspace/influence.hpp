@@ -11,7 +11,7 @@ namespace microslip {
 
 /// \file
 /// Influence coefficients: the displacement [mm] that a shape function of unit size [N/mm^2]
-/// causes, so in mm^3/N. Lengths named `offset` and `shift` are in units of the spacing dx, so
+/// causes  [mm^3/N]. Lengths named `offset` and `shift` are in units of the spacing dx, so
 /// that grid distances are exact integers.
 ///
 /// Both are single integrals of the kernel's decay, which is positive, against a piecewise
@@ -29,8 +29,8 @@ double influence(const Kernel& kernel, const ShapeFunction& shape, double spacin
 /// \param shift  upstream distance in units of dx, in (0, inf)
 /// \return       thesis (A.4)-(A.6)  [mm^3/N]
 /// Accuracy: 2e-13 relative, and 2e-15 in plane strain, for strips, nu and offsets likewise, shifts
-/// from 1e-15 to 1000; for offset 0, where the entry vanishes as shift^2, and where it vanishes by
-/// symmetry, of the largest entry of its row. tests/digits/influence_test.cpp
+/// from 1e-15 to 1000. Where the entry vanishes, for offset 0 as shift^2 and elsewhere by symmetry,
+/// the accuracy is relative to the largest entry of its row. tests/digits/influence_test.cpp
 double influence_difference(const Kernel& kernel, const ShapeFunction& shape, double spacing,
                             double offset, double shift);
 
@@ -55,8 +55,8 @@ Eigen::MatrixXd influence_matrix(const Kernel& kernel, const Basis& basis, doubl
 Eigen::MatrixXd influence_difference_matrix(const Kernel& kernel, const Basis& basis,
                                             double spacing, Eigen::Index n, double step_ratio);
 
-/// Whether FFT is for these coefficients: where all functions are equal, if the solver says so.
-/// \throws std::invalid_argument if it is asked for other functions
+/// Whether the solver takes FFT for these coefficients; all functions must be equal.
+/// \throws std::invalid_argument if the solver demands FFT and functions differ
 bool by_fft(const Solver& solver, const Basis& basis, Eigen::Index n);
 
 // Coefficients arranged for a solver: Toeplitz if by_fft(), else all entries.
@@ -68,9 +68,9 @@ SquareMatrix influence_operator(const Kernel& kernel, const Basis& basis, double
 SquareMatrix influence_difference_operator(const Kernel& kernel, const Basis& basis, double spacing,
                                            Eigen::Index n, double step_ratio, const Solver& solver);
 
-/// How strain_operator is arranged. For c -> 0 it turns antisymmetric, and so singular for an odd
-/// number of elements in adhesion: below c = 0.01 a solver that may choose takes all entries, as LU
-/// with pivots keeps more digits than GMRES.
+/// The solver for strain_operator. For c -> 0 the operator turns antisymmetric, and so singular for
+/// an odd number of elements in adhesion. Below c = 0.01 an automatic solver becomes dense, because
+/// LU with pivots keeps more digits than GMRES.
 Solver strain_solver(const Solver& wanted, Eigen::Index n, double step_ratio);
 
 /// (A - A')/dq, the negative of the strain by differences over dq  [mm^2/N].

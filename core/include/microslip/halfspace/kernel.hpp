@@ -10,14 +10,13 @@ namespace microslip {
 
 /// \file
 /// A kernel K(z) is the displacement difference u_x [mm] at a distance z > 0 [mm] from a tangential
-/// line load of 1 N per mm width, so in mm^2/N. It is even in z, logarithmic at z = 0, and
+/// line load of 1 N per mm width  [mm^2/N]. It is even in z, logarithmic at z = 0, and
 /// analytic elsewhere within `clear_distance` of the real axis. `decay` is -dK/dz > 0 [mm/N]; all
 /// integrals of the kernel are built on it, because it never changes sign.
 ///
-/// The `regular` parts are what remains without the logarithm of plane strain: of K(z) without
-/// -log_factor ln z, and of its decay without log_factor / z. They are analytic at z = 0, too,
-/// where the first is even in z and the second odd. The decay goes on into complex z with a
-/// positive real part.
+/// The `regular` parts lack the logarithm of plane strain: they are K(z) + log_factor ln z, and the
+/// decay less log_factor / z. They are analytic at z = 0, too, where the first is even in z and the
+/// second odd. The decay takes complex z with a positive real part.
 ///
 /// Accuracy: 1e-15 relative, for z from 1e-12 to 1e12 of the strip's width or L0; where a logarithm
 /// or terms that cancel make a value vanish, of the sum of the terms' sizes.
@@ -83,10 +82,10 @@ const Material& material_of(const Kernel& kernel);
 /// Factor of the logarithm at z = 0, 2 (1 - nu) / (pi G)  [mm^2/N]
 double log_factor(const Kernel& kernel);
 
-/// Tractions on an interval of less than this half-length do work against the displacement that
-/// they cause, whatever they are: the kernel is positive definite there. A strip's is everywhere,
-/// as it falls and is convex: inf. In plane strain it is 2 L0, where the logarithmic capacity of
-/// the interval, half its half-length, is L0  [mm]
+/// The half-length below which the kernel is positive definite: any tractions on a shorter interval
+/// do work against the displacement that they cause. It is infinite for a strip, the kernel of
+/// which falls and is convex. In plane strain it is 2 L0, where the logarithmic capacity of the
+/// interval, half its half-length, is L0  [mm]
 double definite_half_length(const Kernel& kernel);
 
 /// Distance of the nearest singularity of the regular parts from the real axis  [mm]

@@ -36,14 +36,14 @@ class ShapeFunction {
   /// The piece that holds all of [from, to], or none.
   const Piece* piece_over(double from, double to) const;
 
-  /// The same function with positions counted from `origin`, so that they and what is next to a
-  /// zero keep their digits there.
+  /// The same function with positions counted from `origin`, so that positions and small values
+  /// next to it keep their digits.
   ShapeFunction about(double origin) const;
 
   /// Integral over the whole support.
   double weight() const;
 
-  /// Whether value(-s) = value(s), but at jumps.
+  /// Whether value(-s) = value(s), except at jumps.
   bool is_even() const;
 
  private:

@@ -6,8 +6,8 @@
 
 namespace microslip {
 
-/// A preconditioner: the inverse of the circulant matrix that is nearest to a Toeplitz matrix, by
-/// means over its diagonals (T. Chan 1988). Of the next fast size, with zeros beyond the end.
+/// A preconditioner: the inverse of the circulant matrix nearest to a Toeplitz matrix, by means
+/// over its diagonals (T. Chan 1988). The matrix is extended with zeros to the next fast size.
 class CirculantInverse {
  public:
   explicit CirculantInverse(const Toeplitz& matrix);

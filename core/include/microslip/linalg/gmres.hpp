@@ -9,16 +9,16 @@ namespace microslip {
 
 /// Solves A x = b without assembling anything: GMRES (Saad and Schultz 1986), preconditioned from
 /// the right, with the preconditioned directions kept (Saad 1993), so that an iteration costs one
-/// preconditioning. Never restarted: it is for preconditioners that need few iterations.
+/// preconditioning. It never restarts, and so suits preconditioners that need few iterations.
 class Gmres {
  public:
   /// y = matrix times x; y has the size of x.
   using Apply = std::function<void(const Eigen::VectorXd& x, Eigen::VectorXd& y)>;
 
-  /// How an iteration ended.
+  /// How a solve ended.
   struct Outcome {
     int iterations;
-    double residual;  ///< |b - A x| / |b| as the iteration knows it, without rounding
+    double residual;  ///< |b - A x| / |b| by the recursion, without rounding
   };
 
   /// \param most  iterations, >= 1
@@ -27,7 +27,7 @@ class Gmres {
 
   /// \param tolerance  of the residual, below which the iteration ends
   /// \param x          out: the solution; n
-  /// Stops as well when there are no more iterations, or when another gains nothing.
+  /// The solve also ends after the most iterations, and when another iteration gains nothing.
   Outcome solve(const Apply& matrix, const Apply& preconditioner, const Eigen::VectorXd& b,
                 double tolerance, Eigen::VectorXd& x);
 

@@ -20,8 +20,8 @@ class RealFft {
   RealFft(RealFft&&) noexcept;
   RealFft& operator=(RealFft&&) noexcept;
 
-  /// An even fast size, at least 32, at most a seventh more than asked for from then on: few of
-  /// them, as a plan takes as long as many transforms.
+  /// The next of a few even fast sizes: at least 32, and above 32 at most a seventh more than asked
+  /// for. Few sizes mean few plans, each of which takes as long as many transforms.
   static Eigen::Index good_size(Eigen::Index at_least);
 
   Eigen::Index size() const { return size_; }
@@ -33,8 +33,8 @@ class RealFft {
   /// spectrum = sum of values exp(-2 pi i j k / n)
   void forward();
 
-  /// values = sum of spectrum exp(2 pi i j k / n); that is n times what forward() started from. The
-  /// spectrum is spoilt.
+  /// values = sum of spectrum exp(2 pi i j k / n), n times the values before forward(). The
+  /// spectrum is overwritten.
   void backward();
 
  private:

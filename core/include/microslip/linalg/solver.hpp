@@ -5,7 +5,8 @@
 
 namespace microslip {
 
-/// How products with influence coefficients are made, and systems of them solved.
+/// How products with influence coefficients are made, how their systems are solved, and which
+/// residuals of a result are accepted.
 struct Solver {
   enum class Type {
     automatic,  ///< `fft` from `crossover` elements on where matrices are Toeplitz, else `dense`
@@ -15,8 +16,8 @@ struct Solver {
 
   Type type = Type::automatic;
 
-  /// Largest residual of a result, relative to what it consists of; refinement aims at 1e-5 of it.
-  /// Within [1e-12, 1e-3].
+  /// Largest residual of a result, relative to the largest term of its equations, in [1e-12, 1e-3].
+  /// Refinement aims at 1e-5 of it.
   double tolerance = 1e-10;
 
   /// Largest violation of the contact conditions that require_evidence() accepts, relative to the
@@ -26,14 +27,14 @@ struct Solver {
   /// Largest condition number that it accepts, >= 1: rounding may cost up to 2e-16 times as much.
   double condition = 1e13;
 
-  /// Of unknowns; dense systems of fewer are solved faster, bench/toeplitz_bench.cpp
+  /// Dense systems of fewer unknowns are solved faster than by FFT, bench/toeplitz_bench.cpp
   static constexpr Eigen::Index crossover = 96;
 
   /// Dense matrices of more than this take more than 3.2 GB each.
   static constexpr Eigen::Index most_dense = 20000;
 };
 
-/// Whether Toeplitz matrices of n unknowns are for FFT.
+/// Whether the solver takes FFT for Toeplitz matrices of n unknowns.
 bool by_fft(const Solver& solver, Eigen::Index n);
 
 /// \throws std::invalid_argument if a dense matrix of n rows would be too large

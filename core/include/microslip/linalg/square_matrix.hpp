@@ -10,8 +10,8 @@
 
 namespace microslip {
 
-/// n x n, by all its entries, or Toeplitz; products with the latter are made by FFT. One object
-/// serves one thread.
+/// An n x n matrix, stored by all its entries or as a Toeplitz matrix, products with which are made
+/// by FFT. One object serves one thread.
 class SquareMatrix {
  public:
   SquareMatrix(Eigen::MatrixXd entries);  // NOLINT(google-explicit-constructor)

@@ -11,9 +11,9 @@
 
 namespace microslip {
 
-/// Systems of some rows and columns of a Toeplitz matrix. Indices in sequence form an interval, the
-/// block of which is Toeplitz again and is inverted. If there are several, GMRES goes on from there
-/// with the inverses of all as preconditioner.
+/// Solves systems of some rows and columns of a Toeplitz matrix. Consecutive indices form an
+/// interval, the block of which is Toeplitz again and is inverted. If there are several intervals,
+/// GMRES solves, with the inverses of all as preconditioner.
 class ToeplitzBlock {
  public:
   /// \param tolerance  of the residual where there are several intervals
@@ -23,8 +23,8 @@ class ToeplitzBlock {
   /// \throws NotConverged as ToeplitzInverse
   void choose(const std::vector<Eigen::Index>& indices);
 
-  /// x = T_EE^-1 b, values at the chosen indices; not in place. Allocates nothing where a solve
-  /// with these indices has been before, see Gmres.
+  /// x = T_EE^-1 b, values at the chosen indices; not in place. Allocates nothing after the first
+  /// solve with these indices, see Gmres.
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x);
 
   /// Estimate of the condition number in the 1-norm: the worst of the intervals'.

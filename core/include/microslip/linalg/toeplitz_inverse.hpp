@@ -8,9 +8,9 @@ namespace microslip {
 
 /// The inverse of a Toeplitz matrix from its first and last column (Gohberg and Semencul 1972): six
 /// transforms a product. The columns are found by GMRES with a CirculantInverse as preconditioner;
-/// one of them is enough if the matrix is symmetric. For the influence coefficients of half-spaces
-/// and their differences over steps of any length that takes 10 to 22 iterations, whatever the
-/// size: tests/unit/toeplitz_test.cpp
+/// one of them is enough if the matrix is symmetric. GMRES takes 10 to 22 iterations for the
+/// influence coefficients of half-spaces and their differences over steps of any length, whatever
+/// the size: tests/unit/toeplitz_test.cpp
 class ToeplitzInverse {
  public:
   /// \throws NotConverged if the columns are not found, as for singular matrices
@@ -18,11 +18,11 @@ class ToeplitzInverse {
 
   Eigen::Index size() const { return size_; }
 
-  /// Of GMRES, for the column that took more.
+  /// Iterations of GMRES, for the column that took more.
   int iterations() const { return iterations_; }
 
-  /// x = T^-1 b; not in place. The residual is about 1e-16 times the condition number of T, so that
-  /// one refinement or two leave rounding.
+  /// x = T^-1 b; not in place. The residual is about 1e-16 times the condition number of T; one
+  /// or two refinements reduce it to rounding.
   void apply(const Eigen::Ref<const Eigen::VectorXd>& b, Eigen::VectorXd& x) const;
 
   /// Estimate of the condition number of T in the 1-norm, see inverse_norm().

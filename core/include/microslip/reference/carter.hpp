@@ -9,15 +9,15 @@ namespace microslip {
 /// Carter's and Fromm's exact solution of steady rolling: plane strain, Hertzian bound. The stick
 /// zone is the part of length 2 a' a next to the leading edge. Thesis (10.1), with a dimension:
 /// \f[ |F| = (1-a'^2)\,F_{\max}, \qquad |w| = (1-a')\,\frac{2(1-\nu)}{G}\,\mu p_0 \f]
-/// Accuracy: 2e-15 relative, with loads from 1e-12 of full sliding to 1e-12 below it and up to
-/// 1e-15 a from the edges, beyond what a rounding of the load or of the distance from the nearer
-/// edge changes; tests/digits/closed_form_test.cpp
+/// Accuracy: 2e-15 relative, besides the effect of rounding the load and the distance from the
+/// nearer edge; for loads from 1e-12 of full sliding to 1e-12 below it, and up to 1e-15 a from the
+/// edges. tests/digits/closed_form_test.cpp
 class Carter {
  public:
   /// \param creepage  w, finite; |w| >= compliance * peak is full sliding  [1]
   static Carter from_creepage(const Material& material, const HertzBound& bound, double creepage);
 
-  /// Under a positive creepage.
+  /// The state under a positive creepage.
   /// \param stick_ratio  a', in [0, 1]
   /// \throws std::invalid_argument outside the range
   static Carter from_stick_ratio(const Material& material, const HertzBound& bound,
@@ -35,7 +35,7 @@ class Carter {
   /// a': stick length over contact length, in [0, 1].
   double stick_ratio() const { return stick_ratio_; }
 
-  /// 1 - a', of which no digit is lost next to full adhesion.
+  /// 1 - a', with all digits next to full adhesion.
   double slip_ratio() const { return slip_ratio_; }
 
   /// w, opposite in sign to the tractions; the least one in full sliding  [1]

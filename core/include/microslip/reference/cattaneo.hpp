@@ -9,8 +9,8 @@ namespace microslip {
 /// Cattaneo's exact solution of a tangential shift without rolling: plane strain, Hertzian bound.
 /// The middle part of half-width k a sticks; |p| = g(x) - k g(x / k).
 /// Source: K. L. Johnson, Contact Mechanics, 1985, section 7.2, in two dimensions.
-/// Accuracy: as of Carter; of displacements, of the force times the logarithm of 2 L0/a where that
-/// is more than 1. tests/digits/closed_form_test.cpp
+/// Accuracy: as Carter; the error of a displacement is relative to the force, times the logarithm
+/// of 2 L0/a where that is more than 1. tests/digits/closed_form_test.cpp
 class Cattaneo {
  public:
   /// \param force  F, at most full sliding in absolute value  [N/mm]

@@ -13,7 +13,7 @@ namespace microslip {
 /// A steady state as functions of the position.
 class ChebyshevSolution : public LoadedSolution {
  public:
-  /// What adhesion takes away from full sliding, and what its equations were like.
+  /// The traction that adhesion takes away from full sliding, and the quality of its equations.
   struct Adhesion {
     ChebyshevField field;
     double residual;   ///< of the equations, over the strain  [1]
@@ -39,12 +39,12 @@ class ChebyshevSolution : public LoadedSolution {
   std::optional<ChebyshevField> adhesion_;
 };
 
-/// Steady rolling with one stick zone [b, a] at the leading edge, spectrally. What adhesion takes
-/// away from full sliding is sqrt(1 - t^2) times a polynomial on the stick zone, whose trailing end
-/// b is free: collocation at the n + 1 zeros of T_(n+1) gives its n coefficients and the creepage
-/// that belongs to b. In plane strain the matrix is diagonal in Chebyshev's polynomials.
-/// Accuracy: 1e-11 of force, creepage and traction, with at most 64 unknowns, for strips at least
-/// as wide as the half-width and bounds sqrt(1 - x^2) times a smooth function,
+/// Steady rolling with one stick zone [b, a] at the leading edge, by a spectral method. Adhesion
+/// takes sqrt(1 - t^2) times a polynomial away from full sliding on the stick zone. Collocation at
+/// the n + 1 zeros of T_(n+1) gives its n coefficients and the creepage that belongs to the
+/// trailing end b. In plane strain the matrix is diagonal in Chebyshev's polynomials. Accuracy:
+/// 1e-11 of force, creepage and traction, with at most 64 unknowns, for strips at least as wide as
+/// the half-width and bounds sqrt(1 - x^2) times a smooth function,
 /// tests/unit/chebyshev_rolling_test.cpp. Cost: O(n^3) for a b, n = 4 ... 64.
 class ChebyshevRolling {
  public:

@@ -8,13 +8,13 @@
 
 namespace microslip {
 
-/// States of which less than this part of the contact's half slides are in proportion to the one
-/// where as much slides: their force is a difference to full sliding that loses digits. Force over
-/// creepage changes by about as much in between.
+/// Smallest slip zone, as a fraction of the half-width. Below it the force loses digits as a
+/// difference to full sliding, so smaller loads scale this state: force over creepage changes by
+/// about 2e-8 from there to full adhesion.
 inline constexpr double least_sliding = 2e-8;
 
-/// A steady state with one stick zone, [b, a], which ends at the leading edge. All are those of a
-/// positive creepage.
+/// A steady state with one stick zone, [b, a], which ends at the leading edge, under a positive
+/// creepage.
 struct CreepageForce {
   double stick_edge;  ///< b, in [-a, a]  [mm]
   double creepage;    ///< w  [1]
@@ -29,12 +29,11 @@ struct CreepageForceCurve {
   double full_sliding_force;     ///< its absolute value  [N/mm]
 };
 
-/// Where on the curve a load is met.
+/// The state on the curve that meets a load.
 struct LoadedState {
   CreepageForce state;
-  /// Loads below that of next to full adhesion, which errors of discretisation may make larger, are
-  /// met by this part of that state; else 1  [1]
-  double part;
+  /// The load over that of the state with the smallest slip zone, if it is less; else 1  [1]
+  double scale;
   double direction;  ///< of the creepage, +-1
   int evaluations;   ///< of the curve
 };
@@ -61,7 +60,7 @@ class LoadedSolution {
   double condition_ = 1;
 };
 
-/// Bracketing by TOMS 748 to rounding: about ten evaluations.
+/// Finds the state by TOMS 748, to rounding, in about ten evaluations.
 /// \throws std::invalid_argument if a force is not below full sliding
 /// \throws NotConverged          if the root is not found
 LoadedState meet_load(const CreepageForceCurve& curve, const Load& load);

@@ -11,9 +11,9 @@
 
 namespace microslip {
 
-/// What a result shows of its own correctness. Forces and powers are integrals over the contact of
-/// the tractions and the slip as they are written, so that each measures how much of the load is
-/// concerned. A rolling distance of 1 mm makes a power an energy  [N/mm].
+/// Residuals of the contact conditions in a result. Forces and powers are integrals of the
+/// tractions and slip that the tables hold, so that each tells which share of the load a violation
+/// concerns. A power is the energy per mm rolled  [N/mm].
 struct Evidence {
   double residual = 0;    ///< slip left in adhesion, over the largest term of its equations  [1]
   double excess = 0;      ///< force by which tractions exceed the bound  [N/mm]
@@ -25,7 +25,7 @@ struct Evidence {
   double power = 0;       ///< |w F|, which a steady contact dissipates  [N/mm]
   double full_sliding = 0;  ///< the largest |F| that the bound allows  [N/mm]
 
-  // The same relative to the load or to its power; 0 without a load.
+  // Relative to the load or to its power; 0 without a load.
   double bound_violation() const;    ///< excess over load  [1]
   double slip_violation() const;     ///< backward over power  [1]
   double bound_resolution() const;   ///< unresolved over load  [1]
@@ -35,7 +35,8 @@ struct Evidence {
   double violation() const;
 };
 
-/// The largest of each over several steps, so that violations are relative to the largest load.
+/// The largest of each member, so that over several steps violations are relative to the largest
+/// load.
 Evidence worst_of(const Evidence& a, const Evidence& b);
 
 /// Values at nodes, each of which stands for an element.
@@ -63,12 +64,13 @@ Evidence evidence_by_samples(const TractionBound& bound,
 
 /// \param condition   of the equations in adhesion, estimate  [1]
 /// \param iterations  for the message
-/// \throws NotConverged if the evidence is worse than the solver accepts, or no contact can be like
-///                      that: naming what, by how much, and what helps
+/// \throws NotConverged if the evidence is worse than the solver accepts, or impossible; the
+/// message
+///                      names the residual, its size, and a remedy
 void require_evidence(const Evidence& evidence, double condition, int iterations,
                       const Solver& accepted);
 
-/// A sentence on what is accepted but doubtful, if there is something.
+/// A sentence about an accepted but doubtful residual, if there is one.
 /// \param steady  whether power is that which is dissipated
 std::optional<std::string> doubt_of(const Evidence& evidence, const Solver& accepted, bool steady);
 

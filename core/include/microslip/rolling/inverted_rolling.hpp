@@ -41,8 +41,8 @@ class InvertedSolution {
   Eigen::Index unknowns() const;                    ///< of a strip's equations; 0 in plane strain
   double condition() const;                         ///< of these, in the 1-norm; 1 without
 
-  /// Whether tractions keep the bound, and slip its direction, at many places: else there is more
-  /// than one zone of stick, or slip before one.
+  /// Whether tractions keep the bound, and slip its direction, at many places. If not, the contact
+  /// has more than one stick zone, or a slip zone before it.
   bool keeps_conditions() const;
 
   /// By samples, see evidence_by_samples.
@@ -57,9 +57,10 @@ class InvertedSolution {
 };
 
 /// Steady rolling with one stick zone [b, c], by the inversion of the finite Hilbert transform on
-/// it: its tractions follow from the bound where the bodies slip, and from nothing else. They slip
-/// behind it, and before it where the bound is a table that falls to zero; else c = a. Strips have
-/// a smooth strain on top, which Chebyshev's polynomials invert. docs/theory.md has the formulas.
+/// the zone: its tractions follow from the bound in the slip zones, and from nothing else. The
+/// bodies slip behind the stick zone. They slip before it, too, where the bound is a table that
+/// falls to zero; otherwise c = a. The kernel of a strip adds a smooth strain, which Chebyshev's
+/// polynomials invert. docs/theory.md has the formulas.
 ///
 /// Accuracy: 1e-10 of force, creepage, traction and slip for any bound that has one stick zone, and
 /// any load, tests/unit/inverted_rolling_test.cpp. Cost: O(n) for a load and for each place where
@@ -67,17 +68,17 @@ class InvertedSolution {
 /// wide as the contact.
 class InvertedRolling {
  public:
-  /// \param fineness  of quadratures and series, >= 1: what more of it changes is their error
+  /// \param fineness  of quadratures and series, >= 1; a comparison of two shows their error
   /// \throws std::invalid_argument as FullSliding, for a smooth bound
   InvertedRolling(const Kernel& kernel, const TractionBound& bound, double fineness = 1);
 
-  /// Why it would cost too much, if it would: strips narrower than 0.02 half-widths, and tables of
-  /// more than 20 000 rows.
+  /// The reason why a solution would cost too much, if it would: a strip narrower than 0.02
+  /// half-widths, or a table of more than 20 000 rows.
   std::optional<std::string> obstacle() const;
 
   /// \throws std::invalid_argument if a force is not below full sliding
   /// \throws NotConverged          if there is an obstacle, or no such stick zone carries the load
-  /// \return which may be no solution: that it keeps the contact conditions is another question
+  /// \return a solution if it keeps_conditions(), which solve() does not look at
   InvertedSolution solve(const Load& load) const;
 
  private:

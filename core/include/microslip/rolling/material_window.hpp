@@ -9,17 +9,18 @@
 
 namespace microslip {
 
-/// Nodes that are fixed to the material, of which only those near the contact are kept. A node
-/// enters the contact when the leading edge has passed it by the offset that the scheme feels, see
-/// LeadingEdgeConstants; the window then is aligned, and moves on by one node.
+/// The nodes near the contact, fixed to the material. A node enters the contact when the leading
+/// edge has passed it by the offset that the scheme feels, see LeadingEdgeConstants. At that moment
+/// the window is aligned, and moves on by one node.
 ///
-/// From the trailing edge on it holds one node behind the contact, because the displacement before
-/// a step still feels a traction that has just left, N nodes in contact, the node that comes next,
-/// and the one after that. A node leaves while it goes from half an element less than the leading
-/// offset before the trailing edge to an element further on: where it sticks, that is where the
-/// scheme feels the edge.
+/// From the trailing edge on the window holds one node behind the contact, N nodes in contact, the
+/// node that comes next, and the one after that. The node behind is there because the displacement
+/// before a step still feels its traction. A node leaves over one element's travel, which begins
+/// (leading offset - 1/2) dx before the trailing edge: there the scheme feels the edge of a node
+/// that sticks.
 ///
-/// Everything is a function of the phase: distance rolled since it was last aligned, in [0, 1) [dx]
+/// All functions depend on the phase, the distance rolled since the window was aligned, in
+/// [0, 1) [dx]
 class MaterialWindow {
  public:
   /// A phase this close to 0 or 1 is there: distances are sums.
@@ -38,14 +39,14 @@ class MaterialWindow {
   Eigen::Index coming() const { return size() - 2; }
   Eigen::Index ahead() const { return size() - 1; }
 
-  /// The first node that has not left, and the part of its way out that is left, in (0, 1].
+  /// The first node that has not left, and the fraction of its way out that is left, in (0, 1].
   struct Leaving {
     Eigen::Index node;
     double inside;
   };
   Leaving leaving(double phase) const;
 
-  /// What leaving() says of any node: <= 0 outside, and 1 where it has not begun to leave.
+  /// The fraction `inside` of any node: <= 0 outside, and 1 where it has not begun to leave.
   double inside(Eigen::Index node, double phase) const;
 
   /// Nodes in the contact's frame, where its centre is x = 0; an expression  [mm]
@@ -57,16 +58,15 @@ class MaterialWindow {
     return Eigen::VectorXd::NullaryExpr(size(), node);
   }
 
-  /// Means over the elements around the nodes, except that the leading one also takes what lies
-  /// before its element, less what the coming one has: in proportion to its part, up to what it has
-  /// when it enters. So the bound sums up to full sliding.
-  /// \param coming_part  part that the coming node has of its bound, in [0, 1]; in rolling, the
-  ///                     phase
-  void bound(double phase, double coming_part, Eigen::VectorXd& means) const;  ///< [N/mm^2]
+  /// Element means of the bound. The leading node also gets the force ahead of its element, minus
+  /// the incoming node's share, so that the sum is the force of full sliding. \param coming_share
+  /// of its bound at entry that the coming node has, in [0, 1]; in rolling, the
+  ///                      phase
+  void bound(double phase, double coming_share, Eigen::VectorXd& means) const;  ///< [N/mm^2]
   Eigen::VectorXd bound(double phase) const;
 
-  /// Gives the node that leaves, where it sticks, a bound in proportion to its part that is inside,
-  /// and the rest to the next one.
+  /// Reduces the bound of a node that leaves while it sticks to its fraction inside, and gives the
+  /// rest to the next node.
   /// \param means  of bound(), in and out
   void let_leave(double phase, Eigen::VectorXd& means) const;
 
@@ -80,7 +80,7 @@ class MaterialWindow {
   Eigen::Index elements_;
 };
 
-/// Moves the values of a window on by some elements; those that are new become `entering`.
+/// Moves the values of a window on by some elements; new values are `entering`.
 template <class Vector, class Value>
 void move_on(Vector& values, Eigen::Index elements, const Value& entering) {
   std::fill(std::shift_left(values.begin(), values.end(), elements), values.end(), entering);

@@ -5,19 +5,19 @@
 
 namespace microslip {
 
-/// Steady rolling without a word about how it is solved.
+/// A steady rolling contact, without a method or a grid.
 struct SteadyContact {
   Kernel kernel;
   TractionBound bound;
   Load load;
 };
 
-/// That contact on a grid that fills it, with constant functions.
+/// The problem of the contact on a grid that fills it, with constant functions.
 /// \param elements  N, in [1, 4e6]
 SteadyProblem problem_of(const SteadyContact& contact, Eigen::Index elements,
                          const SteadyMethod& method);
 
-/// A solution and how far it is from the exact one.
+/// A solution and an estimate of its error.
 struct EstimatedSteady {
   SteadyProblem problem;  ///< with the method, the basis and the grid that were picked
   SteadySolution solution;
@@ -31,10 +31,10 @@ struct EstimatedSteady {
 inline constexpr double coarsest_target = 0.1;
 inline constexpr double finest_target = 1e-11;
 
-/// \throws std::invalid_argument outside them
+/// \throws std::invalid_argument outside these limits
 void require_target_error(double target);
 
-/// By inversion where one zone sticks; else as estimate_by_elements().
+/// Solves by inversion where one zone sticks, otherwise as estimate_by_elements().
 ///
 /// \param target  in [1e-11, 0.1]  [1]
 /// \throws std::invalid_argument for loads and targets out of their ranges

@@ -12,22 +12,22 @@ namespace microslip {
 /// 2 |sin(theta/2)| b(theta) for the displacement of a whole element's tractions. The kernel's
 /// logarithm alone determines them, so they hold for strips and plane strain.
 struct LeadingEdgeConstants {
-  /// beta*: whatever edge was meant, the tractions are those of a contact whose edge lies so many
-  /// elements beyond the last node, to second order  [1]
+  /// beta*: to second order, the tractions are those of a contact whose leading edge lies so many
+  /// elements beyond the last node, whatever the offset of the grid  [1]
   double offset;
 
-  /// e0: how far the next node slips while the edge passes over an element, over 2 (1 - nu)/G dx
-  /// times the traction that the scheme gives it in adhesion at the end  [1]
+  /// e0: the slip displacement of the next node while the edge passes over an element, over
+  /// 2 (1 - nu)/G dx times the traction that the scheme gives it in adhesion at the end  [1]
   double compliance;
 
-  /// What the scheme gives to the last, last but one, ... node when the traction grows as a square
-  /// root from the edge, over sqrt(j + offset); 1 far from it  [1]
+  /// Tractions of the scheme at the last, last but one, ... node over the exact square root,
+  /// sqrt(j + offset); 1 far from the edge  [1]
   std::array<double, 8> layer;
 
-  /// The same where a part of the next element has been travelled, in [0, 1): the mean of the
-  /// solutions with and without its node, over sqrt(j + offset + part); j = -1 for that node.
-  /// \return 1 from j = 7 on
-  double value(Eigen::Index j, double part) const;
+  /// The same after a fraction of the next element has been travelled: the mean of the solutions
+  /// with and without its node, over sqrt(j + offset + fraction); j = -1 for that node. \param
+  /// fraction  in [0, 1) \return 1 from j = 7 on
+  double value(Eigen::Index j, double fraction) const;
 };
 
 /// offset = 3/4 - 1/(4 pi) int_0^pi ln b / sin^2(theta/2) dtheta,

@@ -9,10 +9,10 @@
 
 namespace microslip {
 
-/// Fourier symbol of an operator on an unbounded uniform grid: what it does to the traction
-/// exp(i k theta), k counting the nodes. The coefficients next to the node are summed as they are,
-/// and those beyond by Abel and Plana's formula, along a line in the complex plane on which they
-/// fall off exponentially.
+/// Fourier symbol of an operator on an unbounded uniform grid: the factor by which it multiplies
+/// the traction exp(i k theta), where k counts the nodes. The coefficients next to the node are
+/// summed as they are, and those beyond by Abel and Plana's formula, along a line in the complex
+/// plane on which they fall off exponentially.
 class Symbol {
  public:
   /// The strain operator (A - A') / (c dx)  [mm^2/N]
@@ -47,10 +47,10 @@ class Symbol {
   double influence_spacing_ = 0;  ///< dx if it is the symbol of A, else 0
 };
 
-/// What a transient step of the direct scheme does to the traction exp(i k theta) in adhesion: it
-/// multiplies it by \f$ 1-c\,\Delta x\,\hat S(\theta)/\hat A(\theta) \f$, the symbol of A^-1 A',
-/// with those of strain and influence. Exact is \f$ e^{ic\theta} \f$, a translation by c towards
-/// the trailing edge.
+/// Amplification of the traction exp(i k theta) in adhesion by a step of the direct scheme, the
+/// factor \f$ 1-c\,\Delta x\,\hat S(\theta)/\hat A(\theta) \f$, the symbol of A^-1 A',
+/// from the symbols of strain and influence. The exact factor is \f$ e^{ic\theta} \f$, a
+/// translation by c towards the trailing edge.
 class Amplification {
  public:
   Amplification(const Kernel& kernel, const ShapeFunction& shape, double spacing,

@@ -9,14 +9,14 @@ namespace microslip {
 /// \file
 /// For messages about names that are not known.
 
-/// Of names other than the word itself, the one that takes the least edits, three at most; empty if
-/// there is none. Cost: as the product of lengths.
+/// The name that differs from the word by the fewest edits, one to three; empty if there is none.
+/// Cost: as the product of lengths.
 std::string nearest(const std::string& word, const std::vector<std::string>& names);
 
 /// " (did you mean 'x'?)", or nothing if that is empty.
 std::string question(const std::string& meant);
 
-/// Those of items that have one.
+/// The names of items.
 template <class Items>
 std::vector<std::string> names_of(const Items& items) {
   std::vector<std::string> names;
@@ -24,7 +24,7 @@ std::vector<std::string> names_of(const Items& items) {
   return names;
 }
 
-/// All, with a separator between two.
+/// All texts, with a separator between two.
 template <class Texts>
 std::string joined(const Texts& texts, const std::string& separator) {
   std::string all;

@@ -10,8 +10,8 @@ namespace microslip {
 int available_cores();
 
 /// Calls do_case(0) ... do_case(count - 1) once each, on several threads; a thread that is done
-/// with one takes the next. What is written for a case must not depend on the others, so that the
-/// number of threads changes nothing.
+/// with one takes the next. The result of a case must not depend on others, so that the number of
+/// threads changes nothing.
 /// \param threads  [1, inf)
 /// \throws what do_case throws: no other case begins then; if several throw, the exception of the
 ///         lowest number is passed on

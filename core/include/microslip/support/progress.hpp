@@ -6,10 +6,10 @@
 
 namespace microslip {
 
-/// A total that is not known before.
+/// The total, where it is not known in advance.
 inline constexpr std::size_t unknown_total = 0;
 
-/// Told after each finished case how many of how many are done.
+/// Called after each finished case with the number of finished cases and their total.
 using Progress = std::function<void(std::size_t done, std::size_t total)>;
 
 }  // namespace microslip

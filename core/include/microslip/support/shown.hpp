@@ -7,9 +7,8 @@
 
 namespace microslip {
 
-/// A text of someone else's as messages show it, in one line of a bounded length: control
-/// characters and bytes that are not UTF-8 are written as `\xNN`, and what takes more than `most`
-/// bytes then is cut, with its length behind.
+/// A text of unknown origin as messages show it, in one line: control characters and bytes that are
+/// not UTF-8 become `\xNN`. A text of more than `most` bytes is cut, and its length follows.
 std::string shown(std::string_view text, std::size_t most = 160);
 
 }  // namespace microslip

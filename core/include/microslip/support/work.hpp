@@ -6,8 +6,8 @@
 namespace microslip {
 
 /// \file
-/// Counted work: floating-point operations that this thread has done so far, by formulas in the
-/// sizes, so that they are the same on every machine as long as iterations take as many rounds.
+/// Counted work: floating-point operations of this thread, by formulas in the sizes. The count is
+/// the same on every machine on which iterations take as many rounds.
 ///
 /// Counted: transforms (5/2 n log2 n of n real numbers), products (2 n^2), factors (2/3 n^3) and
 /// solves (2 n^2) of dense matrices, orthogonalisation in GMRES, borders of factors, points of
@@ -16,13 +16,13 @@ namespace microslip {
 /// Not counted: copies, comparisons, allocation, the making of plans for transforms, products of
 /// vectors outside of these, and condition numbers.
 
-/// What a value of a kernel counts for, with what it is multiplied by: a logarithm or some roots.
+/// Operations for a value of a kernel, a logarithm or some roots, and its use.
 inline constexpr double kernel_work = 25;
 
 /// \param operations  >= 0; rounded, so that sums are exact in any order
 void count_work(double operations);
 
-/// Operations since it was made, on the same thread.
+/// Counts operations of this thread since it was made.
 class WorkCount {
  public:
   WorkCount();
@@ -32,8 +32,8 @@ class WorkCount {
   double start_;
 };
 
-/// As long as it lives, an action is told of the operations on this thread since it was made, each
-/// time that as many more have been done. Of several, the last that was made.
+/// Calls `action` with the number of operations of this thread since it was made, each time that
+/// the thread has done `every` more. If there are several, only the last one that was made acts.
 class WorkWatch {
  public:
   /// \param every  > 0
