@@ -3,8 +3,8 @@
 #include <cmath>
 #include <memory>
 
-#include "microslip/rolling/chebyshev_rolling.hpp"
-#include "microslip/rolling/steady.hpp"
+#include "campaign.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/spectrum/leading_edge.hpp"
 #include "speed_accuracy_problems.hpp"
 
@@ -17,11 +17,6 @@ using Eigen::VectorXd;
 
 /// Of tractions that are functions of the position, at so many places.
 constexpr Index samples = 1023;
-
-struct Truth {
-  PrescribedCreepage load;
-  ChebyshevSolution solution;
-};
 
 /// One kernel and bound under some loads.
 struct Problem {
@@ -36,9 +31,7 @@ std::shared_ptr<const Problem> make_problem(const SpeedAccuracyParameters& p, st
   const ChebyshevRolling reference(kernel, p.bound);
   std::vector<Truth> truths;
   for (const double stick_ratio : p.steady.stick_ratios) {
-    const PrescribedCreepage load{
-        reference.at(p.bound.half_width() * (1 - 2 * stick_ratio)).creepage};
-    truths.push_back({load, reference.solve(load)});
+    truths.push_back(truth_of(reference, p.bound.half_width(), stick_ratio));
   }
   return std::make_shared<const Problem>(Problem{std::move(name), kernel, p.bound, truths});
 }
@@ -46,48 +39,38 @@ std::shared_ptr<const Problem> make_problem(const SpeedAccuracyParameters& p, st
 /// Raises the errors to those of one more load.
 void judge(const Truth& truth, double force, double spacing, const VectorXd& x,
            const VectorXd& traction, Errors& errors) {
-  const double exact = truth.solution.force();
-  const VectorXd difference =
-      traction - x.unaryExpr([&](double xi) { return truth.solution.traction(xi); });
+  const VectorXd difference = traction - truth.at(x);
   const auto raise = [&](Quantity of, double error) {
-    errors[of] = std::fmax(errors[of], error / std::abs(exact));
+    errors[of] = std::fmax(errors[of], error / std::abs(truth.force));
   };
-  raise(Quantity::force, std::abs(force - exact));
+  raise(Quantity::force, std::abs(force - truth.force));
   raise(Quantity::traction, spacing * difference.lpNorm<1>());
 }
 
-/// A leading edge that a table of schemes can name.
-struct Edge {
-  std::string name;
-  double leading_offset = 0.5;
-  double trailing_offset = 0.5;
+/// Where the edges are, in elements beyond the last node and before the first.
+struct Alignment {
+  double leading = 0.5;
+  double trailing = 0.5;
 };
 
-Solve steady_solve(const std::shared_ptr<const Problem>& problem, const Edge& edge,
-                   const Basis& basis, double step_ratio, Solver::Type type) {
-  return [=](Index elements) {
+Solve steady_solve(const std::shared_ptr<const Problem>& problem, const SteadyEntry& scheme,
+                   const Alignment& edges, const Basis& basis, double step_ratio,
+                   Solver::Type type) {
+  return [=, &scheme](Index elements) {
     const Grid grid({.half_width = problem->bound.half_width(),
                      .elements = elements,
-                     .leading_offset = edge.leading_offset,
-                     .trailing_offset = edge.trailing_offset});
+                     .leading_offset = edges.leading,
+                     .trailing_offset = edges.trailing});
     std::vector<SteadySolution> solutions;
     for (const Truth& truth : problem->truths) {
-      Differences differences{.step_ratio = std::isnan(step_ratio) ? 1 : step_ratio};
-      if (edge.name == "exact") {
-        differences.edge_displacement = ChebyshevRolling(problem->kernel, problem->bound)
-                                            .solve(truth.load)
-                                            .displacement(problem->bound.half_width());
-      }
-      SteadyProblem problem_of_load{.kernel = problem->kernel,
-                                    .bound = problem->bound,
-                                    .grid = grid,
-                                    .basis = basis,
-                                    .method = differences,
-                                    .load = truth.load,
-                                    .solver = {.type = type}};
-      if (edge.name == "inversion") problem_of_load.method = Inversion{};
-      if (edge.name == "calibrated") problem_of_load.method = Calibrated{};
-      solutions.push_back(solve_steady(problem_of_load));
+      solutions.push_back(solve_steady(solved_by(scheme,
+                                                 {.kernel = problem->kernel,
+                                                  .bound = problem->bound,
+                                                  .grid = grid,
+                                                  .basis = basis,
+                                                  .load = PrescribedCreepage{truth.creepage},
+                                                  .solver = {.type = type}},
+                                                 step_ratio)));
     }
     return [=] {
       Judgement judgement;
@@ -106,8 +89,8 @@ Solve chebyshev_solve(const std::shared_ptr<const Problem>& problem) {
   return [=](Index unknowns) {
     std::vector<ChebyshevSolution> solutions;
     for (const Truth& truth : problem->truths) {
-      solutions.push_back(
-          ChebyshevRolling(problem->kernel, problem->bound, unknowns).solve(truth.load));
+      solutions.push_back(ChebyshevRolling(problem->kernel, problem->bound, unknowns)
+                              .solve(PrescribedCreepage{truth.creepage}));
     }
     return [=] {
       Judgement judgement;
@@ -124,41 +107,64 @@ Solve chebyshev_solve(const std::shared_ptr<const Problem>& problem) {
   };
 }
 
+/// All schemes and functions of the catalogue, in the order in which they always stood.
 void add_problem(const SpeedAccuracyParameters& p, const std::shared_ptr<const Problem>& problem,
                  const std::vector<double>& step_ratios, std::vector<RunSeries>& all) {
   const auto loads = static_cast<double>(problem->truths.size());
-  const auto add = [&](const Edge& edge, const Basis& basis, double c, Solver::Type type) {
-    const Contestant who{problem->name, "collocation", edge.name, basis.name(), c, name_of(type)};
-    all.push_back(
-        {who, p.sizes, p.steady.limit, loads, steady_solve(problem, edge, basis, c, type)});
+  const auto add_smooth = [&](std::string_view name, const std::vector<Index>& sizes,
+                              const Solve& solve) {
+    all.push_back({{problem->name, std::string(name), "none", "none", not_given, "none"},
+                   sizes,
+                   p.steady.limit,
+                   loads,
+                   solve});
   };
-  all.push_back(
-      {{problem->name, "inversion", "none", "none", not_given, "none"},
-       {p.sizes.front()},
-       p.steady.limit,
-       loads,
-       steady_solve(problem, {"inversion"}, constant_basis(), not_given, Solver::Type::automatic)});
+  const auto add = [&](const SteadyEntry& scheme, std::string_view functions, double c,
+                       Solver::Type type) {
+    const std::string name(scheme.name), basis(functions);
+    const std::string shown = scheme.basis.empty() ? basis : name + " " + basis;
+    all.push_back({{problem->name, "collocation", name, shown, c, name_of(type)},
+                   p.sizes,
+                   p.steady.limit,
+                   loads,
+                   steady_solve(problem, scheme, {}, make_basis(basis), c, type)});
+  };
+  const auto add_aligned = [&](std::string_view functions, Solver::Type type) {
+    // Where a difference over one element feels it, and the midpoint rule the trailing one.
+    constexpr double trailing = 0.656936;
+    const Basis basis = make_basis(functions);
+    all.push_back({{problem->name, "collocation", "aligned", basis.name(), 1, name_of(type)},
+                   p.sizes,
+                   p.steady.limit,
+                   loads,
+                   steady_solve(problem, steady_scheme("standard"),
+                                {leading_edge_constants(basis).offset, trailing}, basis, 1, type)});
+  };
+  const auto with_steps = [](const SteadyEntry& scheme) { return scheme.safe_steps.has_value(); };
+  for (const SteadyEntry& scheme : steady_schemes()) {
+    if (scheme.by_elements || scheme.name == "chebyshev") continue;
+    add_smooth(scheme.name, {p.sizes.front()},
+               steady_solve(problem, scheme, {}, constant_basis(), 1, Solver::Type::automatic));
+  }
   for (const auto type : {Solver::Type::dense, Solver::Type::fft}) {
-    for (const char* name : {"constant", "linear", "quadratic"}) {
-      const Basis basis = make_basis(name);
-      add({"calibrated"}, basis, not_given, type);
-      if (basis.name() != "quadratic") {
-        // Where a difference over one element feels it, and the midpoint rule the trailing one.
-        constexpr double trailing = 0.656936;
-        add({"aligned", leading_edge_constants(basis).offset, trailing}, basis, 1, type);
+    for (const std::string_view basis : basis_names()) {
+      for (const SteadyEntry& scheme : steady_schemes()) {
+        if (scheme.by_elements && !with_steps(scheme)) add(scheme, basis, not_given, type);
       }
+      if (basis == "constant" || basis == "linear") add_aligned(basis, type);
       for (const double c : step_ratios) {
-        add({"standard"}, basis, c, type);
-        add({"exact"}, basis, c, type);
+        for (const SteadyEntry& scheme : steady_schemes()) {
+          if (with_steps(scheme) && scheme.basis.empty()) add(scheme, basis, c, type);
+        }
       }
     }
-    for (const double c : step_ratios) add({"trimmed"}, trimmed_linear_basis(0.5), c, type);
+    for (const double c : step_ratios) {
+      for (const SteadyEntry& scheme : steady_schemes()) {
+        if (!scheme.basis.empty()) add(scheme, scheme.basis, c, type);
+      }
+    }
   }
-  all.push_back({{problem->name, "chebyshev", "none", "none", not_given, "none"},
-                 p.steady.unknowns,
-                 p.steady.limit,
-                 loads,
-                 chebyshev_solve(problem)});
+  add_smooth("chebyshev", p.steady.unknowns, chebyshev_solve(problem));
 }
 
 }  // namespace
