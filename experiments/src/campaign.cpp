@@ -29,9 +29,11 @@ Truth truth_of(const ChebyshevRolling& rolling, double half_width, double stick_
 Compared compared(const SteadyProblem& problem, const Truth& truth) {
   SteadySolution solution = solve_steady(problem);
   VectorXd exact = truth.at(solution.x);
-  VectorXd error = solution.traction - exact;
+  const double sum = (solution.traction - exact).lpNorm<1>();
+  const double scale = solution.bound.maxCoeff() * static_cast<double>(exact.size());
   const double force_error = std::abs(solution.force / truth.force - 1);
-  return {std::move(solution), std::move(exact), std::move(error), force_error};
+  return {std::move(solution), std::move(exact), problem.grid.spacing() * sum, sum / scale,
+          force_error};
 }
 
 Rolled roll(const CattaneoToCarter& start, const AdvectionScheme& scheme, double step_ratio,

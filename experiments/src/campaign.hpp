@@ -35,7 +35,8 @@ Truth truth_of(const ChebyshevRolling& rolling, double half_width, double stick_
 struct Compared {
   SteadySolution solution;
   Eigen::VectorXd exact;  ///< traction at its nodes  [N/mm^2]
-  Eigen::VectorXd error;  ///< of the traction  [N/mm^2]
+  double traction_error;  ///< integral of |p - exact| by the midpoint rule  [N/mm]
+  double mean_error;      ///< of the tractions at the nodes, over the peak of the bound
   double force_error;     ///< relative
 };
 

@@ -11,6 +11,8 @@
 
 namespace microslip::experiments {
 
+using namespace extremes_study;
+
 namespace {
 
 std::vector<double> numbers_within(Scene& scene, const char* key, double least, double most) {

@@ -8,7 +8,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/support/not_converged.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::extremes_study {
 
 namespace {
 
@@ -106,4 +106,4 @@ Map bounds_map(const ExtremesParameters& p) {
   return map;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::extremes_study

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace microslip::experiments {
+namespace microslip::experiments::extremes_study {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -81,4 +81,4 @@ Table table_of(const Map& map, const std::vector<Outcome>& outcomes) {
   return table;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::extremes_study

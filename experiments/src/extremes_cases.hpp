@@ -10,7 +10,7 @@
 #include "microslip/experiments/extremes.hpp"
 #include "microslip/rolling/evidence.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::extremes_study {
 
 /// What a result at an extreme is worth.
 struct Finding {
@@ -81,4 +81,4 @@ Map endurance_map(const ExtremesParameters& p);
 /// The table of what is left of scale invariance.
 Table scales_table(const ExtremesParameters& p);
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::extremes_study

@@ -6,7 +6,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::extremes_study {
 
 namespace {
 
@@ -125,4 +125,4 @@ Table scales_table(const ExtremesParameters& p) {
   return table;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::extremes_study

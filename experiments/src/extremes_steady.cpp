@@ -10,7 +10,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/support/interpolation.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::extremes_study {
 
 namespace {
 
@@ -28,16 +28,17 @@ struct Scheme {
 /// scheme takes part with all functions, others with one.
 std::vector<Scheme> schemes_except(const std::vector<std::string>& names) {
   std::vector<Scheme> all;
-  const auto add = [&](const SteadyEntry& entry, std::string_view basis, const std::string& name) {
+  const auto add = [&](const SteadyEntry& entry, const Basis& basis, const std::string& name) {
     const bool left_out = std::ranges::find(names, name) != names.end();
-    if (!left_out) all.push_back({name, &entry, make_basis(basis)});
+    if (!left_out) all.push_back({name, &entry, basis});
   };
   for (const SteadyEntry& entry : steady_schemes()) {
     const std::string name(entry.name);
-    add(entry, entry.basis.empty() ? "constant" : entry.basis, name);
+    add(entry, basis_of(entry), name);
+    if (name != "standard") continue;
     for (const std::string_view basis : basis_names()) {
-      if (name != "standard" || basis == "constant") continue;
-      add(entry, basis, name + " " + std::string(basis));
+      if (basis == basis_of(entry).name()) continue;
+      add(entry, make_basis(basis), name + " " + std::string(basis));
     }
   }
   const auto rank = [](const Scheme& s) { return s.entry->safe_steps ? 0 : s.entry->order; };
@@ -244,4 +245,4 @@ Map offsets_map(const ExtremesParameters& p) {
   return map;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::extremes_study

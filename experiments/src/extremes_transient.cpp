@@ -11,7 +11,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/support/interpolation.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::extremes_study {
 
 namespace {
 
@@ -138,4 +138,4 @@ Map endurance_map(const ExtremesParameters& p) {
   return map;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::extremes_study

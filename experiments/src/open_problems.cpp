@@ -14,6 +14,8 @@
 
 namespace microslip::experiments {
 
+using namespace open_problems_study;
+
 namespace {
 
 double largest_of(const Table& table, const std::string& scheme, const std::string& column) {

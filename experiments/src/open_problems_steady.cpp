@@ -9,7 +9,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/support/convergence.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::open_problems_study {
 
 namespace {
 
@@ -41,17 +41,6 @@ std::vector<Case> cases_of(const OpenProblemsParameters& p) {
   return cases;
 }
 
-struct Errors {
-  double force;     ///< relative
-  double traction;  ///< L1, over the length of the contact and the peak
-};
-
-Errors errors_of(const SteadyProblem& problem, const Truth& truth) {
-  const Compared result = compared(problem, truth);
-  const double scale = result.solution.bound.maxCoeff() * static_cast<double>(result.exact.size());
-  return {result.force_error, result.error.lpNorm<1>() / scale};
-}
-
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t middle = values.size() / 2;
@@ -69,7 +58,6 @@ Series series_of(const OpenProblemsParameters& p, const SteadyEntry& treatment, 
   const PlaneKernel kernel(p.material, p.length);
   const ChebyshevRolling reference(kernel, p.bound);
   const double a = p.bound.half_width();
-  const Basis basis = make_basis(treatment.basis.empty() ? basis_names().front() : treatment.basis);
   Series series;
   for (const Eigen::Index n : p.sizes) {
     series.force.emplace_back();
@@ -83,13 +71,13 @@ Series series_of(const OpenProblemsParameters& p, const SteadyEntry& treatment, 
                                               .elements = n,
                                               .leading_offset = leading,
                                               .trailing_offset = trailing}),
-                                .basis = basis,
+                                .basis = basis_of(treatment),
                                 .load = PrescribedCreepage{truth.creepage}});
-      const Errors errors = errors_of(problem, truth);
-      series.force.back().push_back(errors.force);
-      series.traction.back().push_back(errors.traction);
+      const Compared found = compared(problem, truth);
+      series.force.back().push_back(found.force_error);
+      series.traction.back().push_back(found.mean_error);
       table.add({std::string(treatment.name), static_cast<double>(n), stick_ratio, leading,
-                 trailing, errors.force, errors.traction});
+                 trailing, found.force_error, found.mean_error});
     }
     done();
   }
@@ -132,14 +120,14 @@ Table steady_steps(const OpenProblemsParameters& p) {
                 inversion_rounding}});
   for (const std::string name : {"standard", "inversion"}) {
     for (const double c : p.steady_ratios) {
-      const Errors errors = errors_of(solved_by(steady_scheme(name),
+      const Compared found = compared(solved_by(steady_scheme(name),
                                                 {.kernel = kernel,
                                                  .bound = p.bound,
                                                  .grid = grid,
                                                  .load = PrescribedCreepage{truth.creepage}},
                                                 c),
                                       truth);
-      table.add({name, c, errors.force, errors.traction});
+      table.add({name, c, found.force_error, found.mean_error});
     }
   }
   return table;
@@ -239,4 +227,4 @@ CurveTables curve_tables(const OpenProblemsParameters& p) {
   return tables;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::open_problems_study

@@ -9,7 +9,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/support/interpolation.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::open_problems_study {
 
 namespace {
 
@@ -92,4 +92,4 @@ StepTables step_tables(const OpenProblemsParameters& p, const Progress& progress
   return tables;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::open_problems_study

@@ -5,7 +5,7 @@
 
 #include "campaign.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::speed_accuracy_study {
 
 namespace {
 
@@ -68,4 +68,4 @@ std::string name_of(Solver::Type type) {
   return "auto";
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::speed_accuracy_study

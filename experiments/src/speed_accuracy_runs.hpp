@@ -10,7 +10,7 @@
 #include "microslip/experiments/speed_accuracy.hpp"
 #include "microslip/linalg/solver.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::speed_accuracy_study {
 
 /// Who a run is; "none" or nan where something has no role.
 struct Contestant {
@@ -66,4 +66,4 @@ std::vector<Run> runs_of(const RunSeries& series, double repeats);
 
 std::string name_of(Solver::Type type);
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::speed_accuracy_study

@@ -8,7 +8,7 @@
 #include "microslip/spectrum/leading_edge.hpp"
 #include "speed_accuracy_problems.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::speed_accuracy_study {
 
 namespace {
 
@@ -178,4 +178,4 @@ std::vector<RunSeries> steady_contest(const SpeedAccuracyParameters& p) {
   return all;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::speed_accuracy_study

@@ -8,7 +8,7 @@
 #include "microslip/support/interpolation.hpp"
 #include "speed_accuracy_problems.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::speed_accuracy_study {
 
 namespace {
 
@@ -88,4 +88,4 @@ std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p) {
   return all;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::speed_accuracy_study

@@ -90,6 +90,15 @@ TEST_F(Extremes, ResultsAreScaleInvariantToRounding) {
   }
 }
 
+TEST_F(Extremes, AllOfTheCataloguesTakePart) {
+  for (const SteadyEntry& entry : steady_schemes()) {
+    for_rows("steps", std::string(entry.name), [](const Table&, std::size_t) {});
+  }
+  for (const AdvectionEntry& entry : advection_schemes()) {
+    for_rows("transient", std::string(entry.name), [](const Table&, std::size_t) {});
+  }
+}
+
 // The ranges of which the scene reader warns: safe inside, and not much further.
 TEST_F(Extremes, SteadyDifferencesAreSafeWhereTheReaderSaysSo) {
   const SafeRange safe_difference = steady_scheme("standard").safe_steps.value();

@@ -17,11 +17,11 @@ SteadyProblem problem_for(const SteadyEntry& entry) {
   return {.kernel = PlaneKernel(material, 10),
           .bound = HertzBound(1, 1),
           .grid = Grid({.half_width = 1, .elements = 51}),
-          .basis = make_basis(entry.basis.empty() ? "constant" : entry.basis),
+          .basis = basis_of(entry),
           .load = PrescribedForce{-0.5}};
 }
 
-TEST(Schemes, AreFoundByNameAndByWhatTheySolve) {
+TEST(SchemeCatalogue, AreFoundByNameAndByWhatTheySolve) {
   for (const SteadyEntry& entry : steady_schemes()) {
     EXPECT_EQ(&steady_scheme(entry.name), &entry);
     EXPECT_EQ(entry_of(solved_by(entry, problem_for(entry), 0.8)).name, entry.name);
@@ -34,13 +34,13 @@ TEST(Schemes, AreFoundByNameAndByWhatTheySolve) {
   EXPECT_THROW(advection_scheme("standard"), std::invalid_argument);
 }
 
-TEST(Schemes, OfWhichTheFirstIsTheDefault) {
+TEST(SchemeCatalogue, OfWhichTheFirstIsTheDefault) {
   EXPECT_EQ(leading_edge_names().front(), "inversion");
   EXPECT_EQ(advection_names().front(), "material");
   EXPECT_EQ(leading_edge_names().size() + 1, steady_schemes().size());
 }
 
-TEST(Schemes, SolveTheirProblem) {
+TEST(SchemeCatalogue, SolveTheirProblem) {
   const double exact = solve_steady(problem_for(steady_scheme("inversion"))).creepage;
   for (const SteadyEntry& entry : steady_schemes()) {
     const SteadySolution found = solve_steady(solved_by(entry, problem_for(entry)));
@@ -48,7 +48,7 @@ TEST(Schemes, SolveTheirProblem) {
   }
 }
 
-TEST(Schemes, TakeTheStepRatioWhereItHasARole) {
+TEST(SchemeCatalogue, TakeTheStepRatioWhereItHasARole) {
   for (const SteadyEntry& entry : steady_schemes()) {
     const SteadyProblem problem = solved_by(entry, problem_for(entry), 0.8);
     const auto* differences = std::get_if<Differences>(&problem.method);
@@ -65,7 +65,7 @@ TEST(Schemes, TakeTheStepRatioWhereItHasARole) {
   }
 }
 
-TEST(Schemes, GoWithTheBasisThatTheyName) {
+TEST(SchemeCatalogue, GoWithTheBasisThatTheyName) {
   for (const SteadyEntry& entry : steady_schemes()) {
     if (entry.basis.empty()) continue;
     SteadyProblem problem = problem_for(entry);
@@ -75,7 +75,7 @@ TEST(Schemes, GoWithTheBasisThatTheyName) {
 }
 
 // Where they are explained.
-TEST(Schemes, AreInTheDocumentation) {
+TEST(SchemeCatalogue, AreInTheDocumentation) {
   std::ifstream file(MICROSLIP_SOURCE "/docs/scenes.md");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   for (const std::string_view name : leading_edge_names()) {

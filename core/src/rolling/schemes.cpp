@@ -161,6 +161,10 @@ std::vector<std::string_view> leading_edge_names() {
 
 const SteadyEntry& steady_scheme(std::string_view name) { return found(steady, name); }
 
+Basis basis_of(const SteadyEntry& entry) {
+  return make_basis(entry.basis.empty() ? basis_names().front() : entry.basis);
+}
+
 const SteadyEntry& entry_of(const SteadyProblem& problem) {
   const auto* by_differences = std::get_if<Differences>(&problem.method);
   if (by_differences != nullptr) {

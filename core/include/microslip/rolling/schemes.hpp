@@ -54,6 +54,9 @@ std::vector<std::string_view> leading_edge_names();
 /// \throws std::invalid_argument for another name
 const SteadyEntry& steady_scheme(std::string_view name);
 
+/// The only functions that it goes with, or else the default.
+Basis basis_of(const SteadyEntry& entry);
+
 /// The entry by which a problem is solved.
 const SteadyEntry& entry_of(const SteadyProblem& problem);
 
