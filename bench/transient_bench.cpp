@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Index;
 
-/// To the tractions of which a transient scheme tends.
+/// A transient scheme tends to the tractions of this method.
 SteadyMethod steady_of(const AdvectionScheme& scheme) {
   if (std::holds_alternative<MaterialFixed>(scheme)) return Inversion{};
   return Differences{.step_ratio = 1};

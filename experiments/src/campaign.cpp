@@ -56,6 +56,23 @@ Rolled roll(const CattaneoToCarter& start, const AdvectionScheme& scheme, double
   return rolled;
 }
 
+namespace {
+
+/// Operations that a run is expected to take after those of smaller ones: it grows on as from the
+/// last but one to the last, at least as N, and from the first as N^2.
+double expected_work(const std::vector<double>& sizes, const std::vector<double>& work,
+                     double elements) {
+  if (work.empty()) return 0;
+  const std::size_t last = work.size() - 1;
+  double power = 2;
+  if (last > 0) {
+    power = std::log(work[last] / work[last - 1]) / std::log(sizes[last] / sizes[last - 1]);
+  }
+  return work[last] * std::pow(elements / sizes[last], std::clamp(power, 1.0, 3.0));
+}
+
+}  // namespace
+
 Attempt Runs::run(double size, const std::function<void()>& solve) {
   Attempt attempt{.message = "", .expected = expected_work(sizes_, work_, size)};
   if (attempt.expected > limits_.operations) return attempt;
@@ -76,7 +93,7 @@ Attempt Runs::run(double size, const std::function<void()>& solve) {
   return attempt;
 }
 
-/// Of the processor: what else it has to do does not count.
+/// Takes the time of the processor: what else it has to do does not count.
 void Runs::measure(const std::function<void()>& solve, Attempt& attempt) const {
   constexpr double long_run = 2;  // [s], which is not repeated
   double total = 0;
@@ -89,17 +106,6 @@ void Runs::measure(const std::function<void()>& solve, Attempt& attempt) const {
     attempt.time = std::fmin(attempt.time, time / limits_.solutions);
     total += time;
   } while (total < limits_.repeats && total < long_run);
-}
-
-double expected_work(const std::vector<double>& sizes, const std::vector<double>& work,
-                     double elements) {
-  if (work.empty()) return 0;
-  const std::size_t last = work.size() - 1;
-  double power = 2;
-  if (last > 0) {
-    power = std::log(work[last] / work[last - 1]) / std::log(sizes[last] / sizes[last - 1]);
-  }
-  return work[last] * std::pow(elements / sizes[last], std::clamp(power, 1.0, 3.0));
 }
 
 }  // namespace microslip::experiments

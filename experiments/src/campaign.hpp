@@ -92,9 +92,4 @@ class Runs {
   std::vector<double> work_;
 };
 
-/// Operations that a run is expected to take after those of smaller ones: it grows on as from the
-/// last but one to the last, at least as N, and from the first as N^2.
-double expected_work(const std::vector<double>& sizes, const std::vector<double>& work,
-                     double elements);
-
 }  // namespace microslip::experiments

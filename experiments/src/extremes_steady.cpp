@@ -24,8 +24,8 @@ struct Scheme {
   Basis basis;
 };
 
-/// All of the catalogue but some: differences first, then the others by their order. The standard
-/// scheme takes part with all functions, others with one.
+/// Lists all of the catalogue except for some: differences first, then the others by their order.
+/// The standard scheme takes part with all functions, others with one.
 std::vector<Scheme> schemes_except(const std::vector<std::string>& names) {
   std::vector<Scheme> all;
   const auto add = [&](const SteadyEntry& entry, const Basis& basis, const std::string& name) {

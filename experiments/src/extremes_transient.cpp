@@ -18,7 +18,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// By their order; those that relax, from a whole element, or from the step if that is larger.
+/// Sorts the catalogue by order.
 std::vector<AdvectionEntry> schemes() {
   std::vector<AdvectionEntry> all(advection_schemes().begin(), advection_schemes().end());
   std::ranges::stable_sort(all, {}, &AdvectionEntry::order);
@@ -69,8 +69,8 @@ Finding roll(const ExtremesParameters& p, const AdvectionEntry& scheme, Index el
              double step_ratio, double distance, TransientTruth& truth) {
   const CattaneoToCarter start = rolling_of(p, elements);
   const double dx = start.grid.spacing();
-  TransientRolling rolling(start.problem(scheme.scheme(std::max(1.0, step_ratio))),
-                           CattaneoShift{start.force});
+  const double relaxation = std::max(1.0, step_ratio);  // at least a whole element
+  TransientRolling rolling(start.problem(scheme.scheme(relaxation)), CattaneoShift{start.force});
   WorstOfSteps worst;
   rolling.roll(distance * dx, {step_ratio * dx}, PrescribedForce{start.force},
                [&](const TransientState& state) { worst.include(state); });

@@ -78,7 +78,7 @@ Table claims_of(const OpenProblemsParameters& p, const SteadyTables& steady,
   const double direct = largest_of(steps.steps, "direct", "error");
   return claims_table(
       {{"second order is expected in theory, but not observed", "11", 2, order, "1",
-        Rule{.rulings = {{"corrected", {within(0.1, 2)}}}, .otherwise = "reproduced"},
+        corrected_if({within(0.1, 2)}, "reproduced"),
         "order of the force by elements with calibrated edges; by inversion it is exact to " +
             format_short(inversion_rounding),
         "open_problems_convergence"},
@@ -88,7 +88,7 @@ Table claims_of(const OpenProblemsParameters& p, const SteadyTables& steady,
             std::to_string(p.sizes.back()),
         "open_problems_convergence"},
        {"further tests show odd behaviour in a world-fixed frame in certain cases", "11", not_given,
-        between, "N/mm", Rule{.rulings = {{"corrected", {below(1e-3)}}}, .otherwise = "reproduced"},
+        between, "N/mm", corrected_if({below(1e-3)}, "reproduced"),
         "largest integral of the difference to c = 1, over all c", "open_problems_steps", 1e-12},
        {"smoothing can be stopped in a world-fixed frame", "11", not_given, direct / material, "1",
         holds_if({above(10)}),

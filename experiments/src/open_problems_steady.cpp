@@ -13,7 +13,7 @@ namespace microslip::experiments::open_problems_study {
 
 namespace {
 
-/// Those that are compared, by their order.
+/// Lists those that are compared, by their order.
 std::vector<SteadyEntry> treatments() {
   std::vector<SteadyEntry> all;
   for (const SteadyEntry& entry : steady_schemes()) {

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// How far steps may go: the relaxed scheme has c* = 1.
+/// Steps may go as far as this: the relaxed scheme has c* = 1.
 double largest_ratio(const AdvectionEntry& scheme) {
   return scheme.takes_relaxation ? 1 : HUGE_VAL;
 }

@@ -47,30 +47,33 @@ void judge(const Truth& truth, double force, double spacing, const VectorXd& x,
   raise(Quantity::traction, spacing * difference.lpNorm<1>());
 }
 
-/// Where the edges are, in elements beyond the last node and before the first.
-struct Alignment {
-  double leading = 0.5;
-  double trailing = 0.5;
+/// One that takes part, as the catalogue has it.
+struct Entrant {
+  std::string_view edge;  ///< as tables show it
+  const SteadyEntry* scheme;
+  std::string_view basis;
+  double step_ratio;
+  double leading_offset = 0.5;
+  double trailing_offset = 0.5;
 };
 
-Solve steady_solve(const std::shared_ptr<const Problem>& problem, const SteadyEntry& scheme,
-                   const Alignment& edges, const Basis& basis, double step_ratio,
+Solve steady_solve(const std::shared_ptr<const Problem>& problem, const Entrant& entrant,
                    Solver::Type type) {
-  return [=, &scheme](Index elements) {
+  return [=](Index elements) {
     const Grid grid({.half_width = problem->bound.half_width(),
                      .elements = elements,
-                     .leading_offset = edges.leading,
-                     .trailing_offset = edges.trailing});
+                     .leading_offset = entrant.leading_offset,
+                     .trailing_offset = entrant.trailing_offset});
     std::vector<SteadySolution> solutions;
     for (const Truth& truth : problem->truths) {
-      solutions.push_back(solve_steady(solved_by(scheme,
+      solutions.push_back(solve_steady(solved_by(*entrant.scheme,
                                                  {.kernel = problem->kernel,
                                                   .bound = problem->bound,
                                                   .grid = grid,
-                                                  .basis = basis,
+                                                  .basis = make_basis(entrant.basis),
                                                   .load = PrescribedCreepage{truth.creepage},
                                                   .solver = {.type = type}},
-                                                 step_ratio)));
+                                                 entrant.step_ratio)));
     }
     return [=] {
       Judgement judgement;
@@ -107,64 +110,62 @@ Solve chebyshev_solve(const std::shared_ptr<const Problem>& problem) {
   };
 }
 
-/// All schemes and functions of the catalogue, in the order in which they always stood.
+/// The edges lie where a difference over one element feels the leading one, and the midpoint rule
+/// the trailing one.
+Entrant aligned(std::string_view basis) {
+  return {.edge = "aligned",
+          .scheme = &steady_scheme("standard"),
+          .basis = basis,
+          .step_ratio = 1,
+          .leading_offset = leading_edge_constants(make_basis(basis)).offset,
+          .trailing_offset = 0.656936};
+}
+
+/// Lists all that solve by elements, from the catalogues of schemes and functions.
+std::vector<Entrant> entrants(const std::vector<double>& step_ratios) {
+  std::vector<Entrant> all;
+  const auto add = [&](std::string_view basis, double c, const auto& accepts) {
+    for (const SteadyEntry& scheme : steady_schemes()) {
+      if (scheme.by_elements && accepts(scheme)) all.push_back({scheme.name, &scheme, basis, c});
+    }
+  };
+  for (const std::string_view basis : basis_names()) {
+    add(basis, not_given, [](const SteadyEntry& s) { return !s.safe_steps; });
+    if (basis == "constant" || basis == "linear") all.push_back(aligned(basis));
+    for (const double c : step_ratios) {
+      add(basis, c, [](const SteadyEntry& s) { return s.safe_steps && s.basis.empty(); });
+    }
+  }
+  for (const std::string_view basis : basis_names()) {
+    for (const double c : step_ratios) {
+      add(basis, c, [=](const SteadyEntry& s) { return s.safe_steps && s.basis == basis; });
+    }
+  }
+  return all;
+}
+
 void add_problem(const SpeedAccuracyParameters& p, const std::shared_ptr<const Problem>& problem,
                  const std::vector<double>& step_ratios, std::vector<RunSeries>& all) {
   const auto loads = static_cast<double>(problem->truths.size());
-  const auto add_smooth = [&](std::string_view name, const std::vector<Index>& sizes,
-                              const Solve& solve) {
-    all.push_back({{problem->name, std::string(name), "none", "none", not_given, "none"},
-                   sizes,
-                   p.steady.limit,
-                   loads,
-                   solve});
+  const auto add = [&](const Contestant& who, const std::vector<Index>& sizes, const Solve& solve) {
+    all.push_back({who, sizes, p.steady.limit, loads, solve});
   };
-  const auto add = [&](const SteadyEntry& scheme, std::string_view functions, double c,
-                       Solver::Type type) {
-    const std::string name(scheme.name), basis(functions);
-    const std::string shown = scheme.basis.empty() ? basis : name + " " + basis;
-    all.push_back({{problem->name, "collocation", name, shown, c, name_of(type)},
-                   p.sizes,
-                   p.steady.limit,
-                   loads,
-                   steady_solve(problem, scheme, {}, make_basis(basis), c, type)});
-  };
-  const auto add_aligned = [&](std::string_view functions, Solver::Type type) {
-    // Where a difference over one element feels it, and the midpoint rule the trailing one.
-    constexpr double trailing = 0.656936;
-    const Basis basis = make_basis(functions);
-    all.push_back({{problem->name, "collocation", "aligned", basis.name(), 1, name_of(type)},
-                   p.sizes,
-                   p.steady.limit,
-                   loads,
-                   steady_solve(problem, steady_scheme("standard"),
-                                {leading_edge_constants(basis).offset, trailing}, basis, 1, type)});
-  };
-  const auto with_steps = [](const SteadyEntry& scheme) { return scheme.safe_steps.has_value(); };
   for (const SteadyEntry& scheme : steady_schemes()) {
     if (scheme.by_elements || scheme.name == "chebyshev") continue;
-    add_smooth(scheme.name, {p.sizes.front()},
-               steady_solve(problem, scheme, {}, constant_basis(), 1, Solver::Type::automatic));
+    const std::string name(scheme.name);
+    add({problem->name, name, "none", "none", not_given, "none"}, {p.sizes.front()},
+        steady_solve(problem, {"none", &scheme, "constant", 1}, Solver::Type::automatic));
   }
   for (const auto type : {Solver::Type::dense, Solver::Type::fft}) {
-    for (const std::string_view basis : basis_names()) {
-      for (const SteadyEntry& scheme : steady_schemes()) {
-        if (scheme.by_elements && !with_steps(scheme)) add(scheme, basis, not_given, type);
-      }
-      if (basis == "constant" || basis == "linear") add_aligned(basis, type);
-      for (const double c : step_ratios) {
-        for (const SteadyEntry& scheme : steady_schemes()) {
-          if (with_steps(scheme) && scheme.basis.empty()) add(scheme, basis, c, type);
-        }
-      }
-    }
-    for (const double c : step_ratios) {
-      for (const SteadyEntry& scheme : steady_schemes()) {
-        if (!scheme.basis.empty()) add(scheme, scheme.basis, c, type);
-      }
+    for (const Entrant& entrant : entrants(step_ratios)) {
+      const std::string edge(entrant.edge), basis(entrant.basis);
+      const std::string shown = entrant.scheme->basis.empty() ? basis : edge + " " + basis;
+      add({problem->name, "collocation", edge, shown, entrant.step_ratio, name_of(type)}, p.sizes,
+          steady_solve(problem, entrant, type));
     }
   }
-  add_smooth("chebyshev", p.steady.unknowns, chebyshev_solve(problem));
+  add({problem->name, "chebyshev", "none", "none", not_given, "none"}, p.steady.unknowns,
+      chebyshev_solve(problem));
 }
 
 }  // namespace

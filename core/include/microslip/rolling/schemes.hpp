@@ -37,12 +37,12 @@ struct SteadyEntry {
   std::string_view text;    ///< what it is; {c} and {functions} stand for those of a problem
   std::string_view limits;  ///< what it needs, or does not do
   double order;             ///< of the force in dx; inf if it has ten digits for any N
-  /// c: below, differences wiggle, above, they are too coarse; nothing where c has no role.
-  std::optional<SafeRange> safe_steps;
-  bool by_elements;        ///< N elements carry the tractions; else nodes only show them
-  std::string_view basis;  ///< the only one that it goes with; any if empty
+  bool by_elements;         ///< N elements carry the tractions; else nodes only show them
   SteadyMethod (*method)(double step_ratio);
-  void (*complete)(SteadyProblem& problem);  ///< what the method needs besides; may be null
+  /// c: below, differences wiggle, above, they are too coarse; nothing where c has no role.
+  std::optional<SafeRange> safe_steps = std::nullopt;
+  std::string_view basis = "";  ///< the only one that it goes with; any if empty
+  void (*complete)(SteadyProblem& problem) = nullptr;  ///< adds what else the method needs
 };
 
 /// The default first.
@@ -74,8 +74,8 @@ struct AdvectionEntry {
   double order;             ///< of the cumulative creep in dx
   /// c: below, tractions wiggle or are smeared; above, steps are too coarse.
   SafeRange safe_steps;
-  bool takes_relaxation;
   AdvectionScheme (*scheme)(double relaxation);
+  bool takes_relaxation = false;
 };
 
 /// The default first.
