@@ -76,12 +76,12 @@ Table crossovers_table(const std::vector<Series>& all) {
     add(quantity, "strip", "lu_apply", "gohberg_semencul_apply");
   }
   for (const std::string kernel : {"strip", "plane"}) {
-    for (const std::string method : {"standard", "calibrated"}) {
+    for (const std::string method : steady_by_elements) {
       add("steady", kernel, method + "_dense", method + "_fft");
     }
   }
   for (const std::string quantity : {"step", "rolling_by_force", "rolling_by_creepage"}) {
-    for (const std::string scheme : {"direct", "material"}) {
+    for (const std::string scheme : transients) {
       add(quantity, "strip", scheme + "_dense", scheme + "_fft");
     }
   }

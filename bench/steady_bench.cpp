@@ -3,7 +3,7 @@
 
 #include "bench.hpp"
 #include "microslip/rolling/chebyshev_rolling.hpp"
-#include "microslip/rolling/steady.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "peak_memory.hpp"
 
 namespace microslip::bench {
@@ -12,14 +12,14 @@ namespace {
 
 using Eigen::Index;
 
-SteadyProblem problem_of(const BenchParameters& p, const Kernel& kernel, const SteadyMethod& method,
+SteadyProblem problem_of(const BenchParameters& p, const Kernel& kernel, std::string_view scheme,
                          Index n, Solver::Type type) {
-  return {.kernel = kernel,
-          .bound = p.bound,
-          .grid = Grid({.half_width = p.bound.half_width(), .elements = n}),
-          .method = method,
-          .load = p.force,
-          .solver = {.type = type}};
+  return solved_by(steady_scheme(scheme),
+                   {.kernel = kernel,
+                    .bound = p.bound,
+                    .grid = Grid({.half_width = p.bound.half_width(), .elements = n}),
+                    .load = p.force,
+                    .solver = {.type = type}});
 }
 
 void add_steady(std::vector<Case>& cases, const BenchParameters& p, Index n) {
@@ -31,12 +31,11 @@ void add_steady(std::vector<Case>& cases, const BenchParameters& p, Index n) {
   };
   for (const NamedKernel& kernel : p.kernels) {
     const auto add_elements = [&](const std::string& solver, Solver::Type type) {
-      const SteadyProblem problem =
-          problem_of(p, kernel.kernel, Differences{.step_ratio = 1}, n, type);
-      add(kernel, "standard_" + solver, problem);
-      add(kernel, "calibrated_" + solver, problem_of(p, kernel.kernel, Calibrated{}, n, type));
+      for (const std::string scheme : steady_by_elements) {
+        add(kernel, scheme + "_" + solver, problem_of(p, kernel.kernel, scheme, n, type));
+      }
     };
-    add(kernel, "inversion", problem_of(p, kernel.kernel, Inversion{}, n, Solver::Type::automatic));
+    add(kernel, "inversion", problem_of(p, kernel.kernel, "inversion", n, Solver::Type::automatic));
     add_elements("fft", Solver::Type::fft);
     if (n <= p.dense_steady) add_elements("dense", Solver::Type::dense);
   }
@@ -97,15 +96,11 @@ Table memory_table(const BenchParameters& p) {
                {"elements", "1", "number N of elements"},
                {"peak_memory", "byte", "largest resident set, with that of the program itself"}});
   for (const Index n : p.memory) {
-    const auto add = [&](const std::string& method, const SteadyProblem& problem) {
+    for (const std::string method : {"standard", "calibrated", "inversion"}) {
+      const SteadyProblem problem = problem_of(p, p.strip(), method, n, Solver::Type::fft);
       const double peak = peak_memory([&] { solve_steady(problem); });
       table.add({p.kernels.front().name, method, static_cast<double>(n), peak});
-    };
-    const SteadyProblem standard =
-        problem_of(p, p.strip(), Differences{.step_ratio = 1}, n, Solver::Type::fft);
-    add("standard", standard);
-    add("calibrated", problem_of(p, p.strip(), Calibrated{}, n, Solver::Type::fft));
-    add("inversion", problem_of(p, p.strip(), Inversion{}, n, Solver::Type::fft));
+    }
   }
   return table;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <string>
 #include <vector>
@@ -9,6 +10,10 @@
 #include "microslip/support/progress.hpp"
 
 namespace microslip::bench {
+
+/// Schemes that are timed by FFT and with all entries, as the catalogue names them.
+inline constexpr std::array steady_by_elements = {"standard", "calibrated"};
+inline constexpr std::array transients = {"direct", "material"};
 
 /// What is measured.
 struct Subject {

@@ -47,15 +47,15 @@ void add_steady(Targets& targets, const std::vector<Series>& all, const std::str
 Table targets_table(const std::vector<Series>& series, const Table& memory) {
   Targets targets;
   for (const std::string kernel : {"strip", "plane"}) {
-    for (const std::string method : {"standard", "calibrated"}) {
+    for (const std::string method : steady_by_elements) {
       add_steady(targets, series, kernel, method);
     }
   }
-  for (const std::string method : {"standard", "calibrated"}) {
+  for (const std::string method : steady_by_elements) {
     const double peak = memory.latest({{"method", method}, {"elements", 1e6}}, "peak_memory");
     targets.add("steady, N = 10^6, memory", "strip", method, peak / std::pow(2, 30), 2, "GiB");
   }
-  for (const std::string scheme : {"direct", "material"}) {
+  for (const std::string scheme : transients) {
     const auto time = [&](const std::string& quantity, Eigen::Index n) {
       return find(series, quantity, "strip", scheme + "_fft").at(n);
     };

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "bench.hpp"
-#include "microslip/rolling/steady.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 
 namespace microslip::bench {
@@ -12,38 +12,33 @@ namespace {
 
 using Eigen::Index;
 
-struct NamedScheme {
-  std::string name;
-  AdvectionScheme scheme;
-  SteadyMethod steady;  ///< to the tractions of which it tends
-};
-
-const std::vector<NamedScheme>& schemes() {
-  static const std::vector<NamedScheme> all = {{"direct", Direct{}, Differences{.step_ratio = 1}},
-                                               {"material", MaterialFixed{}, Inversion{}}};
-  return all;
+/// A transient scheme tends to the tractions of this method.
+SteadyMethod steady_of(const AdvectionScheme& scheme) {
+  if (std::holds_alternative<MaterialFixed>(scheme)) return Inversion{};
+  return Differences{.step_ratio = 1};
 }
 
 Grid grid_of(const BenchParameters& p, Index n) {
   return Grid({.half_width = p.bound.half_width(), .elements = n});
 }
 
-TransientProblem problem_of(const BenchParameters& p, const NamedScheme& scheme, Index n,
+TransientProblem problem_of(const BenchParameters& p, const AdvectionScheme& scheme, Index n,
                             Solver::Type type) {
   return {.kernel = p.strip(),
           .bound = p.bound,
           .grid = grid_of(p, n),
           .basis = constant_basis(),
-          .scheme = scheme.scheme,
+          .scheme = scheme,
           .solver = {.type = type}};
 }
 
 /// Rolls on in a steady state, one element a step.
-Work steady_steps(const BenchParameters& p, const NamedScheme& scheme, Index n, Solver::Type type) {
+Work steady_steps(const BenchParameters& p, const AdvectionScheme& scheme, Index n,
+                  Solver::Type type) {
   const SteadySolution steady = solve_steady({.kernel = p.strip(),
                                               .bound = p.bound,
                                               .grid = grid_of(p, n),
-                                              .method = scheme.steady,
+                                              .method = steady_of(scheme),
                                               .load = p.force,
                                               .solver = {.type = type}});
   auto rolling =
@@ -58,7 +53,7 @@ Work steady_steps(const BenchParameters& p, const NamedScheme& scheme, Index n, 
 }
 
 /// N steps of one element, that is over the length of the contact, from a shift.
-Work from_shift(const BenchParameters& p, const NamedScheme& scheme, const Load& load, Index n,
+Work from_shift(const BenchParameters& p, const AdvectionScheme& scheme, const Load& load, Index n,
                 Solver::Type type) {
   const TransientProblem problem = problem_of(p, scheme, n, type);
   return [problem, load, force = p.force.value] {
@@ -74,23 +69,24 @@ Work from_shift(const BenchParameters& p, const NamedScheme& scheme, const Load&
 
 std::vector<Case> transient_cases(const BenchParameters& p) {
   std::vector<Case> cases;
-  const auto add = [&](const std::string& quantity, const NamedScheme& scheme, Index n,
+  const auto add = [&](const std::string& quantity, const AdvectionScheme& scheme, Index n,
                        Index most_dense, const auto& prepare) {
-    cases.push_back({{quantity, "strip", scheme.name + "_fft", n},
+    cases.push_back({{quantity, "strip", name_of(scheme) + "_fft", n},
                      [=] { return prepare(scheme, n, Solver::Type::fft); }});
     if (n > most_dense) return;
-    cases.push_back({{quantity, "strip", scheme.name + "_dense", n},
+    cases.push_back({{quantity, "strip", name_of(scheme) + "_dense", n},
                      [=] { return prepare(scheme, n, Solver::Type::dense); }});
   };
-  const auto step = [&p](const NamedScheme& scheme, Index n, Solver::Type type) {
+  const auto step = [&p](const AdvectionScheme& scheme, Index n, Solver::Type type) {
     return steady_steps(p, scheme, n, type);
   };
   const auto roll_by = [&p](const Load& load) {
-    return [&p, load](const NamedScheme& scheme, Index n, Solver::Type type) {
+    return [&p, load](const AdvectionScheme& scheme, Index n, Solver::Type type) {
       return from_shift(p, scheme, load, n, type);
     };
   };
-  for (const NamedScheme& scheme : schemes()) {
+  for (const char* name : transients) {
+    const AdvectionScheme scheme = advection_scheme(name).scheme(1);
     for (const Index n : p.step) add("step", scheme, n, p.dense_step, step);
     for (const Index n : p.rolling) {
       add("rolling_by_force", scheme, n, p.dense_rolling, roll_by(p.force));

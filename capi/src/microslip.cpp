@@ -9,6 +9,7 @@
 #include <string>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 #include "problem.hpp"

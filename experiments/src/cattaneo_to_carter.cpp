@@ -6,7 +6,12 @@
 namespace microslip::experiments {
 
 TransientProblem CattaneoToCarter::problem(const AdvectionScheme& scheme) const {
-  return {.kernel = kernel, .bound = bound, .grid = grid, .basis = basis, .scheme = scheme};
+  return {.kernel = kernel,
+          .bound = bound,
+          .grid = grid,
+          .basis = basis,
+          .scheme = scheme,
+          .solver = solver};
 }
 
 TransientRolling CattaneoToCarter::rolled(const AdvectionScheme& scheme, double step_ratio,

@@ -4,6 +4,7 @@
 
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/scene_tables.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"

@@ -11,6 +11,8 @@
 
 namespace microslip::experiments {
 
+using namespace extremes_study;
+
 namespace {
 
 std::vector<double> numbers_within(Scene& scene, const char* key, double least, double most) {
@@ -90,8 +92,10 @@ std::vector<Table> extremes(const ExtremesParameters& p, const Progress& progres
   Table ranges = empty_ranges();
   for (const Map& map : maps) {
     std::vector<Outcome> outcomes;
+    Runs runs({.operations = p.limits.operations});
     for (const Case& at : map.cases) {
-      outcomes.push_back(outcome_of(outcomes, at, p.limits));
+      if (!at.goes_on) runs = Runs({.operations = p.limits.operations});
+      outcomes.push_back(outcome_of(runs, at, p.limits));
       progress(++done, total);
     }
     tables.push_back(table_of(map, outcomes));

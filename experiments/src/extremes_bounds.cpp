@@ -5,20 +5,15 @@
 
 #include "extremes_cases.hpp"
 #include "microslip/rolling/inverted_rolling.hpp"
-#include "microslip/rolling/steady.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/support/not_converged.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::extremes_study {
 
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-struct Scheme {
-  std::string name;
-  SteadyMethod method;
-};
 
 /// Hertz's bound in 201 rows, each 30 % too high or too low.
 TractionBound rough_bound(const HertzBound& hertz) {
@@ -87,22 +82,21 @@ Map bounds_map(const ExtremesParameters& p) {
       {},
       1e-10};
   const Kernel kernel = PlaneKernel(p.material, p.length);
-  const std::vector<Scheme> schemes{
-      {"standard", Differences{1}}, {"calibrated", Calibrated{}}, {"inversion", Inversion{}}};
+  const std::vector<std::string_view> schemes{"standard", "calibrated", "inversion"};
   double kind = 0;
   for (const TractionBound& bound : bounds(p.bound)) {
     ++kind;
     for (const double part : p.bounds) {
       const Load load = PrescribedForce{-part * full_sliding_force(bound)};
       const auto truth = std::make_shared<const double>(truth_of(kernel, bound, load));
-      for (const Scheme& scheme : schemes) {
-        const SteadyProblem problem{
-            .kernel = kernel,
-            .bound = bound,
-            .grid = Grid({.half_width = p.bound.half_width(), .elements = p.elements}),
-            .method = scheme.method,
-            .load = load};
-        map.cases.push_back({.scheme = scheme.name,
+      for (const std::string_view scheme : schemes) {
+        const SteadyProblem problem =
+            solved_by(steady_scheme(scheme),
+                      {.kernel = kernel,
+                       .bound = bound,
+                       .grid = Grid({.half_width = p.bound.half_width(), .elements = p.elements}),
+                       .load = load});
+        map.cases.push_back({.scheme = std::string(scheme),
                              .place = {kind, part},
                              .size = static_cast<double>(p.elements),
                              .solve = [=] { return solve(problem, *truth); }});
@@ -112,4 +106,4 @@ Map bounds_map(const ExtremesParameters& p) {
   return map;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::extremes_study

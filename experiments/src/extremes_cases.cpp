@@ -2,35 +2,21 @@
 #include "extremes_cases.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 
-#include "microslip/support/not_converged.hpp"
-#include "microslip/support/work.hpp"
-#include "speed_accuracy_runs.hpp"
-
-namespace microslip::experiments {
+namespace microslip::experiments::extremes_study {
 
 using Eigen::Index;
 using Eigen::VectorXd;
 
 namespace {
 
-std::string verdict_on(const Finding& found, const ExtremesParameters::Limits& limits) {
+std::string verdict_on(const Attempt& attempt, const Finding& found,
+                       const ExtremesParameters::Limits& limits) {
+  if (attempt.status == Status::refused) return "refused";
+  if (attempt.status == Status::no_solution) return "no_solution";
+  if (attempt.status == Status::not_run) return "not_run";
   if (!(found.error <= limits.error)) return "inaccurate";
   return found.wiggle > limits.wiggle ? "wiggles" : "ok";
-}
-
-/// Continued from the same with fewer elements.
-bool takes_too_long(const std::vector<Outcome>& before, const Case& at, double operations) {
-  std::vector<double> sizes, work;
-  for (std::size_t back = at.smaller, k = before.size(); back > 0; back = before[k].at.smaller) {
-    k -= back;
-    if (before[k].verdict == "not_run") return true;
-    sizes.insert(sizes.begin(), before[k].at.size);
-    work.insert(work.begin(), before[k].finding.work);
-  }
-  return !sizes.empty() && expected_work(sizes, work, at.size) > operations;
 }
 
 }  // namespace
@@ -50,23 +36,13 @@ double wiggle_of(const VectorXd& error) {
   return largest;
 }
 
-Outcome outcome_of(const std::vector<Outcome>& before, const Case& at,
-                   const ExtremesParameters::Limits& limits) {
-  Outcome outcome{.at = at, .finding = {}, .verdict = "not_run", .message = ""};
-  if (takes_too_long(before, at, limits.operations)) return outcome;
-  const WorkCount count;
-  try {
-    outcome.finding = at.solve();
-    outcome.verdict = verdict_on(outcome.finding, limits);
-  } catch (const NotConverged& error) {
-    outcome.verdict = "no_solution";
-    outcome.message = error.what();
-  } catch (const std::invalid_argument& error) {
-    outcome.verdict = "refused";
-    outcome.message = error.what();
-  }
-  outcome.finding.work = count.operations();
-  return outcome;
+Outcome outcome_of(Runs& smaller, const Case& at, const ExtremesParameters::Limits& limits) {
+  Finding found;
+  const Attempt attempt = smaller.run(at.size, [&] { found = at.solve(); });
+  return {.at = at,
+          .finding = found,
+          .verdict = verdict_on(attempt, found, limits),
+          .message = attempt.message};
 }
 
 Table table_of(const Map& map, const std::vector<Outcome>& outcomes) {
@@ -105,4 +81,4 @@ Table table_of(const Map& map, const std::vector<Outcome>& outcomes) {
   return table;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::extremes_study

@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
+#include "campaign.hpp"
 #include "microslip/experiments/claims.hpp"
 #include "microslip/experiments/extremes.hpp"
 #include "microslip/rolling/evidence.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::extremes_study {
 
 /// What a result at an extreme is worth.
 struct Finding {
@@ -18,7 +19,6 @@ struct Finding {
   double condition = not_given;
   Evidence evidence;
   double iterations = not_given;
-  double work = not_given;  ///< counted operations
 };
 
 /// The amplitude of an error where it alternates over four nodes in a row or more: half the least
@@ -31,8 +31,7 @@ struct Case {
   std::string scheme;
   std::vector<double> place;  ///< coordinates
   double size;                ///< N
-  /// How many cases back the same with fewer elements is; 0 without one.
-  std::size_t smaller = 0;
+  bool goes_on = false;       ///< the one before is the same with fewer elements
   std::function<Finding()> solve;
 };
 
@@ -57,9 +56,9 @@ struct Map {
   double rounding = 1e-12;  ///< an error up to this is nothing but rounding
 };
 
-/// Runs one case; those before it are done.
-Outcome outcome_of(const std::vector<Outcome>& before, const Case& at,
-                   const ExtremesParameters::Limits& limits);
+/// Runs a case.
+/// \param smaller  the same with fewer elements
+Outcome outcome_of(Runs& smaller, const Case& at, const ExtremesParameters::Limits& limits);
 
 Table table_of(const Map& map, const std::vector<Outcome>& outcomes);
 
@@ -82,4 +81,4 @@ Map endurance_map(const ExtremesParameters& p);
 /// The table of what is left of scale invariance.
 Table scales_table(const ExtremesParameters& p);
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::extremes_study

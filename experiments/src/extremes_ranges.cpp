@@ -5,7 +5,7 @@
 
 #include "extremes_cases.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::extremes_study {
 
 namespace {
 
@@ -81,4 +81,4 @@ void add_ranges(Table& ranges, const Map& map, const std::vector<Outcome>& outco
   }
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::extremes_study

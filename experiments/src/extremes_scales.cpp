@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "extremes_cases.hpp"
-#include "microslip/rolling/steady.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::extremes_study {
 
 namespace {
 
@@ -55,8 +55,10 @@ VectorXd without_units(const Scaled& from, const VectorXd& traction, double cree
   return values;
 }
 
-Scheme steady(const std::string& name, const SteadyMethod& method, bool strip) {
-  return {name, [=](const ExtremesParameters& p, const Scale& scale) {
+Scheme steady(const std::string& name, const std::string& in_tables, bool strip,
+              double step_ratio = 1) {
+  return {in_tables, [=, method = steady_scheme(name).method(step_ratio)](
+                         const ExtremesParameters& p, const Scale& scale) {
             const Scaled from = scaled(p, scale);
             const SteadySolution found = solve_steady({.kernel = strip ? from.strip : from.plane,
                                                        .bound = from.bound,
@@ -68,8 +70,9 @@ Scheme steady(const std::string& name, const SteadyMethod& method, bool strip) {
 }
 
 /// Steps that do not divide an element.
-Scheme transient(const std::string& name, const AdvectionScheme& scheme) {
-  return {name, [=](const ExtremesParameters& p, const Scale& scale) {
+Scheme transient(const std::string& name) {
+  return {name, [=, scheme = advection_scheme(name).scheme(1)](const ExtremesParameters& p,
+                                                               const Scale& scale) {
             const Scaled from = scaled(p, scale);
             TransientRolling rolling({.kernel = from.plane,
                                       .bound = from.bound,
@@ -96,14 +99,14 @@ Table scales_table(const ExtremesParameters& p) {
         "of tractions over the peak and of creepage times G over it from those for a factor "
         "of 1; largest, relative to the largest",
         1e-12}});
-  const std::vector<Scheme> schemes{steady("standard", Differences{1}, false),
-                                    steady("standard, c = 0.001", Differences{1e-3}, false),
-                                    steady("inversion", Inversion{}, false),
-                                    steady("inversion strip", Inversion{}, true),
-                                    steady("chebyshev strip", ChebyshevCollocation{}, true),
-                                    transient("direct", Direct{}),
-                                    transient("fractional", Fractional{}),
-                                    transient("material", MaterialFixed{})};
+  const std::vector<Scheme> schemes{steady("standard", "standard", false),
+                                    steady("standard", "standard, c = 0.001", false, 1e-3),
+                                    steady("inversion", "inversion", false),
+                                    steady("inversion", "inversion strip", true),
+                                    steady("chebyshev", "chebyshev strip", true),
+                                    transient("direct"),
+                                    transient("fractional"),
+                                    transient("material")};
   for (const Scheme& scheme : schemes) {
     const VectorXd ordinary = scheme.solve(p, {});
     const auto add = [&](const std::string& what, double factor, const Scale& scale) {
@@ -122,4 +125,4 @@ Table scales_table(const ExtremesParameters& p) {
   return table;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::extremes_study

@@ -7,38 +7,44 @@
 #include "extremes_cases.hpp"
 #include "microslip/reference/carter.hpp"
 #include "microslip/rolling/chebyshev_rolling.hpp"
-#include "microslip/rolling/steady.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/support/interpolation.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::extremes_study {
 
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// A scheme that a table can name.
+/// A scheme with functions.
 struct Scheme {
   std::string name;
-  std::string edge;
-  std::string basis = "constant";
+  const SteadyEntry* entry;
+  Basis basis;
 };
 
-const Scheme standard{"standard", "standard"};
-const Scheme standard_linear{"standard linear", "standard", "linear"};
-const Scheme standard_quadratic{"standard quadratic", "standard", "quadratic"};
-const Scheme exact_edge{"exact", "exact"};
-const Scheme trimmed{"trimmed", "trimmed", "linear"};
-const Scheme calibrated{"calibrated", "calibrated"};
-const Scheme inversion{"inversion", "inversion"};
-const Scheme chebyshev{"chebyshev", "chebyshev"};
-
-/// The solution for one load, and both ways to prescribe it.
-struct Truth {
-  double creepage;
-  double force;
-  std::function<double(double x)> traction;
-};
+/// Lists all of the catalogue except for some: differences first, then the others by their order.
+/// The standard scheme takes part with all functions, others with one.
+std::vector<Scheme> schemes_except(const std::vector<std::string>& names) {
+  std::vector<Scheme> all;
+  const auto add = [&](const SteadyEntry& entry, const Basis& basis, const std::string& name) {
+    const bool left_out = std::ranges::find(names, name) != names.end();
+    if (!left_out) all.push_back({name, &entry, basis});
+  };
+  for (const SteadyEntry& entry : steady_schemes()) {
+    const std::string name(entry.name);
+    add(entry, basis_of(entry), name);
+    if (name != "standard") continue;
+    for (const std::string_view basis : basis_names()) {
+      if (basis == basis_of(entry).name()) continue;
+      add(entry, make_basis(basis), name + " " + std::string(basis));
+    }
+  }
+  const auto rank = [](const Scheme& s) { return s.entry->safe_steps ? 0 : s.entry->order; };
+  std::ranges::stable_sort(all, {}, rank);
+  return all;
+}
 
 struct Setting {
   Kernel kernel;
@@ -57,18 +63,6 @@ Setting carter_setting(const ExtremesParameters& p, double sliding) {
                     .traction = [carter](double x) { return carter.traction(x); }})};
 }
 
-SteadyMethod method_of(const Scheme& scheme, const Setting& setting, const Load& load,
-                       double step_ratio) {
-  if (scheme.edge == "calibrated") return Calibrated{};
-  if (scheme.edge == "inversion") return Inversion{};
-  if (scheme.edge == "chebyshev") return ChebyshevCollocation{};
-  if (scheme.edge != "exact") return Differences{.step_ratio = step_ratio};
-  const double displacement = ChebyshevRolling(setting.kernel, setting.bound)
-                                  .solve(load)
-                                  .displacement(setting.bound.half_width());
-  return Differences{.step_ratio = step_ratio, .edge_displacement = displacement};
-}
-
 /// The larger of each.
 Finding worst_of(const Finding& a, const Finding& b) {
   return {.error = std::max(a.error, b.error),
@@ -84,22 +78,20 @@ double relative(double value, double exact, double scale) {
 
 Finding solve(const Scheme& scheme, const Setting& setting, const Grid& grid, double step_ratio,
               const Load& load) {
-  SteadyProblem problem{.kernel = setting.kernel,
-                        .bound = setting.bound,
-                        .grid = grid,
-                        .basis = make_basis(scheme.basis),
-                        .method = method_of(scheme, setting, load, step_ratio),
-                        .load = load};
-  if (scheme.edge == "trimmed") problem.basis = trimmed_linear_basis(grid.leading_offset());
-  const SteadySolution found = solve_steady(problem);
+  const SteadySolution found = solve_steady(solved_by(*scheme.entry,
+                                                      {.kernel = setting.kernel,
+                                                       .bound = setting.bound,
+                                                       .grid = grid,
+                                                       .basis = scheme.basis,
+                                                       .load = load},
+                                                      step_ratio));
   const Truth& truth = *setting.truth;
   const bool by_force = std::holds_alternative<PrescribedForce>(load);
-  const VectorXd exact = found.x.unaryExpr([&](double x) { return truth.traction(x); });
   return {.error = by_force
                        ? relative(found.creepage, truth.creepage,
                                   compliance(material_of(setting.kernel)) * setting.bound.peak())
                        : relative(found.force, truth.force, setting.bound.total()),
-          .wiggle = wiggle_of(found.traction - exact) / setting.bound.peak(),
+          .wiggle = wiggle_of(found.traction - truth.at(found.x)) / setting.bound.peak(),
           .condition = found.condition,
           .evidence = found.evidence,
           .iterations = static_cast<double>(found.iterations)};
@@ -166,21 +158,24 @@ Map steps_map(const ExtremesParameters& p) {
   const auto add = [&](const Scheme& scheme, double c, const std::vector<Index>& sizes) {
     for (const Index n : sizes) {
       map.cases.push_back(case_of(scheme, setting, grid_of(p, n), c, {c, static_cast<double>(n)}));
-      map.cases.back().smaller = n == sizes.front() ? 0 : 1;
+      map.cases.back().goes_on = n != sizes.front();
     }
   };
-  for (const Scheme& scheme :
-       {standard, standard_linear, standard_quadratic, exact_edge, trimmed}) {
+  const auto add_large = [&](const Scheme& scheme, double c) {
+    for (const Index n : p.steps.large) add(scheme, c, {n});
+  };
+  for (const Scheme& scheme : schemes_except({})) {
+    if (!scheme.entry->safe_steps) continue;
     for (const double c : p.steps.ratios) add(scheme, c, p.steps.sizes);
   }
-  for (const Scheme& scheme : {standard, standard_linear}) {
-    for (const double c : p.steps.ratios_of_large) {
-      for (const Index n : p.steps.large) add(scheme, c, {n});
-    }
+  for (const Scheme& scheme : schemes_except({"standard quadratic", "exact", "trimmed"})) {
+    if (!scheme.entry->safe_steps) continue;
+    for (const double c : p.steps.ratios_of_large) add_large(scheme, c);
   }
-  for (const Scheme& scheme : {calibrated, inversion, chebyshev}) {
+  for (const Scheme& scheme : schemes_except({})) {
+    if (scheme.entry->safe_steps) continue;
     add(scheme, 1, p.steps.sizes);
-    for (const Index n : p.steps.large) add(scheme, 1, {n});
+    add_large(scheme, 1);
   }
   return map;
 }
@@ -196,7 +191,7 @@ Map widths_map(const ExtremesParameters& p) {
     for (const double width : p.widths.ratios) {
       const Kernel kernel = StripKernel({p.material.shear_modulus, nu}, width * dx);
       const Setting setting{kernel, p.bound, strip_truth(kernel, p.bound, p)};
-      for (const Scheme& scheme : {standard, standard_linear, calibrated, inversion, chebyshev}) {
+      for (const Scheme& scheme : schemes_except({"standard quadratic", "exact", "trimmed"})) {
         map.cases.push_back(case_of(scheme, setting, grid_of(p, p.elements), 1, {width, nu}));
       }
     }
@@ -212,8 +207,7 @@ Map loads_map(const ExtremesParameters& p) {
           {}};
   const auto add = [&](double stuck, double sliding) {
     const Setting setting = carter_setting(p, sliding);
-    for (const Scheme& scheme :
-         {standard, standard_linear, exact_edge, calibrated, inversion, chebyshev}) {
+    for (const Scheme& scheme : schemes_except({"standard quadratic", "trimmed"})) {
       map.cases.push_back(case_of(scheme, setting, grid_of(p, p.elements), 1, {stuck, sliding}));
     }
   };
@@ -238,8 +232,7 @@ Map offsets_map(const ExtremesParameters& p) {
           {0.5, 0.5},
           {}};
   const Setting setting = carter_setting(p, 1 - p.stick_ratio);
-  for (const Scheme& scheme :
-       {standard, standard_linear, standard_quadratic, exact_edge, trimmed, inversion}) {
+  for (const Scheme& scheme : schemes_except({"calibrated", "chebyshev"})) {
     for (const double beta : p.offsets) {
       for (const double alpha : p.offsets) {
         Grid::Parameters grid = grid_of(p, p.elements);
@@ -252,4 +245,4 @@ Map offsets_map(const ExtremesParameters& p) {
   return map;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::extremes_study

@@ -8,28 +8,21 @@
 #include "microslip/experiments/cattaneo_to_carter.hpp"
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/reference/carter.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/support/interpolation.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::extremes_study {
 
 namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
 
-struct Scheme {
-  std::string name;
-  AdvectionScheme scheme;
-};
-
-/// With under-relaxation from a whole element, or from the step if that is larger.
-std::vector<Scheme> schemes_for(double step_ratio) {
-  const double relaxation = std::max(1.0, step_ratio);
-  return {{"direct", Direct{}},
-          {"relaxed", Relaxed{relaxation}},
-          {"relaxed_traction", RelaxedTraction{relaxation}},
-          {"fractional", Fractional{}},
-          {"material", MaterialFixed{}}};
+/// Sorts the catalogue by order.
+std::vector<AdvectionEntry> schemes() {
+  std::vector<AdvectionEntry> all(advection_schemes().begin(), advection_schemes().end());
+  std::ranges::stable_sort(all, {}, &AdvectionEntry::order);
+  return all;
 }
 
 CattaneoToCarter rolling_of(const ExtremesParameters& p, Index elements) {
@@ -42,9 +35,9 @@ CattaneoToCarter rolling_of(const ExtremesParameters& p, Index elements) {
 }
 
 /// Tractions, at any place, after a distance. Carter's once the start has long been left behind.
-class Truth {
+class TransientTruth {
  public:
-  explicit Truth(const ExtremesParameters& p) : p_(p) {}
+  explicit TransientTruth(const ExtremesParameters& p) : p_(p) {}
 
   VectorXd at(const VectorXd& x, Index elements, double distance) {
     constexpr double contacts = 3;
@@ -72,11 +65,12 @@ class Truth {
   std::map<std::pair<Index, double>, Fine> fine_;
 };
 
-Finding roll(const ExtremesParameters& p, const Scheme& scheme, Index elements, double step_ratio,
-             double distance, Truth& truth) {
+Finding roll(const ExtremesParameters& p, const AdvectionEntry& scheme, Index elements,
+             double step_ratio, double distance, TransientTruth& truth) {
   const CattaneoToCarter start = rolling_of(p, elements);
   const double dx = start.grid.spacing();
-  TransientRolling rolling(start.problem(scheme.scheme), CattaneoShift{start.force});
+  const double relaxation = std::max(1.0, step_ratio);  // at least a whole element
+  TransientRolling rolling(start.problem(scheme.scheme(relaxation)), CattaneoShift{start.force});
   WorstOfSteps worst;
   rolling.roll(distance * dx, {step_ratio * dx}, PrescribedForce{start.force},
                [&](const TransientState& state) { worst.include(state); });
@@ -101,19 +95,17 @@ Map transient_map(const ExtremesParameters& p) {
            {"distance", "dx", "rolled; the least that the study allows, or two steps"}},
           {1, static_cast<double>(p.elements), not_given},
           {}};
-  const auto truth = std::make_shared<Truth>(p);
-  for (std::size_t k = 0; k < schemes_for(1).size(); ++k) {
+  const auto truth = std::make_shared<TransientTruth>(p);
+  for (const AdvectionEntry& scheme : schemes()) {
     for (const double c : p.transient.ratios) {
       for (const Index n : p.transient.sizes) {
         const double distance = std::max(
             std::min(p.transient.distance, c * static_cast<double>(p.transient.most_steps)), 2 * c);
-        const Scheme scheme = schemes_for(c)[k];
-        map.cases.push_back(
-            {.scheme = scheme.name,
-             .place = {c, static_cast<double>(n), distance},
-             .size = static_cast<double>(n),
-             .smaller = n == p.transient.sizes.front() ? std::size_t{0} : std::size_t{1},
-             .solve = [=] { return roll(p, scheme, n, c, distance, *truth); }});
+        map.cases.push_back({.scheme = std::string(scheme.name),
+                             .place = {c, static_cast<double>(n), distance},
+                             .size = static_cast<double>(n),
+                             .goes_on = n != p.transient.sizes.front(),
+                             .solve = [=] { return roll(p, scheme, n, c, distance, *truth); }});
       }
     }
   }
@@ -128,19 +120,17 @@ Map endurance_map(const ExtremesParameters& p) {
            {"distance", "dx", "rolled"}},
           {1, static_cast<double>(p.endurance.states.front()), not_given},
           {}};
-  const auto truth = std::make_shared<Truth>(p);
-  for (std::size_t k = 0; k < schemes_for(1).size(); ++k) {
+  const auto truth = std::make_shared<TransientTruth>(p);
+  for (const AdvectionEntry& scheme : schemes()) {
     for (const double c : p.endurance.ratios) {
       for (const Index steps : p.endurance.states) {
         const double distance = c * static_cast<double>(steps);
-        const Scheme scheme = schemes_for(c)[k];
-        const bool costly = std::holds_alternative<Fractional>(scheme.scheme);
+        const bool costly = scheme.name == "fractional";
         map.cases.push_back(
-            {.scheme = scheme.name,
+            {.scheme = std::string(scheme.name),
              .place = {c, static_cast<double>(steps), distance},
              .size = static_cast<double>(steps),
-             .smaller =
-                 costly && steps != p.endurance.states.front() ? std::size_t{1} : std::size_t{0},
+             .goes_on = costly && steps != p.endurance.states.front(),
              .solve = [=] { return roll(p, scheme, p.elements, c, distance, *truth); }});
       }
     }
@@ -148,4 +138,4 @@ Map endurance_map(const ExtremesParameters& p) {
   return map;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::extremes_study

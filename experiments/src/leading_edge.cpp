@@ -15,6 +15,8 @@
 
 namespace microslip::experiments {
 
+using namespace leading_edge_study;
+
 namespace {
 
 Table errors_table(const LeadingEdgeParameters& p, const std::vector<Series>& all) {
@@ -213,7 +215,8 @@ double smallest_overestimate(const LeadingEdgeParameters& p) {
   const Scheme trimmed = scheme_of("trimmed linear");
   for (const double offset : p.leading_offsets) {
     if (offset == 1) continue;  // nothing is trimmed
-    const Solved s = solve(p, trimmed, {offset, offset, p.profile_stick_ratio, p.profile_elements});
+    const Compared s =
+        solve(p, trimmed, {offset, offset, p.profile_stick_ratio, p.profile_elements});
     const Eigen::Index last = p.profile_elements - 1;
     smallest = std::min(smallest, s.solution.traction[last] / s.exact[last]);
   }
@@ -230,7 +233,7 @@ Table profile_table(const LeadingEdgeParameters& p) {
   for (const Scheme& scheme : schemes()) {
     for (const double offset : {0.5, p.profile_offset}) {
       if (!applies(scheme, offset)) continue;
-      const Solved s =
+      const Compared s =
           solve(p, scheme, {offset, offset, p.profile_stick_ratio, p.profile_elements});
       for (Eigen::Index i = 0; i < s.exact.size(); ++i) {
         table.add({scheme.name, offset, s.solution.x[i], s.solution.traction[i], s.exact[i]});

@@ -8,7 +8,7 @@
 
 #include "microslip/reference/edge_displacement.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::leading_edge_study {
 
 std::vector<Scheme> schemes() {
   return {{"standard constant", [](double) { return constant_basis(); }},
@@ -31,7 +31,7 @@ bool applies(const Scheme& scheme, double offset) {
   return scheme.name != "edge function" || offset == 0.5;
 }
 
-Solved solve(const LeadingEdgeParameters& p, const Scheme& scheme, const Setting& setting) {
+Compared solve(const LeadingEdgeParameters& p, const Scheme& scheme, const Setting& setting) {
   const Carter carter = Carter::from_stick_ratio(p.material, p.bound, setting.stick_ratio);
   const PlaneKernel kernel(p.material, p.length);
   const Grid grid({.half_width = p.bound.half_width(),
@@ -47,11 +47,7 @@ Solved solve(const LeadingEdgeParameters& p, const Scheme& scheme, const Setting
   if (scheme.edge_known) {
     problem.method = Differences{.edge_displacement = edge_displacement(kernel, carter)};
   }
-  SteadySolution solution = solve_steady(problem);
-  Eigen::VectorXd exact = solution.x.unaryExpr([&](double x) { return carter.traction(x); });
-  const double error = grid.spacing() * (solution.traction - exact).cwiseAbs().sum();
-  const double force_error = std::abs(solution.force / carter.force() - 1);
-  return {std::move(solution), std::move(exact), error, force_error};
+  return compared(problem, truth_of(carter));
 }
 
 double mean(const std::vector<double>& values) {
@@ -84,7 +80,7 @@ std::vector<Series> solve_all(const LeadingEdgeParameters& p, const Progress& pr
   for (Series& series : all) {
     const Scheme scheme = scheme_of(series.scheme);
     for (const Eigen::Index n : p.sizes) {
-      const Solved solved =
+      const Compared solved =
           solve(p, scheme, {series.offset, series.trailing_offset, series.stick_ratio, n});
       series.traction.push_back(solved.traction_error);
       series.force.push_back(solved.force_error);
@@ -94,4 +90,4 @@ std::vector<Series> solve_all(const LeadingEdgeParameters& p, const Progress& pr
   return all;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::leading_edge_study

@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "campaign.hpp"
 #include "microslip/experiments/leading_edge.hpp"
 #include "microslip/halfspace/basis.hpp"
-#include "microslip/rolling/steady.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::leading_edge_study {
 
 /// One treatment of the leading edge.
 struct Scheme {
@@ -23,13 +23,6 @@ struct Setting {
   double trailing_offset;
   double stick_ratio;
   Eigen::Index elements;
-};
-
-struct Solved {
-  SteadySolution solution;
-  Eigen::VectorXd exact;  ///< traction at the nodes
-  double traction_error;  ///< integral of |p - exact| by the midpoint rule  [N/mm]
-  double force_error;     ///< relative
 };
 
 /// Errors of one scheme, offset and stick ratio over all sizes.
@@ -51,7 +44,7 @@ Scheme scheme_of(const std::string& name);
 /// The thesis's edge function (C.1) lives on an element that ends at the edge.
 bool applies(const Scheme& scheme, double offset);
 
-Solved solve(const LeadingEdgeParameters& p, const Scheme& scheme, const Setting& setting);
+Compared solve(const LeadingEdgeParameters& p, const Scheme& scheme, const Setting& setting);
 
 /// Every scheme that applies, for all offsets and stick ratios.
 std::vector<Series> solve_all(const LeadingEdgeParameters& p, const Progress& progress);
@@ -62,4 +55,4 @@ std::vector<double> reductions(const std::vector<double>& errors);
 double mean(const std::vector<double>& values);
 double largest(const std::vector<double>& values);
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::leading_edge_study

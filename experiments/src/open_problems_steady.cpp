@@ -2,47 +2,25 @@
 #include "open_problems_steady.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <map>
 
-#include "microslip/experiments/rule.hpp"
-#include "microslip/rolling/chebyshev_rolling.hpp"
-#include "microslip/rolling/steady.hpp"
+#include "campaign.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/support/convergence.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::open_problems_study {
 
 namespace {
 
-/// Of the edges: a problem by differences becomes one with that treatment.
-struct Treatment {
-  const char* name;
-  std::function<SteadyProblem(SteadyProblem problem, double edge_displacement)> treat;
-};
-
-std::vector<Treatment> treatments() {
-  return {{"standard", [](SteadyProblem problem, double) { return problem; }},
-          {"trimmed",
-           [](SteadyProblem problem, double) {
-             problem.basis = trimmed_linear_basis(problem.grid.leading_offset());
-             return problem;
-           }},
-          {"exact",
-           [](SteadyProblem problem, double displacement) {
-             problem.method = Differences{.edge_displacement = displacement};
-             return problem;
-           }},
-          {"calibrated",
-           [](SteadyProblem problem, double) {
-             problem.method = Calibrated{};
-             return problem;
-           }},
-          {"inversion", [](SteadyProblem problem, double) {
-             problem.method = Inversion{};
-             return problem;
-           }}};
+/// Lists those that are compared, by their order.
+std::vector<SteadyEntry> treatments() {
+  std::vector<SteadyEntry> all;
+  for (const SteadyEntry& entry : steady_schemes()) {
+    if (entry.name != "chebyshev") all.push_back(entry);  // the reference
+  }
+  std::ranges::stable_sort(all, {}, &SteadyEntry::order);
+  return all;
 }
 
 /// Adhesion and alignment of one case, spread evenly by multiples of irrational numbers.
@@ -63,31 +41,6 @@ std::vector<Case> cases_of(const OpenProblemsParameters& p) {
   return cases;
 }
 
-struct Truth {
-  ChebyshevSolution solution;
-  PrescribedCreepage load;
-};
-
-Truth truth_of(const ChebyshevRolling& reference, const PolynomialBound& bound,
-               double stick_ratio) {
-  const double a = bound.half_width();
-  const PrescribedCreepage load{reference.at(a * (1 - 2 * stick_ratio)).creepage};
-  return {reference.solve(load), load};
-}
-
-struct Errors {
-  double force;     ///< relative
-  double traction;  ///< L1, over the length of the contact and the peak
-};
-
-Errors errors_of(const SteadySolution& solution, const Truth& truth) {
-  const Eigen::VectorXd exact =
-      solution.x.unaryExpr([&](double x) { return truth.solution.traction(x); });
-  const double scale = solution.bound.maxCoeff() * static_cast<double>(exact.size());
-  return {std::abs(solution.force / truth.solution.force() - 1),
-          (solution.traction - exact).lpNorm<1>() / scale};
-}
-
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   const std::size_t middle = values.size() / 2;
@@ -100,33 +53,31 @@ struct Series {
   std::vector<std::vector<double>> traction;
 };
 
-Series series_of(const OpenProblemsParameters& p, const Treatment& treatment, Table& table,
+Series series_of(const OpenProblemsParameters& p, const SteadyEntry& treatment, Table& table,
                  const std::function<void()>& done) {
   const PlaneKernel kernel(p.material, p.length);
   const ChebyshevRolling reference(kernel, p.bound);
-  const std::vector<Case> cases = cases_of(p);
+  const double a = p.bound.half_width();
   Series series;
   for (const Eigen::Index n : p.sizes) {
     series.force.emplace_back();
     series.traction.emplace_back();
-    for (const auto& [stick_ratio, leading, trailing] : cases) {
-      const Truth truth = truth_of(reference, p.bound, stick_ratio);
-      const Grid grid({.half_width = p.bound.half_width(),
-                       .elements = n,
-                       .leading_offset = leading,
-                       .trailing_offset = trailing});
-      const SteadyProblem problem{.kernel = kernel,
-                                  .bound = p.bound,
-                                  .grid = grid,
-                                  .method = Differences{},
-                                  .load = truth.load};
-      const double displacement = truth.solution.displacement(p.bound.half_width());
-      const SteadySolution solution = solve_steady(treatment.treat(problem, displacement));
-      const Errors errors = errors_of(solution, truth);
-      series.force.back().push_back(errors.force);
-      series.traction.back().push_back(errors.traction);
-      table.add({treatment.name, static_cast<double>(n), stick_ratio, leading, trailing,
-                 errors.force, errors.traction});
+    for (const auto& [stick_ratio, leading, trailing] : cases_of(p)) {
+      const Truth truth = truth_of(reference, a, stick_ratio);
+      const SteadyProblem problem =
+          solved_by(treatment, {.kernel = kernel,
+                                .bound = p.bound,
+                                .grid = Grid({.half_width = a,
+                                              .elements = n,
+                                              .leading_offset = leading,
+                                              .trailing_offset = trailing}),
+                                .basis = basis_of(treatment),
+                                .load = PrescribedCreepage{truth.creepage}});
+      const Compared found = compared(problem, truth);
+      series.force.back().push_back(found.force_error);
+      series.traction.back().push_back(found.mean_error);
+      table.add({std::string(treatment.name), static_cast<double>(n), stick_ratio, leading,
+                 trailing, found.force_error, found.mean_error});
     }
     done();
   }
@@ -158,27 +109,25 @@ Reductions reductions_of(const std::vector<Eigen::Index>& sizes,
 
 Table steady_steps(const OpenProblemsParameters& p) {
   const PlaneKernel kernel(p.material, p.length);
-  const Truth truth = truth_of(ChebyshevRolling(kernel, p.bound), p.bound, p.steady_stick_ratio);
-  const Grid grid({.half_width = p.bound.half_width(), .elements = p.steady_elements});
+  const double a = p.bound.half_width();
+  const Truth truth = truth_of(ChebyshevRolling(kernel, p.bound), a, p.steady_stick_ratio);
+  const Grid grid({.half_width = a, .elements = p.steady_elements});
   Table table("steady_steps", "steady rolling, error against the step ratio",
               {{"scheme", "1", "leading_edge: standard or inversion"},
                {"step_ratio", "1", "c = dq/dx"},
                {"force_error", "1", "|force / exact - 1|", inversion_rounding},
                {"mean_error", "1", "mean over the nodes of |p - exact|, over the peak of the bound",
                 inversion_rounding}});
-  for (const Treatment& treatment : treatments()) {
-    const std::string name = treatment.name;
-    if (name != "standard" && name != "inversion") continue;
+  for (const std::string name : {"standard", "inversion"}) {
     for (const double c : p.steady_ratios) {
-      const SteadyMethod method =
-          name == "standard" ? SteadyMethod(Differences{.step_ratio = c}) : Inversion{};
-      const Errors errors = errors_of(solve_steady({.kernel = kernel,
-                                                    .bound = p.bound,
-                                                    .grid = grid,
-                                                    .method = method,
-                                                    .load = truth.load}),
+      const Compared found = compared(solved_by(steady_scheme(name),
+                                                {.kernel = kernel,
+                                                 .bound = p.bound,
+                                                 .grid = grid,
+                                                 .load = PrescribedCreepage{truth.creepage}},
+                                                c),
                                       truth);
-      table.add({name, c, errors.force, errors.traction});
+      table.add({name, c, found.force_error, found.mean_error});
     }
   }
   return table;
@@ -219,16 +168,17 @@ SteadyTables steady_tables(const OpenProblemsParameters& p, const Progress& prog
       .steps = steady_steps(p)};
   std::size_t done = 0;
   const std::size_t total = treatments().size() * p.sizes.size();
-  for (const Treatment& treatment : treatments()) {
+  for (const SteadyEntry& treatment : treatments()) {
     const Series series = series_of(p, treatment, tables.cases, [&] { progress(++done, total); });
+    const std::string name(treatment.name);
     for (std::size_t k = 0; k < p.sizes.size(); ++k) {
-      tables.errors.add({treatment.name, static_cast<double>(p.sizes[k]), median(series.force[k]),
+      tables.errors.add({name, static_cast<double>(p.sizes[k]), median(series.force[k]),
                          std::ranges::min(series.force[k]), std::ranges::max(series.force[k]),
                          median(series.traction[k]), std::ranges::max(series.traction[k])});
     }
     const Reductions force = reductions_of(p.sizes, series.force);
     const Reductions traction = reductions_of(p.sizes, series.traction);
-    tables.orders.add({treatment.name, force.order, force.least, traction.order, traction.least});
+    tables.orders.add({name, force.order, force.least, traction.order, traction.least});
   }
   return tables;
 }
@@ -277,4 +227,4 @@ CurveTables curve_tables(const OpenProblemsParameters& p) {
   return tables;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::open_problems_study

@@ -3,7 +3,7 @@
 
 #include "microslip/experiments/open_problems.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::open_problems_study {
 
 /// Steady rolling by all treatments of the leading edge, against Chebyshev collocation.
 struct SteadyTables {
@@ -29,4 +29,4 @@ struct CurveTables {
 
 CurveTables curve_tables(const OpenProblemsParameters& p);
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::open_problems_study

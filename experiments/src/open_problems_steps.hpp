@@ -3,7 +3,7 @@
 
 #include "microslip/experiments/open_problems.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::open_problems_study {
 
 /// Cattaneo to Carter by several schemes and step ratios, against a finer grid.
 struct StepTables {
@@ -13,4 +13,4 @@ struct StepTables {
 
 StepTables step_tables(const OpenProblemsParameters& p, const Progress& progress);
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::open_problems_study

@@ -74,6 +74,10 @@ Rule holds_if(std::vector<Condition> conditions, std::vector<Condition> correcte
           .otherwise = "refuted"};
 }
 
+Rule corrected_if(std::vector<Condition> conditions, std::string otherwise) {
+  return {.rulings = {{"corrected", std::move(conditions)}}, .otherwise = std::move(otherwise)};
+}
+
 Rule ours_if(std::vector<Condition> conditions) {
   return {.rulings = {{"ours", std::move(conditions)}}, .otherwise = "refuted"};
 }

@@ -13,6 +13,8 @@
 
 namespace microslip::experiments {
 
+using namespace speed_accuracy_study;
+
 namespace {
 
 using Eigen::Index;

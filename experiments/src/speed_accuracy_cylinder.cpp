@@ -3,10 +3,11 @@
 #include <memory>
 #include <utility>
 
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/support/interpolation.hpp"
 #include "speed_accuracy_problems.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::speed_accuracy_study {
 
 namespace {
 
@@ -65,15 +66,14 @@ std::vector<RunSeries> cylinder_contest(const SpeedAccuracyParameters& p) {
       {"verlet", Integrator::verlet},
       {"leapfrog", Integrator::leapfrog},
       {"midpoint", Integrator::midpoint}};
-  const std::vector<std::pair<std::string, AdvectionScheme>> frames{{"material", MaterialFixed{}},
-                                                                    {"direct", Direct{}}};
   std::vector<RunSeries> all;
-  for (const auto& [frame, scheme] : frames) {
+  for (const std::string frame : {"material", "direct"}) {
+    const AdvectionScheme scheme = advection_scheme(frame).scheme(1);
     for (const auto& [rule, integrator] : integrators) {
       for (const auto type : {Solver::Type::dense, Solver::Type::fft}) {
         for (const double c : p.rolling.step_ratios) {
-          const Solve solve = [=, advection = scheme, by = integrator](Index elements) {
-            return [=, motion = let_go(p, elements, advection, by, c, type)] {
+          const Solve solve = [=, by = integrator](Index elements) {
+            return [=, motion = let_go(p, elements, scheme, by, c, type)] {
               return judge(p, motion, *reference);
             };
           };
@@ -91,4 +91,4 @@ std::vector<RunSeries> cylinder_contest(const SpeedAccuracyParameters& p) {
   return all;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::speed_accuracy_study

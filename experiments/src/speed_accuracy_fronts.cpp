@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
-namespace microslip::experiments {
+#include "microslip/rolling/schemes.hpp"
+
+namespace microslip::experiments::speed_accuracy_study {
 
 namespace {
 
@@ -28,7 +30,9 @@ struct Contest {
 
 bool by_elements(const Run& run) {
   const std::string& scheme = run.contestant.scheme;
-  return scheme != "chebyshev" && scheme != "inversion";
+  return std::ranges::none_of(steady_schemes(), [&](const SteadyEntry& entry) {
+    return entry.name == scheme && !entry.by_elements;
+  });
 }
 
 /// Runs of a problem that succeeded, if they have the quantity.
@@ -149,4 +153,4 @@ Table cheapest_table(const std::string& name, const Cost& cost, const std::vecto
   return table;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::speed_accuracy_study

@@ -3,7 +3,7 @@
 
 #include "speed_accuracy_runs.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::speed_accuracy_study {
 
 /// Cost of a run: counted or measured.
 struct Cost {
@@ -24,4 +24,4 @@ Table cheapest_table(const std::string& name, const Cost& cost, const std::vecto
 std::vector<Column> contestant_columns();
 std::vector<Cell> contestant_cells(const Contestant& contestant);
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::speed_accuracy_study

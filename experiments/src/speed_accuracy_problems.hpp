@@ -3,7 +3,7 @@
 
 #include "speed_accuracy_runs.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::speed_accuracy_study {
 
 /// Steady rolling under prescribed creepages, against Chebyshev collocation: plane strain with all
 /// step ratios, and a strip with the first of them.
@@ -15,4 +15,4 @@ std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p);
 /// A cylinder from rest down a slope.
 std::vector<RunSeries> cylinder_contest(const SpeedAccuracyParameters& p);
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::speed_accuracy_study

@@ -10,7 +10,7 @@
 #include "microslip/experiments/speed_accuracy.hpp"
 #include "microslip/linalg/solver.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::speed_accuracy_study {
 
 /// Who a run is; "none" or nan where something has no role.
 struct Contestant {
@@ -64,11 +64,6 @@ struct Run {
 /// because it is expected to exceed the limit, too.
 std::vector<Run> runs_of(const RunSeries& series, double repeats);
 
-/// Operations that a run is expected to take after those of smaller ones: it grows on as from the
-/// last but one to the last, at least as N, and from the first as N^2.
-double expected_work(const std::vector<double>& sizes, const std::vector<double>& work,
-                     double elements);
-
 std::string name_of(Solver::Type type);
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::speed_accuracy_study

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <memory>
 
-#include "microslip/rolling/chebyshev_rolling.hpp"
-#include "microslip/rolling/steady.hpp"
+#include "campaign.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/spectrum/leading_edge.hpp"
 #include "speed_accuracy_problems.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::speed_accuracy_study {
 
 namespace {
 
@@ -17,11 +17,6 @@ using Eigen::VectorXd;
 
 /// Of tractions that are functions of the position, at so many places.
 constexpr Index samples = 1023;
-
-struct Truth {
-  PrescribedCreepage load;
-  ChebyshevSolution solution;
-};
 
 /// One kernel and bound under some loads.
 struct Problem {
@@ -36,9 +31,7 @@ std::shared_ptr<const Problem> make_problem(const SpeedAccuracyParameters& p, st
   const ChebyshevRolling reference(kernel, p.bound);
   std::vector<Truth> truths;
   for (const double stick_ratio : p.steady.stick_ratios) {
-    const PrescribedCreepage load{
-        reference.at(p.bound.half_width() * (1 - 2 * stick_ratio)).creepage};
-    truths.push_back({load, reference.solve(load)});
+    truths.push_back(truth_of(reference, p.bound.half_width(), stick_ratio));
   }
   return std::make_shared<const Problem>(Problem{std::move(name), kernel, p.bound, truths});
 }
@@ -46,48 +39,41 @@ std::shared_ptr<const Problem> make_problem(const SpeedAccuracyParameters& p, st
 /// Raises the errors to those of one more load.
 void judge(const Truth& truth, double force, double spacing, const VectorXd& x,
            const VectorXd& traction, Errors& errors) {
-  const double exact = truth.solution.force();
-  const VectorXd difference =
-      traction - x.unaryExpr([&](double xi) { return truth.solution.traction(xi); });
+  const VectorXd difference = traction - truth.at(x);
   const auto raise = [&](Quantity of, double error) {
-    errors[of] = std::fmax(errors[of], error / std::abs(exact));
+    errors[of] = std::fmax(errors[of], error / std::abs(truth.force));
   };
-  raise(Quantity::force, std::abs(force - exact));
+  raise(Quantity::force, std::abs(force - truth.force));
   raise(Quantity::traction, spacing * difference.lpNorm<1>());
 }
 
-/// A leading edge that a table of schemes can name.
-struct Edge {
-  std::string name;
+/// One that takes part, as the catalogue has it.
+struct Entrant {
+  std::string_view edge;  ///< as tables show it
+  const SteadyEntry* scheme;
+  std::string_view basis;
+  double step_ratio;
   double leading_offset = 0.5;
   double trailing_offset = 0.5;
 };
 
-Solve steady_solve(const std::shared_ptr<const Problem>& problem, const Edge& edge,
-                   const Basis& basis, double step_ratio, Solver::Type type) {
+Solve steady_solve(const std::shared_ptr<const Problem>& problem, const Entrant& entrant,
+                   Solver::Type type) {
   return [=](Index elements) {
     const Grid grid({.half_width = problem->bound.half_width(),
                      .elements = elements,
-                     .leading_offset = edge.leading_offset,
-                     .trailing_offset = edge.trailing_offset});
+                     .leading_offset = entrant.leading_offset,
+                     .trailing_offset = entrant.trailing_offset});
     std::vector<SteadySolution> solutions;
     for (const Truth& truth : problem->truths) {
-      Differences differences{.step_ratio = std::isnan(step_ratio) ? 1 : step_ratio};
-      if (edge.name == "exact") {
-        differences.edge_displacement = ChebyshevRolling(problem->kernel, problem->bound)
-                                            .solve(truth.load)
-                                            .displacement(problem->bound.half_width());
-      }
-      SteadyProblem problem_of_load{.kernel = problem->kernel,
-                                    .bound = problem->bound,
-                                    .grid = grid,
-                                    .basis = basis,
-                                    .method = differences,
-                                    .load = truth.load,
-                                    .solver = {.type = type}};
-      if (edge.name == "inversion") problem_of_load.method = Inversion{};
-      if (edge.name == "calibrated") problem_of_load.method = Calibrated{};
-      solutions.push_back(solve_steady(problem_of_load));
+      solutions.push_back(solve_steady(solved_by(*entrant.scheme,
+                                                 {.kernel = problem->kernel,
+                                                  .bound = problem->bound,
+                                                  .grid = grid,
+                                                  .basis = make_basis(entrant.basis),
+                                                  .load = PrescribedCreepage{truth.creepage},
+                                                  .solver = {.type = type}},
+                                                 entrant.step_ratio)));
     }
     return [=] {
       Judgement judgement;
@@ -106,8 +92,8 @@ Solve chebyshev_solve(const std::shared_ptr<const Problem>& problem) {
   return [=](Index unknowns) {
     std::vector<ChebyshevSolution> solutions;
     for (const Truth& truth : problem->truths) {
-      solutions.push_back(
-          ChebyshevRolling(problem->kernel, problem->bound, unknowns).solve(truth.load));
+      solutions.push_back(ChebyshevRolling(problem->kernel, problem->bound, unknowns)
+                              .solve(PrescribedCreepage{truth.creepage}));
     }
     return [=] {
       Judgement judgement;
@@ -124,41 +110,62 @@ Solve chebyshev_solve(const std::shared_ptr<const Problem>& problem) {
   };
 }
 
+/// The edges lie where a difference over one element feels the leading one, and the midpoint rule
+/// the trailing one.
+Entrant aligned(std::string_view basis) {
+  return {.edge = "aligned",
+          .scheme = &steady_scheme("standard"),
+          .basis = basis,
+          .step_ratio = 1,
+          .leading_offset = leading_edge_constants(make_basis(basis)).offset,
+          .trailing_offset = 0.656936};
+}
+
+/// Lists all that solve by elements, from the catalogues of schemes and functions.
+std::vector<Entrant> entrants(const std::vector<double>& step_ratios) {
+  std::vector<Entrant> all;
+  const auto add = [&](std::string_view basis, double c, const auto& accepts) {
+    for (const SteadyEntry& scheme : steady_schemes()) {
+      if (scheme.by_elements && accepts(scheme)) all.push_back({scheme.name, &scheme, basis, c});
+    }
+  };
+  for (const std::string_view basis : basis_names()) {
+    add(basis, not_given, [](const SteadyEntry& s) { return !s.safe_steps; });
+    if (basis == "constant" || basis == "linear") all.push_back(aligned(basis));
+    for (const double c : step_ratios) {
+      add(basis, c, [](const SteadyEntry& s) { return s.safe_steps && s.basis.empty(); });
+    }
+  }
+  for (const std::string_view basis : basis_names()) {
+    for (const double c : step_ratios) {
+      add(basis, c, [=](const SteadyEntry& s) { return s.safe_steps && s.basis == basis; });
+    }
+  }
+  return all;
+}
+
 void add_problem(const SpeedAccuracyParameters& p, const std::shared_ptr<const Problem>& problem,
                  const std::vector<double>& step_ratios, std::vector<RunSeries>& all) {
   const auto loads = static_cast<double>(problem->truths.size());
-  const auto add = [&](const Edge& edge, const Basis& basis, double c, Solver::Type type) {
-    const Contestant who{problem->name, "collocation", edge.name, basis.name(), c, name_of(type)};
-    all.push_back(
-        {who, p.sizes, p.steady.limit, loads, steady_solve(problem, edge, basis, c, type)});
+  const auto add = [&](const Contestant& who, const std::vector<Index>& sizes, const Solve& solve) {
+    all.push_back({who, sizes, p.steady.limit, loads, solve});
   };
-  all.push_back(
-      {{problem->name, "inversion", "none", "none", not_given, "none"},
-       {p.sizes.front()},
-       p.steady.limit,
-       loads,
-       steady_solve(problem, {"inversion"}, constant_basis(), not_given, Solver::Type::automatic)});
-  for (const auto type : {Solver::Type::dense, Solver::Type::fft}) {
-    for (const char* name : {"constant", "linear", "quadratic"}) {
-      const Basis basis = make_basis(name);
-      add({"calibrated"}, basis, not_given, type);
-      if (basis.name() != "quadratic") {
-        // Where a difference over one element feels it, and the midpoint rule the trailing one.
-        constexpr double trailing = 0.656936;
-        add({"aligned", leading_edge_constants(basis).offset, trailing}, basis, 1, type);
-      }
-      for (const double c : step_ratios) {
-        add({"standard"}, basis, c, type);
-        add({"exact"}, basis, c, type);
-      }
-    }
-    for (const double c : step_ratios) add({"trimmed"}, trimmed_linear_basis(0.5), c, type);
+  for (const SteadyEntry& scheme : steady_schemes()) {
+    if (scheme.by_elements || scheme.name == "chebyshev") continue;
+    const std::string name(scheme.name);
+    add({problem->name, name, "none", "none", not_given, "none"}, {p.sizes.front()},
+        steady_solve(problem, {"none", &scheme, "constant", 1}, Solver::Type::automatic));
   }
-  all.push_back({{problem->name, "chebyshev", "none", "none", not_given, "none"},
-                 p.steady.unknowns,
-                 p.steady.limit,
-                 loads,
-                 chebyshev_solve(problem)});
+  for (const auto type : {Solver::Type::dense, Solver::Type::fft}) {
+    for (const Entrant& entrant : entrants(step_ratios)) {
+      const std::string edge(entrant.edge), basis(entrant.basis);
+      const std::string shown = entrant.scheme->basis.empty() ? basis : edge + " " + basis;
+      add({problem->name, "collocation", edge, shown, entrant.step_ratio, name_of(type)}, p.sizes,
+          steady_solve(problem, entrant, type));
+    }
+  }
+  add({problem->name, "chebyshev", "none", "none", not_given, "none"}, p.steady.unknowns,
+      chebyshev_solve(problem));
 }
 
 }  // namespace
@@ -172,4 +179,4 @@ std::vector<RunSeries> steady_contest(const SpeedAccuracyParameters& p) {
   return all;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::speed_accuracy_study

@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <utility>
 
-#include "microslip/rolling/transient.hpp"
+#include "campaign.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/support/interpolation.hpp"
 #include "speed_accuracy_problems.hpp"
 
-namespace microslip::experiments {
+namespace microslip::experiments::speed_accuracy_study {
 
 namespace {
 
@@ -18,40 +18,16 @@ using Eigen::VectorXd;
 /// Part of the contact's length that is rolled; sizes are its multiples.
 constexpr Index parts = 3;
 
-struct Rolled {
-  VectorXd x;
-  VectorXd traction;  ///< absolute values
-  VectorXd distance;  ///< after each step, and 0
-  VectorXd creep;     ///< integral of |w| until there  [mm]
-  double rounds = 0;
-};
-
-Rolled roll(const SpeedAccuracyParameters& p, Index elements, const AdvectionScheme& scheme,
-            const Basis& basis, double step_ratio, Solver::Type type) {
+Rolled roll_a_part(const SpeedAccuracyParameters& p, Index elements, const AdvectionScheme& scheme,
+                   const Basis& basis, double step_ratio, Solver::Type type) {
   const auto& motion = p.transient;
-  const Grid grid({.half_width = motion.bound.half_width(), .elements = elements});
-  TransientRolling rolling({.kernel = PlaneKernel(p.material, p.length),
-                            .bound = motion.bound,
-                            .grid = grid,
-                            .basis = basis,
-                            .scheme = scheme,
-                            .solver = {.type = type}},
-                           CattaneoShift{motion.force});
-  std::vector<double> distance{0}, creep{0};
-  Rolled rolled;
-  const double whole = static_cast<double>(elements / parts) * grid.spacing();
-  rolling.roll(whole, {step_ratio * grid.spacing()}, PrescribedForce{motion.force},
-               [&](const TransientState& state) {
-                 creep.push_back(creep.back() +
-                                 std::abs(state.creepage) * (state.distance - distance.back()));
-                 distance.push_back(state.distance);
-                 rolled.rounds += state.iterations;
-               });
-  rolled.x = rolling.x();
-  rolled.traction = rolling.traction_at_nodes().cwiseAbs();
-  rolled.distance = VectorXd::Map(distance.data(), static_cast<Index>(distance.size()));
-  rolled.creep = VectorXd::Map(creep.data(), static_cast<Index>(creep.size()));
-  return rolled;
+  return roll({.kernel = PlaneKernel(p.material, p.length),
+               .bound = motion.bound,
+               .grid = Grid({.half_width = motion.bound.half_width(), .elements = elements}),
+               .basis = basis,
+               .force = motion.force,
+               .solver = {.type = type}},
+              scheme, step_ratio, static_cast<double>(elements / parts));
 }
 
 /// The peak starts at the stick zone's leading end, k = (1 - F)^1/2 of the half-width.
@@ -81,37 +57,26 @@ Judgement judge(const SpeedAccuracyParameters& p, const Rolled& rolled, const Ro
   return judgement;
 }
 
-struct Named {
-  const char* name;
-  AdvectionScheme scheme;
-};
-
-std::vector<Named> schemes() {
-  return {{"material", MaterialFixed{}},
-          {"direct", Direct{}},
-          {"relaxed", Relaxed{1}},
-          {"relaxed_traction", RelaxedTraction{1}},
-          {"fractional", Fractional{}}};
-}
-
 }  // namespace
 
 std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p) {
-  const auto reference = std::make_shared<const Rolled>(roll(
+  const auto reference = std::make_shared<const Rolled>(roll_a_part(
       p, p.transient.reference, MaterialFixed{}, constant_basis(), 1, Solver::Type::automatic));
   std::vector<RunSeries> all;
-  for (const auto& [name, scheme] : schemes()) {
+  for (const AdvectionEntry& entry : advection_schemes()) {
+    const AdvectionScheme scheme = entry.scheme(1);
+    const char* edge = std::holds_alternative<MaterialFixed>(scheme) ? "calibrated" : "standard";
     for (const auto type : {Solver::Type::dense, Solver::Type::fft}) {
-      for (const char* basis : {"constant", "linear", "quadratic"}) {
+      for (const std::string_view name : basis_names()) {
+        const Basis basis = make_basis(name);
         for (const double c : p.transient.step_ratios) {
-          const Solve solve = [=, advection = scheme, shapes = make_basis(basis)](Index elements) {
-            return [=, rolled = roll(p, elements, advection, shapes, c, type)] {
+          const Solve solve = [=](Index elements) {
+            return [=, rolled = roll_a_part(p, elements, scheme, basis, c, type)] {
               return judge(p, rolled, *reference);
             };
           };
-          const bool material = std::holds_alternative<MaterialFixed>(scheme);
           all.push_back(
-              {{"transient", name, material ? "calibrated" : "standard", basis, c, name_of(type)},
+              {{"transient", std::string(entry.name), edge, basis.name(), c, name_of(type)},
                p.sizes,
                p.transient.limit,
                1,
@@ -123,4 +88,4 @@ std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p) {
   return all;
 }
 
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::speed_accuracy_study

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/scene_tables.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/support/format.hpp"
 
 namespace microslip::experiments {

@@ -222,12 +222,12 @@ Table claims_of(const Tables& tables, const Parameters& p) {
         "relative change of the creepage from step to step at c = 1: that of the direct scheme",
         "world_fixed_noise"},
        {"it is still unknown why they appear", "11", not_given, leaving, "1",
-        Rule{.rulings = {{"corrected", {above(0.9)}}}, .otherwise = "not_comparable"},
+        corrected_if({above(0.9)}, "not_comparable"),
         "part of the squared jumps of the creepage where an element leaves at the trailing edge, "
         "and gives up its force at once",
         "world_fixed_creepage"},
        {"... with the cause removed", "11", not_given, std::max(mean, cut), "1",
-        Rule{.rulings = {{"corrected", {below(target)}}}, .otherwise = "not_comparable"},
+        corrected_if({below(target)}, "not_comparable"),
         "the largest noise of averaged bounds (" + format_short(rounded(mean)) +
             ") and cut elements (" + format_short(rounded(cut)) + "), " + where + "; " +
             format_short(rounded(releasing)) +

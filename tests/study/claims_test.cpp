@@ -45,6 +45,13 @@ TEST(Rules, RangesOfTwoBounds) {
   EXPECT_NEAR(tolerance(holds_if({between(1.5, 2.1)})), 0.3, 1e-15);
 }
 
+TEST(Rules, CorrectWhatTheyDoNotRefute) {
+  const Rule rule = corrected_if({below(1e-3)}, "reproduced");
+  EXPECT_EQ(verdict(rule, 1e-4), "corrected");
+  EXPECT_EQ(verdict(rule, 1), "reproduced");
+  EXPECT_EQ(sentence(rule), "corrected if the measured value is below 0.001; otherwise reproduced");
+}
+
 TEST(Rules, PercentAreOfTheNumber) {
   const Range range = within_percent(5, -2);
   EXPECT_EQ(verdict_of(range, -2.09), "reproduced");

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "microslip/scene/safe_ranges.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "study_tables.hpp"
 
 namespace microslip::experiments {
@@ -90,10 +90,20 @@ TEST_F(Extremes, ResultsAreScaleInvariantToRounding) {
   }
 }
 
+TEST_F(Extremes, AllOfTheCataloguesTakePart) {
+  for (const SteadyEntry& entry : steady_schemes()) {
+    for_rows("steps", std::string(entry.name), [](const Table&, std::size_t) {});
+  }
+  for (const AdvectionEntry& entry : advection_schemes()) {
+    for_rows("transient", std::string(entry.name), [](const Table&, std::size_t) {});
+  }
+}
+
 // The ranges of which the scene reader warns: safe inside, and not much further.
 TEST_F(Extremes, SteadyDifferencesAreSafeWhereTheReaderSaysSo) {
-  for (const std::string basis : {"constant", "linear", "quadratic"}) {
-    const std::string scheme = basis == "constant" ? "standard" : "standard " + basis;
+  const SafeRange safe_difference = steady_scheme("standard").safe_steps.value();
+  for (const std::string_view basis : basis_names()) {
+    const std::string scheme = "standard" + (basis == "constant" ? "" : " " + std::string(basis));
     const SafeRange elements = safe_elements(make_basis(basis));
     for_rows("steps", scheme, [&](const Table& rows, std::size_t i) {
       const double c = rows.number(i, "step_ratio");
@@ -111,16 +121,11 @@ TEST_F(Extremes, SteadyDifferencesAreSafeWhereTheReaderSaysSo) {
 }
 
 TEST_F(Extremes, TransientsAreSafeWhereTheReaderSaysSo) {
-  const std::vector<std::pair<std::string, AdvectionScheme>> schemes{
-      {"direct", Direct{}},
-      {"relaxed", Relaxed{1}},
-      {"relaxed_traction", RelaxedTraction{1}},
-      {"fractional", Fractional{}},
-      {"material", MaterialFixed{}}};
-  for (const auto& [name, scheme] : schemes) {
-    const SafeRange safe = safe_steps(scheme);
+  for (const AdvectionEntry& entry : advection_schemes()) {
+    const std::string name(entry.name);
+    const SafeRange& safe = entry.safe_steps;
     for (const char* map : {"transient", "endurance"}) {
-      for_rows(map, name, [&, &name = name](const Table& rows, std::size_t i) {
+      for_rows(map, name, [&](const Table& rows, std::size_t i) {
         const double c = rows.number(i, "step_ratio");
         const std::string verdict = text(rows, i, "verdict");
         if (verdict == "not_run") return;

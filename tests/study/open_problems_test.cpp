@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "microslip/rolling/schemes.hpp"
 #include "study_tables.hpp"
 
 namespace microslip::experiments {
@@ -49,6 +50,15 @@ TEST(OpenProblemsStudy, OrdersAreThoseOfTheLeadingEdge) {
   EXPECT_NEAR(of("orders", "exact", "force_order"), 1.5, 0.1);
   EXPECT_NEAR(of("orders", "calibrated", "force_order"), 2, 0.25);
   EXPECT_LT(of("orders", "exact", "force_reduction"), 1.5);
+}
+
+TEST(OpenProblemsStudy, OrdersAreThoseOfTheCatalogue) {
+  for (const SteadyEntry& entry : steady_schemes()) {
+    const std::string name(entry.name);
+    if (std::isfinite(entry.order)) {
+      EXPECT_NEAR(of("orders", name.c_str(), "force_order"), entry.order, 0.25) << name;
+    }
+  }
 }
 
 TEST(OpenProblemsStudy, InversionIsExact) {

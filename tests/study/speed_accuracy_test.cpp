@@ -8,6 +8,7 @@
 #include <set>
 #include <sstream>
 
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/support/convergence.hpp"
 #include "study_tables.hpp"
 
@@ -96,6 +97,30 @@ TEST(SpeedAccuracyStudy, FailuresAreListed) {
   EXPECT_GT(reasons["not run"], 50);
   EXPECT_GT(reasons["does not exist"], 50);
   EXPECT_EQ(reasons["not converged"], 2);  // Chebyshev collocation with one unknown
+}
+
+bool has_run(const char* problem, const char* column, std::string_view value) {
+  for (std::size_t i = 0; i < runs().rows(); ++i) {
+    if (text(runs(), i, "problem") == problem && text(runs(), i, column) == value) return true;
+  }
+  return false;
+}
+
+TEST(SpeedAccuracyStudy, AllOfTheCataloguesTakePart) {
+  for (const SteadyEntry& entry : steady_schemes()) {
+    const char* column = entry.by_elements ? "edge" : "scheme";
+    for (const char* problem : {"plane", "strip"}) {
+      EXPECT_TRUE(has_run(problem, column, entry.name)) << entry.name;
+    }
+  }
+  for (const AdvectionEntry& entry : advection_schemes()) {
+    EXPECT_TRUE(has_run("transient", "scheme", entry.name)) << entry.name;
+  }
+  for (const std::string_view basis : basis_names()) {
+    for (const char* problem : {"plane", "strip", "transient"}) {
+      EXPECT_TRUE(has_run(problem, "basis", basis)) << basis;
+    }
+  }
 }
 
 TEST(SpeedAccuracyStudy, LimitsHold) {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
-#include "microslip/scene/safe_ranges.hpp"
 
 namespace microslip {
 namespace {

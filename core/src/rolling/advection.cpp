@@ -27,17 +27,6 @@ std::optional<double> relaxation_of(const AdvectionScheme& scheme) {
 
 }  // namespace
 
-std::string name_of(const AdvectionScheme& scheme) {
-  struct Name {
-    const char* operator()(const Direct&) const { return "direct"; }
-    const char* operator()(const Relaxed&) const { return "relaxed"; }
-    const char* operator()(const RelaxedTraction&) const { return "relaxed_traction"; }
-    const char* operator()(const Fractional&) const { return "fractional"; }
-    const char* operator()(const MaterialFixed&) const { return "material"; }
-  };
-  return std::visit(Name{}, scheme);
-}
-
 Advection::Advection(Kernel kernel, Basis basis, double spacing, Index elements,
                      AdvectionScheme scheme, const Solver& solver)
     : kernel_(std::move(kernel)),

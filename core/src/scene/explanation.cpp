@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/scene/cost.hpp"
 
 namespace microslip {
@@ -36,41 +37,19 @@ std::string elements_of(const Grid& grid) {
   return std::to_string(grid.size()) + " elements of " + number(grid.spacing()) + " mm";
 }
 
-std::string method_of(const SteadyProblem& problem) {
-  const std::string functions = problem.basis.name() + " functions";
-  if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
-    return "Chebyshev collocation on the stick zone: ten digits; values at the nodes of the grid";
-  }
-  if (std::holds_alternative<Calibrated>(problem.method)) {
-    return "elements over the whole contact, " + functions +
-           ", with calibrated edges: second order in dx, with noise from stick-slip points inside "
-           "elements";
-  }
-  const auto* differences = std::get_if<Differences>(&problem.method);
-  if (differences == nullptr) {
-    return "inversion on the one stick zone: ten digits; or elements over the whole contact, " +
-           functions + ", where there are more zones, which row 'method' of the summary says";
-  }
-  return "differences over c = " + number(differences->step_ratio) + " elements, " + functions +
-         (differences->edge_displacement ? ", displacement at the leading edge known: order 3/2"
-                                         : ": first order in dx");
+std::string with(std::string text, const std::string& place, const std::string& value) {
+  const std::size_t found = text.find(place);
+  return found == std::string::npos ? text : text.replace(found, place.size(), value);
 }
 
-struct SchemeText {
-  std::string operator()(const MaterialFixed&) const {
-    return "grid fixed to the material: second order in dx, for any step";
-  }
-  std::string operator()(const Direct&) const {
-    return "displacements at the nodes moved by c dx: first order, wiggles for c << 1 and smoothed "
-           "peaks unless c is whole";
-  }
-  std::string operator()(const Relaxed&) const { return relaxed; }
-  std::string operator()(const RelaxedTraction&) const { return relaxed; }
-  std::string operator()(const Fractional&) const {
-    return "fractional powers of a shift by one element: first order, peaks are kept";
-  }
-  static constexpr const char* relaxed = "under-relaxed: first order, no wiggles, smoothed peaks";
-};
+std::string method_of(const SteadyProblem& problem) {
+  const auto* differences = std::get_if<Differences>(&problem.method);
+  const std::string text(entry_of(problem).text);
+  return with(with(text, "{functions}", problem.basis.name() + " functions"), "{c}",
+              number(differences == nullptr ? 1 : differences->step_ratio));
+}
+
+std::string method_of(const AdvectionScheme& scheme) { return std::string(entry_of(scheme).text); }
 
 std::string rolled(const Model& model, double distance, const Grid& grid) {
   return "rolls " + number(distance) + " mm, " + number(distance / (2 * grid.half_width())) +
@@ -97,8 +76,7 @@ struct Explain {
   Explanation operator()(const TransientScene& scene) const {
     return {"transient rolling under " + kind_of(scene.load),
             {sliding(scene.problem.bound, scene.load), elements_of(scene.problem.grid),
-             rolled(scene, scene.distance, scene.problem.grid),
-             std::visit(SchemeText{}, scene.problem.scheme)},
+             rolled(scene, scene.distance, scene.problem.grid), method_of(scene.problem.scheme)},
             {normal, "inertia of the bodies, which problem cylinder has", details}};
   }
   Explanation operator()(const CylinderScene& scene) const {
@@ -106,7 +84,7 @@ struct Explain {
             {sliding(scene.contact.bound), elements_of(scene.contact.grid),
              rolled(scene, scene.distance, scene.contact.grid) +
                  " or more: those from rest, and of a body that swings, are shorter",
-             std::visit(SchemeText{}, scene.contact.scheme)},
+             method_of(scene.contact.scheme)},
             {normal, "waves in the bodies: they deform as half-spaces at rest", details}};
   }
   static Explanation steady(const std::string& load, std::vector<std::string> consequences) {

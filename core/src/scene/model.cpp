@@ -6,8 +6,7 @@
 #include <numeric>
 
 #include "microslip/halfspace/influence.hpp"
-#include "microslip/rolling/chebyshev_rolling.hpp"
-#include "microslip/scene/safe_ranges.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 #include "start_file.hpp"
@@ -125,14 +124,9 @@ void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, d
 }
 
 AdvectionScheme read_scheme(Scene& scene) {
-  const std::string name = scene.word_or_first(
-      "step.scheme", {"material", "direct", "relaxed", "relaxed_traction", "fractional"});
-  if (name == "direct") return Direct{};
-  if (name == "fractional") return Fractional{};
-  if (name == "material") return MaterialFixed{};
-  const double relaxation = scene.number("step.relaxation", 1);
-  if (name == "relaxed") return Relaxed{relaxation};
-  return RelaxedTraction{relaxation};
+  const AdvectionEntry& entry =
+      advection_scheme(scene.word_or_first("step.scheme", advection_names()));
+  return entry.scheme(entry.takes_relaxation ? scene.number("step.relaxation", 1) : 1);
 }
 
 void warn_of_noise(Scene& scene, const TransientProblem& problem, double step_ratio) {
@@ -162,48 +156,26 @@ Start read_start(Scene& scene, const TransientProblem& problem, const Load& load
                                         : scene.number("start.force", force->value)};
 }
 
-double exact_edge_displacement(const SteadyProblem& problem) {
-  return ChebyshevRolling(problem.kernel, problem.bound)
-      .solve(problem.load)
-      .displacement(half_width_of(problem.bound));
+const SteadyEntry& read_steady_scheme(Scene& scene) {
+  const bool chebyshev = scene.word_or_first("method", {"collocation", "chebyshev"}) == "chebyshev";
+  return steady_scheme(chebyshev ? "chebyshev"
+                                 : scene.word_or_first("leading_edge", leading_edge_names()));
 }
 
 }  // namespace
 
 SteadyProblem read_steady(Scene& scene) {
-  const bool chebyshev = scene.word_or_first("method", {"collocation", "chebyshev"}) == "chebyshev";
-  const std::string edge =
-      chebyshev ? ""
-                : scene.word_or_first("leading_edge",
-                                      {"inversion", "calibrated", "standard", "exact", "trimmed"});
-  if (chebyshev) return read_steady(scene, ChebyshevCollocation{});
-  if (edge == "inversion") return read_steady(scene, Inversion{});
+  const SteadyEntry& entry = read_steady_scheme(scene);
+  const double step_ratio = entry.safe_steps ? scene.number("step.ratio", 1) : 1;
+  require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
+  const SteadyProblem problem =
+      solved_by(entry, read_steady(scene, entry.method(step_ratio)), step_ratio);
   const std::string instead = "leading_edge inversion";
-  const auto warn_of_few = [&](const SteadyProblem& problem) {
+  if (entry.safe_steps) warn_outside(scene, *entry.safe_steps, "step.ratio", step_ratio, instead);
+  if (entry.by_elements) {
     warn_outside(scene, safe_elements(problem.basis), "grid.elements",
                  static_cast<double>(problem.grid.size()), instead);
-  };
-  if (edge == "calibrated") {
-    SteadyProblem problem = read_steady(scene, Calibrated{});
-    warn_of_few(problem);
-    return problem;
   }
-  const double step_ratio = scene.number("step.ratio", 1);
-  require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
-  SteadyProblem problem = read_steady(scene, Differences{.step_ratio = step_ratio});
-  if (edge == "exact") {
-    problem.method = Differences{.step_ratio = step_ratio,
-                                 .edge_displacement = exact_edge_displacement(problem)};
-  }
-  if (edge == "trimmed") {
-    if (problem.basis.name() != "linear") {
-      throw std::invalid_argument("basis = '" + problem.basis.name() +
-                                  "': expected linear where the last function is trimmed");
-    }
-    problem.basis = trimmed_linear_basis(problem.grid.leading_offset());
-  }
-  warn_outside(scene, safe_difference, "step.ratio", step_ratio, instead);
-  warn_of_few(problem);
   return problem;
 }
 
@@ -240,7 +212,8 @@ TransientScene read_transient(Scene& scene) {
   const std::vector<double> step_ratios = scene.numbers("step.ratio");
   for (const double ratio : step_ratios) {
     require(ratio >= min_step_ratio, "step.ratio", ratio, "numbers >= 1e-15");
-    warn_outside(scene, safe_steps(problem.scheme), "step.ratio", ratio, "step.scheme material");
+    warn_outside(scene, entry_of(problem.scheme).safe_steps, "step.ratio", ratio,
+                 "step.scheme material");
   }
   const double distance = scene.number("motion.distance");
   require_positive("motion.distance", distance);
@@ -276,7 +249,7 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
   require_definite(cylinder.contact);
   require_positive("motion.distance", cylinder.distance);
   require_few_steps(cylinder.distance, cylinder.step_ratio * model.grid.spacing());
-  warn_outside(scene, safe_steps(scheme), "step.ratio", cylinder.step_ratio,
+  warn_outside(scene, entry_of(scheme).safe_steps, "step.ratio", cylinder.step_ratio,
                "step.scheme material");
   return cylinder;
 }

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <string>
 #include <variant>
 
 #include "microslip/friction/active_set.hpp"
@@ -42,9 +41,6 @@ struct Fractional {};
 struct MaterialFixed {};
 
 using AdvectionScheme = std::variant<Direct, Relaxed, RelaxedTraction, Fractional, MaterialFixed>;
-
-/// As scenes name it: direct, relaxed, relaxed_traction, fractional, material.
-std::string name_of(const AdvectionScheme& scheme);
 
 /// Makes the offsets of a step's slip conditions from the previous tractions, by a scheme.
 class Advection {

@@ -14,6 +14,7 @@ struct CattaneoToCarter {
   Grid grid;  ///< filling the contact
   Basis basis;
   double force;  ///< less in absolute value than full sliding  [N/mm]
+  Solver solver = {};
 
   TransientProblem problem(const AdvectionScheme& scheme) const;
 

@@ -60,6 +60,9 @@ Rule holds_if(std::vector<Condition> conditions);
 /// "reproduced" if the first hold, else "corrected" if the second do, else "refuted".
 Rule holds_if(std::vector<Condition> conditions, std::vector<Condition> corrected);
 
+/// "corrected" if all conditions hold, else as it says.
+Rule corrected_if(std::vector<Condition> conditions, std::string otherwise);
+
 /// For a finding that is no claim of the thesis: "ours" if all conditions hold, else "refuted".
 Rule ours_if(std::vector<Condition> conditions);
 
