@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "microslip/halfspace/influence.hpp"
@@ -100,8 +100,7 @@ TransientRolling::TransientRolling(const TransientProblem& problem, const Start&
   require_definite(problem);
   if (std::holds_alternative<MaterialFixed>(problem.scheme)) {
     if (problem.basis.name() != "constant") {
-      throw std::invalid_argument("basis = '" + problem.basis.name() +
-                                  "': expected constant on a grid that is fixed to the material");
+      reject("basis", problem.basis.name(), "constant on a grid that is fixed to the material");
     }
     material_.emplace(problem.kernel, problem.bound, problem.grid, problem.solver);
     weights_ = VectorXd::Constant(material_->window().size(), spacing_);
@@ -109,7 +108,13 @@ TransientRolling::TransientRolling(const TransientProblem& problem, const Start&
     make_system();
   }
   if (const auto* shift = std::get_if<CattaneoShift>(&start)) {
-    start_from_shift({shift->force});
+    try {
+      start_from_shift({shift->force});
+    } catch (const BadParameter& error) {
+      if (error.key() != "load.force") throw;
+      throw BadParameter(shift->key, std::string(shift->key) +
+                                         std::string(error.what()).substr(error.key().size()));
+    }
   } else {
     const auto* traction = std::get_if<VectorXd>(&start);
     start_from(traction != nullptr ? *traction : VectorXd::Zero(problem.grid.size()));

@@ -157,9 +157,11 @@ Start read_start(Scene& scene, const TransientProblem& problem, const Load& load
       return traction_at_nodes(columns[0], columns[1], problem);
     });
   }
+  const bool given = scene.has("start.force");
   const auto* force = std::get_if<PrescribedForce>(&load);
-  return CattaneoShift{force == nullptr ? scene.number("start.force")
-                                        : scene.number("start.force", force->value)};
+  return CattaneoShift{
+      force == nullptr ? scene.number("start.force") : scene.number("start.force", force->value),
+      given ? "start.force" : "load.force"};
 }
 
 double exact_edge_displacement(const SteadyProblem& problem) {
@@ -197,8 +199,7 @@ SteadyProblem read_steady(Scene& scene) {
   }
   if (edge == "trimmed") {
     if (problem.basis.name() != "linear") {
-      throw std::invalid_argument("basis = '" + problem.basis.name() +
-                                  "': expected linear where the last function is trimmed");
+      reject("basis", problem.basis.name(), "linear where the last function is trimmed");
     }
     problem.basis = trimmed_linear_basis(problem.grid.leading_offset());
   }

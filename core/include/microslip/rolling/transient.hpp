@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <optional>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -39,7 +40,8 @@ struct Rest {};
 
 /// A shift without rolling, from no tractions, until the bodies carry a force.
 struct CattaneoShift {
-  double force;  ///< less in absolute value than full sliding  [N/mm]
+  double force;                         ///< less in absolute value than full sliding  [N/mm]
+  std::string_view key = "load.force";  ///< which gave it, for messages
 };
 
 /// The last are tractions at the N nodes, nowhere above the bound by more than 1e-3 of the largest:
