@@ -6,14 +6,16 @@
 
 namespace microslip::fuzz {
 
-/// Reads a scene as each of the models; nothing is solved but for what a model itself needs.
+/// Reads a scene as each of the models; nothing is solved except for what a model itself needs.
 inline void read_models(const Scene& scene) {
   const auto read_by = [&](auto read) {
     accepts_or_rejects([&] {
       Scene copy = scene;
-      if (copy.has("problem")) copy.word("problem", {"steady", "transient", "cylinder"});
-      read(copy);
-      copy.reject_unread();
+      with_places(copy, [&] {
+        if (copy.has("problem")) copy.word("problem", {"steady", "transient", "cylinder"});
+        read(copy);
+        copy.reject_unread();
+      });
     });
   };
   read_by([](Scene& from) { read_steady(from); });

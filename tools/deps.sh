@@ -12,7 +12,7 @@ needs() {
 g++ g++
 cmake cmake
 libeigen3-dev /usr/include/eigen3/Eigen/Core
-libboost-dev /usr/include/boost/property_tree/info_parser.hpp
+libboost-dev /usr/include/boost/algorithm/string/replace.hpp
 libboost-program-options-dev /usr/include/boost/program_options.hpp
 libgsl-dev /usr/include/gsl/gsl_integration.h
 libfftw3-dev /usr/include/fftw3.h

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <stdexcept>
 #include <string>
 
 #include "microslip/experiments/scene_tables.hpp"
@@ -7,6 +6,7 @@
 #include "microslip/program/memory.hpp"
 #include "microslip/program/sweep.hpp"
 #include "microslip/scene/cost.hpp"
+#include "microslip/support/require.hpp"
 #include "templates.hpp"
 
 namespace {
@@ -17,8 +17,8 @@ using namespace microslip;
 void reject_sweep(const Scene& scene) {
   for (const std::string& key : scene.keys()) {
     if (!key.starts_with("sweep.")) continue;
-    throw std::invalid_argument("key '" + key + "': expected a scene without a sweep; for many " +
-                                "see 'microslip sweep --help'");
+    throw BadParameter(key, "key '" + key + "': expected a scene without a sweep; for many see " +
+                                "'microslip sweep --help'");
   }
 }
 

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/carter.hpp"
 
-#include <stdexcept>
-
 #include "microslip/experiments/claims.hpp"
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/profile.hpp"
 #include "microslip/reference/carter.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip::experiments {
 
@@ -85,8 +84,9 @@ Table claims_of(const Table& summary, const Table& accuracy) {
 
 CarterParameters read_carter(Scene& scene) {
   if (scene.has("contact.bound_file")) {
-    throw std::invalid_argument("contact.bound_file: Carter's solution is for a Hertzian bound; " +
-                                std::string("expected contact.peak_traction"));
+    throw BadParameter("contact.bound_file",
+                       "contact.bound_file: Carter's solution is for a Hertzian bound; expected "
+                       "contact.peak_traction");
   }
   const std::vector<double> step_ratios = scene.numbers("step.ratios");
   return {.problem = read_steady(scene, Differences{}),

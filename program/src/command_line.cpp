@@ -117,8 +117,8 @@ Scene read_scene(const Program& program, const Given& given) {
                                 " scene.info'; see --help");
   }
   Scene scene = given.count("scene") != 0 ? parse_file(given["scene"].as<std::string>())
-                                          : parse_text(program.scene, "built-in scene");
-  if (given.count("quick") != 0) scene.overlay(parse_text(program.quick, "built-in quick scene"));
+                                          : parse_text(program.scene, "built-in study.info");
+  if (given.count("quick") != 0) scene.overlay(parse_text(program.quick, "built-in quick.info"));
   for (const std::string& assignment : given["set"].as<std::vector<std::string>>()) {
     scene.set(assignment);
   }

@@ -102,13 +102,17 @@ Foreseen foresee(const Scene& read, const std::function<Preview(Scene&)>& previe
   const std::vector<std::string> keys = read.keys();
   const bool is_swept =
       std::ranges::any_of(keys, [](const std::string& key) { return key.starts_with("sweep."); });
-  const auto sweep = is_swept ? std::make_optional<Sweep>(read) : std::nullopt;
+  const auto sweep =
+      with_places(read, [&] { return is_swept ? std::make_optional<Sweep>(read) : std::nullopt; });
   Foreseen all;
   all.cases = sweep ? sweep->size() : 1;
   for (std::size_t i = 0; i < all.cases; ++i) {
     Scene scene = sweep ? sweep->scene(i) : read;
-    const Preview seen = preview(scene);
-    scene.reject_unread();
+    const Preview seen = with_places(scene, [&] {
+      const Preview of_scene = preview(scene);
+      scene.reject_unread();
+      return of_scene;
+    });
     if (i == 0) print_scene(scene, seen, is_swept, all.cases);
     all.work += seen.work;
     all.memory = std::max(all.memory, seen.memory);

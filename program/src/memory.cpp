@@ -9,7 +9,8 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
+
+#include "microslip/support/require.hpp"
 
 namespace microslip::program {
 
@@ -67,7 +68,7 @@ double available_memory() {
 void require_memory(const std::string& key, Eigen::Index value, double bytes) {
   const double available = available_memory();
   if (bytes <= available) return;
-  throw std::invalid_argument(key + " = " + std::to_string(value) + ": would take about " +
+  throw BadParameter(key, key + " = " + std::to_string(value) + ": would take about " +
                               gigabytes(bytes) + ", and " + gigabytes(available) +
                               " are available");
 }

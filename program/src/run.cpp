@@ -45,11 +45,14 @@ void run_scene(const Program& program, Scene& scene, const Given& given, int arg
   const auto start = std::chrono::steady_clock::now();
   Interrupts interrupts(program.name + ": interrupted, nothing is written");
   const std::string out = given["out"].as<std::string>();
-  const auto work = program.prepare(scene);
-  scene.reject_unread();
+  const auto work = with_places(scene, [&] {
+    Work prepared = program.prepare(scene);
+    scene.reject_unread();
+    return prepared;
+  });
   require_writable(out);
-  const std::vector<Table> tables =
-      work(progress_on_terminal(program.name, given.count("quiet") != 0));
+  const std::vector<Table> tables = with_places(
+      scene, [&] { return work(progress_on_terminal(program.name, given.count("quiet") != 0)); });
   std::vector<OutputFile> files;
   for (const Table& table : tables) {
     files.push_back(output_of(table, program.name, scene.origin()));

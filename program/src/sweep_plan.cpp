@@ -30,7 +30,7 @@ Table table_of(const Sweep& sweep) {
   return table;
 }
 
-Case read_case(const Program& program, Scene scene) {
+Case read_case(const Program& program, Scene& scene) {
   try {
     const Work work = program.prepare(scene);
     scene.reject_unread();
@@ -61,13 +61,19 @@ SweepPlan plan_of(const Program& program, Scene scene) {
     checksums.emplace("checksum of " + path.substr(path.find_last_of('/') + 1), checksum(text));
     return text;
   });
-  const Sweep sweep(std::move(scene));
+  const Sweep sweep = with_places(scene, [&] { return Sweep(scene); });
   SweepPlan plan{.table = table_of(sweep), .common = {}, .cases = {}};
   for (std::size_t i = 0; i < sweep.size(); ++i) {
+    Scene one = sweep.scene(i);
+    const auto fail = [&](const std::string& place, const std::exception& error) {
+      throw std::invalid_argument(place + case_label(plan.table, i) + ": " + error.what());
+    };
     try {
-      plan.cases.push_back(read_case(program, sweep.scene(i)));
+      plan.cases.push_back(read_case(program, one));
+    } catch (const BadParameter& error) {
+      fail(one.place_of(error.key()), error);
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(case_label(plan.table, i) + ": " + error.what());
+      fail("", error);
     }
   }
   plan.common = common_of(plan.cases);

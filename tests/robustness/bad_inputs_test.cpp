@@ -72,7 +72,7 @@ class BadInputs : public Executables {
   void expect_rejected_bounds(const std::vector<BadInput>& list) const {
     for (const BadInput& bad : list) {
       std::ofstream(folder_ / "bound.tsv") << bad.text;
-      const BadInput file{bad.what, "", "contact.bound_file = 'bound.tsv': " + bad.says};
+      const BadInput file{bad.what, "", "SCENE:5: contact.bound_file = 'bound.tsv': " + bad.says};
       expect_answer(file, run_program("microslip", "", bound_scene(), ""));
     }
   }
@@ -164,48 +164,85 @@ TEST_F(BadInputs, Scenes) {
   expect_rejected_scenes(
       {{"empty", "", "missing key 'problem'"},
        {"only a comment", "; nothing", "missing key 'problem'"},
-       {"a section that does not end", "grid { elements 20", "SCENE: line 1: unmatched {"},
-       {"a section that does not begin", "a 1\n}", "SCENE: line 2: unmatched }"},
-       {"a string that does not end", "a 1\nb \"x\n", "SCENE: line 2: unexpected end of line"},
-       {"an unknown escape", "a \"\\q\"", "SCENE: line 1: unknown escape sequence"},
+       {"a section that does not end", "grid { elements 20", "SCENE:1: unmatched {"},
+       {"a section that does not begin", "a 1\n}", "SCENE:2: unmatched }"},
+       {"a string that does not end", "a 1\nb \"x\n", "SCENE:2: unexpected end of line"},
+       {"an unknown escape", "a \"\\q\"", "SCENE:1: unknown escape sequence"},
        {"a key that is there", "grid { elements 20 }\ngrid { elements 21 }",
-        "SCENE: key 'grid.elements' is given twice"},
+        "SCENE:2: key 'grid.elements' is given twice, first in line 1"},
        {"a value and keys", "grid 5 { elements 20 }",
-        "SCENE: key 'grid' has both a value and keys below it"},
-       {"a comment of shells", "problem steady\n # steady\n",
-        "SCENE: line 2: '# steady': " + directive},
+        "SCENE:1: key 'grid' has both a value and keys below it"},
+       {"a comment of shells", "problem steady\n # steady\n", "SCENE:2: '# steady': " + directive},
        {"another file", "#include \"/etc/passwd\"\n",
-        "SCENE: line 1: '#include \"/etc/passwd\"': " + directive},
+        "SCENE:1: '#include \"/etc/passwd\"': " + directive},
        {"an endless tower of itself", "#include \"" + scene_file().string() + "\"",
-        "SCENE: line 1: '#include \"SCENE\"': " + directive},
-       {"nested deeply", repeated("a {", 100000), "SCENE: expected at most 1000 sections, { ... }"},
+        "SCENE:1: '#include \"SCENE\"': " + directive},
+       {"nested deeply", repeated("a {", 100000),
+        "SCENE:1: key '" + repeated("a.", 80) +
+            "... (201 characters)': expected at most 200 characters"},
        {"nested for long names", repeated("abc {", 100) + "b 1\n" + repeated("}", 100),
-        "SCENE: key '" + repeated("abc.", 40) +
+        "SCENE:1: key '" + repeated("abc.", 40) +
             "... (203 characters)': expected at most 200 characters"},
        {"UTF-16", utf16(good_scene), "--scene SCENE: line 1: expected text in UTF-8, not UTF-16"},
        {"a NUL byte", "a 1\nb x" + std::string(1, '\0') + "y",
         "--scene SCENE: line 2: expected text in UTF-8, not a NUL byte"},
        {"a NUL byte, escaped", "a \"x\\0y\"",
-        "SCENE: a = 'x\\x00y': expected no control characters"},
+        "SCENE:1: a = 'x\\x00y': expected no control characters"},
        {"a line's end in a value", "a \"x\\ny\"",
-        "SCENE: a = 'x\\x0ay': expected no control characters"},
+        "SCENE:1: a = 'x\\x0ay': expected no control characters"},
        {"a terminal's commands in a key", "\"\\b\\b\" 1",
-        "SCENE: key '\\x08\\x08': expected no control characters"},
+        "SCENE:1: key '\\x08\\x08': expected no control characters"},
        {"a key of Latin-1", "problem steady\nl\xE4nge 1\n" + good_contact + "load { creepage 1 }",
-        "unknown key 'l\\xe4nge'; known to this model: problem, method, leading_edge, "
+        "SCENE:2: unknown key 'l\\xe4nge'; known to this model: problem, method, leading_edge, "
         "material.shear_modulus, material.poisson_ratio, contact.half_width, "
         "contact.peak_traction, kernel.type, kernel.width, grid.elements, basis, load.creepage, "
         "solver.type, solver.tolerance, "
         "solver.violation, "
         "solver.condition"},
        {"a long value", "problem " + repeated("x", 1000000),
-        "problem = '" + repeated("x", 160) +
+        "SCENE:1: problem = '" + repeated("x", 160) +
             "... (1000000 characters)': expected steady or transient or cylinder"},
        {"a long key", repeated("x", 1000000) + " 1",
-        "SCENE: key '" + repeated("x", 160) +
+        "SCENE:1: key '" + repeated("x", 160) +
             "... (1000000 characters)': expected at most 200 characters"},
        {"too much", repeated("; a comment\n", 100000),
         "--scene SCENE: expected at most 1048576 bytes"}});
+}
+
+// Whatever is about a key of the scene begins with its file and line, and nothing else does.
+TEST_F(BadInputs, PlacesOfKeys) {
+  expect_rejected_scenes(
+      {{"no number", replaced(good_scene, "width 40", "width x"),
+        "SCENE:7: kernel.width = 'x': expected a finite number"},
+       {"with another line's end",
+        replaced(replaced(good_scene, "width 40", "width x"), "\n", "\r\n"),
+        "SCENE:7: kernel.width = 'x': expected a finite number"},
+       {"of a value that a model rejects", replaced(good_scene, "width 40", "width -1"),
+        "SCENE:7: kernel.width = -1: expected a number > 0"},
+       {"misspelt, and so missing", replaced(good_scene, "poisson_ratio", "poison_ratio"),
+        "SCENE:3: missing key 'material.poisson_ratio' (did you mean 'material.poison_ratio'?)"},
+       {"one of two", good_scene + "load { force -1 }\n",
+        "SCENE:10: expected only one of 'load.creepage' and 'load.force'"},
+       {"without a role", good_scene + "\nstep { ratio 1 }\n",
+        "SCENE:11: key 'step.ratio' has no role here: it is for leading_edge standard, exact or "
+        "trimmed, or problem transient or cylinder; known to this model: problem, method, "
+        "leading_edge, material.shear_modulus, material.poisson_ratio, contact.half_width, "
+        "contact.peak_traction, kernel.type, kernel.width, grid.elements, basis, load.creepage, "
+        "solver.type, solver.tolerance, solver.violation, solver.condition"},
+       {"for a sweep", good_scene + "sweep { basis \"constant\" }",
+        "SCENE:10: key 'sweep.basis': expected a scene without a sweep; for many see 'microslip "
+        "sweep --help'"}});
+  const std::string set = "--set kernel.type=sphere";
+  expect_answer(
+      {"of a key that --set gives", "", "kernel.type = 'sphere': expected strip or plane"},
+      run_program("microslip", "", good_scene, set));
+  expect_answer(
+      {"in a case of a sweep", "",
+       "SCENE:11: case 2 of 2 (basis = cubic): basis = 'cubic': expected constant or "
+       "linear or quadratic"},
+      run_program("microslip", "sweep", good_scene + "sweep {\n basis \"constant cubic\" }", ""));
+  expect_answer({"of a list", "", "SCENE:10: sweep.basis = '': expected at least one value"},
+                run_program("microslip", "sweep", good_scene + "sweep { basis }", ""));
 }
 
 TEST_F(BadInputs, ScenesThatAreAccepted) {

@@ -284,7 +284,13 @@ TEST_F(BadScenes, Transients) {
   expect_rejected(good_transient, "--set start.type=hertz", "start.type = 'hertz': expected rest");
   expect_rejected(good_transient, "--set start.type=rest --set start.force=1",
                   "key 'start.force' has no role here");
-  expect_rejected(good_transient, "--set start.force=-2", "force = -2: expected an absolute value");
+  expect_rejected(good_transient, "--set start.force=-2",
+                  "microslip: start.force = -2: expected an absolute value");
+  expect_rejected(good_transient + "start { force -2 }", "",
+                  "scene.info:14: start.force = -2: expected an absolute value");
+  std::string slides = good_transient;
+  slides.replace(slides.find("force -1"), 8, "force -2");
+  expect_rejected(slides, "", "scene.info:13: load.force = -2: expected an absolute value");
   expect_rejected(good_transient, "--set load.force= --set load.creepage=0.1",
                   "missing key 'start.force'");
   expect_rejected(good_transient, "--set step.ratio=", "missing key 'step.ratio'");

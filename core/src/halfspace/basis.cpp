@@ -88,8 +88,7 @@ std::vector<std::string_view> basis_names() {
 Basis make_basis(std::string_view name) {
   const auto found = std::ranges::find(bases(), name, &Basis::name);
   if (found != bases().end()) return *found;
-  throw std::invalid_argument("basis = " + std::string(name) + ": expected " +
-                              joined(basis_names(), " or "));
+  reject("basis", name, joined(basis_names(), " or "));
 }
 
 }  // namespace microslip

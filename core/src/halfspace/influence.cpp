@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
-#include <stdexcept>
 #include <vector>
 
 #include "microslip/support/require.hpp"
@@ -208,8 +207,9 @@ SquareMatrix arranged(const Basis& basis, Eigen::Index n, const Solver& solver,
 bool by_fft(const Solver& solver, const Basis& basis, Eigen::Index n) {
   const bool equal = basis.shapes().size() == 1;
   if (!equal && solver.type == Solver::Type::fft) {
-    throw std::invalid_argument("solver.type = 'fft': expected auto or dense for basis = '" +
-                                basis.name() + "', the functions of which are not all equal");
+    reject("solver.type", "fft",
+           "auto or dense for basis = '" + basis.name() +
+               "', the functions of which are not all equal");
   }
   return equal && by_fft(solver, n);
 }

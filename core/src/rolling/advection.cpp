@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/rolling/advection.hpp"
 
-#include <stdexcept>
 #include <utility>
 
 #include "microslip/halfspace/influence.hpp"
@@ -39,8 +38,7 @@ Advection::Advection(Kernel kernel, Basis basis, double spacing, Index elements,
   require(relaxation >= min_step_ratio, "step.relaxation", relaxation, "a number >= 1e-15");
   if (!std::holds_alternative<Fractional>(scheme)) return;
   if (basis_.shapes().size() != 1) {
-    throw std::invalid_argument("basis = '" + basis_.name() +
-                                "': expected equal functions at all nodes for fractional powers");
+    reject("basis", basis_.name(), "equal functions at all nodes for fractional powers");
   }
   shift_.emplace(kernel_, basis_.shapes().front(), spacing, elements);
 }

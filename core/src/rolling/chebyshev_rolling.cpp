@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 #include "microslip/support/not_converged.hpp"
@@ -37,7 +36,8 @@ constexpr double ten_digits = 1e-10;
 ChebyshevField field_of(const Kernel& kernel, const TractionBound& bound) {
   const auto traction = chebyshev_traction(bound);
   if (!traction) {
-    throw std::invalid_argument(
+    throw BadParameter(
+        "contact.bound_file",
         "contact.bound_file: expected contact.peak_traction or contact.bound_polynomial, because "
         "Chebyshev collocation wants a smooth bound");
   }

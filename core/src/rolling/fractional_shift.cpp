@@ -5,7 +5,6 @@
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/support/not_converged.hpp"
@@ -160,11 +159,10 @@ FractionalShift::FractionalShift(const Kernel& kernel, const ShapeFunction& shap
     return influence(kernel, shape, spacing, static_cast<double>(k));
   }));
   if (has_negative_eigenvalue(outflow_)) {
-    throw std::invalid_argument(
-        "step.scheme = 'fractional': expected another scheme, or in plane strain a kernel.length "
-        "of "
-        "at least 3.8 half-widths: the displacement is negative far from a load here, and so is an "
-        "eigenvalue of the shift by an element, the fractional powers of which are complex");
+    reject("step.scheme", "fractional",
+           "another scheme, or in plane strain a kernel.length of at least 3.8 half-widths: the "
+           "displacement is negative far from a load here, and so is an eigenvalue of the shift by "
+           "an element, the fractional powers of which are complex");
   }
 }
 

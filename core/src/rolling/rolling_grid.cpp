@@ -2,11 +2,11 @@
 #include "rolling_grid.hpp"
 
 #include <cmath>
-#include <stdexcept>
 #include <variant>
 
 #include "contact_grid.hpp"
 #include "material_grid.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip {
 
@@ -54,8 +54,7 @@ std::unique_ptr<RollingGrid> rolling_grid(const TransientProblem& problem) {
     return std::make_unique<ContactGrid>(problem);
   }
   if (problem.basis.name() != "constant") {
-    throw std::invalid_argument("basis = '" + problem.basis.name() +
-                                "': expected constant on a grid that is fixed to the material");
+    reject("basis", problem.basis.name(), "constant on a grid that is fixed to the material");
   }
   return std::make_unique<MaterialGrid>(problem);
 }

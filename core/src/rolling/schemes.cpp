@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "microslip/rolling/chebyshev_rolling.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip {
 
@@ -26,8 +27,7 @@ void know_the_edge(SteadyProblem& problem) {
 
 void trim_the_last(SteadyProblem& problem) {
   if (problem.basis.name() != "linear") {
-    throw std::invalid_argument("basis = '" + problem.basis.name() +
-                                "': expected linear where the last function is trimmed");
+    reject("basis", problem.basis.name(), "linear where the last function is trimmed");
   }
   problem.basis = trimmed_linear_basis(problem.grid.leading_offset());
 }

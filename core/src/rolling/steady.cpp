@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/chebyshev_rolling.hpp"
@@ -34,9 +33,8 @@ SquareMatrix strain_of(const SteadyProblem& problem, const Differences& differen
     return strain_operator(kernel, basis, dx, n, differences.step_ratio, solver);
   }
   if (solver.type == Solver::Type::fft) {
-    throw std::invalid_argument(
-        "solver.type = 'fft': expected auto or dense where the displacement at the leading edge is "
-        "known");
+    reject("solver.type", "fft",
+           "auto or dense where the displacement at the leading edge is known");
   }
   require_dense(n);
   Eigen::MatrixXd strain =

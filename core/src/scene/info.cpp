@@ -2,13 +2,9 @@
 #include "info.hpp"
 
 #include <algorithm>
-#include <boost/property_tree/info_parser.hpp>
-#include <boost/property_tree/ptree.hpp>
-#include <sstream>
 #include <stdexcept>
-#include <vector>
+#include <string_view>
 
-#include "microslip/scene/scene.hpp"
 #include "microslip/scene/units.hpp"
 #include "microslip/support/shown.hpp"
 #include "number.hpp"
@@ -17,131 +13,199 @@ namespace microslip {
 
 namespace {
 
-using Tree = boost::property_tree::ptree;
-using Store = std::function<bool(const std::string&, const std::string&)>;
+constexpr std::string_view blanks = " \t\v\f\r";
+constexpr std::string_view blanks_and_comment = " \t\v\f\r;";
 
-constexpr const char* blanks = " \t\v\f\r";
+constexpr std::string_view ends_words = "{}\";";
 
-/// Trees are taken down recursively.
-constexpr std::ptrdiff_t most_sections = 1000;
+/// Of a unit; a longer line is searched no further.
+constexpr std::size_t most_words = 16;
 
-/// Rejects what Boost's reader of INFO would take: files that are included, and nesting of any
-/// depth. In INFO, whatever begins with # is a directive.
-void require_plain(const std::string& line, int number) {
-  const std::size_t first = line.find_first_not_of(blanks);
-  if (first == std::string::npos || line[first] != '#') return;
-  throw std::invalid_argument("line " + std::to_string(number) + ": '" + shown(line.substr(first)) +
-                              "': expected ; before comments, and no other files");
+[[noreturn]] void fail(const std::string& what) { throw std::invalid_argument(what); }
+
+std::string unescaped(std::string_view raw) {
+  constexpr std::string_view letters("0abfnrtv\"'\\");
+  constexpr std::string_view meant("\0\a\b\f\n\r\t\v\"'\\", letters.size());
+  std::string text;
+  for (std::size_t i = 0; i < raw.size(); ++i) {
+    if (raw[i] == '\\') {
+      if (++i == raw.size()) fail("character expected after backslash");
+      const std::size_t at = letters.find(raw[i]);
+      if (at == std::string_view::npos) fail("unknown escape sequence");
+      text += meant[at];
+    } else {
+      text += raw[i];
+    }
+  }
+  return text;
 }
 
-/// A word of a line, or a string in quotes.
-struct Token {
-  std::size_t begin;
-  std::size_t end;
+/// What is left of a line.
+class Rest {
+ public:
+  explicit Rest(std::string_view line) : text_(line) {}
+
+  /// The next character that is no blank; a semicolon at the end, too.
+  char next() {
+    text_.remove_prefix(std::min(text_.size(), text_.find_first_not_of(blanks)));
+    return text_.empty() ? ';' : text_.front();
+  }
+
+  std::string_view all() const { return text_; }
+
+  std::string_view take(std::size_t length) {
+    const std::string_view taken = text_.substr(0, length);
+    text_.remove_prefix(taken.size());
+    return taken;
+  }
+
+  std::string_view word() { return take(text_.find_first_of(blanks_and_comment)); }
+
+  /// Without its quotes.
+  std::string_view quoted() {
+    std::size_t end = 1;
+    while (end < text_.size() && text_[end] != '"') end += text_[end] == '\\' ? 2 : 1;
+    if (end >= text_.size()) fail("unexpected end of line");
+    return take(end + 1).substr(1, end - 1);
+  }
+
+  /// A word, and if that is a number, the words behind it that are its unit; one that is alone is
+  /// meant as one.
+  std::string_view word_with_unit() {
+    const std::string_view from = text_;
+    if (!finite_number(word())) return from.substr(0, from.size() - text_.size());
+    Rest behind = *this;
+    std::vector<Rest> ends{*this};
+    while (ends.size() <= most_words && ends_words.find(behind.next()) == std::string_view::npos) {
+      behind.word();
+      ends.push_back(behind);
+    }
+    next();
+    const auto unit_to = [&](const Rest& end) {
+      return text_.substr(0, text_.size() - end.text_.size());
+    };
+    std::size_t words = ends.size() - 1;
+    while (words > 0 && !is_unit(unit_to(ends[words]))) --words;
+    if (ends.size() == 2) words = 1;
+    *this = ends[words];
+    return from.substr(0, from.size() - text_.size());
+  }
+
+ private:
+  std::string_view text_;
 };
 
-/// Up to a comment, or a string that ends in another line.
-std::vector<Token> tokens_of(const std::string& line) {
-  std::vector<Token> tokens;
-  std::size_t at = line.find_first_not_of(blanks);
-  while (at != std::string::npos && line[at] != ';') {
-    std::size_t end = at + 1;
-    if (line[at] == '"') {
-      while (end < line.size() && line[end] != '"') end += line[end] == '\\' ? 2 : 1;
-      if (end >= line.size()) break;
-      ++end;
-    } else {
-      end = std::min(line.size(), line.find_first_of(std::string(blanks) + ';', at));
+class InfoReader {
+ public:
+  std::vector<InfoEntry> read(std::string_view text) {
+    for (line_ = 1; !text.empty(); ++line_) {
+      const std::size_t end = std::min(text.size(), text.find('\n'));
+      read_line(Rest(text.substr(0, end)));
+      text.remove_prefix(std::min(text.size(), end + 1));
     }
-    tokens.push_back({at, end});
-    at = line.find_first_not_of(blanks, end);
+    if (!open_.empty()) {
+      line_ = open_.back().line;
+      fail("unmatched {");
+    }
+    return std::move(entries_);
   }
-  return tokens;
-}
 
-/// How many of the words after a number are its unit; one that is alone is meant as one.
-std::size_t words_of_unit(const std::string& line, const std::vector<Token>& tokens,
-                          std::size_t first) {
-  std::size_t end = first;
-  while (end < tokens.size() &&
-         std::string("{}\"").find(line[tokens[end].begin]) == std::string::npos) {
-    ++end;
-  }
-  for (std::size_t count = end - first; count > 0; --count) {
-    const std::size_t begin = tokens[first].begin;
-    if (is_unit(line.substr(begin, tokens[first + count - 1].end - begin))) return count;
-  }
-  return end - first == 1 ? 1 : 0;
-}
+  /// That is being read, or that is wrong.
+  int line() const { return line_; }
 
-/// `half_width 1 mm` as `half_width "1 mm"`: in INFO, the next word would be the next key.
-std::string with_quoted_units(const std::string& line) {
-  const std::vector<Token> tokens = tokens_of(line);
-  std::string quoted;
-  std::size_t done = 0;
-  for (std::size_t i = 1; i + 1 < tokens.size(); ++i) {
-    const auto [begin, end] = tokens[i];
-    if (!finite_number(std::string_view(line).substr(begin, end - begin))) continue;
-    const std::size_t words = words_of_unit(line, tokens, i + 1);
-    if (words == 0) continue;
-    i += words;
-    quoted +=
-        line.substr(done, begin - done) + '"' + line.substr(begin, tokens[i].end - begin) + '"';
-    done = tokens[i].end;
-  }
-  return quoted + line.substr(done);
-}
+ private:
+  struct Section {
+    std::string key;
+    std::size_t before;  ///< entries
+    int line;
+  };
 
-void flatten(const Tree& tree, const std::string& prefix, const Store& store) {
-  for (const auto& [name, child] : tree) {
-    const std::string key = prefix + name;
+  void read_line(Rest rest) {
+    if (rest.next() == '#') {
+      fail("'" + shown(rest.all()) + "': expected ; before comments, and no other files");
+    }
+    wants_value_ = false;
+    while (rest.next() != ';') {
+      if (goes_on_) {
+        if (rest.next() != '"') fail("expected \" after \\ in previous line");
+        entries_.back().text += value(rest);
+      } else if (rest.next() == '{') {
+        rest.take(1);
+        open_section();
+      } else if (rest.next() == '}') {
+        rest.take(1);
+        close_section();
+      } else if (wants_value_) {
+        entries_.back().text = value(rest);
+        wants_value_ = false;
+      } else {
+        add_key(unescaped(rest.next() == '"' ? rest.quoted() : rest.word()));
+      }
+    }
+  }
+
+  void add_key(const std::string& name) {
+    const std::string key = open_.empty() ? name : open_.back().key + '.' + name;
     require_short(key);
-    if (!child.data().empty() && !child.empty()) {
-      throw std::invalid_argument("key '" + shown(key) + "' has both a value and keys below it");
-    }
-    if (!child.empty()) {
-      flatten(child, key + ".", store);
-    } else if (!store(key, child.data())) {
-      throw std::invalid_argument("key '" + shown(key) + "' is given twice");
-    }
+    entries_.push_back({key, "", line_});
+    may_open_ = wants_value_ = true;
   }
-}
 
-Tree tree_of(const std::string& text) {
-  std::istringstream lines(text);
-  std::string plain;
-  int number = 1;
-  for (std::string line; std::getline(lines, line); ++number) {
-    require_plain(line, number);
-    plain += with_quoted_units(line);
-    if (!lines.eof()) plain += '\n';
+  std::string value(Rest& rest) {
+    if (rest.next() != '"') return unescaped(rest.word_with_unit());
+    const std::string text = unescaped(rest.quoted());
+    goes_on_ = rest.next() == '\\';
+    if (goes_on_) {
+      rest.take(1);
+      if (rest.next() != ';') fail("expected end of line after \\");
+    }
+    return text;
   }
-  Tree tree;
-  std::istringstream in(plain);
-  boost::property_tree::read_info(in, tree);
-  return tree;
-}
+
+  void open_section() {
+    if (!may_open_) fail("unexpected {");
+    const InfoEntry& last = entries_.back();
+    if (!last.text.empty()) {
+      fail("key '" + shown(last.key) + "' has both a value and keys below it");
+    }
+    open_.push_back({last.key, entries_.size() - 1, line_});
+    entries_.pop_back();
+    may_open_ = wants_value_ = false;
+  }
+
+  void close_section() {
+    if (open_.empty()) fail("unmatched }");
+    const Section& closed = open_.back();
+    if (entries_.size() == closed.before) entries_.push_back({closed.key, "", closed.line});
+    open_.pop_back();
+    may_open_ = wants_value_ = false;
+  }
+
+  std::vector<InfoEntry> entries_;
+  std::vector<Section> open_;
+  bool may_open_ = false;     ///< the last key a section
+  bool wants_value_ = false;  ///< in this line
+  bool goes_on_ = false;      ///< the last value, in the next line
+  int line_ = 1;
+};
 
 }  // namespace
 
 void require_short(const std::string& key) {
   if (key.size() <= longest_key) return;
-  throw std::invalid_argument("key '" + shown(key) + "': expected at most " +
-                              std::to_string(longest_key) + " characters");
+  fail("key '" + shown(key) + "': expected at most " + std::to_string(longest_key) + " characters");
 }
 
-void read_info(const std::string& text, const Store& store) {
-  if (text.size() > Scene::most_text) {
-    throw std::invalid_argument("expected at most " + std::to_string(Scene::most_text) + " bytes");
-  }
-  if (std::count(text.begin(), text.end(), '{') > most_sections) {
-    throw std::invalid_argument("expected at most " + std::to_string(most_sections) +
-                                " sections, { ... }");
-  }
+std::string place_in(const std::string& name, int line) {
+  return shown(name) + ":" + std::to_string(line) + ": ";
+}
+
+std::vector<InfoEntry> read_info(const std::string& text, const std::string& name) {
+  InfoReader reader;
   try {
-    flatten(tree_of(text), "", store);
-  } catch (const boost::property_tree::info_parser_error& error) {
-    throw std::invalid_argument("line " + std::to_string(error.line()) + ": " + error.message());
+    return reader.read(text);
+  } catch (const std::invalid_argument& error) {
+    fail(place_in(name, reader.line()) + error.what());
   }
 }
 

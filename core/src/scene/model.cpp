@@ -151,9 +151,14 @@ Start read_start(Scene& scene, const TransientProblem& problem, const Load& load
       return traction_at_nodes(columns[0], columns[1], problem);
     });
   }
-  const auto* force = std::get_if<PrescribedForce>(&load);
-  return CattaneoShift{force == nullptr ? scene.number("start.force")
-                                        : scene.number("start.force", force->value)};
+  const std::string key = scene.has("start.force") ? "start.force" : "load.force";
+  const auto* of_load = std::get_if<PrescribedForce>(&load);
+  const double force = of_load == nullptr ? scene.number("start.force")
+                                          : scene.number("start.force", of_load->value);
+  const double most = full_sliding_force(problem.bound);
+  require(std::abs(force) < most, key, force,
+          [&] { return "an absolute value below full sliding, " + format_short(most); });
+  return CattaneoShift{force};
 }
 
 const SteadyEntry& read_steady_scheme(Scene& scene) {

@@ -24,11 +24,6 @@ namespace {
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
-[[noreturn]] void reject(const std::string& key, const std::string& text,
-                         const std::string& accepted) {
-  throw std::invalid_argument(key + " = '" + shown(text) + "': expected " + accepted);
-}
-
 /// The nearest, or one of the same name in another section.
 std::string meant(const std::string& key, const std::vector<std::string>& known) {
   const std::string near = nearest(key, known);
@@ -43,20 +38,36 @@ std::string meant(const std::string& key, const std::vector<std::string>& known)
 }  // namespace
 
 Scene Scene::parse(std::istream& in, const std::string& name, const std::string& folder) {
-  Scene scene;
+  const auto fail = [](const std::string& place, const std::string& what) {
+    throw std::invalid_argument(place + what);
+  };
+  std::string text;
   try {
-    read_info(plain_text({std::istreambuf_iterator<char>(in), {}}),
-              [&](const std::string& key, const std::string& text) {
-                return scene.put(key, text, folder);
-              });
+    text = plain_text({std::istreambuf_iterator<char>(in), {}});
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(name + ": " + error.what());
+    fail(shown(name) + ": ", error.what());
+  }
+  if (text.size() > most_text) {
+    fail(shown(name) + ": ", "expected at most " + std::to_string(most_text) + " bytes");
+  }
+  Scene scene;
+  for (const InfoEntry& entry : read_info(text, name)) {
+    const std::string place = place_in(name, entry.line);
+    if (const auto found = scene.values_.find(entry.key); found != scene.values_.end()) {
+      fail(place, "key '" + shown(entry.key) + "' is given twice, first in line " +
+                      std::to_string(found->second.place.line));
+    }
+    try {
+      scene.put(entry.key, entry.text, {name, entry.line, folder});
+    } catch (const std::invalid_argument& error) {
+      fail(place, error.what());
+    }
   }
   return scene;
 }
 
-/// Replaces the text of a key that is there, at its place. False if it was.
-bool Scene::put(const std::string& key, const std::string& text, const std::string& folder) {
+/// Replaces the text of a key that is there, in the order of the others.
+void Scene::put(const std::string& key, const std::string& text, const Place& place) {
   require_short(key);
   const bool bad_key = std::any_of(key.begin(), key.end(), is_control);
   const auto bad_in_text = [](char c) { return is_control(c) && c != '\t'; };
@@ -65,20 +76,25 @@ bool Scene::put(const std::string& key, const std::string& text, const std::stri
         (bad_key ? "key '" + shown(key) : shown(key) + " = '" + shown(text)) +
         "': expected no control characters");
   }
-  const auto [at, is_new] = values_.try_emplace(key, Value{text, folder, next_place_});
+  const auto [at, is_new] = values_.try_emplace(key, Value{text, place, next_order_});
   if (is_new) {
-    ++next_place_;
+    ++next_order_;
   } else {
     at->second.text = text;
-    at->second.folder = folder;
+    at->second.place = place;
   }
-  return is_new;
+}
+
+std::string Scene::place_of(const std::string& key) const {
+  const auto found = values_.find(key.substr(key.rfind(' ') + 1));
+  if (found == values_.end() || found->second.place.file.empty()) return "";
+  return place_in(found->second.place.file, found->second.place.line);
 }
 
 void Scene::overlay(const Scene& other) {
   for (const std::string& key : other.keys()) {
     const Value& value = other.value(key);
-    put(key, value.text, value.folder);
+    put(key, value.text, value.place);
   }
 }
 
@@ -87,21 +103,21 @@ Scene Scene::take_section(const std::string& section) {
   for (const std::string& key : keys()) {
     if (!key.starts_with(section + '.')) continue;
     const Value& value = values_.at(key);
-    taken.put(key.substr(section.size() + 1), value.text, value.folder);
+    taken.put(key.substr(section.size() + 1), value.text, value.place);
     values_.erase(key);
   }
   return taken;
 }
 
 void Scene::replace(const std::string& key, const std::string& text) {
-  put(key, text, value(key).folder);
+  put(key, text, Place(value(key).place));
 }
 
 std::vector<std::string> Scene::keys() const {
   std::vector<std::string> all;
   for (const auto& [key, value] : values_) all.push_back(key);
   std::sort(all.begin(), all.end(), [&](const std::string& a, const std::string& b) {
-    return values_.at(a).place < values_.at(b).place;
+    return values_.at(a).order < values_.at(b).order;
   });
   return all;
 }
@@ -117,7 +133,7 @@ void Scene::set(std::string_view assignment) {
     remove(key);
   } else {
     values_.erase("sweep." + key);
-    put(key, value, "");
+    put(key, value, {});
   }
 }
 
@@ -136,15 +152,20 @@ void Scene::remove(const std::string& key) {
 const Scene::Value& Scene::value(const std::string& key) const {
   const auto found = values_.find(key);
   if (found != values_.end()) return found->second;
-  throw std::invalid_argument("missing key '" + key + "'" + question(nearest(key, keys())));
+  const std::string near = nearest(key, keys());
+  throw BadParameter(near, "missing key '" + key + "'" + question(near));
 }
 
 bool Scene::has_second(const std::string& first, const std::string& second) const {
   const bool both = has(first) && has(second);
   if (both || (!has(first) && !has(second))) {
-    throw std::invalid_argument(std::string(both ? "expected only one of" : "missing key") + " '" +
-                                first + (both ? "' and '" : "' or '") + second + "'" +
-                                (both ? "" : question(nearest(first, keys()))));
+    const std::string near = both ? "" : nearest(first, keys());
+    throw BadParameter(!both                      ? near
+                       : place_of(second).empty() ? first
+                                                  : second,
+                       std::string(both ? "expected only one of" : "missing key") + " '" + first +
+                           (both ? "' and '" : "' or '") + second + "'" +
+                           (both ? "" : question(near)));
   }
   return has(second);
 }
@@ -213,7 +234,7 @@ std::vector<Eigen::VectorXd> Scene::columns(const std::string& key,
   const Value& file = value(key);
   const std::string& path = file.text;
   if (!read_file_) throw std::invalid_argument("expected no file here");
-  std::istringstream in(read_file_(path.starts_with('/') ? path : file.folder + path));
+  std::istringstream in(read_file_(path.starts_with('/') ? path : file.place.folder + path));
   parameters_.emplace_back(key, path);
   return read_columns(in, names);
 }
@@ -240,11 +261,11 @@ void Scene::reject_unread() const {
   for (const auto& [key, value] : values_) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const Key* elsewhere = find_key(key);
-    throw std::invalid_argument(
-        (elsewhere != nullptr
-             ? "key '" + key + "' has no role here: it is for " + std::string(elsewhere->role)
-             : "unknown key '" + shown(key) + "'" + question(meant(key, known))) +
-        "; known to this model: " + joined(known, ", "));
+    throw BadParameter(
+        key, (elsewhere != nullptr
+                  ? "key '" + key + "' has no role here: it is for " + std::string(elsewhere->role)
+                  : "unknown key '" + shown(key) + "'" + question(meant(key, known))) +
+                 "; known to this model: " + joined(known, ", "));
   }
 }
 

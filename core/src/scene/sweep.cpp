@@ -13,6 +13,7 @@
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/units.hpp"
 #include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
 #include "microslip/support/shown.hpp"
 #include "number.hpp"
 
@@ -21,12 +22,6 @@ namespace microslip {
 namespace {
 
 constexpr int digits = 15;
-
-[[noreturn]] void reject(const std::string& key, const std::string& text,
-                         const std::string& accepted) {
-  throw std::invalid_argument("sweep." + shown(key) + " = '" + shown(text) + "': expected " +
-                              accepted);
-}
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
@@ -104,13 +99,16 @@ std::string without_unit(const std::string& key, const std::string& value) {
 }  // namespace
 
 std::vector<std::string> swept_values(const std::string& key, const std::string& text) {
+  const auto reject_list = [&](const std::string& list, const std::string& accepted) {
+    reject("sweep." + key, list, accepted);
+  };
   const bool has_lists = text.find('|') != std::string::npos;
   std::vector<std::string> values;
   for (const std::string& part : has_lists ? split(text, '|') : words_of(text)) {
     const std::string value = in_one_line(part);
-    if (value.empty()) reject(key, text, "a value on both sides of |");
+    if (value.empty()) reject_list(text, "a value on both sides of |");
     if (values.size() > Sweep::max_cases) {
-      reject(key, text, "at most " + std::to_string(Sweep::max_cases) + " values");
+      reject_list(text, "at most " + std::to_string(Sweep::max_cases) + " values");
     }
     const std::vector<std::string> parts = split(value, ':');
     if (parts.size() == 1 || !finite_number(parts[0])) {
@@ -119,14 +117,15 @@ std::vector<std::string> swept_values(const std::string& key, const std::string&
     }
     const auto expanded = range(parts);
     if (!expanded) {
-      reject(key, value,
-             "first:step:last with a step towards last, or first:logN:last with N >= 2 and both of "
-             "one sign, and at most " +
-                 std::to_string(Sweep::max_cases) + " values");
+      reject_list(
+          value,
+          "first:step:last with a step towards last, or first:logN:last with N >= 2 and both of "
+          "one sign, and at most " +
+              std::to_string(Sweep::max_cases) + " values");
     }
     values.insert(values.end(), expanded->begin(), expanded->end());
   }
-  if (values.empty()) reject(key, text, "at least one value");
+  if (values.empty()) reject_list(text, "at least one value");
   return values;
 }
 
@@ -135,9 +134,9 @@ Sweep::Sweep(Scene scene) : common_(std::move(scene)), section_(common_.take_sec
     keys_.push_back({key, swept_values(key, section_.text(key))});
     size_ *= keys_.back().values.size();
     if (size_ > max_cases) {
-      throw std::invalid_argument("sweep: expected at most " + std::to_string(max_cases) +
-                                  " cases, not " + std::to_string(size_) + " with sweep." +
-                                  shown(key));
+      throw BadParameter("sweep." + key, "sweep: expected at most " + std::to_string(max_cases) +
+                                             " cases, not " + std::to_string(size_) +
+                                             " with sweep." + shown(key));
     }
   }
   if (keys_.empty()) {

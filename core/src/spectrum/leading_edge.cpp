@@ -7,8 +7,8 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <stdexcept>
 
+#include "microslip/support/require.hpp"
 #include "microslip/support/sine.hpp"
 
 namespace microslip {
@@ -93,7 +93,7 @@ double LeadingEdgeConstants::value(Eigen::Index j, double fraction) const {
 LeadingEdgeConstants leading_edge_constants(const Basis& basis) {
   if (basis.name() == "constant") return integrated(constant_less_one);
   if (basis.name() == "linear") return integrated(linear_less_one);
-  throw std::invalid_argument("basis = '" + basis.name() + "': expected constant or linear");
+  reject("basis", basis.name(), "constant or linear");
 }
 
 }  // namespace microslip

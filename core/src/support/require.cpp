@@ -2,10 +2,10 @@
 #include "microslip/support/require.hpp"
 
 #include <cmath>
-#include <stdexcept>
 #include <string>
 
 #include "microslip/support/format.hpp"
+#include "microslip/support/shown.hpp"
 
 namespace microslip {
 
@@ -16,11 +16,16 @@ constexpr double largest_size = 1e50;
 
 }  // namespace
 
+void reject(std::string_view key, std::string_view text, std::string_view accepted) {
+  throw BadParameter(key,
+                     shown(key) + " = '" + shown(text) + "': expected " + std::string(accepted));
+}
+
 void require(bool accepted_by_caller, std::string_view key, double value,
              std::string_view accepted) {
   if (accepted_by_caller && std::isfinite(value)) return;
-  throw std::invalid_argument(std::string(key) + " = " + format_short(value) + ": expected " +
-                              std::string(accepted));
+  throw BadParameter(
+      key, std::string(key) + " = " + format_short(value) + ": expected " + std::string(accepted));
 }
 
 void require_positive(std::string_view key, double value) {

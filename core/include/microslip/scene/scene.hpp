@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "microslip/support/require.hpp"
 #include "microslip/support/shown.hpp"
 
 namespace microslip {
@@ -19,8 +20,9 @@ namespace microslip {
 using Parameters = std::vector<std::pair<std::string, std::string>>;
 
 /// The input of a program: dotted keys with text values, read strictly. Every reader below converts
-/// or throws std::invalid_argument in one line that names the key; keys that nobody asked for are
-/// rejected at the end.
+/// or throws BadParameter, or std::invalid_argument where there is no such key, in one line that
+/// names the key; keys that nobody asked for are rejected at the end. `with_places` adds file and
+/// line.
 class Scene {
  public:
   /// Of bytes; a scene holds some dozens of keys.
@@ -30,8 +32,9 @@ class Scene {
   using FileReader = std::function<std::string(const std::string& path)>;
 
   /// Reads a property tree in INFO format, without its `#include`: at most most_text bytes of
-  /// UTF-8, with lines that end in LF or CRLF. \param name    of the source, for messages \param
-  /// folder  to which relative file names in it refer; ends in '/' unless empty
+  /// UTF-8, with lines that end in LF or CRLF.
+  /// \param name    of the source, for messages
+  /// \param folder  to which relative file names in it refer; ends in '/' unless empty
   static Scene parse(std::istream& in, const std::string& name, const std::string& folder = "");
 
   /// Without one, no key may name a file.
@@ -54,6 +57,10 @@ class Scene {
 
   /// In the order in which they were first given.
   std::vector<std::string> keys() const;
+
+  /// Where a key was given, to stand in front of a message: "scene.info:14: ". Empty if there is no
+  /// such key, or it was `set`.
+  std::string place_of(const std::string& key) const;
 
   /// As it was given. \throws std::invalid_argument if there is no such key
   const std::string& text(const std::string& key) const { return value(key).text; }
@@ -87,7 +94,7 @@ class Scene {
     try {
       return use(columns(key, names));
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(key + " = '" + shown(text(key)) + "': " + error.what());
+      throw BadParameter(key, key + " = '" + shown(text(key)) + "': " + error.what());
     }
   }
 
@@ -109,23 +116,38 @@ class Scene {
   Parameters origin() const;
 
  private:
+  struct Place {
+    std::string file;  ///< empty if there is none
+    int line;
+    std::string folder;
+  };
   struct Value {
     std::string text;
-    std::string folder;
-    std::size_t place;  ///< among all keys, as they were first given
+    Place place;
+    std::size_t order;  ///< among all keys, as they were first given
   };
 
   std::vector<Eigen::VectorXd> columns(const std::string& key,
                                        const std::vector<std::string>& names);
   const Value& value(const std::string& key) const;
-  bool put(const std::string& key, const std::string& text, const std::string& folder);
+  void put(const std::string& key, const std::string& text, const Place& place);
   void remove(const std::string& key);
 
   std::map<std::string, Value> values_;
-  std::size_t next_place_ = 0;
+  std::size_t next_order_ = 0;
   Parameters parameters_;
   std::vector<std::string> warnings_;
   FileReader read_file_;
 };
+
+/// What an action makes of a scene; a message about one of its keys begins with the key's place.
+template <class Action>
+auto with_places(const Scene& scene, Action action) {
+  try {
+    return action();
+  } catch (const BadParameter& error) {
+    throw std::invalid_argument(scene.place_of(error.key()) + error.what());
+  }
+}
 
 }  // namespace microslip

@@ -3,13 +3,32 @@
 
 #include <cmath>
 #include <concepts>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace microslip {
 
+/// A message about a parameter, which knows its name: whoever has the scene adds where it was
+/// given.
+class BadParameter : public std::invalid_argument {
+ public:
+  BadParameter(std::string_view key, const std::string& message)
+      : std::invalid_argument(message), key_(key) {}
+
+  /// As in a scene file; what stands before a blank says which value of it: "largest bound".
+  const std::string& key() const { return key_; }
+
+ private:
+  std::string key_;
+};
+
+/// Rejects a parameter that is a text: "<key> = '<text>': expected <accepted>".
+[[noreturn]] void reject(std::string_view key, std::string_view text, std::string_view accepted);
+
 /// Rejects a parameter with one line: "<key> = <value>: expected <accepted>".
 /// \param key  the parameter's name as in a scene file, e.g. "kernel.width"
-/// \throws     std::invalid_argument if accepted_by_caller is false or the value is not finite
+/// \throws     BadParameter if accepted_by_caller is false or the value is not finite
 void require(bool accepted_by_caller, std::string_view key, double value,
              std::string_view accepted);
 

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The text of a scene, and the places of its keys in it, which messages name.
+#include <gtest/gtest.h>
+
+#include "microslip/scene/scene.hpp"
+#include "microslip/scene/sweep.hpp"
+#include "scene_text.hpp"
+
+namespace microslip {
+namespace {
+
+std::string said(const Scene& scene, const std::function<void(Scene&)>& read) {
+  Scene copy = scene;
+  return message([&] { with_places(copy, [&] { read(copy); }); });
+}
+
+std::string said_of(const std::string& text) {
+  return message([&] { scene_of(text); });
+}
+
+TEST(ScenePlaces, AreLinesOfKeys) {
+  const std::string text =
+      "; a comment\n"
+      "first 1\n"
+      "\n"
+      "outer\n"
+      "{ inner { key \"{ ; }\" } ; }\n"
+      "  after 2 \"quoted key\" \"with \\\" and {\"\n"
+      "}  last \"one \" \\ ; goes on\n"
+      "  ; not yet\n"
+      "  \"two\" empty";
+  std::string crlf;
+  for (const char c : text) crlf += c == '\n' ? "\r\n" : std::string(1, c);
+  for (const std::string& same : {text, crlf, "\xEF\xBB\xBF" + text + "\n"}) {
+    const Scene scene = scene_of(same);
+    EXPECT_EQ(scene.keys(), (std::vector<std::string>{"first", "outer.inner.key", "outer.after",
+                                                      "outer.quoted key", "last", "empty"}));
+    EXPECT_EQ(scene.place_of("first"), "test:2: ");
+    EXPECT_EQ(scene.place_of("outer.inner.key"), "test:5: ");
+    EXPECT_EQ(scene.text("outer.inner.key"), "{ ; }");
+    EXPECT_EQ(scene.place_of("outer.after"), "test:6: ");
+    EXPECT_EQ(scene.text("outer.quoted key"), "with \" and {");
+    EXPECT_EQ(scene.place_of("last"), "test:7: ");
+    EXPECT_EQ(scene.text("last"), "one two");
+    EXPECT_EQ(scene.place_of("empty"), "test:9: ");
+    EXPECT_EQ(scene.place_of("other"), "");
+  }
+}
+
+TEST(ScenePlaces, AreInFrontOfMessages) {
+  const Scene scene = scene_of("a {\n b x\n}\nc 1\n");
+  EXPECT_EQ(said(scene, [](Scene& s) { s.number("a.b"); }),
+            "test:2: a.b = 'x': expected a finite number");
+  EXPECT_EQ(said(scene, [](Scene& s) { s.word("a.b", {"y"}); }), "test:2: a.b = 'x': expected y");
+  EXPECT_EQ(said(scene, [](Scene&) { require_positive("c", -1); }),
+            "test:4: c = -1: expected a number > 0");
+  EXPECT_EQ(said(scene, [](Scene&) { require(false, "least value of c", 1, "more"); }),
+            "test:4: least value of c = 1: expected more");
+  EXPECT_EQ(said(scene, [](Scene&) { require(false, "d", 1, "more"); }), "d = 1: expected more");
+  EXPECT_EQ(said(scene, [](Scene& s) { s.from_columns("c", {"x"}, [](const auto&) {}); }),
+            "test:4: c = '1': expected no file here");
+  EXPECT_EQ(said(scene, [](Scene& s) { s.number("a.bb"); }),
+            "test:2: missing key 'a.bb' (did you mean 'a.b'?)");
+  EXPECT_EQ(said(scene, [](Scene& s) { s.number("nothing.like.it"); }),
+            "missing key 'nothing.like.it'");
+  EXPECT_EQ(said(scene, [](Scene& s) { s.has_second("a.b", "c"); }),
+            "test:4: expected only one of 'a.b' and 'c'");
+}
+
+TEST(ScenePlaces, OfAMisspeltKey) {
+  const Scene scene = scene_of("a 1\n\nb {\n  cc 2 }");
+  EXPECT_EQ(said(scene,
+                 [](Scene& s) {
+                   s.number("a");
+                   s.number("b.c", 1);
+                   s.reject_unread();
+                 }),
+            "test:4: unknown key 'b.cc' (did you mean 'b.c'?); known to this model: a, b.c");
+}
+
+TEST(ScenePlaces, AreThoseOfTheSceneThatWins) {
+  std::istringstream more("\nb x\nc x");
+  Scene scene = scene_of("a x\nb 2\nd x");
+  scene.overlay(Scene::parse(more, "quick.info"));
+  scene.set("c=y");
+  const auto number = [&](const char* key) {
+    return said(scene, [&](Scene& s) { s.number(key); });
+  };
+  EXPECT_EQ(number("a"), "test:1: a = 'x': expected a finite number");
+  EXPECT_EQ(number("b"), "quick.info:2: b = 'x': expected a finite number");
+  EXPECT_EQ(number("c"), "c = 'y': expected a finite number");
+  EXPECT_EQ(said(scene, [](Scene& s) { s.has_second("d", "c"); }),
+            "test:3: expected only one of 'd' and 'c'");
+}
+
+TEST(ScenePlaces, OfASweep) {
+  const Scene scene = scene_of("a 1\nsweep {\n a \"2 x\"\n b \"1:0:2\" }");
+  EXPECT_TRUE(said(scene, [](Scene& s) { Sweep{s}; }).starts_with("test:4: sweep.b = '1:0:2': "));
+  Scene good = scene;
+  good.set("sweep.b=1");
+  EXPECT_EQ(said(Sweep(good).scene(1), [](Scene& s) { s.number("a"); }),
+            "test:3: a = 'x': expected a finite number");
+}
+
+TEST(ScenePlaces, OfTextThatIsNoScene) {
+  EXPECT_EQ(said_of("a 1\nb {\n c {\n }\n"), "test:2: unmatched {");
+  EXPECT_EQ(said_of("a 1\n}"), "test:2: unmatched }");
+  EXPECT_EQ(said_of("a 1\n{"), "test:2: key 'a' has both a value and keys below it");
+  EXPECT_EQ(said_of("\n{ a 1 }"), "test:2: unexpected {");
+  EXPECT_EQ(said_of("a {} { b 1 }"), "test:1: unexpected {");
+  EXPECT_EQ(said_of("a \"x"), "test:1: unexpected end of line");
+  EXPECT_EQ(said_of("a \"x\\\"\n"), "test:1: unexpected end of line");
+  EXPECT_EQ(said_of("a \\q"), "test:1: unknown escape sequence");
+  EXPECT_EQ(said_of("a x\\"), "test:1: character expected after backslash");
+  EXPECT_EQ(said_of("a \"x\" \\ y"), "test:1: expected end of line after \\");
+  EXPECT_EQ(said_of("a \"x\" \\\ny"), "test:2: expected \" after \\ in previous line");
+  EXPECT_EQ(said_of("\n#include \"x\""),
+            "test:2: '#include \"x\"': expected ; before comments, and no other files");
+  EXPECT_EQ(said_of("a {\n b 1\n}\na.b 2"), "test:4: key 'a.b' is given twice, first in line 2");
+  EXPECT_EQ(said_of("\na \"\\a\""), "test:2: a = '\\x07': expected no control characters");
+}
+
+TEST(ScenePlaces, ASectionWithoutKeysIsAKeyWithoutAValue) {
+  const Scene scene = scene_of("a {\n}\nb { c { } d 1 }");
+  EXPECT_EQ(scene.keys(), (std::vector<std::string>{"a", "b.c", "b.d"}));
+  EXPECT_EQ(scene.text("b.c"), "");
+  EXPECT_EQ(scene.place_of("b.c"), "test:3: ");
+}
+
+TEST(ScenePlaces, AUnitNeedsNoQuotes) {
+  const Scene scene = scene_of(
+      "a 1 mm b 2  N s^2 / mm^2 ; kg\nc { d 3 m } e -4e1 x\nf 5 g 6 h\ni 7 kg m \"j\" k\nl 8 ; m");
+  const std::vector<std::pair<std::string, std::string>> values{
+      {"a", "1 mm"}, {"b", "2  N s^2 / mm^2"}, {"c.d", "3 m"}, {"e", "-4e1 x"}, {"f", "5 g"},
+      {"6", "h"},    {"i", "7 kg m"},          {"j", "k"},     {"l", "8"}};
+  for (const auto& [key, text] : values) EXPECT_EQ(scene.text(key), text) << key;
+  EXPECT_EQ(scene.keys().size(), values.size());
+}
+
+}  // namespace
+}  // namespace microslip
