@@ -1,20 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace microslip {
 
-/// A key of the scenes that read_steady, read_transient and read_cylinder take.
+/// Numbers that are accepted, ends included.
+struct Range {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+  bool open = false;  ///< the least itself is not
+};
+
+/// A key of the scenes that read_steady, read_transient and read_cylinder take. This is where words
+/// and defaults are written; the ranges are those that the parts of a model hold their parameters
+/// to (tests/unit/scene_keys_test.cpp). What documents them is made of this by tools/keys.py.
 struct Key {
+  enum class Type { word, number, whole, list, file };
+
   std::string_view name;
-  std::string_view unit;  ///< "1" for words and pure numbers
+  Type type = Type::number;
+  std::string_view unit = "1";  ///< "1" for words and pure numbers
   std::string_view meaning;
-  std::string_view accepted;  ///< and, in brackets, the default
+  std::array<std::string_view, 5> words = {};  ///< the last are empty
+  bool first_is_default = false;               ///< of the words
+  Range range = {};
+  double fallback = std::numeric_limits<double>::quiet_NaN();  ///< NaN if there is no default
+  std::string_view note = "";                                  ///< what else is accepted, and when
   /// Scenes in which the key has a role, as a noun; empty if it has one in all. Others refuse it.
-  std::string_view role;
+  std::string_view role = "";
 };
 
 /// All of them, in the order in which a scene is written.
@@ -25,5 +44,12 @@ const Key* find_key(std::string_view name);
 
 /// Unit of one of these keys; "1" for all others.
 std::string unit_of_key(std::string_view key);
+
+/// Those of a key, without the empty ones.
+std::vector<std::string_view> words_of(const Key& key);
+
+/// Words, range and note of a key, in brackets the default: "0 ... 1 [0.5]".
+/// \param quote  stands around each word
+std::string accepted_by(const Key& key, const std::string& quote = "");
 
 }  // namespace microslip
