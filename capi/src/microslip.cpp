@@ -20,8 +20,8 @@ using microslip::Load;
 using microslip::TransientProblem;
 using microslip::TransientRolling;
 using microslip::TransientState;
-using microslip::capi::given;
 using microslip::capi::guarded;
+using microslip::capi::require_pointer;
 
 struct microslip_rolling {
   explicit microslip_rolling(const TransientProblem& problem)

@@ -196,6 +196,23 @@ TEST_F(Commands, AllKeysAreDocumented) {
   }
 }
 
+TEST_F(Commands, KeysArePrintedForWhoeverReadsThem) {
+  const std::string text = run_in_folder("keys").output;
+  EXPECT_EQ(run_in_folder("keys --format text").output, text);
+  EXPECT_NE(
+      text.find("material.poisson_ratio                combined Poisson ratio nu: 0 ... 0.5\n"),
+      std::string::npos);
+  EXPECT_NE(run_in_folder("keys --format markdown")
+                .output.find("| `kernel.width` | width Δy of the strip | mm | > 0 | `kernel.type` "
+                             "strip |\n"),
+            std::string::npos);
+  EXPECT_NE(run_in_folder("keys --format man")
+                .output.find(".TP\n.B kernel.width\nwidth Dy of the strip (mm). > 0. For "
+                             "kernel.type strip.\n"),
+            std::string::npos);
+  expect_error("keys --format html", "--format 'html': expected text, markdown or man");
+}
+
 // Each key that a run resolves is one of the list, so that explain can say what it means.
 TEST_F(Commands, AllKeysOfRunsAreListed) {
   std::set<std::string> listed;

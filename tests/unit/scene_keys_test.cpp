@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -14,6 +15,8 @@
 #include "good_scene.hpp"
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/model.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/nearest.hpp"
 #include "scene_text.hpp"
 
 namespace microslip {
@@ -168,6 +171,70 @@ TEST(KeysOfScenes, HaveARoleOrAreRefused) {
       }
     }
   }
+}
+
+/// Of the scenes where the key has a role, those that reject a value of it; others have reasons of
+/// their own besides, as a scheme that takes no offsets.
+std::size_t rejecting(const Key& key, double value) {
+  const auto role = std::ranges::find(roles, std::string(key.name), &Role::key);
+  const std::string name(key.name);
+  const auto rejects = [&](const std::string& scene) {
+    const std::string said = answer(with(scenes.at(scene), {name + "=" + format_short(value)}));
+    return said.starts_with(name + " = ");
+  };
+  return static_cast<std::size_t>(std::ranges::count_if(words(role->scenes), rejects));
+}
+
+TEST(KeysOfScenes, HaveTheRangesThatReadersHoldThemTo) {
+  for (const Key& key : keys_of_scenes()) {
+    SCOPED_TRACE(key.name);
+    const auto [least, most, open] = key.range;
+    const double unit = key.type == Key::Type::whole ? 1 : 0;
+    const auto role = std::ranges::find(roles, std::string(key.name), &Role::key);
+    const std::size_t all_scenes = words(role->scenes).size();
+    const auto beside = [&](double value, int side) {
+      return unit > 0 || value == 0 ? value + side * std::max(unit, 1e-9)
+                                    : value * (1 + side * 1e-9);
+    };
+    if (std::isfinite(least)) {
+      EXPECT_GT(rejecting(key, open ? least : beside(least, -1)), 0U);
+      EXPECT_LT(rejecting(key, open ? beside(least, 1) : least), all_scenes);
+    }
+    if (std::isfinite(most)) {
+      EXPECT_GT(rejecting(key, beside(most, 1)), 0U);
+      EXPECT_LT(rejecting(key, most), all_scenes);
+    }
+  }
+}
+
+TEST(KeysOfScenes, HaveTheWordsThatReadersTake) {
+  for (const Key& key : keys_of_scenes()) {
+    SCOPED_TRACE(key.name);
+    EXPECT_EQ(key.type == Key::Type::word, !words_of(key).empty());
+    if (key.type != Key::Type::word) continue;
+    const auto role = std::ranges::find(roles, std::string(key.name), &Role::key);
+    const std::string name(key.name), scene = *words(role->scenes).begin();
+    for (const std::string_view word : words_of(key)) {
+      const std::string said = answer(with(scenes.at(scene), {name + "=" + std::string(word)}));
+      EXPECT_FALSE(said.starts_with(name + " = ")) << said;
+    }
+    EXPECT_EQ(answer(with(scenes.at(scene), {name + "=other"})),
+              name + " = 'other': expected " + joined(words_of(key), " or "));
+  }
+  EXPECT_EQ(words_of(*find_key("basis")), basis_names());
+}
+
+TEST(KeysOfScenes, SayWhatTheyAccept) {
+  const auto said = [](const char* key) { return accepted_by(*find_key(key)); };
+  EXPECT_EQ(said("basis"), "constant, linear, quadratic [constant]; quadratic for odd N");
+  EXPECT_EQ(said("kernel.width"), "> 0");
+  EXPECT_EQ(said("grid.elements"), "1 ... 4 000 000; 20 000 where matrices are dense");
+  EXPECT_EQ(said("grid.leading_offset"), "0 ... 1 [0.5]");
+  EXPECT_EQ(said("solver.violation"), "above 0, at most 1 [0.05]");
+  EXPECT_EQ(said("solver.condition"), ">= 1 [1e13]");
+  EXPECT_EQ(said("step.relaxation"), "at least step.ratio [1]");
+  EXPECT_EQ(said("load.creepage"), "finite");
+  EXPECT_EQ(accepted_by(*find_key("kernel.type"), "`"), "`strip`, `plane`");
 }
 
 TEST(KeysOfScenes, SayWhereTheyHaveARole) {

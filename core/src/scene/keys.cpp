@@ -2,86 +2,236 @@
 #include "microslip/scene/keys.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+
+#include "microslip/halfspace/basis.hpp"
+#include "microslip/halfspace/grid.hpp"
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/linalg/solver.hpp"
+#include "microslip/rolling/schemes.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/nearest.hpp"
 
 namespace microslip {
 
 namespace {
+
+using enum Key::Type;
+
+constexpr Range positive{.least = 0, .open = true};
+constexpr Range fraction{.least = 0, .most = 1};
 
 /// Where nodes and edges have places of their own, or steps a length.
 constexpr std::string_view whole_contact =
     "leading_edge standard, exact or trimmed, or problem transient or cylinder";
 
 constexpr std::string_view elements = "scenes without method chebyshev and target_error";
+constexpr std::string_view rolls = "problem transient or cylinder";
 
 constexpr auto keys = std::to_array<Key>({
-    {"problem", "1", "what is solved", "steady, transient, cylinder", ""},
-    {"material.shear_modulus", "N/mm^2", "combined shear modulus G", "> 0", ""},
-    {"material.poisson_ratio", "1", "combined Poisson ratio nu", "0 ... 0.5", ""},
-    {"contact.half_width", "mm", "half-width a of the contact", "> 0", ""},
-    {"contact.peak_traction", "N/mm^2", "peak mu p0 of the Hertzian traction bound", "> 0", ""},
-    {"contact.bound_polynomial", "1",
-     "coefficients of h, from the constant up: the bound is peak (1 - (x/a)^2)^(1/2) h(x/a)",
-     "1 to 33 numbers, h >= 0; the peak is then [1]", ""},
-    {"contact.bound_file", "1",
-     "table with columns x and bound, linear between its rows, to zero at +-a",
-     "a file; instead of contact.peak_traction",
-     "scenes without contact.peak_traction and contact.bound_polynomial"},
-    {"kernel.type", "1", "half-space loaded over a strip, or plane strain", "strip, plane", ""},
-    {"kernel.width", "mm", "width Dy of the strip", "> 0", "kernel.type strip"},
-    {"kernel.length", "mm", "plane strain: distance L0 at which the displacement counts as zero",
-     "> 0", "kernel.type plane"},
-    {"grid.elements", "1", "number N of nodes", "1 ... 4 000 000; 20 000 where matrices are dense",
-     "scenes without target_error"},
-    {"grid.leading_offset", "1", "beta: the leading edge lies beta dx beyond the last node",
-     "0 ... 1 [0.5]", whole_contact},
-    {"grid.trailing_offset", "1", "alpha: the trailing edge lies alpha dx before the first node",
-     "0 ... 1 [0.5]", whole_contact},
-    {"method", "1", "how steady rolling is solved", "collocation, chebyshev [collocation]",
-     "problem steady without target_error"},
-    {"leading_edge", "1", "how steady collocation treats its edges",
-     "inversion, calibrated, standard, exact, trimmed [inversion]",
-     "problem steady with method collocation, without target_error"},
-    {"basis", "1", "traction basis functions", "constant, linear, quadratic (odd N) [constant]",
-     elements},
-    {"target_error", "1", "relative error wanted of the force or creepage of steady rolling",
-     "1e-11 ... 0.1; instead of method, basis and grid", "problem steady"},
-    {"load.creepage", "1", "relative rigid slip w", "finite", "problem steady or transient"},
-    {"load.force", "N/mm", "force F", "less than full sliding; instead of load.creepage",
-     "problem steady or transient"},
-    {"start.type", "1",
-     "start of a transient: no tractions, those of a shift without rolling, or those of a file",
-     "rest, cattaneo, file", "problem transient"},
-    {"start.force", "N/mm", "force of the shift", "less than full sliding [load.force]",
-     "start.type cattaneo"},
-    {"start.file", "1", "table with columns x and traction", "a file", "start.type file"},
-    {"step.ratio", "1",
-     "c = dq/dx; of a transient one or more, taken in turn; of a cylinder a step lasts c dx / v",
-     ">= 1e-15 [1, but none for a transient]", whole_contact},
-    {"step.scheme", "1", "how the previous tractions move with the material",
-     "material, direct, relaxed, relaxed_traction, fractional [material]",
-     "problem transient or cylinder"},
-    {"step.relaxation", "1", "c* of the relaxed schemes", ">= step.ratio [1]",
-     "step.scheme relaxed or relaxed_traction"},
-    {"cylinder.mass", "N s^2/mm^2", "m, per mm of width (1 N s^2/mm = 1000 kg)", "> 0",
-     "problem cylinder"},
-    {"cylinder.inertia", "N s^2", "I, per mm of width; of a solid cylinder m R^2/2", "> 0",
-     "problem cylinder"},
-    {"cylinder.radius", "mm", "R", "> 0", "problem cylinder"},
-    {"cylinder.slope_force", "N/mm", "F_cm, gravity along the slope", "> 0", "problem cylinder"},
-    {"motion.distance", "mm", "distance rolled", "> 0, at most 1e6 steps",
-     "problem transient or cylinder"},
-    {"motion.integrator", "1", "how motion and contact go together",
-     "midpoint, verlet, leapfrog [midpoint]", "problem cylinder"},
-    {"solver.type", "1", "how systems are solved", "auto, dense, fft [auto]", elements},
-    {"solver.tolerance", "1", "largest residual of a result, relative to its terms",
-     "1e-12 ... 1e-3 [1e-10]", elements},
-    {"solver.violation", "1",
-     "largest violation of the bound and of the direction of slip that is accepted, relative to "
-     "the load",
-     "above 0, at most 1 [0.05]", elements},
-    {"solver.condition", "1", "largest condition number that is accepted", ">= 1 [1e13]", elements},
+    {.name = "problem",
+     .type = word,
+     .meaning = "what is solved",
+     .words = {"steady", "transient", "cylinder"}},
+    {.name = "material.shear_modulus",
+     .unit = "N/mm^2",
+     .meaning = "combined shear modulus G",
+     .range = positive},
+    {.name = "material.poisson_ratio",
+     .meaning = "combined Poisson ratio nu",
+     .range = {.least = 0, .most = 0.5}},
+    {.name = "contact.half_width",
+     .unit = "mm",
+     .meaning = "half-width a of the contact",
+     .range = positive},
+    {.name = "contact.peak_traction",
+     .unit = "N/mm^2",
+     .meaning = "peak mu p0 of the Hertzian traction bound",
+     .range = positive},
+    {.name = "contact.bound_polynomial",
+     .type = list,
+     .meaning =
+         "coefficients of h, from the constant up: the bound is peak (1 - (x/a)^2)^(1/2) h(x/a)",
+     .note = "1 to 33 numbers, h >= 0; the peak is then 1 if it is not given"},
+    {.name = "contact.bound_file",
+     .type = file,
+     .meaning = "table with columns x and bound, linear between its rows, to zero at +-a",
+     .note = "a file; instead of contact.peak_traction",
+     .role = "scenes without contact.peak_traction and contact.bound_polynomial"},
+    {.name = "kernel.type",
+     .type = word,
+     .meaning = "half-space loaded over a strip, or plane strain",
+     .words = {"strip", "plane"}},
+    {.name = "kernel.width",
+     .unit = "mm",
+     .meaning = "width Dy of the strip",
+     .range = positive,
+     .role = "kernel.type strip"},
+    {.name = "kernel.length",
+     .unit = "mm",
+     .meaning = "plane strain: distance L0 at which the displacement counts as zero",
+     .range = positive,
+     .note = "in transients and cylinders above (a + dx)/2, with step.scheme fractional from 3.8 a "
+             "on",
+     .role = "kernel.type plane"},
+    {.name = "grid.elements",
+     .type = whole,
+     .meaning = "number N of nodes",
+     .range = {.least = 1, .most = Grid::max_elements},
+     .note = "20 000 where matrices are dense",
+     .role = "scenes without target_error"},
+    {.name = "grid.leading_offset",
+     .meaning = "beta: the leading edge lies beta dx beyond the last node",
+     .range = fraction,
+     .fallback = 0.5,
+     .role = whole_contact},
+    {.name = "grid.trailing_offset",
+     .meaning = "alpha: the trailing edge lies alpha dx before the first node",
+     .range = fraction,
+     .fallback = 0.5,
+     .role = whole_contact},
+    {.name = "method",
+     .type = word,
+     .meaning = "how steady rolling is solved",
+     .words = {"collocation", "chebyshev"},
+     .first_is_default = true,
+     .role = "problem steady without target_error"},
+    {.name = "leading_edge",
+     .type = word,
+     .meaning = "how steady collocation treats its edges",
+     .catalogue = &leading_edge_names,
+     .first_is_default = true,
+     .role = "problem steady with method collocation, without target_error"},
+    {.name = "basis",
+     .type = word,
+     .meaning = "traction basis functions",
+     .catalogue = &basis_names,
+     .first_is_default = true,
+     .note = "quadratic for odd N",
+     .role = elements},
+    {.name = "target_error",
+     .meaning = "relative error wanted of the force or creepage of steady rolling",
+     .range = {.least = 1e-11, .most = 0.1},
+     .note = "instead of method, basis and grid",
+     .role = "problem steady"},
+    {.name = "load.creepage",
+     .meaning = "relative rigid slip w",
+     .role = "problem steady or transient"},
+    {.name = "load.force",
+     .unit = "N/mm",
+     .meaning = "force F",
+     .note = "less than full sliding; instead of load.creepage",
+     .role = "problem steady or transient"},
+    {.name = "start.type",
+     .type = word,
+     .meaning = "start of a transient: no tractions, those of a shift without rolling, or those of "
+                "a file",
+     .words = {"rest", "cattaneo", "file"},
+     .role = "problem transient"},
+    {.name = "start.force",
+     .unit = "N/mm",
+     .meaning = "force of the shift",
+     .note = "less than full sliding; load.force if it is not given",
+     .role = "start.type cattaneo"},
+    {.name = "start.file",
+     .type = file,
+     .meaning = "table with columns x and traction, with rows up to the edges of the contact",
+     .note = "a file",
+     .role = "start.type file"},
+    {.name = "step.ratio",
+     .type = list,
+     .meaning =
+         "c = dq/dx; of a transient one or more, taken in turn; of a cylinder a step lasts c dx / "
+         "v, and near rest a part of the period on the contact",
+     .range = {.least = min_step_ratio},
+     .fallback = 1,
+     .note = "no default in a transient",
+     .role = whole_contact},
+    {.name = "step.scheme",
+     .type = word,
+     .meaning = "how the previous tractions move with the material",
+     .catalogue = &advection_names,
+     .first_is_default = true,
+     .role = rolls},
+    {.name = "step.relaxation",
+     .meaning = "c* of the relaxed schemes",
+     .fallback = 1,
+     .note = "at least step.ratio",
+     .role = "step.scheme relaxed or relaxed_traction"},
+    {.name = "cylinder.mass",
+     .unit = "N s^2/mm^2",
+     .meaning = "m, per mm of width (1 N s^2/mm = 1000 kg)",
+     .range = positive,
+     .role = "problem cylinder"},
+    {.name = "cylinder.inertia",
+     .unit = "N s^2",
+     .meaning = "I, per mm of width; of a solid cylinder m R^2/2",
+     .range = positive,
+     .role = "problem cylinder"},
+    {.name = "cylinder.radius",
+     .unit = "mm",
+     .meaning = "R",
+     .range = positive,
+     .role = "problem cylinder"},
+    {.name = "cylinder.slope_force",
+     .unit = "N/mm",
+     .meaning = "F_cm, gravity along the slope",
+     .range = positive,
+     .role = "problem cylinder"},
+    {.name = "motion.distance",
+     .unit = "mm",
+     .meaning = "distance rolled; the last step of a transient is shortened to end there",
+     .range = positive,
+     .note = "at most 1e6 steps",
+     .role = rolls},
+    {.name = "motion.integrator",
+     .type = word,
+     .meaning = "how motion and contact go together",
+     .words = {"midpoint", "verlet", "leapfrog"},
+     .first_is_default = true,
+     .role = "problem cylinder"},
+    {.name = "solver.type",
+     .type = word,
+     .meaning = "how systems are solved",
+     .words = {"auto", "dense", "fft"},
+     .first_is_default = true,
+     .role = elements},
+    {.name = "solver.tolerance",
+     .meaning = "largest residual of a result, relative to its terms",
+     .range = {.least = 1e-12, .most = 1e-3},
+     .fallback = Solver{}.tolerance,
+     .role = elements},
+    {.name = "solver.violation",
+     .meaning = "largest violation of the bound and of the direction of slip that is accepted, "
+                "relative to the load",
+     .range = {.least = 0, .most = 1, .open = true},
+     .fallback = Solver{}.violation,
+     .role = elements},
+    {.name = "solver.condition",
+     .meaning = "largest condition number that is accepted",
+     .range = {.least = 1},
+     .fallback = Solver{}.condition,
+     .role = elements},
 });
+
+/// "1e13", and "4 000 000" of whole numbers.
+std::string written(double value, Key::Type type) {
+  std::string text = format_short(value);
+  if (const std::size_t plus = text.find('+'); plus != std::string::npos) text.erase(plus, 1);
+  if (type != whole) return text;
+  text = std::to_string(static_cast<long long>(value));
+  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, " ");
+  return text;
+}
+
+std::string range_of(const Key& key) {
+  const auto [least, most, open] = key.range;
+  const std::string from = written(least, key.type);
+  if (std::isinf(least)) return "";
+  if (std::isinf(most)) return (open ? "> " : ">= ") + from;
+  const std::string to = written(most, key.type);
+  return open ? "above " + from + ", at most " + to : from + " ... " + to;
+}
 
 }  // namespace
 
@@ -95,6 +245,23 @@ const Key* find_key(std::string_view name) {
 std::string unit_of_key(std::string_view key) {
   const Key* found = find_key(key);
   return std::string(found == nullptr ? "1" : found->unit);
+}
+
+std::vector<std::string_view> words_of(const Key& key) {
+  if (key.catalogue != nullptr) return key.catalogue();
+  return {key.words.begin(), std::ranges::find(key.words, "")};
+}
+
+std::string accepted_by(const Key& key, const std::string& quote) {
+  std::string text = range_of(key);
+  if (key.type == word) {
+    text = quote + joined(words_of(key), quote + ", " + quote) + quote;
+    if (key.first_is_default) text += " [" + quote + std::string(words_of(key)[0]) + quote + "]";
+  }
+  if (text.empty()) text = key.note.empty() ? "finite" : key.note;
+  if (!std::isnan(key.fallback)) text += " [" + written(key.fallback, key.type) + "]";
+  const bool has_note_behind = !key.note.empty() && !text.starts_with(key.note);
+  return text + (has_note_behind ? "; " + std::string(key.note) : "");
 }
 
 }  // namespace microslip

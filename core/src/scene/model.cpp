@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "known_keys.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/support/format.hpp"
@@ -21,7 +22,7 @@ Material read_material(Scene& scene) {
 }
 
 Kernel read_kernel(Scene& scene, const Material& material) {
-  if (scene.word("kernel.type", {"strip", "plane"}) == "strip") {
+  if (known_word(scene, "kernel.type") == "strip") {
     return StripKernel(material, scene.number("kernel.width"));
   }
   return PlaneKernel(material, scene.number("kernel.length"));
@@ -52,12 +53,12 @@ TractionBound read_bound(Scene& scene) {
 Grid read_grid(Scene& scene, double half_width) {
   return Grid({.half_width = half_width,
                .elements = scene.whole("grid.elements"),
-               .leading_offset = scene.number("grid.leading_offset", 0.5),
-               .trailing_offset = scene.number("grid.trailing_offset", 0.5)});
+               .leading_offset = known_number(scene, "grid.leading_offset"),
+               .trailing_offset = known_number(scene, "grid.trailing_offset")});
 }
 
 Basis read_basis(Scene& scene, const Grid& grid) {
-  const Basis basis = make_basis(scene.word_or_first("basis", basis_names()));
+  const Basis basis = make_basis(known_word(scene, "basis"));
   require(basis.name() != "quadratic" || grid.size() % 2 == 1, "grid.elements",
           static_cast<double>(grid.size()), "an odd number for quadratic functions");
   return basis;
@@ -68,13 +69,13 @@ ShapeFunction read_shape(Scene& scene) {
 }
 
 Solver read_solver(Scene& scene) {
-  const std::string type = scene.word_or_first("solver.type", {"auto", "dense", "fft"});
-  Solver solver{.type = type == "dense" ? Solver::Type::dense
-                        : type == "fft" ? Solver::Type::fft
-                                        : Solver::Type::automatic};
-  solver.tolerance = scene.number("solver.tolerance", solver.tolerance);
-  solver.violation = scene.number("solver.violation", solver.violation);
-  solver.condition = scene.number("solver.condition", solver.condition);
+  const std::string type = known_word(scene, "solver.type");
+  const Solver solver{.type = type == "dense" ? Solver::Type::dense
+                              : type == "fft" ? Solver::Type::fft
+                                              : Solver::Type::automatic,
+                      .tolerance = known_number(scene, "solver.tolerance"),
+                      .violation = known_number(scene, "solver.violation"),
+                      .condition = known_number(scene, "solver.condition")};
   validate(solver);
   return solver;
 }
@@ -124,9 +125,8 @@ void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, d
 }
 
 AdvectionScheme read_scheme(Scene& scene) {
-  const AdvectionEntry& entry =
-      advection_scheme(scene.word_or_first("step.scheme", advection_names()));
-  return entry.scheme(entry.takes_relaxation ? scene.number("step.relaxation", 1) : 1);
+  const AdvectionEntry& entry = advection_scheme(known_word(scene, "step.scheme"));
+  return entry.scheme(entry.takes_relaxation ? known_number(scene, "step.relaxation") : 1);
 }
 
 void warn_of_noise(Scene& scene, const TransientProblem& problem, double step_ratio) {
@@ -144,7 +144,7 @@ void require_few_steps(double distance, double length) {
 }
 
 Start read_start(Scene& scene, const TransientProblem& problem, const Load& load) {
-  const std::string type = scene.word("start.type", {"rest", "cattaneo", "file"});
+  const std::string type = known_word(scene, "start.type");
   if (type == "rest") return Rest{};
   if (type == "file") {
     return scene.from_columns("start.file", {"x", "traction"}, [&](const auto& columns) {
@@ -162,16 +162,15 @@ Start read_start(Scene& scene, const TransientProblem& problem, const Load& load
 }
 
 const SteadyEntry& read_steady_scheme(Scene& scene) {
-  const bool chebyshev = scene.word_or_first("method", {"collocation", "chebyshev"}) == "chebyshev";
-  return steady_scheme(chebyshev ? "chebyshev"
-                                 : scene.word_or_first("leading_edge", leading_edge_names()));
+  const bool chebyshev = known_word(scene, "method") == "chebyshev";
+  return steady_scheme(chebyshev ? "chebyshev" : known_word(scene, "leading_edge"));
 }
 
 }  // namespace
 
 SteadyProblem read_steady(Scene& scene) {
   const SteadyEntry& entry = read_steady_scheme(scene);
-  const double step_ratio = entry.safe_steps ? scene.number("step.ratio", 1) : 1;
+  const double step_ratio = entry.safe_steps ? known_number(scene, "step.ratio") : 1;
   require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
   const SteadyProblem problem =
       solved_by(entry, read_steady(scene, entry.method(step_ratio)), step_ratio);
@@ -244,12 +243,12 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
                                      .basis = read_basis(scene, model.grid),
                                      .scheme = scheme,
                                      .solver = read_solver(scene)},
-                         .cylinder = {.mass = scene.number("cylinder.mass"),
-                                      .inertia = scene.number("cylinder.inertia"),
-                                      .radius = scene.number("cylinder.radius"),
-                                      .slope_force = scene.number("cylinder.slope_force")},
+                         .cylinder = {.mass = scene.positive("cylinder.mass"),
+                                      .inertia = scene.positive("cylinder.inertia"),
+                                      .radius = scene.positive("cylinder.radius"),
+                                      .slope_force = scene.positive("cylinder.slope_force")},
                          .integrator = integrator,
-                         .step_ratio = scene.number("step.ratio", 1),
+                         .step_ratio = known_number(scene, "step.ratio"),
                          .distance = scene.number("motion.distance")};
   require_definite(cylinder.contact);
   require_positive("motion.distance", cylinder.distance);
@@ -260,8 +259,7 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
 }
 
 CylinderScene read_cylinder(Scene& scene) {
-  const std::string integrator =
-      scene.word_or_first("motion.integrator", {"midpoint", "verlet", "leapfrog"});
+  const std::string integrator = known_word(scene, "motion.integrator");
   const AdvectionScheme scheme = read_scheme(scene);
   return read_cylinder(scene, scheme,
                        integrator == "midpoint" ? Integrator::midpoint
@@ -270,7 +268,7 @@ CylinderScene read_cylinder(Scene& scene) {
 }
 
 Model read_model(Scene& scene) {
-  const std::string problem = scene.word("problem", {"steady", "transient", "cylinder"});
+  const std::string problem = known_word(scene, "problem");
   if (problem == "transient") return read_transient(scene);
   if (problem == "cylinder") return read_cylinder(scene);
   if (scene.has("target_error")) return read_steady_target(scene);

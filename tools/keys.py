@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes the lists of keys in the documentation, as `microslip keys` prints them.
+
+usage: tools/keys.py MICROSLIP [--check]     with --check, only says which are not up to date
+"""
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+LISTS = [
+    ("docs/scenes.md", "markdown", "<!-- microslip keys -->\n", "<!-- end of keys -->\n"),
+    ("packaging/man/microslip-scene.5", "man", '.\\" microslip keys\n', '.\\" end of keys\n'),
+]
+
+
+def main(program, check):
+    stale = []
+    for name, form, begin, end in LISTS:
+        file = ROOT / name
+        old = file.read_text(encoding="utf-8")
+        before, rest = old.split(begin)
+        _, after = rest.split(end)
+        keys = subprocess.run([program, "keys", "--format", form], check=True, capture_output=True)
+        new = before + begin + keys.stdout.decode() + end + after
+        if new == old:
+            continue
+        stale.append(name)
+        if not check:
+            file.write_text(new, encoding="utf-8")
+    for name in stale:
+        print(f"{name}: " + (f"not the keys of {program}; run tools/keys.py" if check else "written"))
+    return 1 if check and stale else 0
+
+
+if __name__ == "__main__":
+    if len(sys.argv) not in (2, 3) or sys.argv[2:] not in ([], ["--check"]):
+        sys.exit(__doc__)
+    sys.exit(main(sys.argv[1], "--check" in sys.argv))
