@@ -1,7 +1,7 @@
 # Steady rolling from full sliding to full stick.
 loads = tables."/loads.tsv"
 of(name, coordinate, limit) = strcol("scheme") eq name && strcol("verdict") eq "ok" && column(coordinate) > 0 && column(coordinate) <= limit ? column(coordinate) : NaN
-names = "standard 'standard linear' exact calibrated inversion chebyshev"
+names = "standard 'standard linear' known_edge calibrated inversion chebyshev"
 
 eval page(860, 420)
 set logscale xy

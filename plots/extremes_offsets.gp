@@ -2,7 +2,7 @@
 map = "offsets"
 across = "leading_offset"
 up = "trailing_offset"
-names = "standard 'standard linear' 'standard quadratic' exact trimmed inversion"
+names = "standard 'standard linear' 'standard quadratic' known_edge trimmed inversion"
 label_across = "leading offset β [dx]"
 label_up = "trailing offset α [dx]"
 error = "error of force or creepage [1]"

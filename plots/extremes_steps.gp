@@ -2,7 +2,7 @@
 map = "steps"
 across = "step_ratio"
 up = "elements"
-names = "standard 'standard linear' 'standard quadratic' exact trimmed inversion"
+names = "standard 'standard linear' 'standard quadratic' known_edge trimmed inversion"
 label_across = "step ratio c = dq/dx [1]"
 label_up = "number of elements N [1]"
 error = "error of force or creepage [1]"

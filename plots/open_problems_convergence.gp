@@ -2,7 +2,7 @@
 # alignments of the grid.
 errors = tables."/errors.tsv"
 orders = tables."/orders.tsv"
-names = "standard exact calibrated inversion"
+names = "standard known_edge calibrated inversion"
 titles = "'thesis and CONTACT' 'thesis, displacement at the edge known' 'calibrated edges' inversion"
 of(scheme) = strcol("scheme") eq scheme ? column("elements") : NaN
 least = 1e-17

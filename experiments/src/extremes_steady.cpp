@@ -168,7 +168,7 @@ Map steps_map(const ExtremesParameters& p) {
     if (!scheme.entry->safe_steps) continue;
     for (const double c : p.steps.ratios) add(scheme, c, p.steps.sizes);
   }
-  for (const Scheme& scheme : schemes_except({"standard quadratic", "exact", "trimmed"})) {
+  for (const Scheme& scheme : schemes_except({"standard quadratic", "known_edge", "trimmed"})) {
     if (!scheme.entry->safe_steps) continue;
     for (const double c : p.steps.ratios_of_large) add_large(scheme, c);
   }
@@ -191,7 +191,7 @@ Map widths_map(const ExtremesParameters& p) {
     for (const double width : p.widths.ratios) {
       const Kernel kernel = StripKernel({p.material.shear_modulus, nu}, width * dx);
       const Setting setting{kernel, p.bound, strip_truth(kernel, p.bound, p)};
-      for (const Scheme& scheme : schemes_except({"standard quadratic", "exact", "trimmed"})) {
+      for (const Scheme& scheme : schemes_except({"standard quadratic", "known_edge", "trimmed"})) {
         map.cases.push_back(case_of(scheme, setting, grid_of(p, p.elements), 1, {width, nu}));
       }
     }

@@ -61,7 +61,7 @@ Table schemes_table(const OpenProblemsParameters& p, const SteadyTables& steady,
   steady_row("steady, one stick zone: any bound", "inversion");
   steady_row("steady, any bound", "calibrated");
   steady_row("steady, as CONTACT", "standard");
-  steady_row("steady, as thesis 10.3", "exact");
+  steady_row("steady, as thesis 10.3", "known_edge");
   transient_row("transient, any step", "material", smallest);
   transient_row("transient, small steps as thesis 7.1", "relaxed", smallest);
   transient_row("transient, c = 1, as CONTACT", "direct", 1);

@@ -139,7 +139,8 @@ SteadyTables steady_tables(const OpenProblemsParameters& p, const Progress& prog
   SteadyTables tables{
       .cases = {"cases",
                 "steady rolling, every case",
-                {{"scheme", "1", "leading_edge: standard, trimmed, exact, calibrated or inversion"},
+                {{"scheme", "1",
+                  "leading_edge: standard, trimmed, known_edge, calibrated or inversion"},
                  {"elements", "1", "number of nodes N"},
                  {"stick_ratio", "1", "a', length in adhesion over that of the contact"},
                  {"leading_offset", "1", "beta"},
@@ -150,7 +151,7 @@ SteadyTables steady_tables(const OpenProblemsParameters& p, const Progress& prog
       .errors =
           {"errors",
            "steady rolling, errors over all cases",
-           {{"scheme", "1", "leading_edge: standard, trimmed, exact, calibrated or inversion"},
+           {{"scheme", "1", "leading_edge: standard, trimmed, known_edge, calibrated or inversion"},
             {"elements", "1", "number of nodes N"},
             {"force_median", "1", "median of |force / exact - 1|", inversion_rounding},
             {"force_least", "1", "least of them", inversion_rounding},
@@ -160,7 +161,7 @@ SteadyTables steady_tables(const OpenProblemsParameters& p, const Progress& prog
       .orders = {"orders",
                  "steady rolling, orders of convergence",
                  {{"scheme", "1",
-                   "leading_edge: standard, trimmed, exact, calibrated or inversion"},
+                   "leading_edge: standard, trimmed, known_edge, calibrated or inversion"},
                   {"force_order", "1", "fitted to force_median"},
                   {"force_reduction", "1", "least factor of a doubling of N in any case"},
                   {"mean_order", "1", "fitted to mean_median"},

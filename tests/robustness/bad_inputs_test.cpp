@@ -224,7 +224,8 @@ TEST_F(BadInputs, PlacesOfKeys) {
        {"one of two", good_scene + "load { force -1 }\n",
         "SCENE:10: expected only one of 'load.creepage' and 'load.force'"},
        {"without a role", good_scene + "\nstep { ratio 1 }\n",
-        "SCENE:11: key 'step.ratio' has no role here: it is for leading_edge standard, exact or "
+        "SCENE:11: key 'step.ratio' has no role here: it is for leading_edge standard, known_edge "
+        "or "
         "trimmed, or problem transient or cylinder; known to this model: problem, method, "
         "leading_edge, material.shear_modulus, material.poisson_ratio, contact.half_width, "
         "contact.peak_traction, kernel.type, kernel.width, grid.elements, basis, load.creepage, "

@@ -104,7 +104,7 @@ TEST_F(BadScenes, MethodsOfSteadyRolling) {
                   "kernel.width = 0.01: expected at least 0.02 half-widths");
   expect_rejected(good_scene, "--set contact.bound_polynomial='0.02 0 4' --set grid.elements=4",
                   "grid.elements = 4: expected at least 11, as there is more than one zone of");
-  for (const char* method : {"leading_edge=standard", "leading_edge=exact", "method=chebyshev",
+  for (const char* method : {"leading_edge=standard", "leading_edge=known_edge", "method=chebyshev",
                              "leading_edge=trimmed --set basis=linear --set grid.elements=21"}) {
     EXPECT_EQ(run(good_scene, "--set " + std::string(method)).error, "") << method;
   }
@@ -121,7 +121,7 @@ TEST_F(BadScenes, Solvers) {
   expect_rejected(good_scene, "--set method=chebyshev --set solver.type=fft", "solver.type");
   expect_rejected(good_scene, "--set solver.type=fft --set basis=quadratic --set grid.elements=21",
                   "solver.type = 'fft': expected auto or dense for basis = 'quadratic'");
-  expect_rejected(good_scene, "--set solver.type=fft --set leading_edge=exact", "solver.type");
+  expect_rejected(good_scene, "--set solver.type=fft --set leading_edge=known_edge", "solver.type");
   expect_rejected(good_scene, "--set solver.type=dense --set grid.elements=1000000",
                   "grid.elements = 1e+06: expected at most 20000");
   const auto value_of = [&](const std::string& options, const std::string& quantity) {
@@ -254,7 +254,7 @@ TEST_F(BadScenes, BoundFiles) {
   rejected("x\tbound\n0\t0\n", "bound = 0: expected a bound that is not");
   rejected("x\tbound\n0\t1e300\n", "largest bound = 1e+300: expected a number from 1e-50");
   std::ofstream(folder_ / "bound.tsv") << "x\tbound\n0\t1\n";
-  for (const char* method : {"method=chebyshev", "leading_edge=exact"}) {
+  for (const char* method : {"method=chebyshev", "leading_edge=known_edge"}) {
     std::string scene = good_scene;
     scene.replace(scene.find("peak_traction 1"), 15, "bound_file bound.tsv");
     expect_rejected(scene, "--set " + std::string(method),

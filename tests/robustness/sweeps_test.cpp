@@ -196,8 +196,8 @@ TEST_F(Sweeps, CasesWithoutASolutionAreListedAndTheOthersGoOn) {
   const std::string scene = good_scene + "sweep { kernel { width \"0.1 40\" } }";
   const std::string expected =
       "microslip: 1 of 2 cases have no solution, the first is case 1 of 2 (kernel.width = 0.1): ";
-  // With `exact`, it is already missing when the scene is read.
-  for (const char* method : {"leading_edge=exact", "method=chebyshev"}) {
+  // With `known_edge`, it is already missing when the scene is read.
+  for (const char* method : {"leading_edge=known_edge", "method=chebyshev"}) {
     fs::remove_all(out());
     for (int again = 0; again < 2; ++again) {
       const Outcome outcome = sweep("--tables --set " + std::string(method), scene);

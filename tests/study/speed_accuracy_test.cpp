@@ -205,7 +205,7 @@ double order_of(const char* problem, const char* scheme, const char* edge, doubl
 
 TEST(SpeedAccuracyStudy, Orders) {
   EXPECT_NEAR(order_of("plane", "collocation", "standard", 1, "force_error"), 1, 0.2);
-  EXPECT_NEAR(order_of("plane", "collocation", "exact", 1, "force_error"), 1.6, 0.25);
+  EXPECT_NEAR(order_of("plane", "collocation", "known_edge", 1, "force_error"), 1.6, 0.25);
   EXPECT_NEAR(order_of("plane", "collocation", "aligned", 1, "force_error"), 1.9, 0.35);
   // Of coarse grids, with noise.
   EXPECT_GT(order_of("plane", "collocation", "calibrated", NAN, "force_error"), 1.7);

@@ -45,7 +45,7 @@ const std::map<std::string, Settings> scenes = {
     {"chebyshev", with(steady, {"method=chebyshev"})},
     {"target_error", with(steady, {"grid.elements=", "target_error=1e-3"})},
     {"standard", with(steady, {"leading_edge=standard"})},
-    {"exact", with(steady, {"leading_edge=exact"})},
+    {"known_edge", with(steady, {"leading_edge=known_edge"})},
     {"trimmed", with(steady, {"leading_edge=trimmed", "basis=linear"})},
     {"material", transient},
     {"direct", with(transient, {"step.scheme=direct"})},

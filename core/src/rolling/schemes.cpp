@@ -55,7 +55,7 @@ constexpr std::array steady{
                 .by_elements = true,
                 .method = differences,
                 .safe_steps = about_an_element},
-    SteadyEntry{.name = "exact",
+    SteadyEntry{.name = "known_edge",
                 .text = "differences over c = {c} elements, {functions}, displacement at the "
                         "leading edge known: order 3/2",
                 .limits = "smooth bounds",
@@ -153,7 +153,7 @@ Basis basis_of(const SteadyEntry& entry) {
 const SteadyEntry& entry_of(const SteadyProblem& problem) {
   const auto* by_differences = std::get_if<Differences>(&problem.method);
   if (by_differences != nullptr) {
-    if (by_differences->edge_displacement) return steady_scheme("exact");
+    if (by_differences->edge_displacement) return steady_scheme("known_edge");
     return steady_scheme(problem.basis.name() == "trimmed linear" ? "trimmed" : "standard");
   }
   return *std::ranges::find_if(steady, [&](const SteadyEntry& entry) {

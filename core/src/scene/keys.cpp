@@ -23,7 +23,7 @@ constexpr Range fraction{.least = 0, .most = 1};
 
 /// Where nodes and edges have places of their own, or steps a length.
 constexpr std::string_view whole_contact =
-    "leading_edge standard, exact or trimmed, or problem transient or cylinder";
+    "leading_edge standard, known_edge or trimmed, or problem transient or cylinder";
 
 constexpr std::string_view elements = "scenes without method chebyshev and target_error";
 constexpr std::string_view rolls = "problem transient or cylinder";
