@@ -5,7 +5,7 @@ quantities = "force force"
 titles = "'plane strain' 'strip of one contact length'"
 errors = "'largest error of the force [1]' ''"
 names = "standard known_edge calibrated trimmed aligned chebyshev inversion"
-labels = names
+labels = "standard 'known edge' calibrated trimmed aligned chebyshev inversion"
 bases = "linear quadratic 'trimmed linear'"
 front = "elements"
 load scripts."/speed_accuracy.gpi"

@@ -145,8 +145,8 @@ std::vector<Claim> pulse_claims(const Parameters& p) {
   const VectorXd wiggly = after(0.05);
   const std::string over = " dx of the peak after " + format_short(p.distance) + " dx";
   return {
-      {"c = 1: A^-1 A' has a one before the diagonal and zeros elsewhere, but for a column", "4", 0,
-       off_shift, "1", holds_if({within(1e-9, 0)}), "largest deviation from that",
+      {"c = 1: A^-1 A' has a one before the diagonal and zeros elsewhere, except for a column", "4",
+       0, off_shift, "1", holds_if({within(1e-9, 0)}), "largest deviation from that",
        "smoothing_pulse"},
       {"the columns of A^-1 A' sum up to one for all c", "4", 1, worst_sum, "1",
        holds_if({within(1e-6, 1)}), "of the middle column, the c furthest from one", no_figure},

@@ -103,7 +103,7 @@ std::vector<double> places(double half_width, double stick_ratio, double slip_ra
   return all;
 }
 
-/// x, and as far from the nearer edge but for a rounding
+/// x, and as far from the nearer edge except for a rounding
 std::vector<Digits100> neighbours(double x, double half_width) {
   const Digits100 step = (Digits100(half_width) - std::abs(x)) * epsilon;
   return {x, x - step, x + step};

@@ -45,7 +45,7 @@ class Faults : public Executables {
            "' " + options;
   }
 
-  /// All files of a folder, hidden ones too, but for what differs from run to run in
+  /// All files of a folder, hidden ones too, except for what differs from run to run in
   /// provenance.txt.
   static Files files_in(const fs::path& folder) {
     Files all;

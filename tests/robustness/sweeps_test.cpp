@@ -43,7 +43,7 @@ class Sweeps : public Executables {
     return out() / "cases" / (number + ".tsv");
   }
 
-  /// All files by name, but for where they come from; none if there is no folder.
+  /// All files by name, except for their origin; none if there is no folder.
   Files files() const {
     Files all;
     if (!fs::exists(out())) return all;

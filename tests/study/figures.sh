@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Runs a study twice, quick, with one thread and with two: the tables must be the same bytes, but for
+# Runs a study twice, quick, with one thread and with two: the tables must be the same bytes, except for
 # measured times, and agree with the references; every figure must draw. Claims name such figures, have a
 # rule, and no verdict: a quick run has other parameters than the study.
 # Usage: figures.sh PROGRAM COMPARE_TABLES SOURCE_FOLDER WORK_FOLDER

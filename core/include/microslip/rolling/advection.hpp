@@ -57,7 +57,7 @@ class Advection {
   /// \param conditions  out: its offset [mm] and reference [N/mm^2]
   /// \throws std::invalid_argument outside the range
   /// Cost: a product, and new coefficients when c changes in the direct scheme; `Fractional` see
-  /// there. Where c stays nothing is allocated, but for `Fractional`.
+  /// there. Where c stays nothing is allocated, except by `Fractional`.
   void advect(const Eigen::VectorXd& previous, double step_ratio, SlipConditions& conditions);
 
   /// The part of a step of `solved_step_ratio` that a step of c takes: c/c* for `RelaxedTraction`,
