@@ -291,7 +291,7 @@ EnergyBalanceParameters read_energy_balance(Scene& scene) {
   EnergyBalanceParameters p{.scene = read_cylinder(scene, MaterialFixed{}, Integrator::midpoint),
                             .snapshots = scene.numbers("snapshots.positions"),
                             .sizes = sizes("error.sizes"),
-                            .error_distance = scene.number("error.distance"),
+                            .error_distance = scene.number("error.distance", Unit{"mm"}),
                             .motion_sizes = sizes("motion.sizes"),
                             .refinement = scene.whole("motion.refinement")};
   require(std::is_sorted(p.snapshots.begin(), p.snapshots.end()), "snapshots.positions",

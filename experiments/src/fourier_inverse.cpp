@@ -183,7 +183,7 @@ Table claims_of(const Parameters& p) {
 FourierInverseParameters read_fourier_inverse(Scene& scene) {
   Parameters p{.kernel = read_kernel(scene, read_material(scene)),
                .basis = scene.word_or_first("basis", {"both", "constant", "linear"}),
-               .spacing = scene.number("grid.spacing"),
+               .spacing = scene.number("grid.spacing", Unit{"mm"}),
                .elements = scene.whole("grid.elements"),
                .step_ratios = scene.numbers("step.ratios"),
                .sizes = scene.wholes("grid.sizes", 4, 10000)};

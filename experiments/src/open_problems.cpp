@@ -98,40 +98,49 @@ Table claims_of(const OpenProblemsParameters& p, const SteadyTables& steady,
 
 }  // namespace
 
+namespace {
+
+/// Not within the braces of the parameters: what throws behind a nested aggregate there makes GCC
+/// 12 destroy it twice.
+CattaneoToCarter read_motion(Scene& scene, const PolynomialBound& bound, const Kernel& kernel) {
+  const double a = bound.half_width();
+  return {.kernel = kernel,
+          .bound = HertzBound(a, bound.total() / full_sliding_force(HertzBound(a, 1))),
+          .grid = Grid({.half_width = a, .elements = scene.whole("motion.elements")}),
+          .basis = constant_basis(),
+          .force = scene.number("motion.force", Unit{"N/mm"})};
+}
+
+}  // namespace
+
 OpenProblemsParameters read_open_problems(Scene& scene) {
   const Material material = read_material(scene);
   const TractionBound bound = read_bound(scene);
   const auto* polynomial = std::get_if<PolynomialBound>(&bound);
   if (polynomial == nullptr) throw std::invalid_argument("missing key 'contact.bound_polynomial'");
   const double length = scene.number("kernel.length");
-  const double a = polynomial->half_width();
   const std::vector<double> stick_ratios = scene.numbers("cases.stick_ratios");
   require(stick_ratios.size() == 2, "cases.stick_ratios", static_cast<double>(stick_ratios.size()),
           "two numbers");
   require(stick_ratios[0] > 0 && stick_ratios[0] < stick_ratios[1] && stick_ratios[1] < 1,
           "cases.stick_ratios", stick_ratios[0], "two rising numbers in (0, 1)");
-  OpenProblemsParameters p{
-      .material = material,
-      .length = length,
-      .bound = *polynomial,
-      .sizes = scene.wholes("grid.sizes", 3, 2000),
-      .cases = static_cast<int>(scene.whole("cases.number")),
-      .least_stick_ratio = stick_ratios[0],
-      .most_stick_ratio = stick_ratios[1],
-      .steady_elements = scene.whole("steady.elements"),
-      .steady_stick_ratio = scene.number("steady.stick_ratio"),
-      .steady_ratios = scene.numbers("steady.step_ratios"),
-      .motion = {.kernel = PlaneKernel(material, length),
-                 .bound = HertzBound(a, polynomial->total() / full_sliding_force(HertzBound(a, 1))),
-                 .grid = Grid({.half_width = a, .elements = scene.whole("motion.elements")}),
-                 .basis = constant_basis(),
-                 .force = scene.number("motion.force")},
-      .distance = scene.number("motion.distance"),
-      .refinement = scene.whole("motion.refinement"),
-      .motion_ratios = scene.numbers("motion.step_ratios"),
-      .widths = scene.numbers("curve.widths"),
-      .curve_points = static_cast<int>(scene.whole("curve.points")),
-      .unknowns = scene.wholes("curve.unknowns", 1, 63)};
+  OpenProblemsParameters p{.material = material,
+                           .length = length,
+                           .bound = *polynomial,
+                           .sizes = scene.wholes("grid.sizes", 3, 2000),
+                           .cases = static_cast<int>(scene.whole("cases.number")),
+                           .least_stick_ratio = stick_ratios[0],
+                           .most_stick_ratio = stick_ratios[1],
+                           .steady_elements = scene.whole("steady.elements"),
+                           .steady_stick_ratio = scene.number("steady.stick_ratio"),
+                           .steady_ratios = scene.numbers("steady.step_ratios"),
+                           .motion = read_motion(scene, *polynomial, PlaneKernel(material, length)),
+                           .distance = scene.number("motion.distance", Unit{"1"}),
+                           .refinement = scene.whole("motion.refinement"),
+                           .motion_ratios = scene.numbers("motion.step_ratios"),
+                           .widths = scene.numbers("curve.widths"),
+                           .curve_points = static_cast<int>(scene.whole("curve.points")),
+                           .unknowns = scene.wholes("curve.unknowns", 1, 63)};
   require(p.sizes.size() >= 2, "grid.sizes", static_cast<double>(p.sizes.size()),
           "at least two sizes");
   for (std::size_t k = 1; k < p.sizes.size(); ++k) {

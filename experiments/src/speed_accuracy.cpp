@@ -138,8 +138,8 @@ SpeedAccuracyParameters read_speed_accuracy(Scene& scene) {
                                .inertia = scene.number("cylinder.inertia"),
                                .radius = scene.number("cylinder.radius"),
                                .slope_force = scene.number("cylinder.slope_force")},
-                  .length = scene.number("cylinder.length"),
-                  .distance = scene.positive("cylinder.distance"),
+                  .length = scene.number("cylinder.length", Unit{"mm"}),
+                  .distance = scene.positive("cylinder.distance", Unit{"mm"}),
                   .step_ratios = within("cylinder.step_ratios", 0, 4),
                   .reference = scene.whole("cylinder.reference")}};
   for (const Index n : p.sizes) {

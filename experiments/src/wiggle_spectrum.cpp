@@ -236,7 +236,7 @@ double diagonal_crossing(const Kernel& kernel, const ShapeFunction& shape, doubl
 
 WiggleSpectrumParameters read_wiggle_spectrum(Scene& scene) {
   Parameters p{.kernel = read_kernel(scene, read_material(scene)),
-               .spacing = scene.number("grid.spacing"),
+               .spacing = scene.number("grid.spacing", Unit{"mm"}),
                .elements = scene.whole("grid.elements"),
                .step_ratios = scene.numbers("step.ratios"),
                .shift = scene.number("functions.shift"),

@@ -88,16 +88,16 @@ struct Role {
 };
 
 const std::string with_target =
-    "calibrated plane polynomial table chebyshev target_error standard exact trimmed ";
+    "calibrated plane polynomial table chebyshev target_error standard known_edge trimmed ";
 const std::string steady_scenes =
-    "calibrated plane polynomial table chebyshev standard exact trimmed ";
-const std::string by_elements = "calibrated plane polynomial table standard exact trimmed ";
-const std::string differences = "standard exact trimmed ";
+    "calibrated plane polynomial table chebyshev standard known_edge trimmed ";
+const std::string by_elements = "calibrated plane polynomial table standard known_edge trimmed ";
+const std::string differences = "standard known_edge trimmed ";
 const std::string transients =
     "material direct relaxed relaxed_traction fractional rest file creepage ";
 const std::string cylinders = "cylinder cylinder_relaxed ";
 const std::string strips =
-    "calibrated polynomial table chebyshev target_error standard exact trimmed " + transients +
+    "calibrated polynomial table chebyshev target_error standard known_edge trimmed " + transients +
     cylinders;
 const std::string all = "plane " + strips;
 
@@ -241,7 +241,7 @@ TEST(KeysOfScenes, SayWhereTheyHaveARole) {
   EXPECT_TRUE(
       answer(with(steady, {"step.ratio=0.01"}))
           .starts_with("key 'step.ratio' has no role here: it is for leading_edge standard, "
-                       "exact or trimmed, or problem transient or cylinder; known to"));
+                       "known_edge or trimmed, or problem transient or cylinder; known to"));
 }
 
 }  // namespace

@@ -21,6 +21,16 @@ TEST(Scene, ReadsNestedKeys) {
   EXPECT_NO_THROW(scene.reject_unread());
 }
 
+// The same key may have another unit in a study: motion.distance in elements.
+TEST(Scene, ConvertsToTheUnitThatAReaderNames) {
+  Scene scene = scene_of("error { distance 2 cm }\nmotion { distance 5 mm\nforce 3 kN/m }");
+  EXPECT_EQ(scene.number("error.distance", Unit{"mm"}), 20);
+  EXPECT_EQ(scene.positive("motion.force", Unit{"N/mm"}), 3);
+  EXPECT_EQ(scene.number("motion.distance"), 5);
+  EXPECT_NE(message([&] { scene.number("motion.distance", Unit{"1"}); }), "");
+  EXPECT_NE(message([&] { scene.number("error.distance"); }), "");
+}
+
 TEST(Scene, RecordsDefaultsAmongTheParameters) {
   Scene scene = scene_of("a 1");
   EXPECT_EQ(scene.number("a", 7), 1);

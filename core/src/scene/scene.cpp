@@ -170,12 +170,14 @@ bool Scene::has_second(const std::string& first, const std::string& second) cons
   return has(second);
 }
 
-double Scene::number(const std::string& key) {
-  const std::string unit = unit_of_key(key);
-  const auto value = quantity(text(key), unit);
+double Scene::number(const std::string& key) { return number(key, Unit{unit_of_key(key)}); }
+
+double Scene::number(const std::string& key, Unit unit) {
+  const std::string name(unit.name);
+  const auto value = quantity(text(key), name);
   if (!value) {
     reject(key, text(key),
-           has_unit(text(key)) ? "a number in " + accepted_units(unit)
+           has_unit(text(key)) ? "a number in " + accepted_units(name)
                                : "a finite number" + advice(text(key)));
   }
   parameters_.emplace_back(key, format_short(*value));
@@ -188,8 +190,10 @@ double Scene::number(const std::string& key, double fallback) {
   return fallback;
 }
 
-double Scene::positive(const std::string& key) {
-  const double value = number(key);
+double Scene::positive(const std::string& key) { return positive(key, Unit{unit_of_key(key)}); }
+
+double Scene::positive(const std::string& key, Unit unit) {
+  const double value = number(key, unit);
   require_positive(key, value);
   return value;
 }

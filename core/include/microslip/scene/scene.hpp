@@ -19,6 +19,11 @@ namespace microslip {
 /// Keys and values in the order in which a program resolved them, defaults included.
 using Parameters = std::vector<std::pair<std::string, std::string>>;
 
+/// The unit of a key that is none of a scene's, or that has another unit than in a scene.
+struct Unit {
+  std::string_view name;  ///< "1" of a pure number
+};
+
 /// The input of a program: dotted keys with text values, read strictly. Every reader below converts
 /// or throws BadParameter, or std::invalid_argument where there is no such key, in one line that
 /// names the key; keys that nobody asked for are rejected at the end. `with_places` adds file and
@@ -73,9 +78,11 @@ class Scene {
   /// is converted to that of the key (unit_of_key): "2 cm" of a length is 20.
   double number(const std::string& key);
   double number(const std::string& key, double fallback);
+  double number(const std::string& key, Unit unit);
 
-  /// One above zero.
+  /// A number above zero.
   double positive(const std::string& key);
+  double positive(const std::string& key, Unit unit);
 
   /// A list of them, separated by blanks; not empty.
   std::vector<double> numbers(const std::string& key);
