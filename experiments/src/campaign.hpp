@@ -14,10 +14,10 @@
 namespace microslip::experiments {
 
 /// \file
-/// A campaign solves cases by schemes, each with several N, and holds what comes out against the
-/// truth. What studies that do so have in common is here.
+/// A campaign solves cases by schemes, each with several N, and compares the solutions with the
+/// truth. The studies extremes, speed_accuracy, open_problems and leading_edge are campaigns.
 
-/// What a steady contact has, without the errors of a scheme.
+/// The exact solution of a steady contact.
 struct Truth {
   double creepage;
   double force;                              ///< [N/mm]
@@ -28,7 +28,8 @@ struct Truth {
 
 Truth truth_of(const Carter& carter);
 
-/// By Chebyshev collocation, where that part of the contact sticks, under its creepage.
+/// The solution by Chebyshev collocation.
+/// \param stick_ratio  fraction of the contact that sticks
 Truth truth_of(const ChebyshevRolling& rolling, double half_width, double stick_ratio);
 
 /// A solution beside the truth.
@@ -42,13 +43,13 @@ struct Compared {
 
 Compared compared(const SteadyProblem& problem, const Truth& truth);
 
-/// What is left of a Cattaneo shift after rolling, and the creep on the way.
+/// A Cattaneo shift after rolling, and the creep on the way.
 struct Rolled {
   Eigen::VectorXd x;
   Eigen::VectorXd traction;  ///< absolute values at the nodes
   Eigen::VectorXd distance;  ///< after each step, and 0
   Eigen::VectorXd creep;     ///< integral of |w| until there  [mm]
-  double rounds = 0;         ///< partitions tried
+  double rounds = 0;         ///< stick/slip partitions tried
 };
 
 /// \param elements  distance, in elements
@@ -62,11 +63,11 @@ enum class Status {
   not_run       ///< it would take too long
 };
 
-/// How a run with some N went.
+/// The outcome of a run.
 struct Attempt {
   Status status = Status::not_run;
-  std::string message;      ///< of what was thrown
-  double expected = 0;      ///< operations, from those of smaller N; 0 without any
+  std::string message;      ///< of the exception
+  double expected = 0;      ///< operations, extrapolated from smaller N; 0 without any
   double work = not_given;  ///< counted operations for a solution
   double time = not_given;  ///< of the processor for a solution, least of the repeats  [s]
 };
@@ -75,9 +76,9 @@ struct Attempt {
 class Runs {
  public:
   struct Limits {
-    double operations;     ///< of a run; what is expected to take more is not run
-    double repeats = 0;    ///< runs are repeated until they took so long together  [s]
-    double solutions = 1;  ///< that a run consists of
+    double operations;     ///< a run that is expected to take more is left out
+    double repeats = 0;    ///< a run is repeated until it has taken so long in all  [s]
+    double solutions = 1;  ///< in a run
   };
 
   explicit Runs(const Limits& limits) : limits_(limits) {}

@@ -14,13 +14,13 @@
 namespace microslip {
 
 /// \file
-/// The catalogue: every scheme that scenes can choose has one entry here, from which scenes,
-/// explanations, studies and timings take it.
+/// The catalogue has one entry for every scheme that scenes can choose. Scenes, explanations,
+/// studies and timings go through it.
 
-/// A closed interval, where a scheme is safe: the force, the creepage and the tractions of the
-/// study `extremes` are within 10 % there, and no wave from node to node exceeds 1 % of the peak of
-/// the bound. Measured; tests/study/extremes_test.cpp holds it against the study. Outside, a scene
-/// is solved as it was asked for, with a warning.
+/// The closed interval in which a scheme is safe: force, creepage and tractions of the study
+/// `extremes` are within 10 % there, and no wave from node to node exceeds 1 % of the peak of the
+/// bound. tests/study/extremes_test.cpp compares it with the study. Outside, a scene is solved all
+/// the same, with a warning.
 struct SafeRange {
   double least = 0;
   double most = std::numeric_limits<double>::infinity();
@@ -28,57 +28,57 @@ struct SafeRange {
   bool holds(double value) const { return value >= least && value <= most; }
 };
 
-/// N of elements, by the order of the functions  [1]
+/// Safe numbers of elements, by the order of the functions  [1]
 SafeRange safe_elements(const Basis& basis);
 
 /// A way to solve steady rolling: a value of `leading_edge`, or `method chebyshev`.
 struct SteadyEntry {
   std::string_view name;
-  std::string_view text;    ///< what it is; {c} and {functions} stand for those of a problem
-  std::string_view limits;  ///< what it needs, or does not do
+  std::string_view text;    ///< description; {c} and {functions} stand for those of a problem
+  std::string_view limits;  ///< requirements and limits
   double order;             ///< of the force in dx; inf if it has ten digits for any N
-  bool by_elements;         ///< N elements carry the tractions; else nodes only show them
+  bool by_elements;         ///< whether N elements carry the tractions; else nodes only show them
   SteadyMethod (*method)(double step_ratio);
-  /// c: below, differences wiggle, above, they are too coarse; nothing where c has no role.
+  /// Safe c: below it differences wiggle, above it they are too coarse. None where c has no role.
   std::optional<SafeRange> safe_steps = std::nullopt;
-  std::string_view basis = "";  ///< the only one that it goes with; any if empty
-  void (*complete)(SteadyProblem& problem) = nullptr;  ///< adds what else the method needs
+  std::string_view basis = "";  ///< the only basis that it takes; any if empty
+  void (*complete)(SteadyProblem& problem) = nullptr;  ///< completes the method for a problem
 };
 
-/// The default first.
+/// All entries, the default first.
 std::span<const SteadyEntry> steady_schemes();
 
-/// Those of `leading_edge`, the default first.
+/// The names that `leading_edge` takes, the default first.
 std::vector<std::string_view> leading_edge_names();
 
 /// \throws std::invalid_argument for another name
 const SteadyEntry& steady_scheme(std::string_view name);
 
-/// The only functions that it goes with, or else the default.
+/// The only basis that the scheme takes, or the default basis.
 Basis basis_of(const SteadyEntry& entry);
 
-/// The entry by which a problem is solved.
+/// The entry of the problem's method.
 const SteadyEntry& entry_of(const SteadyProblem& problem);
 
-/// The same problem, to be solved by this scheme.
+/// The problem with the method of this scheme.
 /// \param step_ratio  c, where it has a role
-/// \throws std::invalid_argument if the scheme does not go with the basis, and as ChebyshevRolling
+/// \throws std::invalid_argument if the scheme does not take the basis, and as ChebyshevRolling
 ///                               where that gives the displacement at the leading edge
 SteadyProblem solved_by(const SteadyEntry& entry, SteadyProblem problem, double step_ratio = 1);
 
 /// A way to roll a transient: a value of `step.scheme`.
 struct AdvectionEntry {
   std::string_view name;
-  std::string_view text;    ///< what it is
-  std::string_view limits;  ///< what it needs, or does not do
+  std::string_view text;    ///< description
+  std::string_view limits;  ///< requirements and limits
   double order;             ///< of the cumulative creep in dx
-  /// c: below, tractions wiggle or are smeared; above, steps are too coarse.
+  /// Safe c: below it tractions wiggle or are smeared, above it steps are too coarse.
   SafeRange safe_steps;
   AdvectionScheme (*scheme)(double relaxation);
   bool takes_relaxation = false;
 };
 
-/// The default first.
+/// All entries, the default first.
 std::span<const AdvectionEntry> advection_schemes();
 
 /// Their names, in that order.
@@ -89,13 +89,14 @@ const AdvectionEntry& advection_scheme(std::string_view name);
 
 const AdvectionEntry& entry_of(const AdvectionScheme& scheme);
 
-/// As scenes name it.
+/// The name that scenes use.
 std::string name_of(const AdvectionScheme& scheme);
 
-/// c of a transient under a force, of 5 % of full sliding or more, from which on rounding leaves 1
-/// % of the creepage or less: that is a shift over the length of a step, and the shift has the
-/// rounding of the displacements. On a grid that is fixed to the material those of the bound are
-/// among them, and nodes enter to 1e-9 of an element. tests/unit/small_steps_test.cpp  [1]
+/// The least c of a transient under a force of at least 5 % of full sliding for which rounding is
+/// below 1 % of the creepage. The creepage is a shift over the length of a step, and the shift has
+/// the rounding of the displacements. On a grid that is fixed to the material, displacements
+/// include those of the bound, and nodes enter to 1e-9 of an element.
+/// tests/unit/small_steps_test.cpp  [1]
 double least_step_under_force(const AdvectionScheme& scheme, Eigen::Index elements);
 
 }  // namespace microslip

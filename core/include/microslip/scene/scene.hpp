@@ -25,12 +25,12 @@ struct Unit {
 };
 
 /// The input of a program: dotted keys with text values, read strictly. Every reader below converts
-/// or throws BadParameter, or std::invalid_argument where there is no such key, in one line that
-/// names the key; keys that nobody asked for are rejected at the end. `with_places` adds file and
-/// line.
+/// or throws BadParameter, or std::invalid_argument where there is no such key. The message is one
+/// line that names the key; with_places() adds file and line. reject_unread() rejects the keys that
+/// nobody read.
 class Scene {
  public:
-  /// Of bytes; a scene holds some dozens of keys.
+  /// Most bytes of a text; a scene holds some dozens of keys.
   static constexpr std::size_t most_text = 1 << 20;
 
   /// The text of a file. \throws std::invalid_argument if it cannot be read
@@ -63,8 +63,8 @@ class Scene {
   /// In the order in which they were first given.
   std::vector<std::string> keys() const;
 
-  /// Where a key was given, to stand in front of a message: "scene.info:14: ". Empty if there is no
-  /// such key, or it was `set`.
+  /// File and line of a key, for the front of a message: "scene.info:14: ". Empty if there is no
+  /// such key, or if set() gave it.
   std::string place_of(const std::string& key) const;
 
   /// As it was given. \throws std::invalid_argument if there is no such key
@@ -147,7 +147,7 @@ class Scene {
   FileReader read_file_;
 };
 
-/// What an action makes of a scene; a message about one of its keys begins with the key's place.
+/// Calls an action on a scene; a message about one of its keys then begins with the key's place.
 template <class Action>
 auto with_places(const Scene& scene, Action action) {
   try {

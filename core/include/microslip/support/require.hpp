@@ -9,14 +9,13 @@
 
 namespace microslip {
 
-/// A message about a parameter, which knows its name: whoever has the scene adds where it was
-/// given.
+/// An error of a parameter, with the parameter's key, to which with_places() adds file and line.
 class BadParameter : public std::invalid_argument {
  public:
   BadParameter(std::string_view key, const std::string& message)
       : std::invalid_argument(message), key_(key) {}
 
-  /// As in a scene file; what stands before a blank says which value of it: "largest bound".
+  /// The key in a scene file; a word before it says which of several values: "largest bound".
   const std::string& key() const { return key_; }
 
  private:
