@@ -37,7 +37,7 @@ void add(Table& history, const TransientState& state) {
 
 /// \param noise  of the creepage of single steps
 std::optional<std::string> doubt_of(double noise) {
-  constexpr double doubtful = 0.5;
+  constexpr double doubtful = 0.1;
   if (noise <= doubtful) return std::nullopt;
   return "creepage_noise is " + format_roughly(noise) +
          ": the creepage of steps that are shorter than an element is not resolved; "

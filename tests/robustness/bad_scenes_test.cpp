@@ -150,42 +150,6 @@ TEST_F(BadScenes, ResultsWorseThanAccepted) {
   EXPECT_LE(summary_value("slip_violation"), 1e-3);
 }
 
-// Outside of safe ranges a scene is solved as asked for, with a line on stderr and in the tables.
-TEST_F(BadScenes, UnsafeValuesAreWarnedOf) {
-  const auto expect_warned = [&](const std::string& scene, const std::string& options,
-                                 const std::string& line) {
-    const Outcome outcome = run(scene, options);
-    EXPECT_EQ(outcome.status, 0);
-    EXPECT_TRUE(outcome.error.starts_with("microslip: warning: " + line + "\n")) << outcome.error;
-    EXPECT_NE(text_of(out() / "summary.tsv").find("#   warning = " + line), std::string::npos);
-  };
-  const std::string standard = "--set leading_edge=standard --set grid.elements=51 ";
-  expect_warned(good_scene, standard + "--set step.ratio=0.1",
-                "step.ratio = 0.1: this scheme is safe from 0.7 to 1.5; leading_edge inversion is "
-                "safe for any");
-  expect_warned(good_scene, standard + "--set grid.elements=4",
-                "grid.elements = 4: this scheme is safe from 11 on; leading_edge inversion is safe "
-                "for any");
-  expect_warned(
-      good_scene, "--set leading_edge=calibrated --set grid.elements=4",
-      "grid.elements = 4: this scheme is safe from 11 on; leading_edge inversion is safe for any");
-  expect_warned(good_transient, "--set step.scheme=direct --set step.ratio=0.1",
-                "step.ratio = 0.1: this scheme is safe from 0.5 to 1.3; step.scheme material is "
-                "safe for any");
-  const std::string tiny = "--set motion.distance=1e-9 --set step.ratio=";
-  expect_warned(
-      good_transient, tiny + "1e-10",
-      "step.ratio = 1e-10: under a force, rounding is more than 1 % of the creepage below "
-      "step.ratio = 1e-09 with 20 elements");
-  EXPECT_EQ(run(good_transient, tiny + "1e-9").error, "");
-  EXPECT_EQ(run(good_transient, tiny + "1e-10 --set start.force=1 --set load.force= "
-                                       "--set load.creepage=0.01")
-                .error,
-            "");
-  EXPECT_EQ(run(good_scene, standard + "--set step.ratio=0.7").error, "");
-  EXPECT_EQ(run(good_transient, "--set step.ratio=0.01").error, "");
-}
-
 TEST_F(BadScenes, TargetErrors) {
   const std::string free = "--set grid.elements= ";
   expect_rejected(good_scene, free + "--target-error 0.5",
@@ -265,7 +229,7 @@ TEST_F(BadScenes, BoundFiles) {
 }
 
 TEST_F(BadScenes, TheGoodTransientIsSolvedAndStartsTheNext) {
-  for (const std::string load : {"", " --set load.force=1.5", " --set step.scheme=direct",
+  for (const std::string load : {"", " --set load.force=1.2", " --set step.scheme=direct",
                                  " --set load.force= --set start.force=1 --set load.creepage=-9"}) {
     EXPECT_EQ(run(good_transient, load).error, "");
     EXPECT_TRUE(fs::exists(out() / "history.tsv"));

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes that are solved with a line on stderr, which is in the tables, too.
+#include <string>
+
+#include "robustness/executables.hpp"
+
+namespace microslip {
+namespace {
+
+class Warnings : public Executables {
+ protected:
+  Outcome run(const std::string& scene, const std::string& options) const {
+    return run_program("microslip", "", scene, options);
+  }
+};
+
+// Outside of safe ranges a scene is solved as asked for, with a line on stderr and in the tables.
+TEST_F(Warnings, TellOfUnsafeValues) {
+  const auto expect_warned = [&](const std::string& scene, const std::string& options,
+                                 const std::string& line) {
+    const Outcome outcome = run(scene, options);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_TRUE(outcome.error.starts_with("microslip: warning: " + line + "\n")) << outcome.error;
+    EXPECT_NE(text_of(out() / "summary.tsv").find("#   warning = " + line), std::string::npos);
+  };
+  const std::string standard = "--set leading_edge=standard --set grid.elements=51 ";
+  expect_warned(good_scene, standard + "--set step.ratio=0.1",
+                "step.ratio = 0.1: this scheme is safe from 0.7 to 1.5; leading_edge inversion is "
+                "safe for any");
+  expect_warned(good_scene, standard + "--set grid.elements=4",
+                "grid.elements = 4: this scheme is safe from 11 on; leading_edge inversion is safe "
+                "for any");
+  expect_warned(
+      good_scene, "--set leading_edge=calibrated --set grid.elements=4",
+      "grid.elements = 4: this scheme is safe from 11 on; leading_edge inversion is safe for any");
+  expect_warned(good_transient, "--set step.scheme=direct --set step.ratio=0.1",
+                "step.ratio = 0.1: this scheme is safe from 0.5 to 1.3; step.scheme material is "
+                "safe for any");
+  const std::string tiny = "--set motion.distance=1e-9 --set step.ratio=";
+  expect_warned(
+      good_transient, tiny + "1e-10",
+      "step.ratio = 1e-10: under a force, rounding is more than 1 % of the creepage below "
+      "step.ratio = 1e-09 with 20 elements");
+  EXPECT_EQ(run(good_transient, tiny + "1e-9").error, "");
+  EXPECT_EQ(run(good_transient, tiny + "1e-10 --set start.force=1 --set load.force= "
+                                       "--set load.creepage=0.01")
+                .error,
+            "");
+  EXPECT_EQ(run(good_scene, standard + "--set step.ratio=0.7").error, "");
+  EXPECT_EQ(run(good_transient, "--set step.ratio=0.01").error, "");
+}
+
+// Under a force, elements begin to slip one by one, each in one of the short steps.
+TEST_F(Warnings, TellOfCreepagesThatShortStepsDoNotResolve) {
+  const std::string short_steps =
+      "--set grid.elements=200 --set step.ratio=0.1 --set motion.distance=2.5 --set load.force=";
+  const Outcome noisy = run(good_transient, short_steps + "-0.0157");
+  EXPECT_EQ(noisy.status, 0);
+  EXPECT_TRUE(noisy.error.starts_with("microslip: warning: creepage_noise is 0.2")) << noisy.error;
+  EXPECT_NE(noisy.error.find("not resolved; element_creepage and cumulative_creep are"),
+            std::string::npos)
+      << noisy.error;
+  EXPECT_EQ(run(good_transient, short_steps + "-1").error, "");
+}
+
+}  // namespace
+}  // namespace microslip
