@@ -12,16 +12,16 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 ContactGrid::ContactGrid(const TransientProblem& problem)
-    : scheme_(problem.scheme),
+    : RollingGrid(influence_operator(problem.kernel, problem.basis, problem.grid.spacing(),
+                                     problem.grid.size(), problem.solver),
+                  problem.basis.weights(problem.grid.spacing(), problem.grid.size()),
+                  problem.solver),
+      scheme_(problem.scheme),
       spacing_(problem.grid.spacing()),
-      active_set_(influence_operator(problem.kernel, problem.basis, spacing_, problem.grid.size(),
-                                     problem.solver),
-                  problem.basis.weights(spacing_, problem.grid.size()), problem.solver),
       advection_(problem.kernel, problem.basis, spacing_, problem.grid.size(), problem.scheme,
                  problem.solver) {
   x_ = problem.grid.nodes();
   bound_ = bound_at(problem.bound, x_);
-  weights_ = problem.basis.weights(spacing_, x_.size());
   mean_bound_ = element_means(problem.bound, x_, weights_);
   conditions_.bound = bound_;
 }
@@ -32,10 +32,6 @@ std::unique_ptr<RollingGrid> ContactGrid::clone() const {
 
 VectorXd ContactGrid::traction_at_nodes(const TransientState& state) const {
   return state.traction;
-}
-
-VectorXd ContactGrid::displacement(const VectorXd& traction) const {
-  return active_set_.response() * traction;
 }
 
 void ContactGrid::start_from(const VectorXd& traction, TransientState& state) {

@@ -18,8 +18,6 @@ class ContactGrid final : public RollingGrid {
 
   std::unique_ptr<RollingGrid> clone() const override;
   Eigen::VectorXd traction_at_nodes(const TransientState& state) const override;
-  Eigen::VectorXd displacement(const Eigen::VectorXd& traction) const override;
-  double condition() override { return active_set_.condition(); }
   void start_from(const Eigen::VectorXd& traction, TransientState& state) override;
   double start_from_shift(const PrescribedForce& force, TransientState& state) override;
   void solve_step(const TransientState& before, double length, const Load& load,
@@ -32,7 +30,6 @@ class ContactGrid final : public RollingGrid {
   AdvectionScheme scheme_;
   double spacing_;
   Eigen::VectorXd mean_bound_;
-  ActiveSet active_set_;
   Advection advection_;
 
   // Of the step that was solved last.

@@ -64,16 +64,18 @@ MaterialGrid::MaterialGrid(const TransientProblem& problem)
     : MaterialGrid(problem, leading_edge_constants(constant_basis())) {}
 
 MaterialGrid::MaterialGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge)
-    : traction_bound_(problem.bound),
+    : MaterialGrid(problem, edge, MaterialWindow(problem.bound, problem.grid, edge.offset)) {}
+
+MaterialGrid::MaterialGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge,
+                           const MaterialWindow& window)
+    : RollingGrid(influence_operator(problem.kernel, constant_basis(), window.spacing(),
+                                     window.size(), problem.solver),
+                  VectorXd::Constant(window.size(), window.spacing()), problem.solver),
+      traction_bound_(problem.bound),
       problem_nodes_(problem.grid.nodes()),
-      window_(problem.bound, problem.grid, edge.offset),
+      window_(window),
       edge_(edge),
-      compliance_(edge.compliance * compliance(material_of(problem.kernel)) * window_.spacing()),
-      active_set_(influence_operator(problem.kernel, constant_basis(), window_.spacing(),
-                                     window_.size(), problem.solver),
-                  VectorXd::Constant(window_.size(), window_.spacing()), problem.solver) {
-  weights_ = VectorXd::Constant(window_.size(), window_.spacing());
-}
+      compliance_(edge.compliance * compliance(material_of(problem.kernel)) * window.spacing()) {}
 
 std::unique_ptr<RollingGrid> MaterialGrid::clone() const {
   return std::make_unique<MaterialGrid>(*this);
@@ -81,10 +83,6 @@ std::unique_ptr<RollingGrid> MaterialGrid::clone() const {
 
 double MaterialGrid::phase(const MaterialState& state) const {
   return state.distance / window_.spacing() - state.entered;
-}
-
-VectorXd MaterialGrid::displacement(const VectorXd& traction) const {
-  return active_set_.response() * traction;
 }
 
 VectorXd MaterialGrid::traction_at_nodes(const TransientState& state) const {
@@ -250,7 +248,6 @@ void MaterialGrid::roll_substep(double length, double end, const Load& load) {
   const double now = end / window_.spacing() - state.entered - (enters ? 1 : 0);
   const Substep substep{.before = phase(state),
                         .now = now,
-                        .length = length,
                         .moved = enters ? 1 : 0,
                         .edge = enters ? window_.leading() : window_.coming(),
                         .edge_is_new = enters || now > MaterialWindow::rounding};

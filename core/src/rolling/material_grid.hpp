@@ -92,8 +92,6 @@ class MaterialGrid final : public RollingGrid {
 
   std::unique_ptr<RollingGrid> clone() const override;
   Eigen::VectorXd traction_at_nodes(const TransientState& state) const override;
-  Eigen::VectorXd displacement(const Eigen::VectorXd& traction) const override;
-  double condition() override { return active_set_.condition(); }
   void start_from(const Eigen::VectorXd& traction, TransientState& state) override;
   double start_from_shift(const PrescribedForce& force, TransientState& state) override;
   void solve_step(const TransientState& before, double length, const Load& load,
@@ -103,12 +101,13 @@ class MaterialGrid final : public RollingGrid {
 
  private:
   MaterialGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge);
+  MaterialGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge,
+               const MaterialWindow& window);
 
   /// Of a step, between two entrances of nodes.
   struct Substep {
     double before;       ///< phase  [dx]
     double now;          ///< likewise, at its end
-    double length;       ///< [mm]
     Eigen::Index moved;  ///< 1 if a node enters at its end, else 0
     Eigen::Index edge;   ///< the node that enters or comes
     bool edge_is_new;    ///< so that its condition is about the last element travelled
@@ -128,7 +127,6 @@ class MaterialGrid final : public RollingGrid {
   MaterialWindow window_;
   LeadingEdgeConstants edge_;
   double compliance_;  ///< e0 2 (1 - nu)/G dx  [mm^3/N]
-  ActiveSet active_set_;
   MaterialState state_;
   MaterialStep step_;  ///< that was solved last
 

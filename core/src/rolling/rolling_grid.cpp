@@ -22,6 +22,7 @@ void RollingGrid::fill_state(double distance, const ContactState& contact, doubl
   state.zones = contact.zones;
   state.force = weights_.dot(contact.traction);
   state.creepage = contact.creepage / length;
+  state.element_creepage = state.creepage;
   state.end_dissipation = -weights_.cwiseProduct(state.traction).dot(state.slip);
   state.dissipation = state.end_dissipation;
   state.mean_force = state.force;

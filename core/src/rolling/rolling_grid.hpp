@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
@@ -26,10 +27,12 @@ class RollingGrid {
   virtual Eigen::VectorXd traction_at_nodes(const TransientState& state) const = 0;
 
   /// A times tractions at the nodes  [mm]
-  virtual Eigen::VectorXd displacement(const Eigen::VectorXd& traction) const = 0;
+  Eigen::VectorXd displacement(const Eigen::VectorXd& traction) const {
+    return active_set_.response() * traction;
+  }
 
   /// As ActiveSet::condition, for the step that was solved last.
-  virtual double condition() = 0;
+  double condition() { return active_set_.condition(); }
 
   /// Starts from tractions, with nothing rolled.
   /// \param traction  at the nodes of the problem's grid, within the bound  [N/mm^2]
@@ -58,7 +61,13 @@ class RollingGrid {
   virtual void move_to(double distance) { (void)distance; }
 
  protected:
-  /// What a solved contact is to a state; dissipation and mean force are those at the end.
+  /// \param influence  A, n x n
+  /// \param weights    n, > 0  [mm]
+  RollingGrid(SquareMatrix influence, const Eigen::VectorXd& weights, const Solver& solver)
+      : weights_(weights), active_set_(std::move(influence), weights, solver) {}
+
+  /// Fills a state from a solved contact. Dissipation and mean force are those at the end, and the
+  /// creepage over an element is that of the step.
   /// \param contact  with slip and creepage as displacements over the length  [mm]
   /// \param bound    that its tractions kept, and its means over elements  [N/mm^2]
   void fill_state(double distance, const ContactState& contact, double length,
@@ -66,6 +75,7 @@ class RollingGrid {
                   TransientState& state) const;
 
   Eigen::VectorXd x_, bound_, weights_;
+  ActiveSet active_set_;
 };
 
 /// Slip where tractions reach the bound, and where that is zero; else adhesion.

@@ -133,13 +133,11 @@ void TransientRolling::start_from(const VectorXd& traction) {
   const VectorXd nodes = problem_.grid.nodes();
   require_within_bound(nodes, bound_at(problem_.bound, nodes), traction);
   grid_->start_from(traction, state_);
-  state_.element_creepage = 0;
   creep_.start();
 }
 
 double TransientRolling::start_from_shift(const PrescribedForce& force) {
   const double shift = grid_->start_from_shift(force, state_);
-  state_.element_creepage = 0;
   creep_.start();
   return shift;
 }
