@@ -67,9 +67,12 @@ struct microslip_kernel {
 };
 
 enum microslip_scheme {
-  MICROSLIP_MATERIAL = 0, /**< nodes move with the material: right for any dq, balances energy */
-  MICROSLIP_DIRECT = 1    /**< nodes move with the contact, as in CONTACT: wiggles where dq is not
-                             about an element */
+  MICROSLIP_MATERIAL = 0,  /**< nodes move with the material: right for any dq, balances energy */
+  MICROSLIP_DIRECT = 1,    /**< nodes stand in the contact, as in CONTACT: wiggles where dq is not
+                              about an element */
+  MICROSLIP_REMEMBERED = 2 /**< nodes stand in the contact, and the material remembers its
+                              displacement: right for any dq, smooth, second order for small
+                              changes of the load, too */
 };
 
 struct microslip_grid {

@@ -43,10 +43,17 @@ Kernel make_kernel(const Material& material, const microslip_kernel& kernel) {
 }
 
 AdvectionScheme make_scheme(int scheme) {
-  require(scheme == MICROSLIP_MATERIAL || scheme == MICROSLIP_DIRECT, "grid.scheme", scheme,
-          "0 for material or 1 for direct");
-  if (scheme == MICROSLIP_MATERIAL) return MaterialFixed{};
-  return Direct{};
+  switch (scheme) {
+    case MICROSLIP_MATERIAL:
+      return MaterialFixed{};
+    case MICROSLIP_DIRECT:
+      return Direct{};
+    case MICROSLIP_REMEMBERED:
+      return Remembered{};
+    default:
+      reject("grid.scheme", std::to_string(scheme),
+             "0 for material, 1 for direct or 2 for remembered");
+  }
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ class Kernel(c.Structure):
 
 
 class Grid(c.Structure):
-    MATERIAL, DIRECT = 0, 1
+    MATERIAL, DIRECT, REMEMBERED = 0, 1, 2
     _fields_ = [("elements", c.c_int), ("scheme", c.c_int)]
 
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Transients of contacts that nobody chose, on a grid fixed to the material: against the scheme of
-// the thesis with c = 1, which has another grid and other bounds of its elements, extrapolated.
+// Transients of contacts that nobody chose, by the schemes that take any step: against the scheme
+// of the thesis with c = 1, which has another grid and other bounds of its elements, extrapolated.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <iostream>
 
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "property/generated_contacts.hpp"
 
@@ -54,7 +55,7 @@ double force_from_rest(const SteadyContact& contact, double creepage, Index elem
 // Within one and a half times the larger of 1 % (of 3 % where the bound jumps) and the error of the
 // thesis's scheme with as many elements and c = 1; the truth is known to the difference of the two
 // that are extrapolated.
-TEST(GeneratedTransients, MaterialSchemeIsRight) {
+void expect_right(const AdvectionScheme& scheme) {
   ContactGenerator generator(seed_of_tests() + 2000);
   double worst_creep = 0, worst_force = 0;
   for (int i = 0; i < 60; ++i) {
@@ -73,7 +74,7 @@ TEST(GeneratedTransients, MaterialSchemeIsRight) {
       const double coarse = result(200, 1, Direct{});
       const double fine = result(400, 1, Direct{});
       const double truth = 2 * fine - coarse;
-      const double error = std::abs(result(100, step_ratio, MaterialFixed{}) - truth);
+      const double error = std::abs(result(100, step_ratio, scheme) - truth);
       const double other = std::abs(result(100, 1, Direct{}) - truth);
       worst = std::max(worst, error / std::abs(truth));
       EXPECT_LE(error, 1.5 * std::max((kind == "jumps" ? 0.03 : 0.01) * std::abs(truth), other) +
@@ -89,6 +90,9 @@ TEST(GeneratedTransients, MaterialSchemeIsRight) {
             << worst_force << '\n';
 }
 
+TEST(GeneratedTransients, MaterialSchemeIsRight) { expect_right(MaterialFixed{}); }
+TEST(GeneratedTransients, RememberedSchemeIsRight) { expect_right(Remembered{}); }
+
 // Where the bound is not reached, it has no influence.
 TEST(GeneratedTransients, DoNotKnowTheBoundWhereItSticks) {
   const SteadyContact contact{PlaneKernel({82000, 0.28}, 50), HertzBound(half_width, 300),
@@ -100,11 +104,13 @@ TEST(GeneratedTransients, DoNotKnowTheBoundWhereItSticks) {
     return at < -3 ? g : g * (2 + std::sin(40 * at));
   }));
   for (const double step_ratio : {1.0, 0.3}) {
-    const auto creep = [&](const TractionBound& bound) {
-      return cumulative_creep({contact.kernel, bound, contact.load}, 60, step_ratio,
-                              MaterialFixed{});
-    };
-    EXPECT_NEAR(creep(rough) / creep(smooth), 1, 1e-9) << step_ratio;
+    for (const AdvectionScheme& scheme :
+         {AdvectionScheme(MaterialFixed{}), AdvectionScheme(Remembered{})}) {
+      const auto creep = [&](const TractionBound& bound) {
+        return cumulative_creep({contact.kernel, bound, contact.load}, 60, step_ratio, scheme);
+      };
+      EXPECT_NEAR(creep(rough) / creep(smooth), 1, 1e-9) << name_of(scheme) << step_ratio;
+    }
   }
 }
 

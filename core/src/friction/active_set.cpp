@@ -63,18 +63,34 @@ class ContactSearch {
   double condition() { return system_.condition(); }
 
   void run(const SlipConditions& conditions, const Load& load, ContactState& state) {
-    conditions_ = &conditions;
-    prescribed_ = prescribed_value(load);
-    force_prescribed_ = std::holds_alternative<PrescribedForce>(load);
-    bound_scale_ = conditions.bound.maxCoeff();
-    zones_ = state.zones;
-    iterations_ = 0;
-    system_.prescribe_force(force_prescribed_);
-    system_.set_compliant(conditions.compliant);
+    begin(conditions, load, state.zones);
     if (!exchange_blocks() && !follow_path_from(state.zones) && !follow_path_from_adhesion()) {
       throw NotConverged("active set: no stick/slip partition found", iterations_,
                          largest_violation());
     }
+    finish(state);
+  }
+
+  void run_partition(const SlipConditions& conditions, const Load& load,
+                     const std::vector<Zone>& zones, ContactState& state) {
+    begin(conditions, load, zones);
+    respond();
+    finish(state);
+  }
+
+ private:
+  void begin(const SlipConditions& conditions, const Load& load, const std::vector<Zone>& zones) {
+    conditions_ = &conditions;
+    prescribed_ = prescribed_value(load);
+    force_prescribed_ = std::holds_alternative<PrescribedForce>(load);
+    bound_scale_ = conditions.bound.maxCoeff();
+    zones_ = zones;
+    iterations_ = 0;
+    system_.prescribe_force(force_prescribed_);
+    system_.set_compliant(conditions.compliant);
+  }
+
+  void finish(ContactState& state) {
     if (!(response_.residual <= system_.solver().tolerance)) {
       throw NotConverged("active set: the residual of the equations in adhesion is above " +
                              format_short(system_.solver().tolerance),
@@ -88,7 +104,6 @@ class ContactSearch {
     state.residuals = residuals();
   }
 
- private:
   Index size() const { return conditions_->bound.size(); }
   Zone& zone(Index i) { return zones_[static_cast<std::size_t>(i)]; }
   Zone zone(Index i) const { return zones_[static_cast<std::size_t>(i)]; }
@@ -380,6 +395,11 @@ ContactState ActiveSet::solve(const SlipConditions& conditions, const Load& load
   ContactState state{.traction = {}, .slip = {}, .zones = first};
   solve(conditions, load, state);
   return state;
+}
+
+void ActiveSet::solve_partition(const SlipConditions& conditions, const Load& load,
+                                const std::vector<Zone>& zones, ContactState& state) {
+  search_->run_partition(conditions, load, zones, state);
 }
 
 double ActiveSet::condition() { return search_->condition(); }

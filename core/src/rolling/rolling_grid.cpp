@@ -7,6 +7,7 @@
 #include "contact_grid.hpp"
 #include "material_grid.hpp"
 #include "microslip/support/require.hpp"
+#include "remembered_grid.hpp"
 
 namespace microslip {
 
@@ -51,13 +52,15 @@ std::vector<Zone> zones_at(const VectorXd& traction, const VectorXd& bound) {
 }
 
 std::unique_ptr<RollingGrid> rolling_grid(const TransientProblem& problem) {
-  if (!std::holds_alternative<MaterialFixed>(problem.scheme)) {
-    return std::make_unique<ContactGrid>(problem);
-  }
+  const bool fixed = std::holds_alternative<MaterialFixed>(problem.scheme);
+  const bool remembered = std::holds_alternative<Remembered>(problem.scheme);
+  if (!fixed && !remembered) return std::make_unique<ContactGrid>(problem);
   if (problem.basis.name() != "constant") {
-    reject("basis", problem.basis.name(), "constant on a grid that is fixed to the material");
+    reject("basis", problem.basis.name(),
+           "constant where the material carries the grid or remembers its displacement");
   }
-  return std::make_unique<MaterialGrid>(problem);
+  if (fixed) return std::make_unique<MaterialGrid>(problem);
+  return std::make_unique<RememberedGrid>(problem);
 }
 
 }  // namespace microslip

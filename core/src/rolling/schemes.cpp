@@ -90,6 +90,13 @@ constexpr std::array advection{
                    .order = 2,
                    .safe_steps = anywhere,
                    .scheme = [](double) -> AdvectionScheme { return MaterialFixed{}; }},
+    AdvectionEntry{.name = "remembered",
+                   .text = "displacement remembered by the material: second order in dx, for any "
+                           "step, with the stick-slip point anywhere within an element",
+                   .limits = "constant functions",
+                   .order = 2,
+                   .safe_steps = anywhere,
+                   .scheme = [](double) -> AdvectionScheme { return Remembered{}; }},
     AdvectionEntry{.name = "direct",
                    .text = "displacements at the nodes moved by c dx: first order, wiggles for c "
                            "<< 1 and smoothed peaks unless c is whole",

@@ -112,6 +112,14 @@ class ActiveSet {
   ContactState solve(const SlipConditions& conditions, const Load& load,
                      const std::vector<Zone>& first);
 
+  /// Tractions, slip and creepage of a given partition, which may break the conditions: elements in
+  /// adhesion have no slip, others the traction of their bound.
+  /// \param zones  n
+  /// \param state  out
+  /// \throws NotConverged if the system is singular or its residual above the tolerance
+  void solve_partition(const SlipConditions& conditions, const Load& load,
+                       const std::vector<Zone>& zones, ContactState& state);
+
   /// Estimate of the condition number of the equations in adhesion of the last partition, in the
   /// 1-norm; 1 if nothing sticks. New factors where the last ones are bordered, and some five
   /// solves.

@@ -40,7 +40,13 @@ struct Fractional {};
 /// contact.
 struct MaterialFixed {};
 
-using AdvectionScheme = std::variant<Direct, Relaxed, RelaxedTraction, Fractional, MaterialFixed>;
+/// u' is the displacement that the material remembers since it entered the contact, on a grid that
+/// stands in the contact. The results do not depend on c, and the stick-slip point lies anywhere
+/// within an element. docs/theory.md. For constant functions.
+struct Remembered {};
+
+using AdvectionScheme =
+    std::variant<Direct, Relaxed, RelaxedTraction, Fractional, MaterialFixed, Remembered>;
 
 /// Makes the offsets of a step's slip conditions from the previous tractions, by a scheme.
 class Advection {

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remembered_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/support/interpolation.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// A phase this close to 1 is there: distances are sums.
+constexpr double rounding = 1e-9;
+
+/// The interpolation between points is cubic.
+constexpr Index fewest_nodes = 4;
+
+/// Points that have slipped so many elements ago, or fewer, are kept as if they had not: the
+/// partitions whose mean is taken include their nodes in adhesion.
+constexpr Index kept_behind = 3;
+
+/// Without rolling, tractions in adhesion are singular at the leading edge, which the scheme then
+/// feels half an element nearer. So an element at the entry carries traction, on a spring that is
+/// the mean of the solutions with and without it.
+constexpr double entry_in_shift = 0.5;
+
+bool sticks(const std::vector<Zone>& zones, Index i) {
+  return zones[static_cast<std::size_t>(i)] == Zone::adhesion;
+}
+
+/// The value at index i + shift of values at whole indices, cubic.
+/// \param shift  in [0, 1]
+/// \param from   the values used have this index at least
+double interpolated_at(const VectorXd& values, Index i, double shift, Index from) {
+  if (shift <= 0) return values[i];
+  if (shift >= 1) return values[i + 1];
+  const Index last = values.size() - fewest_nodes;
+  const Index a = std::clamp(i - 1, std::min(from, last), last);
+  const double z = static_cast<double>(i - a) + shift;
+  const auto factor = [z](Index k) { return z - static_cast<double>(k); };
+  return -factor(1) * factor(2) * factor(3) / 6 * values[a] +
+         factor(0) * factor(2) * factor(3) / 2 * values[a + 1] -
+         factor(0) * factor(1) * factor(3) / 2 * values[a + 2] +
+         factor(0) * factor(1) * factor(2) / 6 * values[a + 3];
+}
+
+}  // namespace
+
+RememberedGrid::RememberedGrid(const TransientProblem& problem)
+    : RememberedGrid(problem, leading_edge_constants(constant_basis())) {}
+
+RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge)
+    : RememberedGrid(problem, edge,
+                     Grid({.half_width = problem.grid.half_width(),
+                           .elements = problem.grid.size(),
+                           .leading_offset = edge.offset,
+                           .trailing_offset = edge.offset - 0.5})) {}
+
+RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge,
+                               const Grid& grid)
+    : RollingGrid(influence_operator(problem.kernel, constant_basis(), grid.spacing(), grid.size(),
+                                     problem.solver),
+                  VectorXd::Constant(grid.size(), grid.spacing()), problem.solver),
+      traction_bound_(problem.bound),
+      problem_nodes_(problem.grid.nodes()),
+      spacing_(grid.spacing()),
+      edge_(edge),
+      kernel_(problem.kernel),
+      solver_(problem.solver),
+      stick_slip_point_(edge) {
+  const Index n = grid.size();
+  require(n >= fewest_nodes, "grid.elements", static_cast<double>(n),
+          "at least 4 where the material remembers its displacement");
+  require(problem.grid.leading_offset() == 0.5, "grid.leading_offset",
+          problem.grid.leading_offset(), "0.5 where the material remembers its displacement");
+  x_ = grid.nodes();
+  bound_ = element_means(problem.bound, x_, weights_);
+  entry_influence_.resize(n);
+  for (Index j = 0; j < n; ++j) {
+    entry_influence_[j] =
+        influence(kernel_, constant_basis().shapes().front(), spacing_, static_cast<double>(n - j));
+  }
+  conditions_.bound = bound_;
+  conditions_.reference = VectorXd::Zero(n);
+}
+
+std::unique_ptr<RollingGrid> RememberedGrid::clone() const {
+  return std::make_unique<RememberedGrid>(*this);
+}
+
+VectorXd RememberedGrid::traction_at_nodes(const TransientState& state) const {
+  const VectorXd at_nodes = bound_at(traction_bound_, x_);
+  VectorXd values(x_.size());
+  for (Index i = 0; i < x_.size(); ++i) {
+    const Zone zone = state.zones[static_cast<std::size_t>(i)];
+    values[i] = zone == Zone::adhesion
+                    ? std::clamp(state.traction[i] / edge_.value(x_.size() - 1 - i, 0),
+                                 -at_nodes[i], at_nodes[i])
+                    : static_cast<double>(zone) * at_nodes[i];
+  }
+  return values;
+}
+
+double RememberedGrid::phase(const RememberedState& state) const {
+  return state.distance / spacing_ - state.entered;
+}
+
+double RememberedGrid::displacement_at_entry(const VectorXd& traction) const {
+  return entry_influence_.dot(traction);
+}
+
+/// From tractions that nothing has rolled with.
+void RememberedGrid::begin(const VectorXd& traction, TransientState& state) {
+  state_ = {};
+  state_.traction = traction;
+  state_.zones = zones_at(traction, bound_);
+  state_.nodes.resize(x_.size() + 1);
+  state_.nodes << displacement(traction), displacement_at_entry(traction);
+  state_.stored = spacing_ * traction.dot(state_.nodes.head(x_.size())) / 2;
+  remember_all(state_);
+  fill_state(0, {.traction = traction, .slip = VectorXd::Zero(x_.size()), .zones = state_.zones}, 1,
+             bound_, bound_, state);
+}
+
+void RememberedGrid::remember_all(RememberedState& state) const {
+  state.points = state.nodes;
+  state.stuck = first_stuck(state.zones);
+  state.kept = state.stuck;
+}
+
+/// Takes the ratio of tractions to the bound to the nodes of this grid.
+void RememberedGrid::start_from(const VectorXd& traction, TransientState& state) {
+  const VectorXd bound = bound_at(traction_bound_, problem_nodes_);
+  const VectorXd ratio =
+      (bound.array() > 0).select(traction.array() / bound.array(), 0).cwiseMax(-1).cwiseMin(1);
+  begin(bound_.cwiseProduct(interpolated(problem_nodes_, ratio, x_)), state);
+}
+
+double RememberedGrid::start_from_shift(const PrescribedForce& force, TransientState& state) {
+  const Index n = x_.size();
+  const VectorXd zeros = VectorXd::Zero(n + 1);
+  const ContactState contact = active_set_.solve(
+      {.bound = bound_, .offset = zeros.head(n), .reference = zeros.head(n)}, force);
+  begin(contact.traction, state);
+  state_.zones = contact.zones;
+  remember_all(state_);
+  state.zones = contact.zones;
+  if (!sticks(contact.zones, n - 1)) return contact.creepage;
+
+  VectorXd bound(n + 1);
+  bound << bound_, bound_[n - 1];
+  const double spring = edge_.compliance * compliance(material_of(kernel_)) * spacing_ *
+                        (1 - entry_in_shift) / entry_in_shift;
+  ActiveSet with_entry(influence_operator(kernel_, constant_basis(), spacing_, n + 1, solver_),
+                       VectorXd::Constant(n + 1, spacing_), solver_);
+  const ContactState longer = with_entry.solve(
+      {.bound = bound, .offset = zeros, .reference = zeros, .compliant = {{n, spring}}}, force);
+  VectorXd traction = longer.traction.head(n);
+  traction[n - 1] += longer.traction[n];
+  begin(traction, state);
+  state_.zones.assign(longer.zones.begin(), longer.zones.end() - 1);
+  state_.nodes = with_entry.response() * longer.traction;
+  remember_all(state_);
+  state.zones = state_.zones;
+  return longer.creepage;
+}
+
+void RememberedGrid::solve_step(const TransientState&, double length, const Load& load,
+                                TransientState& after) {
+  require(length / spacing_ >= min_step_ratio, "step.ratio", length / spacing_,
+          "a number >= 1e-15");
+  next_ = state_;
+  sum_ = {.slip = VectorXd::Zero(x_.size())};
+  // Compensated, or steps of whole elements would be split after some ten thousand.
+  const double added = length - state_.distance_error;
+  const double end = state_.distance + added;
+  double rest = length;
+  for (double next = state_.entered + 1; end / spacing_ - next > rounding; ++next) {
+    const double part = next * spacing_ - next_.distance;
+    roll_part(part, next * spacing_, load);
+    rest -= part;
+  }
+  roll_part(rest, end, load);
+  next_.distance_error = (end - state_.distance) - added;
+
+  fill_state(end,
+             {.traction = next_.traction,
+              .slip = sum_.slip,
+              .zones = next_.zones,
+              .creepage = sum_.creepage,
+              .iterations = sum_.iterations,
+              .residuals = {.equations = sum_.residual}},
+             length, bound_, bound_, after);
+  after.mean_force = sum_.mean_force / length;
+  after.dissipation = -(sum_.work + next_.stored - state_.stored) / length;
+}
+
+void RememberedGrid::accept_step() { std::swap(state_, next_); }
+
+void RememberedGrid::move_to(double distance) {
+  state_.distance = distance;
+  state_.distance_error = 0;
+}
+
+/// Sets the displacements with which the material has come to the nodes.
+/// \param phase      at the end of the part
+/// \param travelled  since the part began  [dx]
+/// \param slipped    whether points next to the stick-slip point are taken as they slipped
+void RememberedGrid::recall(const RememberedState& state, double phase, double travelled,
+                            bool slipped) {
+  conditions_.offset.resize(x_.size());
+  for (Index i = 0; i < x_.size(); ++i) {
+    const bool as_if_stuck = !slipped && i >= state.kept && i < state.stuck;
+    const bool from_nodes = !sticks(state.zones, i) && !as_if_stuck;
+    const Index from = !slipped && i >= state.kept ? state.kept : 0;
+    conditions_.offset[i] = from_nodes ? -interpolated_at(state.nodes, i, travelled, 0)
+                                       : -interpolated_at(state.points, i, phase, from);
+  }
+}
+
+/// Remembers the displacements at the end of the part.
+void RememberedGrid::remember(RememberedState& state, double phase, bool stuck_again) const {
+  const Index n = x_.size();
+  state.stuck = first_stuck(state.zones);
+  state.kept = stuck_again ? state.stuck : std::max<Index>(0, state.stuck - kept_behind);
+  const auto has_slipped = [&](Index i) {
+    return i < n && !sticks(state.zones, i) && (i < state.kept || i > state.stuck);
+  };
+  if (phase >= 1) {
+    std::shift_left(state.points.begin(), state.points.end(), 1);
+    state.points[n] = state.nodes[n];
+    for (Index i = 0; i < n; ++i) {
+      if (has_slipped(i)) state.points[i] = state.nodes[i];
+    }
+    return;
+  }
+  for (Index i = 1; i < n; ++i) {
+    if (!has_slipped(i) || sticks(state.zones, i - 1)) continue;
+    state.points[i] = phase * state.nodes[i - 1] + (1 - phase) * state.nodes[i];
+  }
+}
+
+/// Rolls up to where an element has been travelled at most.
+void RememberedGrid::roll_part(double length, double end, const Load& load) {
+  RememberedState& state = next_;
+  const double now = end / spacing_ - state.entered;
+  const bool whole = now >= 1 - rounding;
+  const double phase_now = whole ? 1 : now;
+  const double travelled = std::min(1.0, phase_now - std::max(0.0, phase(state)));
+
+  Load shift = load_of_step(load, length);
+  if (auto* creepage = std::get_if<PrescribedCreepage>(&shift)) creepage->value += state.lead;
+  recall(state, phase_now, travelled, false);
+  contact_.zones = state.zones;
+  active_set_.solve(conditions_, shift, contact_);
+  sum_.iterations += contact_.iterations;
+  const bool stuck_again = first_stuck(contact_.zones) < state.stuck - 1;
+  if (stuck_again) {
+    recall(state, phase_now, travelled, true);
+    contact_.zones = state.zones;
+    active_set_.solve(conditions_, shift, contact_);
+    sum_.iterations += contact_.iterations;
+  }
+  sum_.residual = std::max(sum_.residual, contact_.residuals.equations);
+
+  const double force_before = spacing_ * state.traction.sum();
+  const double moved = contact_.creepage;
+  state.points.array() -= moved;
+  displacement_ = (contact_.slip - conditions_.offset).array() - moved;
+  state.nodes.head(x_.size()) = displacement_;
+  stick_slip_point_.average(active_set_, conditions_, shift, contact_, displacement_);
+  state.stored = spacing_ * contact_.traction.dot(displacement_) / 2;
+  const double creepage = contact_.creepage - state.lead;
+  state.lead = contact_.creepage - moved;
+  state.nodes[x_.size()] = displacement_at_entry(contact_.traction) + state.lead;
+  state.traction = contact_.traction;
+  state.zones = contact_.zones;
+  remember(state, phase_now, stuck_again);
+  state.distance = end;
+  if (whole) state.entered += 1;
+
+  const double mean_force = (force_before + spacing_ * state.traction.sum()) / 2;
+  sum_.slip += contact_.slip;
+  sum_.creepage += creepage;
+  sum_.mean_force += mean_force * length;
+  sum_.work += mean_force * creepage;
+}
+
+}  // namespace microslip

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "microslip/friction/active_set.hpp"
+#include "microslip/friction/traction_bound.hpp"
+#include "microslip/halfspace/grid.hpp"
+#include "microslip/spectrum/leading_edge.hpp"
+#include "rolling_grid.hpp"
+#include "stick_slip_point.hpp"
+
+namespace microslip {
+
+/// The displacements that the material remembers, and the state from which a step starts.
+///
+/// Displacements are those of the material less the rigid shift since, so that a point in adhesion
+/// has its former displacement. They have N + 1 entries: one for each node, and one for the entry,
+/// one element before the last node.
+struct RememberedState {
+  double distance = 0;        ///< rolled  [mm]
+  double distance_error = 0;  ///< that rounding added to it  [mm]
+  double entered = 0;         ///< whole elements travelled since the start
+
+  /// At the points of the material that were at nodes and entry when the last whole element had
+  /// been travelled, as if points next to the stick-slip point had not slipped  [mm]
+  Eigen::VectorXd points;
+  Eigen::VectorXd nodes;  ///< at the nodes and the entry now  [mm]
+
+  Eigen::VectorXd traction;  ///< N, the mean over partitions  [N/mm^2]
+  std::vector<Zone> zones;   ///< of the partition that meets the conditions
+  Eigen::Index stuck = 0;    ///< the first node in adhesion; N if there is none
+  double stored = 0;         ///< energy of the bodies  [N]
+  Eigen::Index kept = 0;     ///< points from here on are as if they had not slipped
+  double lead = 0;           ///< shift of the mean over partitions before that of `zones`  [mm]
+};
+
+/// Nodes that stand in the contact, constant functions. The material remembers the displacement
+/// with which it came: S = W + A p - m, where m is the displacement at the place from which the
+/// material has come, cubic between points one element apart.
+///
+/// - Both edges of the contact lie where the scheme feels them: LeadingEdgeConstants::offset
+///   elements before the last node and half an element less behind the first.
+/// - A displacement is remembered where a point enters, one element before the last node, once per
+///   element. Steps in between have no part in what is remembered of adhesion, so that results do
+///   not depend on the step.
+/// - StickSlipPoint gives the mean of the solutions of four partitions, so that the stick-slip
+///   point moves evenly through the elements.
+///
+/// Cost: a step in between two whole elements is a solve of ActiveSet and those of four known
+/// partitions. Where the partition stays, so do all factors.
+/// Accuracy: see `remembered` in docs/theory.md. tests/order/remembered_order_test.cpp
+class RememberedGrid final : public RollingGrid {
+ public:
+  /// \throws std::invalid_argument for offsets of the grid other than 1/2, and fewer than 4 nodes
+  explicit RememberedGrid(const TransientProblem& problem);
+
+  std::unique_ptr<RollingGrid> clone() const override;
+  Eigen::VectorXd traction_at_nodes(const TransientState& state) const override;
+  void start_from(const Eigen::VectorXd& traction, TransientState& state) override;
+  double start_from_shift(const PrescribedForce& force, TransientState& state) override;
+  void solve_step(const TransientState& before, double length, const Load& load,
+                  TransientState& after) override;
+  void accept_step() override;
+  void move_to(double distance) override;
+
+ private:
+  RememberedGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge);
+  RememberedGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge,
+                 const Grid& grid);
+
+  /// What a step adds up over its parts, each of which ends where an element has been travelled, or
+  /// with the step.
+  struct Sum {
+    Eigen::VectorXd slip;  ///< [mm]
+    double creepage = 0;   ///< [mm]
+    double mean_force = 0, work = 0;
+    int iterations = 0;
+    double residual = 0;
+  };
+
+  void begin(const Eigen::VectorXd& traction, TransientState& state);
+  void remember_all(RememberedState& state) const;
+  double phase(const RememberedState& state) const;
+  double displacement_at_entry(const Eigen::VectorXd& traction) const;
+  void roll_part(double length, double end, const Load& load);
+  void recall(const RememberedState& state, double phase, double travelled, bool slipped);
+  void remember(RememberedState& state, double phase, bool stuck_again) const;
+
+  TractionBound traction_bound_;
+  Eigen::VectorXd problem_nodes_;  ///< [mm]
+  double spacing_;                 ///< [mm]
+  LeadingEdgeConstants edge_;
+  Eigen::VectorXd entry_influence_;  ///< displacement at the entry by each node  [mm^3/N]
+  Kernel kernel_;
+  Solver solver_;
+  StickSlipPoint stick_slip_point_;
+
+  RememberedState state_;
+  RememberedState next_;  ///< after the step that was solved last
+  Sum sum_;
+
+  // Of the part of a step that is being solved.
+  SlipConditions conditions_;
+  ContactState contact_;
+  Eigen::VectorXd displacement_;  ///< of the mean over partitions  [mm]
+};
+
+}  // namespace microslip

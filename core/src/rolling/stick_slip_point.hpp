@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "microslip/friction/active_set.hpp"
+#include "microslip/spectrum/leading_edge.hpp"
+
+namespace microslip {
+
+/// The stick-slip point at the trailing end of adhesion, anywhere within an element.
+///
+/// A partition whose adhesion begins at node k answers to a small change of the load as a contact
+/// whose adhesion begins at its natural end, offset - 1/2 elements behind that node. Its solution
+/// is the tangent to the exact one, where the stick-slip point is there. The stick-slip point
+/// follows from the tractions of the partition that meets the conditions: next to it they are
+/// coefficients of Wiener and Hopf's, of the regular square root and of the singular one. The mean
+/// over four partitions, by cubic convolution in the place of the point between the natural ends,
+/// has the exact solution's value and slope to second order (docs/theory.md).
+///
+/// Cost: O(n) a contact, and a solve for each of four neighbours of the stick-slip point when the
+/// partition has changed.
+class StickSlipPoint {
+ public:
+  explicit StickSlipPoint(const LeadingEdgeConstants& edge);
+
+  /// Replaces traction and creepage of a contact by those of the mean; zones and slip stay. Without
+  /// five nodes in adhesion at the end, all stays.
+  /// \param active_set    that solved the contact, whose response is influence
+  /// \param contact       the solution of the conditions, in and out
+  /// \param displacement  response times traction, n, in and out  [mm]
+  void average(ActiveSet& active_set, const SlipConditions& conditions, const Load& load,
+               ContactState& contact, Eigen::VectorXd& displacement);
+
+ private:
+  struct Place {
+    Eigen::Index partition;  ///< whose natural end is behind the point
+    double fraction;         ///< of an element from there, in [0, 1]
+  };
+
+  /// A change of one neighbour of the end: unit slip of one in adhesion, unit traction of another.
+  struct Response {
+    bool known = false;
+    Eigen::VectorXd traction;
+    Eigen::VectorXd slip;  ///< W + A p; n
+    double creepage = 0;
+  };
+
+  Place place_of(const SlipConditions& conditions, const ContactState& contact, Eigen::Index stuck,
+                 double direction) const;
+  const Response& response(ActiveSet& active_set, Eigen::Index neighbour);
+  std::array<double, 2> changes(ActiveSet& active_set, const SlipConditions& conditions,
+                                const ContactState& contact, Eigen::Index moved, double direction);
+  double trust(ActiveSet& active_set, const SlipConditions& conditions, const ContactState& contact,
+               double direction);
+
+  double second_;  ///< the second node's traction over the first's, of the singular square root
+
+  // Of the partition whose responses are known.
+  std::vector<Zone> zones_;
+  Load load_;  ///< none, of the kind of the load
+  Eigen::Index stuck_ = 0;
+  std::array<Response, 4> responses_;  ///< of nodes stuck_ - 2 ... stuck_ + 1
+  SlipConditions unit_;
+  ContactState answer_;
+};
+
+/// The first node in adhesion; their number if there is none.
+Eigen::Index first_stuck(const std::vector<Zone>& zones);
+
+}  // namespace microslip

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Transient rolling where the material remembers its displacement.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+#include <vector>
+
+#include "microslip/reference/carter.hpp"
+#include "microslip/rolling/transient.hpp"
+
+namespace microslip {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr Material material{1, 0.28};
+const double full_sliding = HertzBound(1, 1).total();
+
+TransientProblem problem(Index n = 41) {
+  return {.kernel = PlaneKernel(material, 200),
+          .bound = HertzBound(1, 1),
+          .grid = Grid({.half_width = 1, .elements = n}),
+          .basis = constant_basis(),
+          .scheme = Remembered{}};
+}
+
+double spacing_of(const TransientRolling& rolling) { return rolling.x()[1] - rolling.x()[0]; }
+
+TransientRolling rolled_from_shift(double step_ratio, double elements, Index n,
+                                   const Load& load = PrescribedForce{-0.64 * full_sliding}) {
+  TransientRolling rolling(problem(n), CattaneoShift{-0.64 * full_sliding});
+  const double dx = spacing_of(rolling);
+  rolling.roll(elements * dx, {step_ratio * dx}, load, [](const TransientState&) {});
+  return rolling;
+}
+
+double largest_difference(const VectorXd& a, const VectorXd& b) {
+  return (a - b).lpNorm<Eigen::Infinity>();
+}
+
+// Where whole elements have been travelled; the places in between have no part in what is
+// remembered of adhesion.
+TEST(Remembered, TractionsDoNotDependOnTheStep) {
+  for (const double elements : {25.0, 150.0}) {
+    const TransientRolling whole = rolled_from_shift(1, elements, 100);
+    for (const double c : {0.5, 0.31, 0.1, 0.01, 2.5}) {
+      const TransientRolling part = rolled_from_shift(c, elements, 100);
+      EXPECT_LT(largest_difference(part.state().traction, whole.state().traction), 1e-11)
+          << c << ", " << elements;
+    }
+  }
+}
+
+// Of either sign and with reversals, force or creepage, strips and tables: the conditions of
+// contact, and energy that is not made.
+TEST(Remembered, AnySequenceOfStepsMeetsTheContactConditions) {
+  VectorXd at(4), values(4);
+  at << -1, -0.2, 0.5, 0.9;
+  values << 0, 1, 0.7, 0.5;
+  const std::vector<TractionBound> bounds = {HertzBound(1, 1), TabulatedBound(1, at, values)};
+  double excess = 0, least = 0, most_backward = 0;
+  for (const Kernel& kernel :
+       {Kernel(PlaneKernel(material, 200)), Kernel(StripKernel(material, 2))}) {
+    for (const TractionBound& bound : bounds) {
+      TransientProblem p = problem(30);
+      p.kernel = kernel;
+      p.bound = bound;
+      const double most = full_sliding_force(bound);
+      TransientRolling rolling(p, VectorXd(0.3 * bound_at(p.bound, p.grid.nodes())));
+      std::mt19937 random(7);
+      std::uniform_real_distribution<double> unit(-1, 1);
+      for (int k = 0; k < 400; ++k) {
+        const double length = std::pow(10.0, 1.5 * unit(random) - 1.1) * p.grid.spacing();
+        const Load load = k % 2 == 0 ? Load(PrescribedForce{0.99 * unit(random) * most})
+                                     : Load(PrescribedCreepage{unit(random)});
+        const double energy = rolling.elastic_energy();
+        rolling.step(length, load);
+        const TransientState& state = rolling.state();
+        EXPECT_NEAR(rolling.bound().sum() * spacing_of(rolling), most, 1e-12);
+        if (const auto* force = std::get_if<PrescribedForce>(&load)) {
+          EXPECT_NEAR(state.force, force->value, 1e-11);
+        } else {
+          EXPECT_NEAR(state.creepage, std::get<PrescribedCreepage>(load).value, 1e-9);
+          const double balance = state.mean_force * state.creepage + state.dissipation;
+          EXPECT_NEAR(length * balance, energy - rolling.elastic_energy(), 1e-11);
+        }
+        least = std::min(least, state.dissipation * length);
+        most_backward = std::max(most_backward, state.evidence.backward);
+        for (Index i = 0; i < rolling.x().size(); ++i) {
+          excess = std::max(excess, std::abs(state.traction[i]) - rolling.bound()[i]);
+        }
+      }
+    }
+  }
+  std::cout << "excess over the bound " << excess << ", least dissipation " << least
+            << ", backward " << most_backward << '\n';
+  EXPECT_LT(excess, 0.05);
+}
+
+TEST(Remembered, AnAttemptChangesNothing) {
+  TransientRolling rolling = rolled_from_shift(0.37, 10, 40);
+  const TransientState tried = rolling.attempt(0.11, PrescribedCreepage{0.3});
+  rolling.attempt(0.04, PrescribedCreepage{-0.3});
+  rolling.step(0.11, PrescribedCreepage{0.3});
+  EXPECT_LT(largest_difference(rolling.state().traction, tried.traction), 1e-13);
+  EXPECT_NEAR(rolling.state().force, tried.force, 1e-13);
+  EXPECT_EQ(rolling.state().zones, tried.zones);
+}
+
+TEST(Remembered, StartsFromTractionsOnTheGrid) {
+  TransientRolling rolling(problem(40));
+  const VectorXd nodes = problem(40).grid.nodes();
+  const VectorXd bound = bound_at(HertzBound(1, 1), nodes);
+  rolling.start_from(-bound);
+  EXPECT_NEAR(rolling.state().force, -full_sliding, 1e-12);
+  EXPECT_EQ(rolling.state().adhesion_elements, 0);
+  rolling.start_from(VectorXd(0.4 * bound.cwiseProduct(nodes)));
+  for (Index i = 2; i < 39; ++i) {
+    EXPECT_NEAR(rolling.state().traction[i], 0.4 * rolling.bound()[i] * rolling.x()[i], 1e-12);
+  }
+  EXPECT_THROW(rolling.start_from(1.1 * bound), std::invalid_argument);
+}
+
+TEST(Remembered, WantsConstantFunctionsThatFillTheContact) {
+  TransientProblem p = problem();
+  p.basis = linear_basis();
+  EXPECT_THROW(TransientRolling{p}, std::invalid_argument);
+  p = problem();
+  p.grid = Grid({.half_width = 1, .elements = 41, .leading_offset = 1});
+  EXPECT_THROW(TransientRolling{p}, std::invalid_argument);
+  EXPECT_THROW(TransientRolling{problem(3)}, std::invalid_argument);
+  EXPECT_NO_THROW(TransientRolling{problem(4)});
+}
+
+// Rounding of the distance would split each of them in two, after some ten thousand.
+TEST(Remembered, ManyStepsOfWholeElementsStayWhole) {
+  TransientRolling rolling(problem(20), CattaneoShift{-1});
+  const double dx = spacing_of(rolling);
+  for (int step = 0; step < 30000; ++step) {
+    rolling.step(dx * 1.3, PrescribedForce{-1});
+    rolling.step(dx * 0.7, PrescribedForce{-1});
+  }
+  EXPECT_NEAR(rolling.state().distance, 60000 * dx, 1e-9);
+  rolling.step(dx, PrescribedForce{-1});
+  EXPECT_EQ(rolling.state().iterations, 1);
+}
+
+// After ten contact widths Carter's solution is there, for any load and number of elements.
+TEST(Remembered, TurnsToCarter) {
+  for (const double ratio : {1e-6, 1e-4, 1e-2, 0.1, 0.3, 0.64, 0.9}) {
+    const double stick = std::sqrt(1 - ratio);
+    const double creepage = 2 * (1 - 0.28) * ratio / (1 + stick);
+    const double force = -ratio * full_sliding;
+    for (const auto& [n, error] : {std::pair<Index, double>{6, 0.02}, {50, 6e-4}, {200, 2e-4}}) {
+      for (const double c : {1.0, 0.3}) {
+        TransientRolling rolling(problem(n));
+        rolling.roll(60, {c * 2 / static_cast<double>(n)}, PrescribedForce{force},
+                     [](const TransientState&) {});
+        EXPECT_NEAR(rolling.state().creepage / creepage, 1, error) << ratio << ", " << n;
+        EXPECT_NEAR(rolling.state().dissipation / (-force * creepage), 1, error);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace microslip
