@@ -52,6 +52,14 @@ double interpolated_at(const VectorXd& values, Index i, double shift, Index from
          factor(0) * factor(1) * factor(2) / 6 * values[a + 3];
 }
 
+/// The load after a fraction of a step: a force changes linearly over it.
+/// \param before  the force at its beginning  [N/mm]
+Load load_within(const Load& load, double before, double fraction) {
+  const auto* force = std::get_if<PrescribedForce>(&load);
+  if (force == nullptr) return load;
+  return PrescribedForce{before + fraction * (force->value - before)};
+}
+
 }  // namespace
 
 RememberedGrid::RememberedGrid(const TransientProblem& problem)
@@ -183,10 +191,11 @@ void RememberedGrid::solve_step(const TransientState&, double length, const Load
   const double added = length - state_.distance_error;
   const double end = state_.distance + added;
   double rest = length;
+  const double force = spacing_ * state_.traction.sum();
   for (double next = state_.entered + 1; end / spacing_ - next > rounding; ++next) {
     const double part = next * spacing_ - next_.distance;
-    roll_part(part, next * spacing_, load);
     rest -= part;
+    roll_part(part, next * spacing_, load_within(load, force, 1 - rest / length));
   }
   roll_part(rest, end, load);
   next_.distance_error = (end - state_.distance) - added;
