@@ -44,6 +44,7 @@ program::Work prepare_response(Scene& scene) {
 }
 
 program::Preview preview(Scene& scene) {
+  reject_section(scene, "response", "that");
   const Model model = read_model(scene);
   return {explain(model), work_needed(model), memory_needed(model)};
 }

@@ -49,13 +49,6 @@ std::optional<double> wavelength(Scene& scene, const std::string& key) {
   throw std::invalid_argument("the response: expected a contact with one stick zone, but " + why);
 }
 
-/// Without a load, the zone of a load that is nothing beside full sliding.
-Load least_load(const SteadyContact& contact) {
-  const double load = std::visit([](const auto& of) { return of.value; }, contact.load);
-  if (load != 0) return contact.load;
-  return PrescribedForce{-1e-12 * full_sliding_force(contact.bound)};
-}
-
 /// A narrow strip under a smooth bound is refused with words about other methods.
 InvertedRolling rolling_of(const SteadyContact& contact) {
   try {
@@ -65,15 +58,38 @@ InvertedRolling rolling_of(const SteadyContact& contact) {
   }
 }
 
-/// \return  a state with a stick zone
-InvertedSolution steady_state(const SteadyContact& contact) {
+/// A steady state with one stick zone.
+struct Stuck {
+  double begin, end;  ///< of the zone  [mm]
+  double force;       ///< [N/mm]
+  double creepage;
+};
+
+/// Without a load all sticks that carries a traction.
+Stuck at_rest(const TractionBound& bound) {
+  const auto* table = std::get_if<TabulatedBound>(&bound);
+  if (table == nullptr) return {-half_width_of(bound), half_width_of(bound), 0, 0};
+  const auto carries = [](double value) { return value > 0; };
+  const auto& g = table->values();
+  const auto first = std::find_if(g.begin(), g.end(), carries) - g.begin();
+  Index last = g.size() - 1;
+  while (g[last] == 0) --last;
+  if ((g.segment(first, last - first + 1).array() == 0).any()) refuse("its bound vanishes inside");
+  return {table->x()[std::max<Index>(first - 1, 0)],
+          table->x()[std::min<Index>(last + 1, g.size() - 1)], 0, 0};
+}
+
+Stuck steady_state(const SteadyContact& contact) {
   const InvertedRolling rolling = rolling_of(contact);
   if (const auto why = rolling.obstacle()) refuse(*why);
+  if (std::visit([](const auto& load) { return load.value == 0; }, contact.load)) {
+    return at_rest(contact.bound);
+  }
   try {
-    InvertedSolution state = rolling.solve(least_load(contact));
+    const InvertedSolution state = rolling.solve(contact.load);
     if (!(state.stick_edge() < state.stick_end())) refuse("all of it slides");
     if (!state.keeps_conditions()) refuse("there is more than one zone of stick or of slip");
-    return state;
+    return {state.stick_edge(), state.stick_end(), state.force(), state.creepage()};
   } catch (const NotConverged&) {
     refuse("no single stick zone carries the load");
   }
@@ -106,18 +122,18 @@ ResponseScene read_response(Scene& scene) {
 }
 
 std::vector<Table> response_tables(const ResponseScene& scene, const Progress& progress) {
-  const InvertedSolution state = steady_state(scene.contact);
-  const double half_length = (state.stick_end() - state.stick_edge()) / 2;
+  const Stuck state = steady_state(scene.contact);
+  const double half_length = (state.end - state.begin) / 2;
   const double half_width = half_width_of(scene.contact.bound);
   const double shortest = scene.shortest.value_or(default_shortest * half_length);
   const double longest = scene.longest.value_or(default_longest * half_length);
   require(longest > shortest, "response.longest", longest,
           [&] { return "more than the shortest wavelength, " + format_short(shortest); });
-  const FrequencyResponse response(scene.contact.kernel, state.stick_edge(), state.stick_end(),
-                                   shortest);
+  const FrequencyResponse response(scene.contact.kernel, state.begin, state.end, shortest);
   const double steady = response.steady_slope();
   Table table = empty_response();
-  double error = 0;
+  // A short zone next to full sliding is a difference of its ends.
+  double error = 2 * std::numeric_limits<double>::epsilon() * half_width / half_length;
   for (Index i = 0; i < scene.wavelengths; ++i) {
     const double part = static_cast<double>(i) / static_cast<double>(scene.wavelengths - 1);
     const double length =
@@ -129,15 +145,13 @@ std::vector<Table> response_tables(const ResponseScene& scene, const Progress& p
     progress(static_cast<std::size_t>(i + 1), static_cast<std::size_t>(scene.wavelengths));
   }
   constexpr double accepted = 1e-8;
-  if (!(error <= accepted)) throw NotConverged("response: too few terms", 0, error);
-  const bool loaded =
-      std::visit([](const auto& load) { return load.value; }, scene.contact.load) != 0;
+  if (!(error <= accepted)) throw NotConverged("response: the stick zone is too short", 0, error);
   Table summary = empty_summary("the steady state, and its answer to a slow creepage");
-  summary.add({"force", loaded ? state.force() : 0, "N/mm"});
-  summary.add({"creepage", loaded ? state.creepage() : 0, "1"});
+  summary.add({"force", state.force, "N/mm"});
+  summary.add({"creepage", state.creepage, "1"});
   summary.add({"full_sliding_force", full_sliding_force(scene.contact.bound), "N/mm"});
-  summary.add({"stick_edge", state.stick_edge(), "mm"});
-  summary.add({"stick_end", state.stick_end(), "mm"});
+  summary.add({"stick_edge", state.begin, "mm"});
+  summary.add({"stick_end", state.end, "mm"});
   summary.add({"steady_slope", steady, "N/mm"});
   summary.add({"terms", static_cast<double>(response.terms()), "1"});
   summary.add({"estimated_error", error, "1"}, Rounding{"value", 1e-8});

@@ -173,6 +173,32 @@ TEST_F(Commands, ResponseOfCartersContactIsTheClosedForm) {
   }
 }
 
+// Without a load all sticks that carries a traction, and a small load changes little.
+TEST_F(Commands, ResponseWithoutALoad) {
+  run_in_folder("init steady");
+  std::ofstream(folder_ / "bound.tsv") << "x bound\n-5 0\n-3 0\n1 300\n3 0\n5 0\n";
+  const auto slope = [&](const std::string& load) {
+    const Outcome outcome = run_in_folder(
+        "response steady.info --set contact.peak_traction= --set contact.bound_file=bound.tsv "
+        "--set load.force=" +
+        load);
+    EXPECT_EQ(outcome.error, "");
+    const Table summary = read_table("summary", text_of(folder_ / "out/summary.tsv")).table;
+    for (std::size_t i = 0; i < summary.rows(); ++i) {
+      const double value = std::stod(std::get<std::string>(summary.at(i, "value")));
+      const std::string quantity = std::get<std::string>(summary.at(i, "quantity"));
+      if (load == "0" && quantity.starts_with("stick_")) {
+        EXPECT_EQ(value, quantity == "stick_edge" ? -3 : 3);
+      }
+      if (quantity == "steady_slope") return value;
+    }
+    return std::nan("");
+  };
+  EXPECT_NEAR(slope("0") / slope("-1e-8"), 1, 1e-5);
+  EXPECT_GT(slope("-100") / slope("0"), 0.5);
+  EXPECT_LT(slope("-100") / slope("0"), 0.95);
+}
+
 TEST_F(Commands, ResponseRefusesWhatHasNoSingleStickZone) {
   for (const std::string kind : {"steady", "cylinder"}) run_in_folder("init " + kind);
   const std::string expected = "the response: expected a contact with one stick zone, but ";
@@ -184,12 +210,25 @@ TEST_F(Commands, ResponseRefusesWhatHasNoSingleStickZone) {
   expect_error("response steady.info --set kernel.width=0.01mm --set leading_edge=standard",
                expected + "the strip is too narrow for the inversion");
   std::ofstream(folder_ / "two.tsv") << "x bound\n-5 0\n-3 300\n-1 1\n1 1\n3 300\n5 0\n";
+  std::ofstream(folder_ / "gap.tsv") << "x bound\n-5 0\n-3 300\n-1 0\n1 0\n3 300\n5 0\n";
   const Outcome two = run_in_folder(
       "response steady.info --set contact.peak_traction= --set contact.bound_file=two.tsv --set "
       "load.force=-500");
   EXPECT_EQ(two.status, 1);
   EXPECT_TRUE(two.error.starts_with("microslip: " + expected)) << two.error;
+  expect_error(
+      "response steady.info --set contact.peak_traction= --set contact.bound_file=gap.tsv "
+      "--set load.force=0",
+      expected + "its bound vanishes inside");
+  EXPECT_EQ(
+      run_in_folder("response steady.info --set load.force= --set load.creepage=0.00526829268 "
+                    "--set kernel.type=plane --set kernel.width= --set kernel.length=50")
+          .status,
+      2);
   EXPECT_FALSE(fs::exists(folder_ / "out"));
+  expect_error("explain steady.info --set response.shortest=3",
+               "key 'response.shortest': expected a scene without a response; for that see "
+               "'microslip response --help'");
   expect_error("response steady.info --wavelengths 1",
                "response.wavelengths = 1: expected a whole number from 2 to 100000");
   expect_error("response steady.info --shortest 3 --longest 2",
