@@ -122,6 +122,14 @@ TEST(SmallMotion, StepAndHarmonicAgree) {
   }
 }
 
+// With L0 next to a/2 the force overshoots. The same to 13 digits whether the asymptotic series
+// take over at 100, 200 or 1000.
+TEST(SmallMotion, BodiesThatNearlyYield) {
+  EXPECT_NEAR(force_after_creepage_step(0.1, 0.2), 0.4419322221338, 1e-10);
+  EXPECT_NEAR(force_after_creepage_step(1, 0.2), 1.634002940735, 1e-10);
+  EXPECT_NEAR(force_after_creepage_step(4, 0.2), 1.409270238409, 1e-10);
+}
+
 TEST(SmallMotion, Limits) {
   for (const double lambda : {0.2, 1.0, 3.0, 30.0, 100.0}) {
     EXPECT_NEAR(force_after_creepage_step(1e-3, lambda) * lambda / 1e-3, 1, 3e-3) << lambda;
