@@ -12,4 +12,5 @@ done
 for problem in steady transient cylinder; do
   "$programs/microslip" --scene "$root/examples/$problem.info" --out "$out/example_$problem"
 done
+"$programs/microslip" response --scene "$root/examples/steady.info" --out "$out/example_response"
 "$programs/microslip" sweep --quiet --threads "$threads" --scene "$root/examples/sweep.info" --out "$out/example_sweep"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
+#include "microslip/experiments/response_scene.hpp"
 #include "microslip/experiments/scene_tables.hpp"
 #include "microslip/program/commands.hpp"
 #include "microslip/program/memory.hpp"
@@ -13,17 +14,20 @@ namespace {
 
 using namespace microslip;
 
-/// In a case of a sweep, the section has been taken out.
-void reject_sweep(const Scene& scene) {
+/// In a case of a sweep, its section has been taken out.
+/// \param section  that of another command of the same name
+/// \param wanted   what that makes
+void reject_section(const Scene& scene, const std::string& section, const std::string& wanted) {
   for (const std::string& key : scene.keys()) {
-    if (!key.starts_with("sweep.")) continue;
-    throw BadParameter(key, "key '" + key + "': expected a scene without a sweep; for many see " +
-                                "'microslip sweep --help'");
+    if (!key.starts_with(section + ".")) continue;
+    throw BadParameter(key, "key '" + key + "': expected a scene without a " + section + "; for " +
+                                wanted + " see 'microslip " + section + " --help'");
   }
 }
 
 program::Work prepare(Scene& scene) {
-  reject_sweep(scene);
+  reject_section(scene, "sweep", "many");
+  reject_section(scene, "response", "that");
   const Model model = read_model(scene);
   program::require_memory("grid.elements", elements_of(model), memory_needed(model));
   return [model](const Progress& progress) {
@@ -32,7 +36,15 @@ program::Work prepare(Scene& scene) {
   };
 }
 
+program::Work prepare_response(Scene& scene) {
+  reject_section(scene, "sweep", "many");
+  return [read = experiments::read_response(scene)](const Progress& progress) {
+    return experiments::response_tables(read, progress);
+  };
+}
+
 program::Preview preview(Scene& scene) {
+  reject_section(scene, "response", "that");
   const Model model = read_model(scene);
   return {explain(model), work_needed(model), memory_needed(model)};
 }
@@ -50,6 +62,19 @@ int main(int argc, char** argv) {
                        "largest relative error of the force or creepage of steady rolling; picks "
                        "method and grid"}},
       .prepare = prepare};
+  const program::Program response{
+      .name = solver.name,
+      .command = "response",
+      .question = "says how the force of a scene follows a creepage that oscillates a little",
+      .scene = "",
+      .quick = "",
+      .default_out = "out",
+      .key_options = {{"shortest", "response.shortest",
+                       "wavelength [mm] (default: 0.3 half-lengths of the stick zone)"},
+                      {"longest", "response.longest", "likewise (default: 300)"},
+                      {"wavelengths", "response.wavelengths",
+                       "how many, evenly spaced in their logarithms (default: 60)"}},
+      .prepare = prepare_response};
   using Arguments = const char* const*;
   const std::vector<program::Command> commands{
       {"init", "writes a commented scene to start from",
@@ -58,6 +83,8 @@ int main(int argc, char** argv) {
        [&](int n, Arguments words) { return program::keys(solver.name, n, words); }},
       {"explain", "says what a scene models and what it will cost, and solves nothing",
        [&](int n, Arguments words) { return program::explain(solver, preview, n, words); }},
+      {"response", "says how the force follows a creepage that oscillates a little",
+       [&](int n, Arguments words) { return program::run(response, n, words); }},
       {"plot", "draws the figures of a result, or of a study",
        [&](int n, Arguments words) { return program::plot(solver.name, n, words); }},
       {"sweep", "solves many scenes: all combinations of lists of values",

@@ -15,7 +15,8 @@ namespace microslip::experiments {
 
 /// \file
 /// A campaign solves cases by schemes, each with several N, and compares the solutions with the
-/// truth. The studies extremes, speed_accuracy, open_problems and leading_edge are campaigns.
+/// truth. The studies extremes, speed_accuracy, frequency_response, open_problems and leading_edge
+/// are campaigns.
 
 /// The exact solution of a steady contact.
 struct Truth {

@@ -49,11 +49,12 @@ std::string program_of(const fs::path& folder) {
   return program;
 }
 
-/// Of the three that have a figure.
+/// Of the four that have a figure.
 std::string kind_of(const fs::path& folder) {
   if (fs::exists(folder / "sweep.tsv")) {
     reject(folder, "it is that of a sweep, the columns of sweep.tsv are for plots of your own");
   }
+  if (fs::exists(folder / "response.tsv")) return "response";
   if (!fs::exists(folder / "traction.tsv")) reject(folder, "it has no traction.tsv");
   const std::string history = header_of(folder / "history.tsv");
   if (history.empty()) return "steady";

@@ -74,8 +74,10 @@ void run_scene(const Program& program, Scene& scene, const Given& given, int arg
 int run(const Program& program, int argc, const char* const* argv) {
   return run_process(program.name, [&] {
     const Options options = options_of(program);
-    const Given given = parse(options, argc, argv, "scene");
-    if (answers(given, options, program.name, program.question)) return 0;
+    const int word = program.command.empty() ? 0 : 1;
+    const Given given = parse(options, argc - word, argv + word, "scene");
+    const std::string name = program.name + (word == 0 ? "" : " " + program.command);
+    if (answers(given, options, name, program.question)) return 0;
     if (given.count("print-scene") != 0) {
       std::cout << program.scene;
       return 0;

@@ -61,7 +61,7 @@ class Commands(unittest.TestCase):
                 name = Path(words[0]).name
                 if not (PROGRAMS / name).is_file():
                     continue
-                sub = words[1:2] if words[1:2] and words[1] in ("init", "keys", "explain", "plot", "sweep", "merge") else []
+                sub = words[1:2] if words[1:2] and words[1] in ("init", "keys", "explain", "response", "plot", "sweep", "merge") else []
                 said = subprocess.run([PROGRAMS / name, *sub, "--help"], capture_output=True, text=True, check=True).stdout
                 for option in re.findall(r"--[a-z-]+", command):
                     seen += 1

@@ -65,7 +65,7 @@ expect 'microslip plot o' 'out'
 expect 'microslip steady.info --set contact.h' 'contact.half_width='
 expect 'microslip sweep steady.info --th' '--threads'
 # Every option that --help lists is offered.
-for command in '' init explain plot sweep merge keys; do
+for command in '' init explain response plot sweep merge keys; do
   for option in $(microslip $command --help | grep -oE '^  --[a-z-]+'); do
     expect "microslip $command $option" "$option"
   done

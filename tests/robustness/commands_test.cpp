@@ -2,13 +2,18 @@
 // What stands beside a run: scenes to start from, what they will cost, and the figures of results.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <complex>
 #include <cstdlib>
 #include <fstream>
+#include <numbers>
 #include <regex>
 #include <set>
 #include <sstream>
 
 #include "microslip/scene/keys.hpp"
+#include "microslip/scene/table.hpp"
+#include "microslip/support/format.hpp"
 #include "robustness/executables.hpp"
 
 namespace microslip {
@@ -29,13 +34,13 @@ class Commands : public Executables {
 };
 
 TEST_F(Commands, AWordThatIsNone) {
-  const std::string known = "; commands: init, keys, explain, plot, sweep, merge";
+  const std::string known = "; commands: init, keys, explain, response, plot, sweep, merge";
   expect_error("swep",
                "'swep': expected a scene's file or a command (did you mean 'sweep'?)" + known);
   expect_error("my.info", "'my.info': expected a scene's file or a command" + known);
   expect_error("", "missing a scene: expected its file, as in 'microslip scene.info'; see --help");
   const Outcome help = run_in_folder("--help");
-  for (const char* command : {"init", "keys", "explain", "plot", "sweep", "merge"}) {
+  for (const char* command : {"init", "keys", "explain", "response", "plot", "sweep", "merge"}) {
     EXPECT_NE(help.output.find(std::string("\n  microslip ") + command), std::string::npos);
     EXPECT_EQ(run_in_folder(std::string(command) + " --help").status, 0);
   }
@@ -108,6 +113,132 @@ TEST_F(Commands, ProgressHasRateAndRemainingTime) {
       slow, std::regex("\rmicroslip: [0-9]+ of 40002, [0-9.]+ a second, [0-9]+ min [0-9]+ s left")))
       << slow;
   EXPECT_NE(slow.find("\nmicroslip: interrupted, nothing is written"), std::string::npos) << slow;
+}
+
+TEST_F(Commands, ResponseIsWrittenAndDrawn) {
+  run_in_folder("init steady");
+  run_in_folder("init transient");
+  for (const std::string scene : {"steady.info", "transient.info"}) {
+    const Outcome outcome = run_in_folder("response " + scene);
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_EQ(outcome.error, "");
+    EXPECT_EQ(run_in_folder("plot --to a.svg").output, "drew a.svg\n");
+    EXPECT_TRUE(fs::exists(folder_ / "out/response.tsv"));
+    fs::remove_all(folder_ / "out");
+  }
+  run_in_folder("response steady.info --shortest '1 cm' --longest 1m --wavelengths 3");
+  const WrittenTable written = read_table("response", text_of(folder_ / "out/response.tsv"));
+  ASSERT_EQ(written.table.rows(), 3);
+  const char* const wavelengths[] = {"10", "100", "1000"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(std::stod(std::get<std::string>(written.table.at(i, "wavelength"))),
+                std::stod(wavelengths[i]), 1e-10);
+  }
+}
+
+/// Columns of response.tsv beside the closed form of plane strain, of the stick length that Carter
+/// has.
+TEST_F(Commands, ResponseOfCartersContactIsTheClosedForm) {
+  run_in_folder("init steady");
+  const std::string plane = " --set kernel.type=plane --set kernel.width= --set kernel.length=50";
+  for (const double stick_ratio : {0.25, 0.9}) {
+    const double force = -150 * 5 * std::numbers::pi * (1 - stick_ratio * stick_ratio);
+    ASSERT_EQ(
+        run_in_folder("response steady.info" + plane + " --set load.force=" + format_short(force))
+            .error,
+        "");
+    const Table table = read_table("response", text_of(folder_ / "out/response.tsv")).table;
+    ASSERT_EQ(table.rows(), 60);
+    const double half_length = 5 * stick_ratio;
+    const double k = 2 * (1 - 0.28) / (std::numbers::pi * 82000);
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+      const auto number = [&](const char* column) {
+        return std::stod(std::get<std::string>(table.at(i, column)));
+      };
+      const double kappa = 2 * std::numbers::pi * half_length / number("wavelength");
+      const double j0 = std::cyl_bessel_j(0.0, kappa), j1 = std::cyl_bessel_j(1.0, kappa);
+      const std::complex<double> response =
+          1.0 /
+          (j0 / std::complex(j0, j1) + std::complex(0.0, kappa * std::log(100 / half_length)));
+      EXPECT_NEAR(number("slope_real") * k / half_length, -response.real(), 1e-10);
+      EXPECT_NEAR(number("slope_imaginary") * k / half_length, -response.imag(), 1e-10);
+      EXPECT_NEAR(number("size") / std::abs(response), 1, 1e-10);
+      EXPECT_NEAR(number("phase"), std::arg(response), 1e-10);
+      EXPECT_NEAR(number("wavelength_ratio") * 5, number("wavelength"), 1e-9);
+    }
+    EXPECT_NEAR(std::stod(std::get<std::string>(table.at(0, "wavelength"))), 0.3 * half_length,
+                1e-5);
+    EXPECT_NEAR(std::stod(std::get<std::string>(table.at(59, "wavelength"))), 300 * half_length,
+                1e-2);
+  }
+}
+
+// Without a load all sticks that carries a traction, and a small load changes little.
+TEST_F(Commands, ResponseWithoutALoad) {
+  run_in_folder("init steady");
+  std::ofstream(folder_ / "bound.tsv") << "x bound\n-5 0\n-3 0\n1 300\n3 0\n5 0\n";
+  const auto slope = [&](const std::string& load) {
+    const Outcome outcome = run_in_folder(
+        "response steady.info --set contact.peak_traction= --set contact.bound_file=bound.tsv "
+        "--set load.force=" +
+        load);
+    EXPECT_EQ(outcome.error, "");
+    const Table summary = read_table("summary", text_of(folder_ / "out/summary.tsv")).table;
+    for (std::size_t i = 0; i < summary.rows(); ++i) {
+      const double value = std::stod(std::get<std::string>(summary.at(i, "value")));
+      const std::string quantity = std::get<std::string>(summary.at(i, "quantity"));
+      if (load == "0" && quantity.starts_with("stick_")) {
+        EXPECT_EQ(value, quantity == "stick_edge" ? -3 : 3);
+      }
+      if (quantity == "steady_slope") return value;
+    }
+    return std::nan("");
+  };
+  EXPECT_NEAR(slope("0") / slope("-1e-8"), 1, 1e-5);
+  EXPECT_GT(slope("-100") / slope("0"), 0.5);
+  EXPECT_LT(slope("-100") / slope("0"), 0.95);
+}
+
+TEST_F(Commands, ResponseRefusesWhatHasNoSingleStickZone) {
+  for (const std::string kind : {"steady", "cylinder"}) run_in_folder("init " + kind);
+  const std::string expected = "the response: expected a contact with one stick zone, but ";
+  expect_error(
+      "response cylinder.info",
+      "cylinder.info:5: problem = 'cylinder': expected steady or transient, which have a load");
+  expect_error("response steady.info --set load.force= --set load.creepage=1",
+               expected + "all of it slides");
+  expect_error("response steady.info --set kernel.width=0.01mm --set leading_edge=standard",
+               expected + "the strip is too narrow for the inversion");
+  std::ofstream(folder_ / "two.tsv") << "x bound\n-5 0\n-3 300\n-1 1\n1 1\n3 300\n5 0\n";
+  std::ofstream(folder_ / "gap.tsv") << "x bound\n-5 0\n-3 300\n-1 0\n1 0\n3 300\n5 0\n";
+  const Outcome two = run_in_folder(
+      "response steady.info --set contact.peak_traction= --set contact.bound_file=two.tsv --set "
+      "load.force=-500");
+  EXPECT_EQ(two.status, 1);
+  EXPECT_TRUE(two.error.starts_with("microslip: " + expected)) << two.error;
+  expect_error(
+      "response steady.info --set contact.peak_traction= --set contact.bound_file=gap.tsv "
+      "--set load.force=0",
+      expected + "its bound vanishes inside");
+  EXPECT_EQ(
+      run_in_folder("response steady.info --set load.force= --set load.creepage=0.00526829268 "
+                    "--set kernel.type=plane --set kernel.width= --set kernel.length=50")
+          .status,
+      2);
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+  expect_error("explain steady.info --set response.shortest=3",
+               "key 'response.shortest': expected a scene without a response; for that see "
+               "'microslip response --help'");
+  expect_error("response steady.info --wavelengths 1",
+               "response.wavelengths = 1: expected a whole number from 2 to 100000");
+  expect_error("response steady.info --shortest 3 --longest 2",
+               "response.longest = 2: expected more than the shortest wavelength, 3");
+  expect_error("response steady.info --shortest -3",
+               "response.shortest = -3: expected a number > 0");
+  EXPECT_EQ(run_in_folder("response steady.info --shortest 1e-9").status, 1);
+  expect_error("steady.info --set response.shortest=3",
+               "key 'response.shortest': expected a scene without a response; for that see "
+               "'microslip response --help'");
 }
 
 TEST_F(Commands, OnlyResultsAreDrawn) {

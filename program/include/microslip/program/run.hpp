@@ -16,10 +16,11 @@ using Work = std::function<std::vector<Table>(const Progress&)>;
 /// An executable: a scene in, tables out.
 struct Program {
   std::string name;
-  std::string question;     ///< one line for --help
-  std::string scene;        ///< text of the default scene; empty if --scene is required
-  std::string quick;        ///< what --quick changes in it; empty if there is no quick version
-  std::string default_out;  ///< folder for the tables
+  std::string command = "";  ///< the word after the name that chose it, which is then argv[1]
+  std::string question;      ///< one line for --help
+  std::string scene;         ///< text of the default scene; empty if --scene is required
+  std::string quick;         ///< what --quick changes in it; empty if there is no quick version
+  std::string default_out;   ///< folder for the tables
   /// Options that are short for --set key=value.
   struct KeyOption {
     std::string name;

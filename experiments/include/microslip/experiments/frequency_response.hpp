@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <complex>
+#include <vector>
+
+#include "microslip/friction/traction_bound.hpp"
+#include "microslip/halfspace/kernel.hpp"
+#include "microslip/scene/scene.hpp"
+#include "microslip/scene/table.hpp"
+#include "microslip/support/progress.hpp"
+
+namespace microslip::experiments {
+
+/// The force that answers a small harmonic creepage or a small step, in closed form and by the
+/// transient schemes of the catalogue.
+struct FrequencyResponseParameters {
+  HertzBound bound;
+  PlaneKernel plane;
+  StripKernel strip;
+  double period;                           ///< in which all waves return  [mm]
+  std::vector<Eigen::Index> waves;         ///< numbers of them in the period, each 1 to 64
+  double amplitude;                        ///< of all waves over the creepage of a state, (0, 0.1]
+  double adhesion_amplitude;               ///< over that of full sliding, (0, 1e-3]
+  std::vector<Eigen::Index> sizes;         ///< N where all adheres, 3 to 2000, at least two
+  std::vector<double> stick_ratios;        ///< a' of Carter's states, each in [0.1, 0.99]
+  std::vector<Eigen::Index> state_sizes;   ///< N there, with c = 1; with other c the first two
+  int alignments;                          ///< of the stick-slip point in an element, 1 to 20
+  std::vector<double> step_ratios;         ///< c, each in [0.01, 1], the first one 1
+  std::vector<Eigen::Index> motion_sizes;  ///< N of the steps, at least two
+  double shortest, longest;                ///< wavelengths of the curves  [mm]
+  int points;                              ///< of these, 2 to 10000
+  double operations;                       ///< a run that is expected to take more is left out
+};
+
+/// material.*, contact.*, kernel.length, kernel.width, waves.*, adhesion.sizes, states.*,
+/// step.ratios, motion.sizes, curve.*, limit.operations: see the scene of the study.
+FrequencyResponseParameters read_frequency_response(Scene& scene);
+
+/// The ratio of dF/dw of a foundation of springs to its value for an infinite wavelength,
+/// (1 - (1 - exp(-2 i kappa))/(2 i kappa))/(i kappa), where everything sticks.
+/// \param kappa  2 pi a/L, in (0, inf); 1e-9 from 1e-6 on
+std::complex<double> winkler_response(double kappa);
+
+/// Tables: curves (exact H against the wavelength), measured (H and its error by each scheme),
+/// errors (these against N), orders (fitted to them), steps (force and creepage after a small
+/// step), step_errors, claims.
+std::vector<Table> frequency_response(const FrequencyResponseParameters& parameters,
+                                      const Progress& progress);
+
+}  // namespace microslip::experiments

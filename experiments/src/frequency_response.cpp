@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/frequency_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "frequency_response_steps.hpp"
+#include "frequency_response_waves.hpp"
+#include "microslip/experiments/claims.hpp"
+#include "microslip/rolling/frequency_response.hpp"
+#include "microslip/scene/model.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip::experiments {
+
+using namespace frequency_response_study;
+using Complex = std::complex<double>;
+using std::numbers::pi;
+
+namespace {
+
+Table curves_table(const FrequencyResponseParameters& p) {
+  Table table("curves", "exact answers of the force to small waves of the creepage",
+              {{"case", "1",
+                "plane or strip: the half-space; winkler: a foundation of springs with the same "
+                "steady slope"},
+               {"stick_ratio", "1", "a' of the state; 1 where everything adheres"},
+               {"wavelength_ratio", "1", "L over the half-width"},
+               {"size", "1", "|H|, H = dF/dw over that of an infinite wavelength"},
+               {"phase", "rad", "argument of H; below zero, the force comes after the creepage"},
+               {"from_winkler", "1", "|H - H of the foundation|", 1e-12}});
+  const double a = p.bound.half_width();
+  const auto add = [&](const char* name, double stick_ratio, const auto& response) {
+    for (int i = 0; i < p.points; ++i) {
+      const double length =
+          p.shortest * std::pow(p.longest / p.shortest, static_cast<double>(i) / (p.points - 1));
+      const Complex h = response(length);
+      const Complex springs = winkler_response(2 * pi * stick_ratio * a / length);
+      table.add({name, stick_ratio, length / a, std::abs(h), std::arg(h), std::abs(h - springs)});
+    }
+  };
+  const auto of_zone = [&](const char* name, const Kernel& kernel, double stick_ratio) {
+    const FrequencyResponse response(kernel, a * (1 - 2 * stick_ratio), a, 0.99 * p.shortest);
+    add(name, stick_ratio,
+        [&](double length) { return response.slope(length) / response.steady_slope(); });
+  };
+  of_zone("plane", p.plane, all_adheres);
+  of_zone("strip", p.strip, all_adheres);
+  add("winkler", all_adheres, [&](double length) { return winkler_response(2 * pi * a / length); });
+  for (const double stick_ratio : p.stick_ratios) of_zone("plane", p.plane, stick_ratio);
+  return table;
+}
+
+std::string text(const Table& table, std::size_t row, const char* column) {
+  return std::get<std::string>(table.at(row, column));
+}
+
+/// Of a column in the rows that are wanted; `least` or the largest.
+template <class Wanted>
+double extreme(const Table& table, const char* column, bool least, const Wanted& wanted) {
+  double found = not_given;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (!wanted(i)) continue;
+    const double value = table.number(i, column);
+    found = least ? std::fmin(found, value) : std::fmax(found, value);
+  }
+  return found;
+}
+
+Table claims_of(const FrequencyResponseParameters& p, const Table& curves, const WaveTables& waves,
+                const MotionTables& motions) {
+  const auto adhering = [&](const char* scheme) {
+    return [&waves, scheme](std::size_t i) {
+      return text(waves.orders, i, "scheme") == scheme &&
+             waves.orders.number(i, "stick_ratio") == all_adheres;
+    };
+  };
+  const auto error_of_unit_steps = [&](bool adheres) {
+    const auto finest = static_cast<double>(adheres ? p.sizes.back() : p.state_sizes.back());
+    return extreme(waves.errors, "error", !adheres, [&](std::size_t i) {
+      return text(waves.errors, i, "scheme") == "material" &&
+             waves.errors.number(i, "step_ratio") == 1 &&
+             waves.errors.number(i, "elements") == finest &&
+             (waves.errors.number(i, "stick_ratio") == all_adheres) == adheres;
+    });
+  };
+  const auto half_space = [&](std::size_t i) {
+    return text(curves, i, "case") == "plane" && curves.number(i, "stick_ratio") == all_adheres;
+  };
+  const double elements = static_cast<double>(p.motion_sizes.back());
+  const auto motion = [&](const char* scheme, const char* column) {
+    return motions.errors.latest({{"scheme", scheme}, {"step_ratio", 1.0}, {"elements", elements}},
+                                 column);
+  };
+  const double peak = motion("material", "peak") / motion("material", "exact_peak");
+  const std::string finest = std::to_string(p.motion_sizes.back());
+  return claims_table(
+      {{"where everything adheres, the material scheme answers waves in second order, for any step",
+        "none", 2, extreme(waves.orders, "order", true, adhering("material")), "1",
+        ours_if({within(0.3, 2)}), "least order over kernels and step ratios",
+        "frequency_response_errors"},
+       {"and the scheme of the thesis in first order", "none", 1,
+        extreme(waves.orders, "order", false, adhering("direct")), "1", ours_if({within(0.3, 1)}),
+        "largest order of the direct scheme over kernels and step ratios",
+        "frequency_response_errors"},
+       {"about a state with slip the material scheme is coarser, because its stick-slip point "
+        "stands still within an element",
+        "none", not_given, error_of_unit_steps(false) / error_of_unit_steps(true), "1",
+        ours_if({above(20)}),
+        "least error over states, over the largest one where everything adheres, at the largest N, "
+        "c = 1",
+        "frequency_response_errors"},
+       {"a foundation of springs with the same steady slope, as in FASTSIM, has another frequency "
+        "response",
+        "none", not_given, extreme(curves, "from_winkler", false, half_space), "1",
+        ours_if({above(0.2)}),
+        "largest difference of H where everything adheres, L0 = " +
+            format_short(p.plane.length() / p.bound.half_width()) + " a",
+        "frequency_response_nyquist"},
+       {"after a step of the force the creepage has a peak where the first traction peak leaves "
+        "the "
+        "contact, and the material scheme has it",
+        "none", 1, peak, "1", ours_if({within(0.05, 1)}),
+        "largest mean over an element next to q = 2 a, over that of the exact solution there, c = "
+        "1, N = " +
+            finest,
+        "frequency_response_steps"}});
+}
+
+std::vector<Eigen::Index> sizes_of(Scene& scene, const std::string& key) {
+  const std::vector<Eigen::Index> sizes = scene.wholes(key, 3, 2000);
+  require(sizes.size() >= 2 && std::ranges::is_sorted(sizes) && sizes.front() < sizes.back(), key,
+          static_cast<double>(sizes.front()), "at least two rising sizes");
+  return sizes;
+}
+
+double bounded(Scene& scene, const std::string& key, double least, double most) {
+  const double value = scene.number(key, Unit{"1"});
+  require(value >= least && value <= most, key, value,
+          [&] { return "a number in [" + format_short(least) + ", " + format_short(most) + "]"; });
+  return value;
+}
+
+}  // namespace
+
+Complex winkler_response(double kappa) {
+  const Complex i(0, 1);
+  if (kappa < 1e-3) return 1.0 - 2.0 / 3 * i * kappa - kappa * kappa / 3;
+  return (1.0 - (1.0 - std::polar(1.0, -2 * kappa)) / (2.0 * i * kappa)) / (i * kappa);
+}
+
+FrequencyResponseParameters read_frequency_response(Scene& scene) {
+  const Material material = read_material(scene);
+  const HertzBound bound = read_hertz_bound(scene);
+  const double a = bound.half_width();
+  const PlaneKernel plane(material, scene.number("kernel.length"));
+  require(plane.length() >= 0.62 * a, "kernel.length", plane.length(),
+          "at least 0.62 half-widths of the contact");
+  const StripKernel strip(material, scene.number("kernel.width"));
+  FrequencyResponseParameters p{
+      .bound = bound,
+      .plane = plane,
+      .strip = strip,
+      .period = a * bounded(scene, "waves.period", 1, 1000),
+      .waves = scene.wholes("waves.numbers", 1, 64),
+      .amplitude = bounded(scene, "waves.amplitude", 1e-6, 0.1),
+      .adhesion_amplitude = bounded(scene, "waves.adhesion", 1e-10, 1e-3),
+      .sizes = sizes_of(scene, "adhesion.sizes"),
+      .stick_ratios = scene.numbers("states.stick_ratios"),
+      .state_sizes = sizes_of(scene, "states.sizes"),
+      .alignments = static_cast<int>(bounded(scene, "states.alignments", 1, 20)),
+      .step_ratios = scene.numbers("step.ratios"),
+      .motion_sizes = sizes_of(scene, "motion.sizes"),
+      .shortest = a * bounded(scene, "curve.shortest", 0.05, 100),
+      .longest = a * bounded(scene, "curve.longest", 0.06, 1e6),
+      .points = static_cast<int>(bounded(scene, "curve.points", 2, 10000)),
+      .operations = bounded(scene, "limit.operations", 1e6, 1e15)};
+  require(p.longest > p.shortest, "curve.longest", p.longest / a, "more than curve.shortest");
+  for (const double ratio : p.stick_ratios) {
+    require(ratio >= 0.1 && ratio <= 0.99, "states.stick_ratios", ratio, "numbers in [0.1, 0.99]");
+  }
+  for (const double c : p.step_ratios) {
+    require(c >= 0.01 && c <= 1, "step.ratios", c, "numbers in [0.01, 1]");
+  }
+  require(p.step_ratios.front() == 1, "step.ratios", p.step_ratios.front(), "1 as the first");
+  return p;
+}
+
+std::vector<Table> frequency_response(const FrequencyResponseParameters& p,
+                                      const Progress& progress) {
+  const Table curves = curves_table(p);
+  const WaveTables waves = wave_tables(p, progress);
+  const MotionTables motions = motion_tables(p, progress);
+  return {curves,
+          waves.measured,
+          waves.errors,
+          waves.orders,
+          motions.steps,
+          motions.errors,
+          claims_of(p, curves, waves, motions)};
+}
+
+}  // namespace microslip::experiments

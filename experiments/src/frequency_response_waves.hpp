@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "microslip/experiments/frequency_response.hpp"
+
+namespace microslip::experiments::frequency_response_study {
+
+/// In the column stick_ratio: the whole contact adheres.
+inline constexpr double all_adheres = 1;
+
+struct WaveTables {
+  Table measured;
+  Table errors;
+  Table orders;
+};
+
+/// Rolls with all waves at once by each scheme, about full adhesion and about the states.
+WaveTables wave_tables(const FrequencyResponseParameters& parameters, const Progress& progress);
+
+}  // namespace microslip::experiments::frequency_response_study

@@ -1,0 +1,23 @@
+# The frequency response in the complex plane: from slow waves at 1 to fast ones at 0. In the half-space the force
+# comes at most a quarter of a wave after the creepage.
+curves = tables."/curves.tsv"
+measured = tables."/measured.tsv"
+slips = 0.6
+of(name, ratio) = strcol("case") eq name && same(column("stick_ratio"), ratio) ? column("size") * cos(column("phase")) : NaN
+at(kernel, ratio) = strcol("kernel") eq kernel && same(column("stick_ratio"), ratio) && strcol("scheme") eq "material" \
+  && column("step_ratio") == 1 ? column("size") * cos(column("phase")) : NaN
+imaginary(n) = column("size") * sin(column("phase"))
+eval page(640, 460)
+set xlabel "real part of H [1]"
+set ylabel "imaginary part of H [1]"
+set size ratio -1
+set xrange [-0.05:1.05]
+set yrange [-0.72:0.05]
+set key at graph 0.68, 0.9
+plot curves using (of("plane", 1)):(imaginary(0)) with @exact_line title "plane strain, all adheres", \
+     curves using (of("strip", 1)):(imaginary(0)) with lines linetype 1 title "strip, all adheres", \
+     curves using (of("plane", slips)):(imaginary(0)) with lines linetype 3 title "plane strain, a' = 0.6", \
+     curves using (of("winkler", 1)):(imaginary(0)) with lines linetype 2 dashtype 2 title "springs (FASTSIM)", \
+     measured using (at("plane", 1)):(imaginary(0)) with points linetype 7 pointtype 7 pointsize 0.45 title "material", \
+     measured using (at("strip", 1)):(imaginary(0)) with points linetype 1 pointtype 7 pointsize 0.45 notitle, \
+     measured using (at("plane", slips)):(imaginary(0)) with points linetype 3 pointtype 7 pointsize 0.45 notitle
