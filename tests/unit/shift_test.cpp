@@ -159,7 +159,9 @@ TEST(Shift, WorkIsTheAreaUnderTheForce) {
       errors.push_back(work - shift.work);
     }
     const bool on_material = std::holds_alternative<MaterialFixed>(scheme);
-    if (!on_material) EXPECT_NEAR(fitted_order(sizes, errors), 2, 0.4);
+    if (!on_material) {
+      EXPECT_NEAR(fitted_order(sizes, errors), 2, 0.4);
+    }
     EXPECT_LT(std::abs(errors.back()), (on_material ? 3e-4 : 1e-4) * std::abs(shift.work));
   }
 }
