@@ -16,6 +16,12 @@ namespace {
 
 const Material material{1.44, 0.28};  // 2 (1 - nu)/G = 1
 
+std::vector<double> amplitudes() {
+  std::vector<double> all;
+  for (int i = 0; i < 25; ++i) all.push_back(0.36 + 0.0237 * i);
+  return all;
+}
+
 const std::vector<Table>& tables() {
   static const std::vector<Table> all = [] {
     return fretting(
@@ -25,7 +31,7 @@ const std::vector<Table>& tables() {
          .sizes = {30, 60, 120},
          .forces = {0.3, 0.8},
          .points = 7,
-         .error_forces = {0.3, 0.37, 0.45, 0.52, 0.6, 0.68, 0.77, 0.83, 0.92},
+         .error_forces = amplitudes(),
          .all_forces = {0.001, 0.05, 0.1, 0.3, 0.9},
          .lengths = {2, 1e4},
          .run_elements = 40,
@@ -45,9 +51,21 @@ double order(const char* bound, const char* scheme, const char* column) {
 TEST(FrettingStudy, Orders) {
   for (const char* bound : {"hertz", "polynomial"}) {
     EXPECT_NEAR(order(bound, "direct", "shift"), 1.5, 0.2) << bound;
-    EXPECT_NEAR(order(bound, "material", "shift"), 2, 0.35) << bound;
-    EXPECT_NEAR(order(bound, "direct", "dissipation"), 1.5, 0.35) << bound;
-    EXPECT_NEAR(order(bound, "material", "dissipation"), 2, 0.5) << bound;
+    EXPECT_NEAR(order(bound, "material", "shift"), 2, 0.3) << bound;
+    EXPECT_NEAR(order(bound, "direct", "dissipation"), 1.5, 0.3) << bound;
+  }
+  EXPECT_NEAR(order("hertz", "material", "dissipation"), 1.5, 0.3);
+  EXPECT_GT(order("polynomial", "material", "dissipation"), 1.2);  // the first N sees slip badly
+}
+
+TEST(FrettingStudy, ErrorsAreSmallerOnTheMaterial) {
+  for (const char* bound : {"hertz", "polynomial"}) {
+    const auto error = [&](const char* scheme, const char* column) {
+      return table_named(tables(), "errors").latest({{"bound", bound}, {"scheme", scheme}}, column);
+    };
+    EXPECT_LT(error("material", "shift"), error("direct", "shift") / 4) << bound;
+    EXPECT_LT(error("material", "dissipation"), 2e-3) << bound;
+    EXPECT_LT(error("direct", "dissipation"), 4e-3) << bound;
   }
 }
 

@@ -188,6 +188,15 @@ TEST(Shift, FromRestIsTheStart) {
   }
 }
 
+TEST(Shift, StartsTheMeanOfTheCreepageAnew) {
+  for (const AdvectionScheme& scheme : schemes) {
+    TransientRolling rolling = rolled(scheme, 0.6, 0.1);
+    rolling.shift(PrescribedShift{0.2});
+    rolling.step(0.3 * 2 / 41, PrescribedCreepage{0.05});
+    EXPECT_DOUBLE_EQ(rolling.state().element_creepage, 0.05);
+  }
+}
+
 // With all else as if it had not been tried.
 TEST(Shift, IsRefused) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
