@@ -9,7 +9,7 @@ set multiplot layout 1,2 margins 0.1,0.98,0.15,0.9 spacing 0.12
 set logscale xy
 set format y "10^{%T}"
 set xrange [0.8*n_min:1.25*n_max]
-set xtics (30, 60, 120, 240)
+set xtics (36, 50, 72, 100, 144)
 set xlabel "number of elements N [1]"
 set key top right
 do for [what in "dissipation shift"] {

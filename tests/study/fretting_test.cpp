@@ -16,66 +16,64 @@ namespace {
 
 const Material material{1.44, 0.28};  // 2 (1 - nu)/G = 1
 
-std::vector<double> amplitudes() {
-  std::vector<double> all;
-  for (int i = 0; i < 25; ++i) all.push_back(0.36 + 0.0237 * i);
-  return all;
+FrettingParameters parameters() {
+  return {.material = material,
+          .length = 20,
+          .bound = PolynomialBound(2, 3, (Eigen::VectorXd(4) << 1, -0.4, 0.1, 0.2).finished()),
+          .sizes = {30, 60},
+          .forces = {0.3, 0.8},
+          .points = 7,
+          .error_forces = {0.5, 0.9},
+          .all_forces = {0.001, 0.05, 0.1, 0.3, 0.9},
+          .lengths = {2, 1e4},
+          .run_elements = 40,
+          .run_force = 0.3,
+          .run_swing = 0.6,
+          .run_distance = 11.7,
+          .run_step_ratio = 0.7};
 }
+
+const auto no_progress = [](std::size_t, std::size_t) {};
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> all = [] {
-    return fretting(
-        {.material = material,
-         .length = 20,
-         .bound = PolynomialBound(2, 3, (Eigen::VectorXd(4) << 1, -0.4, 0.1, 0.2).finished()),
-         .sizes = {30, 60, 120},
-         .forces = {0.3, 0.8},
-         .points = 7,
-         .error_forces = amplitudes(),
-         .all_forces = {0.001, 0.05, 0.1, 0.3, 0.9},
-         .lengths = {2, 1e4},
-         .run_elements = 40,
-         .run_force = 0.3,
-         .run_swing = 0.6,
-         .run_distance = 11.7,
-         .run_step_ratio = 0.7},
-        [](std::size_t, std::size_t) {});
-  }();
+  static const std::vector<Table> all = fretting(parameters(), no_progress);
   return all;
 }
 
-double order(const char* bound, const char* scheme, const char* column) {
-  return table_named(tables(), "orders").latest({{"bound", bound}, {"scheme", scheme}}, column);
-}
-
-TEST(FrettingStudy, Orders) {
+// Errors depend on where the ends of the stick zones lie in their elements, so that it takes many
+// amplitudes to tell an order.
+TEST(FrettingStudy, OrdersErrorsAndVerdicts) {
+  FrettingParameters many = parameters();
+  many.sizes = {36, 50, 72, 144};
+  many.error_forces.clear();
+  for (int i = 0; i < 41; ++i) many.error_forces.push_back(0.352 + 0.0147 * i);
+  const std::vector<Table> found = fretting(many, no_progress);
+  const auto order = [&](const char* bound, const char* scheme, const char* column) {
+    return table_named(found, "orders").latest({{"bound", bound}, {"scheme", scheme}}, column);
+  };
+  const auto error = [&](const char* bound, const char* scheme, const char* column) {
+    return table_named(found, "errors").latest({{"bound", bound}, {"scheme", scheme}}, column);
+  };
   for (const char* bound : {"hertz", "polynomial"}) {
     EXPECT_NEAR(order(bound, "direct", "shift"), 1.5, 0.2) << bound;
     EXPECT_NEAR(order(bound, "material", "shift"), 2, 0.3) << bound;
     EXPECT_NEAR(order(bound, "direct", "dissipation"), 1.5, 0.3) << bound;
+    EXPECT_LT(error(bound, "material", "shift"), error(bound, "direct", "shift") / 4) << bound;
+    EXPECT_LT(error(bound, "material", "dissipation"), 1e-3) << bound;
+    EXPECT_LT(error(bound, "direct", "dissipation"), 2e-3) << bound;
   }
   EXPECT_NEAR(order("hertz", "material", "dissipation"), 1.5, 0.3);
   EXPECT_GT(order("polynomial", "material", "dissipation"), 1.2);  // the first N sees slip badly
-}
-
-TEST(FrettingStudy, ErrorsAreSmallerOnTheMaterial) {
-  for (const char* bound : {"hertz", "polynomial"}) {
-    const auto error = [&](const char* scheme, const char* column) {
-      return table_named(tables(), "errors").latest({{"bound", bound}, {"scheme", scheme}}, column);
-    };
-    EXPECT_LT(error("material", "shift"), error("direct", "shift") / 4) << bound;
-    EXPECT_LT(error("material", "dissipation"), 2e-3) << bound;
-    EXPECT_LT(error("direct", "dissipation"), 4e-3) << bound;
-  }
+  EXPECT_EQ(verdicts(found), std::vector<std::string>(12, "ours"));
 }
 
 TEST(FrettingStudy, LoopsAreClosedAndExact) {
   const Table& loops = table_named(tables(), "loops");
   EXPECT_EQ(loops.rows(), 2U * 3 * 8);
   for (std::size_t i = 0; i < loops.rows(); ++i) {
-    EXPECT_LT(std::abs(loops.number(i, "error")), 2e-4);
+    EXPECT_LT(std::abs(loops.number(i, "error")), 1e-3);
     const double exact = loops.number(i, "exact");
-    EXPECT_NEAR(loops.number(i, "displacement"), exact, 1e-3 * (1 + std::abs(exact)));
+    EXPECT_NEAR(loops.number(i, "displacement"), exact, 2e-3 * (1 + std::abs(exact)));
   }
   for (const double amplitude : {0.3, 0.8}) {
     const auto end = [&](const char* way) {
@@ -120,12 +118,8 @@ TEST(FrettingStudy, SlipThatNoElementSeesIsNone) {
   const auto cubes = [&](const char* scheme, double n, double tau) {
     return curve.latest({{"scheme", scheme}, {"elements", n}, {"amplitude", tau}}, "cubes");
   };
-  EXPECT_LT(std::abs(cubes("direct", 120, 0.001)), 1e-7);
-  EXPECT_NEAR(cubes("material", 120, 0.3), 1 + 0.3 / 2 + 0.3 * 0.09, 0.03);
-}
-
-TEST(FrettingStudy, Verdicts) {
-  EXPECT_EQ(verdicts(tables()), std::vector<std::string>(12, "ours"));
+  EXPECT_LT(std::abs(cubes("direct", 60, 0.001)), 1e-7);
+  EXPECT_NEAR(cubes("material", 60, 0.3), 1 + 0.3 / 2 + 0.3 * 0.09, 0.04);
 }
 
 // Hertz's bound is a polynomial of degree 0.

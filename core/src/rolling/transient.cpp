@@ -140,6 +140,7 @@ double TransientRolling::start_from_shift(const PrescribedForce& force) {
   TransientRolling shifted(*this);  // so that nothing is lost if there is no such shift
   shifted.start_from(VectorXd::Zero(problem_.grid.size()));
   const double distance = shifted.shift(force).distance;
+  shifted.state_.iterations = 0;  // a start is no step
   *this = std::move(shifted);
   return distance;
 }
