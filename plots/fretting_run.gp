@@ -16,6 +16,7 @@ set xlabel "row of the table, as time goes by [1]"
 set ylabel "energy since the start [N]"
 set title "energy"
 set key top right
+set xrange [*:400]
 plot run using 0:"work" with lines linetype 1 linewidth 2.5 title "work of the force", \
      run using 0:"dissipated" with lines linetype 2 title "dissipated", \
      run using 0:"stored" with lines linetype 3 title "stored", \
