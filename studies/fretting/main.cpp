@@ -5,7 +5,7 @@
 int main(int argc, char** argv) {
   using namespace microslip;
   return studies::run("fretting",
-                      "shifts without rolling: what does a force to and fro lose, and what comes "
-                      "before and after rolling?",
+                      "what does a force to and fro lose without rolling, and between two ways of "
+                      "rolling?",
                       experiments::read_fretting, experiments::fretting, argc, argv);
 }
