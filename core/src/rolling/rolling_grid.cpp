@@ -2,6 +2,7 @@
 #include "rolling_grid.hpp"
 
 #include <cmath>
+#include <stdexcept>
 #include <variant>
 
 #include "contact_grid.hpp"
@@ -37,6 +38,18 @@ void RollingGrid::fill_state(double distance, const ContactState& contact, doubl
     const bool sticks = state.zones[static_cast<std::size_t>(i)] == Zone::adhesion;
     ++(sticks ? state.adhesion_elements : state.slip_elements);
   }
+}
+
+double RollingGrid::start_from_shift(const PrescribedForce& force, TransientState& state) {
+  const TransientState rest = state;
+  const Shift shift = solve_shift(rest, force, state);
+  accept_step();
+  state.iterations = 0;  // a start is no step
+  return shift.distance;
+}
+
+Shift RollingGrid::solve_shift(const TransientState&, const Load&, TransientState&) {
+  throw std::invalid_argument("step.scheme: no shifts without rolling except for the start");
 }
 
 Shift RollingGrid::fill_shift(double distance, const VectorXd& before, const ContactState& contact,

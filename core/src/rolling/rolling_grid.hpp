@@ -40,13 +40,18 @@ class RollingGrid {
   /// \param state     out
   virtual void start_from(const Eigen::VectorXd& traction, TransientState& state) = 0;
 
+  /// Starts from a shift without rolling: at rest before, and after the shift in the end.
+  /// \param state  of start_from() no tractions; out
+  /// \return the shift  [mm]
+  /// \throws as solve_shift
+  virtual double start_from_shift(const PrescribedForce& force, TransientState& state);
+
   /// Solves a shift without rolling, and stays where it is.
   /// \param before  the state now
   /// \param load    its creepage is the shift  [mm]
   /// \param after   out
-  /// \throws as ActiveSet::solve
-  virtual Shift solve_shift(const TransientState& before, const Load& load,
-                            TransientState& after) = 0;
+  /// \throws as ActiveSet::solve; std::invalid_argument for a grid that has no such shifts
+  virtual Shift solve_shift(const TransientState& before, const Load& load, TransientState& after);
 
   /// Solves a step, and stays where it is.
   /// \param before  the state now

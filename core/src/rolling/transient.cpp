@@ -139,8 +139,7 @@ void TransientRolling::start_from(const VectorXd& traction) {
 double TransientRolling::start_from_shift(const PrescribedForce& force) {
   TransientRolling shifted(*this);  // so that nothing is lost if there is no such shift
   shifted.start_from(VectorXd::Zero(problem_.grid.size()));
-  const double distance = shifted.shift(force).distance;
-  shifted.state_.iterations = 0;  // a start is no step
+  const double distance = shifted.grid_->start_from_shift(force, shifted.state_);
   *this = std::move(shifted);
   return distance;
 }
