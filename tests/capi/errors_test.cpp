@@ -60,8 +60,8 @@ TEST(CErrors, OfCreateNameKeyValueAndRange) {
        }},
       {"grid.elements = -3: expected a whole number in [1, 4000000]",
        [](Parts& p) { p.grid.elements = -3; }},
-      {"grid.scheme = 2: expected 0 for material or 1 for direct",
-       [](Parts& p) { p.grid.scheme = 2; }}};
+      {"grid.scheme = 3: expected 0 for material, 1 for direct or 2 for remembered",
+       [](Parts& p) { p.grid.scheme = 3; }}};
   for (const auto& [expected, spoil] : cases) {
     Parts parts;
     spoil(parts);

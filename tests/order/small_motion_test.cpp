@@ -7,13 +7,16 @@
 // evaluated in 30 digits by de Hoog's method.
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include "microslip/rolling/frequency_response.hpp"
 #include "microslip/rolling/transient.hpp"
 
 namespace microslip {
@@ -25,28 +28,34 @@ const Material material{1.44, 0.28};  // k = 1/pi
 constexpr double length = 10;
 constexpr double tiny = 1e-7;  // of full sliding, which is pi/2
 
-TransientRolling rolling_on(Eigen::Index n) {
+TransientRolling rolling_on(Eigen::Index n, const AdvectionScheme& scheme) {
   return TransientRolling({.kernel = PlaneKernel(material, length),
                            .bound = HertzBound(1, 1),
                            .grid = Grid({.half_width = 1, .elements = n}),
                            .basis = constant_basis(),
-                           .scheme = MaterialFixed{}});
+                           .scheme = scheme});
 }
 
 using Value = std::pair<double, double>;
 
-class SmallMotion : public testing::TestWithParam<double> {};
+struct Case {
+  AdvectionScheme scheme;
+  double step_ratio;
+  double accepted;  ///< relative error of the force after a step of the creepage, N = 80
+};
+
+class SmallMotion : public testing::TestWithParam<Case> {};
 
 /// \return the largest relative error
-double error_of_creepage_step(Eigen::Index n, double step_ratio) {
+double error_of_creepage_step(Eigen::Index n, const Case& by) {
   constexpr std::array<Value, 6> exact = {{{0.5, 0.159832109},
                                            {1, 0.304971877},
                                            {1.5, 0.434168799},
                                            {2, 0.544633750},
                                            {3, 0.700632698},
                                            {5, 0.870805578}}};
-  TransientRolling rolling = rolling_on(n);
-  const double step = step_ratio * 2 / static_cast<double>(n);
+  TransientRolling rolling = rolling_on(n, by.scheme);
+  const double step = by.step_ratio * 2 / static_cast<double>(n);
   double error = 0;
   std::size_t next = 0;
   rolling.roll(5, {step}, PrescribedCreepage{tiny}, [&](const TransientState& state) {
@@ -63,20 +72,21 @@ TEST_P(SmallMotion, ForceAfterAStepOfTheCreepageIsSecondOrder) {
   std::vector<double> errors;
   for (const Eigen::Index n : {40, 80, 160})
     errors.push_back(error_of_creepage_step(n, GetParam()));
-  EXPECT_LT(errors[1], 1e-5);
-  EXPECT_LT(errors[2], 3e-6);
+  EXPECT_LT(errors[1], GetParam().accepted);
+  EXPECT_LT(errors[2], GetParam().accepted / 3.3);
   EXPECT_GT(errors[0] / errors[2], 9);
 }
 
 /// Of the creepage, by the difference of the cumulative creep over two elements.
-double error_of_force_step(Eigen::Index n, double step_ratio) {
+double error_of_force_step(Eigen::Index n, const Case& by) {
   constexpr std::array<Value, 6> exact = {{{0.25, 0.5333589},
                                            {0.5, 0.5716907},
                                            {1, 0.6704351},
                                            {1.5, 0.8283660},
                                            {2.5, 1.0043685},
                                            {3, 0.9715777}}};
-  TransientRolling rolling = rolling_on(n);
+  TransientRolling rolling = rolling_on(n, by.scheme);
+  const double step_ratio = by.step_ratio;
   const double force = -tiny;
   const double dx = 2 / static_cast<double>(n);
   rolling.start_from_shift({force});
@@ -103,7 +113,97 @@ TEST_P(SmallMotion, CreepageAfterAStepOfTheForceIsSecondOrder) {
   EXPECT_GT(errors[0] / errors[2], 14);
 }
 
-INSTANTIATE_TEST_SUITE_P(Steps, SmallMotion, testing::Values(1.0, 0.25, 0.1));
+INSTANTIATE_TEST_SUITE_P(
+    Steps, SmallMotion,
+    testing::Values(Case{MaterialFixed{}, 1.0, 1e-5}, Case{MaterialFixed{}, 0.25, 1e-5},
+                    Case{MaterialFixed{}, 0.1, 1e-5}, Case{Remembered{}, 1.0, 1.5e-5},
+                    Case{Remembered{}, 0.25, 1.5e-5}, Case{Remembered{}, 0.1, 1.5e-5}));
+
+// About a state with slip, by changes so small that the stick-slip point moves by much less than an
+// element: the partial slip zones do not answer, the stick zone of half the length a' = 0.6 a does
+// (FrequencyResponse). In five alignments of the stick-slip point with the elements.
+double error_about_carter(Eigen::Index n, double step_ratio, double amplitude) {
+  constexpr double stick = 0.6;
+  constexpr double wavelength = 10;
+  const double wave = 2 * pi / wavelength;
+  const double mean = 1 - stick;
+  TransientRolling rolling = rolling_on(n, Remembered{});
+  const double dx = 2 / static_cast<double>(n);
+  rolling.roll(20, {dx}, PrescribedCreepage{mean}, [](const TransientState&) {});
+  const int steps = static_cast<int>(std::lround(wavelength / (step_ratio * dx)));
+  const double step = wavelength / steps;
+  std::complex<double> answer = 0;
+  for (int period = 0; period < 4; ++period) {
+    answer = 0;
+    for (int k = 0; k < steps; ++k) {
+      const double creepage = amplitude * mean *
+                              (std::sin(wave * (k + 1) * step) - std::sin(wave * k * step)) /
+                              (wave * step);
+      rolling.step(step, PrescribedCreepage{mean + creepage});
+      answer += std::polar(2.0 / steps, -wave * (k + 1) * step) * rolling.state().force;
+    }
+  }
+  const std::complex<double> exact =
+      FrequencyResponse(PlaneKernel(material, length), 1 - 2 * stick, 1, wavelength)
+          .slope(wavelength);
+  return std::abs(answer / (amplitude * mean) / exact - 1.0);
+}
+
+TEST(SmallMotionAboutCarter, IsSecondOrder) {
+  for (const double step_ratio : {1.0, 0.3}) {
+    std::array<double, 2> largest{};
+    for (const Eigen::Index alignment : {0, 1, 2, 3, 4}) {
+      largest[0] = std::max(largest[0], error_about_carter(50 + alignment, step_ratio, 1e-4));
+      largest[1] = std::max(largest[1], error_about_carter(100 + alignment, step_ratio, 1e-4));
+    }
+    EXPECT_LT(largest[0], 1.2e-4) << step_ratio;
+    EXPECT_LT(largest[1], 3e-5) << step_ratio;
+    EXPECT_GT(largest[0] / largest[1], 3.5) << step_ratio;
+  }
+}
+
+TEST(SmallMotionAboutCarter, DoesNotKnowTheAmplitude) {
+  for (const double amplitude : {1e-6, 1e-3, 0.03}) {
+    EXPECT_LT(error_about_carter(51, 0.3, amplitude), 3e-4) << amplitude;
+  }
+}
+
+/// Root mean square of the creepage about a polynomial of the fourth degree, over its mean, where
+/// nothing happens but that material passes through the elements.
+double noise(Eigen::Index n, double step_ratio, double force) {
+  TransientRolling rolling({.kernel = PlaneKernel(material, 20),
+                            .bound = HertzBound(1, 1),
+                            .grid = Grid({.half_width = 1, .elements = n}),
+                            .basis = constant_basis(),
+                            .scheme = Remembered{}},
+                           CattaneoShift{force});
+  std::vector<double> places, creepages;
+  rolling.roll(2.8, {step_ratio * 2 / static_cast<double>(n)}, PrescribedForce{force},
+               [&](const TransientState& state) {
+                 if (state.distance < 2.3) return;
+                 places.push_back((state.distance - 2.55) / 0.25);
+                 creepages.push_back(state.creepage);
+               });
+  const auto count = static_cast<Eigen::Index>(places.size());
+  Eigen::MatrixXd powers(count, 5);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index k = 0; k < 5; ++k) {
+      powers(i, k) = std::pow(places[static_cast<std::size_t>(i)], static_cast<double>(k));
+    }
+  }
+  const Eigen::Map<const Eigen::VectorXd> values(creepages.data(), count);
+  const Eigen::VectorXd fitted = powers * powers.householderQr().solve(values);
+  return (values - fitted).norm() / std::sqrt(static_cast<double>(count)) / std::abs(values.mean());
+}
+
+// By `material`, 1 % and more: tests/unit/element_creepage_test.cpp.
+TEST(Noise, IsBelowOneInTenThousandForAnyStep) {
+  for (const double step_ratio : {1.0, 0.37, 0.1, 0.01}) {
+    for (const double ratio : {0.9, 0.64, 0.1, 1e-2, 1e-4}) {
+      EXPECT_LT(noise(200, step_ratio, -ratio * pi / 2), 1e-4) << ratio << ", " << step_ratio;
+    }
+  }
+}
 
 }  // namespace
 }  // namespace microslip

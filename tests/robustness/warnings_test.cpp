@@ -34,8 +34,8 @@ TEST_F(Warnings, TellOfUnsafeValues) {
       good_scene, "--set leading_edge=calibrated --set grid.elements=4",
       "grid.elements = 4: this scheme is safe from 11 on; leading_edge inversion is safe for any");
   expect_warned(good_transient, "--set step.scheme=direct --set step.ratio=0.1",
-                "step.ratio = 0.1: this scheme is safe from 0.5 to 1.3; step.scheme material is "
-                "safe for any");
+                "step.ratio = 0.1: this scheme is safe from 0.5 to 1.3; step.scheme remembered "
+                "is safe for any");
   const std::string tiny = "--set motion.distance=1e-9 --set step.ratio=";
   expect_warned(
       good_transient, tiny + "1e-10",
@@ -53,7 +53,8 @@ TEST_F(Warnings, TellOfUnsafeValues) {
 // Under a force, elements begin to slip one by one, each in one of the short steps.
 TEST_F(Warnings, TellOfCreepagesThatShortStepsDoNotResolve) {
   const std::string short_steps =
-      "--set grid.elements=200 --set step.ratio=0.1 --set motion.distance=2.5 --set load.force=";
+      "--set step.scheme=material --set grid.elements=200 --set step.ratio=0.1 --set "
+      "motion.distance=2.5 --set load.force=";
   const Outcome noisy = run(good_transient, short_steps + "-0.0157");
   EXPECT_EQ(noisy.status, 0);
   EXPECT_TRUE(noisy.error.starts_with("microslip: warning: creepage_noise is 0.2")) << noisy.error;

@@ -47,7 +47,8 @@ Missing missing(const Case& c, Eigen::Index n, const Load& load) {
 
 TEST(Dissipation, OfTransientsIsTheWorkLessWhatIsStored) {
   for (const Case& c :
-       {Case{MaterialFixed{}, 1, 1e-12}, Case{MaterialFixed{}, 0.25, 1e-12},
+       {Case{Remembered{}, 1, 1e-12}, Case{Remembered{}, 0.3, 1e-12},
+        Case{MaterialFixed{}, 1, 1e-12}, Case{MaterialFixed{}, 0.25, 1e-12},
         Case{MaterialFixed{}, 2, 1e-12}, Case{Direct{}, 1, 3e-4}, Case{Direct{}, 0.5, 2e-3},
         Case{Direct{}, 2, 2e-3}, Case{Relaxed{1}, 0.25, 3e-4}, Case{RelaxedTraction{1}, 0.5, 3e-4},
         Case{Fractional{}, 0.5, 0.05}}) {

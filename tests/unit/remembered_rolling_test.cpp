@@ -42,16 +42,30 @@ double largest_difference(const VectorXd& a, const VectorXd& b) {
   return (a - b).lpNorm<Eigen::Infinity>();
 }
 
-// Where whole elements have been travelled; the places in between have no part in what is
-// remembered of adhesion.
+// Where whole elements have been travelled, and nothing that sticks has slipped: places in between
+// have no part in what is remembered of adhesion. After a shift, the slip zone before the stick
+// zone sticks again, by steps as they are.
 TEST(Remembered, TractionsDoNotDependOnTheStep) {
+  const auto rolled = [](double step_ratio, double elements, const Start& start) {
+    TransientRolling rolling(problem(100), start);
+    const double dx = spacing_of(rolling);
+    rolling.roll(elements * dx, {step_ratio * dx}, PrescribedCreepage{0.3},
+                 [](const TransientState&) {});
+    return rolling.state();
+  };
   for (const double elements : {25.0, 150.0}) {
-    const TransientRolling whole = rolled_from_shift(1, elements, 100);
     for (const double c : {0.5, 0.31, 0.1, 0.01, 2.5}) {
-      const TransientRolling part = rolled_from_shift(c, elements, 100);
-      EXPECT_LT(largest_difference(part.state().traction, whole.state().traction), 1e-11)
+      EXPECT_LT(largest_difference(rolled(c, elements, Rest{}).traction,
+                                   rolled(1, elements, Rest{}).traction),
+                1e-11)
           << c << ", " << elements;
     }
+  }
+  const CattaneoShift shift{-0.64 * full_sliding};
+  for (const double c : {0.5, 0.1, 0.01}) {
+    EXPECT_LT(largest_difference(rolled(c, 25, shift).traction, rolled(1, 25, shift).traction),
+              1e-3)
+        << c;
   }
 }
 
@@ -62,7 +76,7 @@ TEST(Remembered, AnySequenceOfStepsMeetsTheContactConditions) {
   at << -1, -0.2, 0.5, 0.9;
   values << 0, 1, 0.7, 0.5;
   const std::vector<TractionBound> bounds = {HertzBound(1, 1), TabulatedBound(1, at, values)};
-  double excess = 0, least = 0, most_backward = 0;
+  double excess = 0;
   for (const Kernel& kernel :
        {Kernel(PlaneKernel(material, 200)), Kernel(StripKernel(material, 2))}) {
     for (const TractionBound& bound : bounds) {
@@ -88,17 +102,16 @@ TEST(Remembered, AnySequenceOfStepsMeetsTheContactConditions) {
           const double balance = state.mean_force * state.creepage + state.dissipation;
           EXPECT_NEAR(length * balance, energy - rolling.elastic_energy(), 1e-11);
         }
-        least = std::min(least, state.dissipation * length);
-        most_backward = std::max(most_backward, state.evidence.backward);
+        EXPECT_LT(state.evidence.bound_violation(), 1e-9);
         for (Index i = 0; i < rolling.x().size(); ++i) {
           excess = std::max(excess, std::abs(state.traction[i]) - rolling.bound()[i]);
         }
       }
     }
   }
-  std::cout << "excess over the bound " << excess << ", least dissipation " << least
-            << ", backward " << most_backward << '\n';
-  EXPECT_LT(excess, 0.05);
+  // Of the mean, at nodes next to the stick-slip point: a tenth of the distance of the next to the
+  // bound.
+  EXPECT_LT(excess, 0.12);
 }
 
 TEST(Remembered, AnAttemptChangesNothing) {

@@ -36,7 +36,7 @@ TEST(SchemeCatalogue, AreFoundByNameAndByWhatTheySolve) {
 
 TEST(SchemeCatalogue, OfWhichTheFirstIsTheDefault) {
   EXPECT_EQ(leading_edge_names().front(), "inversion");
-  EXPECT_EQ(advection_names().front(), "material");
+  EXPECT_EQ(advection_names().front(), "remembered");
   EXPECT_EQ(leading_edge_names().size() + 1, steady_schemes().size());
 }
 

@@ -76,7 +76,8 @@ void roll_to_and_fro(TransientRolling& rolling, int steps) {
 TEST(Transient, ACopyGoesOnAlikeAndByItself) {
   for (const AdvectionScheme scheme :
        {AdvectionScheme(Direct{}), AdvectionScheme(Relaxed{1}), AdvectionScheme(RelaxedTraction{1}),
-        AdvectionScheme(Fractional{}), AdvectionScheme(MaterialFixed{})}) {
+        AdvectionScheme(Fractional{}), AdvectionScheme(MaterialFixed{}),
+        AdvectionScheme(Remembered{})}) {
     for (const Eigen::Index n : {49, 121}) {
       TransientRolling rolling(problem(scheme, n));
       roll_to_and_fro(rolling, 10);

@@ -42,14 +42,14 @@ void ContactGrid::start_from(const VectorXd& traction, TransientState& state) {
   fill_state(0, contact, 1, bound_, mean_bound_, state);
 }
 
-double ContactGrid::start_from_shift(const PrescribedForce& force, TransientState& state) {
-  const VectorXd zeros = VectorXd::Zero(x_.size());
-  ContactState contact =
-      active_set_.solve({.bound = bound_, .offset = zeros, .reference = zeros}, force);
-  const double shift = contact.creepage;
-  contact = {.traction = contact.traction, .slip = zeros, .zones = contact.zones, .creepage = 0};
-  fill_state(0, contact, 1, bound_, mean_bound_, state);
-  return shift;
+Shift ContactGrid::solve_shift(const TransientState& before, const Load& load,
+                               TransientState& after) {
+  conditions_.offset.setZero(x_.size());
+  conditions_.reference = before.traction;
+  contact_.zones = before.zones;
+  active_set_.solve(conditions_, load, contact_);
+  return fill_shift(before.distance, before.traction, contact_, contact_.slip, bound_, mean_bound_,
+                    after);
 }
 
 void ContactGrid::solve_step(const TransientState& before, double length, const Load& load,

@@ -21,9 +21,15 @@ constexpr double history_resolution = 1e-3;
 
 Zone& at(std::vector<Zone>& zones, Index i) { return zones[static_cast<std::size_t>(i)]; }
 
-/// Fraction of the coming node's element that is inside when nothing rolls: where tractions are
-/// singular, the scheme feels the leading edge half an element nearer than in rolling.
-constexpr double coming_in_shift = 0.5;
+/// Fraction of an element by which the nodes to come are farther inside when nothing rolls: where
+/// tractions are singular, the scheme feels the leading edge half an element nearer.
+constexpr double nearer_in_shift = 0.5;
+
+/// The part of the element of the node ahead that is inside when nothing rolls.
+double ahead_in_shift(double phase) {
+  const double inside = phase - (1 - nearer_in_shift);
+  return inside > MaterialWindow::rounding ? inside : 0;
+}
 
 bool sticks(const std::vector<Zone>& zones, Index i) {
   return zones[static_cast<std::size_t>(i)] == Zone::adhesion;
@@ -131,25 +137,65 @@ void MaterialGrid::start_from(const VectorXd& traction, TransientState& state) {
   begin(at_rest(window_.bound(0).cwiseProduct(at_nodes)), state);
 }
 
-double MaterialGrid::start_from_shift(const PrescribedForce& force, TransientState& state) {
-  MaterialState start = at_rest(VectorXd::Zero(window_.size()));
-  SlipConditions conditions{.bound = window_.bound(0),
-                            .offset = VectorXd::Zero(window_.size()),
-                            .reference = start.contact.traction};
-  ContactState contact = active_set_.solve(conditions, force, start.contact.zones);
-  const auto leaving = window_.leaving(0);
-  start.leaves_by_spring = sticks(contact.zones, leaving.node);
-  if (start.leaves_by_spring && sticks(contact.zones, window_.leading())) {
-    window_.bound(0, coming_in_shift, conditions.bound);
-    window_.let_leave(0, conditions.bound);
-    conditions.compliant = {{window_.coming(), spring_compliance(coming_in_shift)},
-                            {leaving.node, spring_compliance(leaving.inside)}};
-    contact = active_set_.solve(conditions, force, start.contact.zones);
+/// Bounds and springs of a shift. Next to the trailing edge, and next to a leading edge that is
+/// held, bounds are no smaller than the tractions that are there, so that a shift of nothing
+/// changes nothing.
+void MaterialGrid::set_shift_conditions(double phase, const HeldEdges& held) {
+  const double ahead = held.leading ? ahead_in_shift(phase) : 0;
+  const double coming = held.leading ? std::max(phase, nearer_in_shift) : phase;
+  window_.bound(phase, coming, conditions_.bound, ahead);
+  conditions_.offset.setZero(window_.size());
+  conditions_.compliant.clear();
+  const auto hold = [&](Index node, double inside) {
+    conditions_.compliant.push_back({node, spring_compliance(inside)});
+  };
+  const auto keep = [&](Index first, Index count) {
+    auto bounds = conditions_.bound.segment(first, count);
+    bounds = bounds.cwiseMax(conditions_.reference.segment(first, count).cwiseAbs());
+  };
+  if (held.leading) {
+    hold(window_.coming(), std::min(1.0, phase + nearer_in_shift));
+    if (ahead > 0) hold(window_.ahead(), ahead);
+    keep(window_.leading(), 3);
   }
-  start.contact.traction = contact.traction;
-  start.contact.zones = contact.zones;
-  begin(std::move(start), state);
-  return contact.creepage;
+  const auto leaving = window_.leaving(phase);
+  if (held.trailing) {
+    window_.let_leave(phase, conditions_.bound);
+    hold(leaving.node, leaving.inside);
+  }
+  keep(leaving.node, 2);
+}
+
+/// Holds the edges by springs if both stick without.
+Shift MaterialGrid::solve_shift(const TransientState&, const Load& load, TransientState& after) {
+  step_.end = state_;
+  MaterialState& state = step_.end;
+  const double now = std::max(0.0, phase(state));
+  const Index leaving = window_.leaving(now).node;
+  const bool slides_out = state.leaves_by_spring && !sticks(state.contact.zones, leaving);
+  conditions_.reference = state.contact.traction;
+  const auto solve = [&](const HeldEdges& held) {
+    set_shift_conditions(now, held);
+    contact_.zones = state.contact.zones;
+    active_set_.solve(conditions_, load, contact_);
+  };
+  solve({.leading = false, .trailing = slides_out});
+  // An element that is beyond the edge tells nothing.
+  const bool in_contact = window_.bound(now)[leaving] > 0;
+  const bool trailing_sticks = sticks(contact_.zones, in_contact ? leaving : leaving + 1);
+  const bool both_stick = trailing_sticks && sticks(contact_.zones, window_.leading());
+  if (both_stick) solve({.leading = true, .trailing = true});
+  state.leaves_by_spring = slides_out || trailing_sticks;
+  state.ahead_share = both_stick ? ahead_in_shift(now) : 0;
+
+  VectorXd slip = contact_.slip;
+  for (const auto& [element, compliance] : conditions_.compliant) {
+    slip[element] -= compliance * (contact_.traction[element] - conditions_.reference[element]);
+  }
+  state.contact = contact_;
+  step_.bound = conditions_.bound;
+  return fill_shift(state.distance, conditions_.reference, contact_, slip, step_.bound, step_.bound,
+                    after);
 }
 
 void MaterialGrid::solve_step(const TransientState&, double length, const Load& load,
@@ -213,13 +259,22 @@ void MaterialGrid::set_first_zones(const MaterialState& from, const Substep& sub
 /// A spring yields to the change of its traction, and to its former traction as its compliance
 /// grows. The condition of a node that enters or comes is about the last element travelled.
 void MaterialGrid::set_conditions(MaterialState& state, const Substep& substep) {
-  window_.bound(substep.now, substep.now, conditions_.bound);
+  const bool enters = substep.moved == 1;
+  if (enters) {
+    window_.bound(0, state.ahead_share, conditions_.bound);
+  } else {
+    window_.bound(substep.now, substep.now, conditions_.bound, state.ahead_share);
+  }
   conditions_.offset.setZero(window_.size());
   conditions_.reference = state.contact.traction;
   move_on(conditions_.reference, substep.moved, 0.0);
   conditions_.compliant.clear();
   if (substep.now > MaterialWindow::rounding) {
     conditions_.compliant.push_back({window_.coming(), spring_compliance(substep.now)});
+  }
+  if (state.ahead_share > 0) {
+    conditions_.compliant.push_back(
+        {enters ? window_.coming() : window_.ahead(), spring_compliance(state.ahead_share)});
   }
   const auto [leaving, inside] = window_.leaving(substep.now);
   const Index before = leaving + substep.moved;
@@ -270,6 +325,7 @@ void MaterialGrid::roll_substep(double length, double end, const Load& load) {
     state.incoming.advance(1, 0, slip[window_.coming()]);
     state.incoming.enter();
     state.entered += 1;
+    state.ahead_share = 0;
   } else {
     state.incoming.advance(substep.now, slip[window_.coming()], slip[window_.ahead()]);
   }

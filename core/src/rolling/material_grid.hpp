@@ -14,7 +14,8 @@
 namespace microslip {
 
 /// History of the slip displacement of the incoming node, and of the node ahead of it. Both begin
-/// when a node enters; when the incoming node enters, the one ahead takes its place.
+/// when a node enters; when the incoming node enters, the one ahead takes its place. A shift takes
+/// no part in it: the nodes start from where it leaves them.
 class IncomingNode {
  public:
   /// Adds the slip of a step.
@@ -52,8 +53,12 @@ struct MaterialState {
 
   IncomingNode incoming;
 
-  /// Whether the node that leaves was in adhesion when it began to leave.
+  /// Whether the node that leaves was in adhesion when it began to leave, or after a shift.
   bool leaves_by_spring = false;
+
+  /// Of the bound of the node ahead and of the spring that holds it since a shift, until the coming
+  /// node has entered; else 0.
+  double ahead_share = 0;
 };
 
 /// The result of a step on such a grid.
@@ -93,7 +98,7 @@ class MaterialGrid final : public RollingGrid {
   std::unique_ptr<RollingGrid> clone() const override;
   Eigen::VectorXd traction_at_nodes(const TransientState& state) const override;
   void start_from(const Eigen::VectorXd& traction, TransientState& state) override;
-  double start_from_shift(const PrescribedForce& force, TransientState& state) override;
+  Shift solve_shift(const TransientState& before, const Load& load, TransientState& after) override;
   void solve_step(const TransientState& before, double length, const Load& load,
                   TransientState& after) override;
   void accept_step() override;
@@ -121,6 +126,13 @@ class MaterialGrid final : public RollingGrid {
   void roll_substep(double length, double end, const Load& load);
   void set_first_zones(const MaterialState& from, const Substep& substep);
   void set_conditions(MaterialState& state, const Substep& substep);
+
+  /// The edges that a shift holds by springs.
+  struct HeldEdges {
+    bool leading;
+    bool trailing;
+  };
+  void set_shift_conditions(double phase, const HeldEdges& held);
 
   TractionBound traction_bound_;
   Eigen::VectorXd problem_nodes_;  ///< [mm]

@@ -43,17 +43,21 @@ double MaterialWindow::force_up_to(double x) const {
   return std::visit([x](const auto& g) { return g.integral(x); }, bound_);
 }
 
-void MaterialWindow::bound(double phase, double coming_share, VectorXd& means) const {
+void MaterialWindow::bound(double phase, double coming_share, VectorXd& means,
+                           double ahead_share) const {
   const double whole = full_sliding_force(bound_);
   const double before_coming = force_up_to(half_width_ - (leading_offset_ + 0.5) * spacing_);
-  const double coming = coming_share > rounding ? coming_share * (whole - before_coming) : 0;
+  const auto share = [&](double part) {
+    return part > rounding ? part * (whole - before_coming) : 0;
+  };
   const auto nodes = x(phase);
   means.resize(size());
   double before = 0;
   for (Index i = 0; i < size(); ++i) {
     double after = force_up_to(nodes[i] + spacing_ / 2);
-    if (i == leading()) after = whole - coming;
-    if (i > leading()) after = whole;
+    if (i == leading()) after = whole - share(coming_share);
+    if (i == coming()) after = whole - share(ahead_share);
+    if (i == ahead()) after = whole;
     means[i] = std::max(0.0, after - before) / spacing_;
     before = after;
   }

@@ -181,12 +181,43 @@ double RememberedGrid::start_from_shift(const PrescribedForce& force, TransientS
   return longer.creepage;
 }
 
+Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load,
+                                  TransientState& after) {
+  const Index n = x_.size();
+  next_ = state_;
+  Load shift = load;
+  if (auto* distance = std::get_if<PrescribedCreepage>(&shift)) distance->value += state_.lead;
+  conditions_.offset = -state_.nodes.head(n);
+  contact_.zones = state_.zones;
+  active_set_.solve(conditions_, shift, contact_);
+
+  const double moved = contact_.creepage;
+  next_.points.array() -= moved;
+  next_.nodes << (contact_.slip - conditions_.offset).array() - moved,
+      displacement_at_entry(contact_.traction);
+  next_.lead = 0;
+  next_.traction = contact_.traction;
+  next_.zones = contact_.zones;
+  next_.stored = spacing_ * contact_.traction.dot(next_.nodes.head(n)) / 2;
+  remember(next_, std::max(0.0, phase(next_)), true);
+
+  contact_.creepage -= state_.lead;
+  const VectorXd slip =
+      (displacement(contact_.traction - before.traction).array() + contact_.creepage).matrix();
+  return fill_shift(before.distance, before.traction, contact_, slip, bound_, bound_, after);
+}
+
 void RememberedGrid::solve_step(const TransientState&, double length, const Load& load,
                                 TransientState& after) {
   require(length / spacing_ >= min_step_ratio, "step.ratio", length / spacing_,
           "a number >= 1e-15");
   next_ = state_;
-  sum_ = {.slip = VectorXd::Zero(x_.size())};
+  sum_.slip.setZero(x_.size());
+  sum_.creepage = 0;
+  sum_.iterations = 0;
+  sum_.residuals = {};
+  mean_force_ = 0;
+  work_ = 0;
   // Compensated, or steps of whole elements would be split after some ten thousand.
   const double added = length - state_.distance_error;
   const double end = state_.distance + added;
@@ -200,16 +231,12 @@ void RememberedGrid::solve_step(const TransientState&, double length, const Load
   roll_part(rest, end, load);
   next_.distance_error = (end - state_.distance) - added;
 
-  fill_state(end,
-             {.traction = next_.traction,
-              .slip = sum_.slip,
-              .zones = next_.zones,
-              .creepage = sum_.creepage,
-              .iterations = sum_.iterations,
-              .residuals = {.equations = sum_.residual}},
-             length, bound_, bound_, after);
-  after.mean_force = sum_.mean_force / length;
-  after.dissipation = -(sum_.work + next_.stored - state_.stored) / length;
+  sum_.zones = next_.zones;
+  fill_state(end, sum_, length, bound_, bound_, after);
+  after.traction = next_.traction;
+  after.force = weights_.dot(next_.traction);
+  after.mean_force = mean_force_ / length;
+  after.dissipation = -(work_ + next_.stored - state_.stored) / length;
 }
 
 void RememberedGrid::accept_step() { std::swap(state_, next_); }
@@ -251,9 +278,20 @@ void RememberedGrid::remember(RememberedState& state, double phase, bool stuck_a
     }
     return;
   }
+  if (phase == 0 && has_slipped(0)) state.points[0] = state.nodes[0];
   for (Index i = 1; i < n; ++i) {
-    if (!has_slipped(i) || sticks(state.zones, i - 1)) continue;
+    if (!has_slipped(i) || (phase > 0 && sticks(state.zones, i - 1))) continue;
     state.points[i] = phase * state.nodes[i - 1] + (1 - phase) * state.nodes[i];
+  }
+}
+
+/// Adds the slip of a part. Next to the stick-slip point, slip is counted since a point was in
+/// adhesion, so that what it had slipped before has to be taken away.
+void RememberedGrid::add_slip(const RememberedState& before, double travelled) {
+  sum_.slip += contact_.slip;
+  for (Index i = before.kept; i < std::min(before.stuck, x_.size()); ++i) {
+    if (sticks(contact_.zones, i)) continue;
+    sum_.slip[i] -= interpolated_at(before.nodes, i, travelled, 0) + conditions_.offset[i];
   }
 }
 
@@ -278,10 +316,13 @@ void RememberedGrid::roll_part(double length, double end, const Load& load) {
     active_set_.solve(conditions_, shift, contact_);
     sum_.iterations += contact_.iterations;
   }
-  sum_.residual = std::max(sum_.residual, contact_.residuals.equations);
+  double& residual = sum_.residuals.equations;
+  residual = std::max(residual, contact_.residuals.equations);
 
   const double force_before = spacing_ * state.traction.sum();
   const double moved = contact_.creepage;
+  add_slip(state, travelled);
+  sum_.traction = contact_.traction;
   state.points.array() -= moved;
   displacement_ = (contact_.slip - conditions_.offset).array() - moved;
   state.nodes.head(x_.size()) = displacement_;
@@ -297,10 +338,9 @@ void RememberedGrid::roll_part(double length, double end, const Load& load) {
   if (whole) state.entered += 1;
 
   const double mean_force = (force_before + spacing_ * state.traction.sum()) / 2;
-  sum_.slip += contact_.slip;
   sum_.creepage += creepage;
-  sum_.mean_force += mean_force * length;
-  sum_.work += mean_force * creepage;
+  mean_force_ += mean_force * length;
+  work_ += mean_force * creepage;
 }
 
 }  // namespace microslip

@@ -49,6 +49,9 @@ struct RememberedState {
 /// - StickSlipPoint gives the mean of the solutions of four partitions, so that the stick-slip
 ///   point moves evenly through the elements.
 ///
+/// A shift without rolling after the start has no element at the entry: where the leading edge
+/// sticks, it is of first order.
+///
 /// Cost: a step in between two whole elements is a solve of ActiveSet and those of four known
 /// partitions. Where the partition stays, so do all factors.
 /// Accuracy: see `remembered` in docs/theory.md. tests/order/remembered_order_test.cpp
@@ -61,6 +64,7 @@ class RememberedGrid final : public RollingGrid {
   Eigen::VectorXd traction_at_nodes(const TransientState& state) const override;
   void start_from(const Eigen::VectorXd& traction, TransientState& state) override;
   double start_from_shift(const PrescribedForce& force, TransientState& state) override;
+  Shift solve_shift(const TransientState& before, const Load& load, TransientState& after) override;
   void solve_step(const TransientState& before, double length, const Load& load,
                   TransientState& after) override;
   void accept_step() override;
@@ -71,22 +75,13 @@ class RememberedGrid final : public RollingGrid {
   RememberedGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge,
                  const Grid& grid);
 
-  /// What a step adds up over its parts, each of which ends where an element has been travelled, or
-  /// with the step.
-  struct Sum {
-    Eigen::VectorXd slip;  ///< [mm]
-    double creepage = 0;   ///< [mm]
-    double mean_force = 0, work = 0;
-    int iterations = 0;
-    double residual = 0;
-  };
-
   void begin(const Eigen::VectorXd& traction, TransientState& state);
   void remember_all(RememberedState& state) const;
   double phase(const RememberedState& state) const;
   double displacement_at_entry(const Eigen::VectorXd& traction) const;
   void roll_part(double length, double end, const Load& load);
   void recall(const RememberedState& state, double phase, double travelled, bool slipped);
+  void add_slip(const RememberedState& before, double travelled);
   void remember(RememberedState& state, double phase, bool stuck_again) const;
 
   TractionBound traction_bound_;
@@ -100,7 +95,12 @@ class RememberedGrid final : public RollingGrid {
 
   RememberedState state_;
   RememberedState next_;  ///< after the step that was solved last
-  Sum sum_;
+
+  // Of the step, summed over its parts. Each ends where an element has been travelled, or with the
+  // step.
+  ContactState sum_;       ///< of the partition, slip and creepage as displacements  [mm]
+  double mean_force_ = 0;  ///< [N]
+  double work_ = 0;        ///< of the force  [N]
 
   // Of the part of a step that is being solved.
   SlipConditions conditions_;

@@ -40,6 +40,35 @@ void RollingGrid::fill_state(double distance, const ContactState& contact, doubl
   }
 }
 
+double RollingGrid::start_from_shift(const PrescribedForce& force, TransientState& state) {
+  const TransientState rest = state;
+  const Shift shift = solve_shift(rest, force, state);
+  accept_step();
+  state.iterations = 0;  // a start is no step
+  return shift.distance;
+}
+
+Shift RollingGrid::fill_shift(double distance, const VectorXd& before, const ContactState& contact,
+                              const VectorXd& slip, const VectorXd& bound,
+                              const VectorXd& mean_bound, TransientState& state) const {
+  fill_state(distance, contact, 1, bound, mean_bound, state);
+  state.slip.setZero();
+  state.creepage = 0;
+  state.element_creepage = 0;
+  state.dissipation = 0;
+  state.end_dissipation = 0;
+  const VectorXd mean_force = weights_.cwiseProduct(before + contact.traction) / 2;
+  double above_mean = 0;
+  for (Index i = 0; i < bound.size(); ++i) {
+    if (bound[i] <= 0 || contact.zones[static_cast<std::size_t>(i)] == Zone::adhesion) continue;
+    above_mean -= weights_[i] * (contact.traction[i] - before[i]) / 2 * slip[i];
+  }
+  return {.distance = contact.creepage,
+          .slip = slip,
+          .dissipation = above_mean - mean_force.dot(slip),
+          .work = above_mean - mean_force.sum() * contact.creepage};
+}
+
 std::vector<Zone> zones_at(const VectorXd& traction, const VectorXd& bound) {
   std::vector<Zone> zones;
   for (Index i = 0; i < bound.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
+#include "microslip/rolling/shift.hpp"
 #include "microslip/rolling/transient_problem.hpp"
 
 namespace microslip {
@@ -39,11 +40,19 @@ class RollingGrid {
   /// \param state     out
   virtual void start_from(const Eigen::VectorXd& traction, TransientState& state) = 0;
 
-  /// Starts from a shift without rolling.
-  /// \param state  out
+  /// Starts from a shift without rolling: at rest before, and after the shift in the end.
+  /// \param state  of start_from() no tractions; out
   /// \return the shift  [mm]
+  /// \throws as solve_shift
+  virtual double start_from_shift(const PrescribedForce& force, TransientState& state);
+
+  /// Solves a shift without rolling, and stays where it is.
+  /// \param before  the state now
+  /// \param load    its creepage is the shift  [mm]
+  /// \param after   out
   /// \throws as ActiveSet::solve
-  virtual double start_from_shift(const PrescribedForce& force, TransientState& state) = 0;
+  virtual Shift solve_shift(const TransientState& before, const Load& load,
+                            TransientState& after) = 0;
 
   /// Solves a step, and stays where it is.
   /// \param before  the state now
@@ -53,7 +62,7 @@ class RollingGrid {
   virtual void solve_step(const TransientState& before, double length, const Load& load,
                           TransientState& after) = 0;
 
-  /// Moves to the end of the step that was solved last.
+  /// Moves to the end of the step or shift that was solved last.
   virtual void accept_step() {}
 
   /// Takes the same place with fewer rounding errors.
@@ -73,6 +82,14 @@ class RollingGrid {
   void fill_state(double distance, const ContactState& contact, double length,
                   const Eigen::VectorXd& bound, const Eigen::VectorXd& mean_bound,
                   TransientState& state) const;
+
+  /// Fills a state from a solved shift.
+  /// \param before   the tractions  [N/mm^2]
+  /// \param contact  with slip and creepage as displacements  [mm]
+  /// \param slip     by A p alone  [mm]
+  Shift fill_shift(double distance, const Eigen::VectorXd& before, const ContactState& contact,
+                   const Eigen::VectorXd& slip, const Eigen::VectorXd& bound,
+                   const Eigen::VectorXd& mean_bound, TransientState& state) const;
 
   Eigen::VectorXd x_, bound_, weights_;
   ActiveSet active_set_;

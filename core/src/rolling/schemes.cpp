@@ -84,19 +84,20 @@ constexpr std::array steady{
 constexpr const char* relaxed = "under-relaxed: first order, no wiggles, smoothed peaks";
 
 constexpr std::array advection{
+    AdvectionEntry{.name = "remembered",
+                   .text = "displacement remembered by the material, the stick-slip point anywhere "
+                           "within an element: second order in dx, for any step, and for small "
+                           "changes of the load",
+                   .limits = "constant functions",
+                   .order = 2,
+                   .safe_steps = anywhere,
+                   .scheme = [](double) -> AdvectionScheme { return Remembered{}; }},
     AdvectionEntry{.name = "material",
                    .text = "grid fixed to the material: second order in dx, for any step",
                    .limits = "constant functions",
                    .order = 2,
                    .safe_steps = anywhere,
                    .scheme = [](double) -> AdvectionScheme { return MaterialFixed{}; }},
-    AdvectionEntry{.name = "remembered",
-                   .text = "displacement remembered by the material: second order in dx, for any "
-                           "step, with the stick-slip point anywhere within an element",
-                   .limits = "constant functions",
-                   .order = 2,
-                   .safe_steps = anywhere,
-                   .scheme = [](double) -> AdvectionScheme { return Remembered{}; }},
     AdvectionEntry{.name = "direct",
                    .text = "displacements at the nodes moved by c dx: first order, wiggles for c "
                            "<< 1 and smoothed peaks unless c is whole",

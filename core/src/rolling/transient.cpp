@@ -137,9 +137,28 @@ void TransientRolling::start_from(const VectorXd& traction) {
 }
 
 double TransientRolling::start_from_shift(const PrescribedForce& force) {
-  const double shift = grid_->start_from_shift(force, state_);
+  TransientRolling shifted(*this);  // so that nothing is lost if there is no such shift
+  shifted.start_from(VectorXd::Zero(problem_.grid.size()));
+  const double distance = shifted.grid_->start_from_shift(force, shifted.state_);
+  *this = std::move(shifted);
+  return distance;
+}
+
+Shift TransientRolling::shift(const ShiftLoad& load) {
+  const auto* prescribed = std::get_if<PrescribedShift>(&load);
+  if (prescribed != nullptr) require(true, "shift", prescribed->value, "a finite number");
+  const Load whole = prescribed != nullptr ? Load(PrescribedCreepage{prescribed->value})
+                                           : Load(std::get<PrescribedForce>(load));
+  const auto zeros = [&]() -> VectorXd { return VectorXd::Zero(state_.traction.size()); };
+  if (prescribed != nullptr ? prescribed->value == 0
+                            : std::get<PrescribedForce>(load).value == state_.force) {
+    return {.slip = zeros()};
+  }
+  Shift result = grid_->solve_shift(state_, whole, next_);
+  std::swap(state_, next_);
   creep_.start();
-  return shift;
+  grid_->accept_step();
+  return result;
 }
 
 void TransientRolling::solve_step(double length, const Load& load) {

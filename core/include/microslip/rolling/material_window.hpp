@@ -59,10 +59,13 @@ class MaterialWindow {
   }
 
   /// Element means of the bound. The leading node also gets the force ahead of its element, minus
-  /// the incoming node's share, so that the sum is the force of full sliding. \param coming_share
-  /// of its bound at entry that the coming node has, in [0, 1]; in rolling, the
-  ///                      phase
-  void bound(double phase, double coming_share, Eigen::VectorXd& means) const;  ///< [N/mm^2]
+  /// the share of the nodes to come, so that the sum is the force of full sliding.
+  /// \param coming_share  of its bound at entry that the coming node has, in [0, 1], and that it
+  ///                      shares with the node ahead; in rolling, the phase
+  /// \param means         out  [N/mm^2]
+  /// \param ahead_share   of that bound, in [0, coming_share]; in rolling, 0
+  void bound(double phase, double coming_share, Eigen::VectorXd& means,
+             double ahead_share = 0) const;
   Eigen::VectorXd bound(double phase) const;
 
   /// Reduces the bound of a node that leaves while it sticks to its fraction inside, and gives the

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "microslip/rolling/recent_creep.hpp"
+#include "microslip/rolling/shift.hpp"
 #include "microslip/rolling/transient_problem.hpp"
 
 namespace microslip {
@@ -73,6 +74,17 @@ class TransientRolling {
   /// \return the shift  [mm]
   /// \throws as ActiveSet::solve
   double start_from_shift(const PrescribedForce& force);
+
+  /// Shifts the bodies without rolling, from the tractions now. The state has them afterwards with
+  /// the same distance; its slip, creepages and dissipation are 0, as those are about rolling, and
+  /// the energies of its evidence are those of the shift  [N].
+  /// On a grid fixed to the material both edges are held by springs if both stick. A shift after
+  /// which one of them no longer does so, or does so again, changes the tractions of some elements
+  /// next to it by about the traction there, however short it is; one of no length changes nothing.
+  /// Cost: as two steps. After a shift that throws the state is what it was, as after a step.
+  /// \throws std::invalid_argument for a shift that is not finite, or by a scheme that has no
+  ///         shifts but its start, and as ActiveSet::solve
+  Shift shift(const ShiftLoad& load);
 
   /// Rolls on.
   /// \param length  dq; dq/dx in the range of Advection::advect, or >= min_step_ratio on a grid

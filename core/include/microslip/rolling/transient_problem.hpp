@@ -49,19 +49,19 @@ using Start = std::variant<Rest, CattaneoShift, Eigen::VectorXd>;
 void require_within_bound(const Eigen::VectorXd& x, const Eigen::VectorXd& bound,
                           const Eigen::VectorXd& traction);
 
-/// Values at the N nodes at the end of a step, and what follows from them. A positive creepage
-/// gives negative tractions.
+/// Values at the N nodes at the end of a step, or at standstill, before the first one and after a
+/// shift, and what follows from them. A positive creepage gives negative tractions.
 struct TransientState {
   double distance;           ///< q rolled so far  [mm]
   Eigen::VectorXd traction;  ///< coefficients of the basis  [N/mm^2]
-  Eigen::VectorXd slip;      ///< relative slip s of the step; zero before the first  [1]
+  Eigen::VectorXd slip;      ///< relative slip s of the step; zero at standstill  [1]
   std::vector<Zone> zones;
   double force;     ///< integral of the traction  [N/mm]
-  double creepage;  ///< w of the step; zero before the first  [1]
-  /// Mean of the creepage over the last element travelled, or since the start: it lags by half an
-  /// element. Under a force, a step shorter than an element has noise, because elements begin to
-  /// slip one by one. The mean has 40 to 5000 times less where an element is a whole number of
-  /// steps, and 10 times less with c = 0.3. tests/unit/element_creepage_test.cpp  [1]
+  double creepage;  ///< w of the step; zero at standstill  [1]
+  /// Mean of the creepage over the last element travelled, or since the start or a shift: it lags
+  /// by half an element. Under a force, a step shorter than an element has noise, because elements
+  /// begin to slip one by one. The mean has 40 to 5000 times less where an element is a whole
+  /// number of steps, and 10 times less with c = 0.3. tests/unit/element_creepage_test.cpp  [1]
   double element_creepage;
   /// Energy lost per mm rolled and mm width: -integral of (p + p')/2 s over the material points,
   /// those that have just left included. On a grid fixed to the material the slip is that by A p

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/fretting.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "fretting_run.hpp"
+#include "microslip/experiments/claims.hpp"
+#include "microslip/experiments/superposed_shift.hpp"
+#include "microslip/reference/fretting_cycle.hpp"
+#include "microslip/rolling/schemes.hpp"
+#include "microslip/rolling/transient.hpp"
+#include "microslip/scene/model.hpp"
+#include "microslip/support/convergence.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip::experiments {
+
+using Eigen::Index;
+using namespace fretting_study;
+
+namespace {
+
+using Parameters = FrettingParameters;
+
+/// Energies of closed cycles, and what L0 changes, relative.
+constexpr double energy_rounding = 1e-10;
+constexpr double length_rounding = 1e-9;
+
+/// A slip zone of so many elements counts as resolved.
+constexpr double resolved = 5;
+
+HertzBound hertz_of(const Parameters& p) {
+  const double a = p.bound.half_width();
+  return {a, p.bound.total() / HertzBound(a, 1).total()};
+}
+
+TransientRolling at_rest(const Parameters& p, const TractionBound& bound, const std::string& scheme,
+                         Index elements) {
+  return TransientRolling({.kernel = PlaneKernel(p.material, p.length),
+                           .bound = bound,
+                           .grid = Grid({.half_width = p.bound.half_width(), .elements = elements}),
+                           .basis = constant_basis(),
+                           .scheme = advection_scheme(scheme).scheme(1)});
+}
+
+/// A force that rises from nothing, and then goes back and forth once.
+struct Cycle {
+  double shift;        ///< until it has risen, positive with it  [mm]
+  double dissipation;  ///< of the closed cycle  [N]
+  double work;         ///< likewise  [N]
+};
+
+Cycle cycle_of(TransientRolling rolling, double force) {
+  const double shift = -rolling.shift(PrescribedForce{force}).distance;
+  const Shift back = rolling.shift(PrescribedForce{-force});
+  const Shift forth = rolling.shift(PrescribedForce{force});
+  return {.shift = shift,
+          .dissipation = back.dissipation + forth.dissipation,
+          .work = back.work + forth.work};
+}
+
+Table loops_table(const Parameters& p) {
+  Table table("loops",
+              "force and displacement of cycles, Hertz's bound, grid fixed to the material",
+              {{"amplitude", "1", "of the force, part of full sliding"},
+               {"way", "1", "out from no tractions, back, forth"},
+               {"elements", "1", "N"},
+               {"force", "1", "part of full sliding"},
+               {"displacement", "mm", "of the surface where it sticks: minus the rigid shift"},
+               {"exact", "mm", "by Mindlin"},
+               {"adhesion", "mm", "of a contact that sticks everywhere, k F ln(2 L0/a)"},
+               {"error", "1", "difference over the displacement at the amplitude"}});
+  const HertzBound bound = hertz_of(p);
+  const double sticking =
+      compliance(p.material) / std::numbers::pi * std::log(2 * p.length / bound.half_width());
+  const Index n = p.sizes.back();
+  for (const double amplitude : p.forces) {
+    const double most = amplitude * bound.total();
+    const FrettingCycle cycle(p.material, bound, most);
+    const double scale = -cycle.shift(most, p.length);
+    TransientRolling rolling = at_rest(p, bound, "material", n);
+    double displacement = 0;
+    const auto go = [&](const char* way, double from, double to, const auto& exact) {
+      for (int i = 0; i <= p.points; ++i) {
+        const double force = i == p.points ? to : from + (to - from) * i / p.points;
+        displacement -= rolling.shift(PrescribedForce{force}).distance;
+        table.add({amplitude, way, static_cast<double>(n), force / bound.total(), displacement,
+                   exact(force), sticking * force, (displacement - exact(force)) / scale});
+      }
+    };
+    go("out", 0, most,
+       [&](double f) { return Cattaneo(p.material, bound, f).displacement(p.length); });
+    go("back", most, -most, [&](double f) { return -cycle.shift(f, p.length); });
+    go("forth", -most, most, [&](double f) { return cycle.shift(-f, p.length); });
+  }
+  return table;
+}
+
+struct Errors {
+  Table cycles, errors, orders;
+};
+
+double root_mean_square(std::span<const double> values) {
+  double squares = 0;
+  for (const double value : values) squares += value * value;
+  return std::sqrt(squares / static_cast<double>(values.size()));
+}
+
+/// Exact shift and dissipation of each amplitude.
+struct Exact {
+  std::vector<double> shifts, dissipations;
+};
+
+Exact exact_of(const Parameters& p, bool hertz) {
+  Exact exact;
+  const SuperposedShift other(p.bound, compliance(p.material), p.length);
+  for (const double amplitude : p.error_forces) {
+    const double force = amplitude * p.bound.total();
+    const FrettingCycle cycle(p.material, hertz_of(p), force);
+    exact.shifts.push_back(hertz ? -cycle.shift(force, p.length) : other.shift(force));
+    exact.dissipations.push_back(hertz ? cycle.dissipation() : other.dissipation(force));
+  }
+  return exact;
+}
+
+Errors errors_of(const Parameters& p, const Progress& progress) {
+  Errors tables{
+      {"cycles",
+       "cycles of the force, against Mindlin's and against superposition",
+       {{"bound", "1", "hertz or polynomial"},
+        {"scheme", "1", "grid of the contact (direct) or of the material"},
+        {"elements", "1", "N"},
+        {"amplitude", "1", "of the force, part of full sliding"},
+        {"dissipation", "N", "of a closed cycle"},
+        {"exact", "N", "the same"},
+        {"dissipation_error", "1", "relative"},
+        {"shift_error", "1", "of the shift to the first amplitude, relative"},
+        {"imbalance", "1", "work less dissipation of a closed cycle, over the dissipation",
+         energy_rounding}}},
+      {"errors",
+       "their root mean squares over the amplitudes",
+       {{"bound", "1", "hertz or polynomial"},
+        {"scheme", "1", "direct or material"},
+        {"elements", "1", "N"},
+        {"dissipation", "1", "relative error"},
+        {"shift", "1", "relative error"}}},
+      {"orders",
+       "fitted to them",
+       {{"bound", "1", "hertz or polynomial"},
+        {"scheme", "1", "direct or material"},
+        {"dissipation", "1", "order in the number of elements"},
+        {"shift", "1", "likewise"}}}};
+  std::size_t done = 0;
+  for (const std::string bound : {"hertz", "polynomial"}) {
+    const bool hertz = bound == "hertz";
+    const TractionBound of = hertz ? TractionBound(hertz_of(p)) : TractionBound(p.bound);
+    const Exact exact = exact_of(p, hertz);
+    for (const std::string scheme : {"direct", "material"}) {
+      std::vector<double> sizes, lost, shifted;
+      for (const Index n : p.sizes) {
+        const TransientRolling start = at_rest(p, of, scheme, n);
+        std::vector<double> lost_errors, shift_errors;
+        for (std::size_t k = 0; k < p.error_forces.size(); ++k) {
+          const Cycle cycle = cycle_of(start, p.error_forces[k] * p.bound.total());
+          lost_errors.push_back(cycle.dissipation / exact.dissipations[k] - 1);
+          shift_errors.push_back(cycle.shift / exact.shifts[k] - 1);
+          tables.cycles.add({bound, scheme, static_cast<double>(n), p.error_forces[k],
+                             cycle.dissipation, exact.dissipations[k], lost_errors.back(),
+                             shift_errors.back(), cycle.work / cycle.dissipation - 1});
+        }
+        sizes.push_back(static_cast<double>(n));
+        lost.push_back(root_mean_square(lost_errors));
+        shifted.push_back(root_mean_square(shift_errors));
+        tables.errors.add({bound, scheme, sizes.back(), lost.back(), shifted.back()});
+        progress(++done, 4 * p.sizes.size());
+      }
+      tables.orders.add({bound, scheme, fitted_order(sizes, lost), fitted_order(sizes, shifted)});
+    }
+  }
+  return tables;
+}
+
+Table curve_table(const Parameters& p) {
+  Table table("curve", "dissipation of a cycle against the amplitude, Hertz's bound",
+              {{"scheme", "1", "direct, material, or exact"},
+               {"elements", "1", "N; nan if exact"},
+               {"amplitude", "1", "of the force, part of full sliding"},
+               {"slip_elements", "1", "exact length of a slip zone, in elements; nan if exact"},
+               {"dissipation", "1",
+                "of a closed cycle, over k times the square of full sliding, "
+                "k = 2 (1 - nu)/(pi G)",
+                1e-13},
+               {"cubes", "1", "the same over a third of the cube of the amplitude", 1e-7}});
+  const HertzBound bound = hertz_of(p);
+  const double unit = compliance(p.material) / std::numbers::pi * bound.total() * bound.total();
+  const auto row = [&](const std::string& scheme, double n, double tau, double dissipation) {
+    const double slip_zone = n / 2 * tau / (1 + std::sqrt(1 - tau));
+    table.add({scheme, n, tau, slip_zone, dissipation / unit,
+               dissipation / unit / (tau * tau * tau / 3)});
+  };
+  for (const double tau : p.all_forces) {
+    row("exact", not_given, tau,
+        FrettingCycle(p.material, bound, tau * bound.total()).dissipation());
+  }
+  for (const std::string scheme : {"direct", "material"}) {
+    for (const Index n : p.sizes) {
+      const TransientRolling start = at_rest(p, bound, scheme, n);
+      for (const double tau : p.all_forces) {
+        row(scheme, static_cast<double>(n), tau, cycle_of(start, tau * bound.total()).dissipation);
+      }
+    }
+  }
+  return table;
+}
+
+Table lengths_table(const Parameters& p) {
+  Table table(
+      "lengths", "a cycle with other L0, half of full sliding, Hertz's bound",
+      {{"scheme", "1", "direct or material"},
+       {"length", "1", "L0 in half-widths"},
+       {"shift", "mm", "to the amplitude, positive with the force"},
+       {"dissipation", "N", "of a closed cycle"},
+       {"difference", "1", "of the dissipation to that of the first, relative", length_rounding}});
+  const HertzBound bound = hertz_of(p);
+  for (const std::string scheme : {"direct", "material"}) {
+    double first = 0;
+    for (const double length : p.lengths) {
+      Parameters other = p;
+      other.length = length * bound.half_width();
+      const Cycle cycle =
+          cycle_of(at_rest(other, bound, scheme, p.run_elements), bound.total() / 2);
+      if (first == 0) first = cycle.dissipation;
+      table.add({scheme, length, cycle.shift, cycle.dissipation, cycle.dissipation / first - 1});
+    }
+  }
+  return table;
+}
+
+double largest(const Table& table, const std::string& column) {
+  double most = 0;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    most = std::max(most, std::abs(table.number(i, column)));
+  }
+  return most;
+}
+
+/// The least amplitude whose slip zones have enough elements, and its dissipation over the exact.
+std::array<double, 2> smallest_resolved(const Table& curve, double elements) {
+  for (std::size_t i = 0; i < curve.rows(); ++i) {
+    if (curve.at(i, "scheme") != Cell("material") || curve.number(i, "elements") != elements ||
+        curve.number(i, "slip_elements") < resolved) {
+      continue;
+    }
+    const double tau = curve.number(i, "amplitude");
+    return {tau, curve.number(i, "cubes") /
+                     curve.latest({{"scheme", "exact"}, {"amplitude", tau}}, "cubes")};
+  }
+  return {not_given, not_given};
+}
+
+Table claims_of(const Parameters& p, const Table& loops, const Errors& errors, const Table& curve,
+                const Table& lengths, const Table& run) {
+  const auto order = [&](const char* bound, const char* scheme, const char* column) {
+    return errors.orders.latest({{"bound", bound}, {"scheme", scheme}}, column);
+  };
+  const auto n = static_cast<double>(p.sizes.back());
+  const auto [tau, ratio] = smallest_resolved(curve, n);
+  const double least = p.all_forces.front();
+  const std::string finest = "N = " + std::to_string(p.sizes.back());
+  const auto error = [&](const char* bound) {
+    return errors.errors.latest({{"bound", bound}, {"scheme", "material"}, {"elements", n}},
+                                "dissipation");
+  };
+  return claims_table(
+      {{"loops of force and displacement are Mindlin's", "none", 0, largest(loops, "error"), "1",
+        ours_if({within(2e-4, 0)}),
+        "largest error over the displacement at the amplitude, grid fixed to the material, " +
+            finest,
+        "fretting_loops"},
+       {"the shift is of second order on the material", "none", 2,
+        order("hertz", "material", "shift"), "1", ours_if({within(0.3, 2)}),
+        "order of the root mean square over the amplitudes, Hertz's bound", "fretting_error"},
+       {"... and of order 3/2 on the grid of the contact", "none", 1.5,
+        order("hertz", "direct", "shift"), "1", ours_if({within(0.2, 1.5)}), "likewise",
+        "fretting_error"},
+       {"a cycle loses 2 (1 - t) ln(1 - t) + 2 t - t^2", "none", 0, error("hertz"), "1",
+        ours_if({within(1e-3, 0)}),
+        "relative error, root mean square over the amplitudes, material, " + finest,
+        "fretting_error"},
+       {"the dissipation is of order 3/2 on the material, too", "none", 1.5,
+        order("hertz", "material", "dissipation"), "1", ours_if({within(0.3, 1.5)}),
+        "order of that root mean square", "fretting_error"},
+       {"... as on the grid of the contact", "none", 1.5, order("hertz", "direct", "dissipation"),
+        "1", ours_if({within(0.3, 1.5)}), "likewise", "fretting_error"},
+       {"any bound: superposition of two full slidings", "none", 0, error("polynomial"), "1",
+        ours_if({within(1e-3, 0)}), "likewise, a bound that is no Hertz's and not symmetric",
+        "fretting_error"},
+       {"small forces lose their cube", "none", 1, ratio, "1", ours_if({within_percent(5, 1)}),
+        "dissipation over the exact, a third of the cube of the amplitude, at " +
+            format_short(tau) + ", the least with " + format_short(resolved) +
+            " elements in a slip zone",
+        "fretting_dissipation"},
+       {"slip zones that no element resolves lose nothing", "none", 0,
+        curve.latest({{"scheme", "direct"}, {"elements", n}, {"amplitude", least}}, "cubes"), "1",
+        ours_if({within(1e-7, 0)}),
+        "dissipation over the exact at the least amplitude, " + format_short(least) +
+            ", grid of the contact, " + finest,
+        "fretting_dissipation", 1e-7},
+       {"L0 changes the shift, not the dissipation", "none", 0, largest(lengths, "difference"), "1",
+        ours_if({within(length_rounding, 0)}), "largest relative difference", no_figure},
+       {"a closed cycle loses the work of its force", "none", 0,
+        largest(errors.cycles, "imbalance"), "1", ours_if({within(energy_rounding, 0)}),
+        "largest relative difference", no_figure},
+       {"standstill, rolling and standstill in one run balance energy", "none", 0,
+        largest(run, "imbalance"), "1", ours_if({within(run_rounding, 0)}),
+        "largest sum of all energies over the work done in all", "fretting_run"}});
+}
+
+void require_amplitudes(const char* key, const std::vector<double>& amplitudes) {
+  for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+    require(amplitudes[k] > (k == 0 ? 0 : amplitudes[k - 1]) && amplitudes[k] < 1, key,
+            amplitudes[k], "rising numbers in (0, 1)");
+  }
+}
+
+PolynomialBound read_polynomial(Scene& scene) {
+  const TractionBound bound = read_bound(scene);
+  const auto* polynomial = std::get_if<PolynomialBound>(&bound);
+  if (polynomial == nullptr) throw std::invalid_argument("missing key 'contact.bound_polynomial'");
+  return *polynomial;
+}
+
+}  // namespace
+
+FrettingParameters read_fretting(Scene& scene) {
+  FrettingParameters p{.material = read_material(scene),
+                       .length = scene.number("kernel.length"),
+                       .bound = read_polynomial(scene),
+                       .sizes = scene.wholes("grid.sizes", 8, 2000),
+                       .forces = scene.numbers("cycle.forces"),
+                       .points = static_cast<int>(scene.whole("cycle.points")),
+                       .error_forces = scene.numbers("cycle.error_forces"),
+                       .all_forces = scene.numbers("cycle.all_forces"),
+                       .lengths = scene.numbers("cycle.lengths"),
+                       .run_elements = scene.whole("run.elements"),
+                       .run_force = scene.number("run.force", Unit{"1"}),
+                       .run_swing = scene.number("run.swing", Unit{"1"}),
+                       .run_distance = scene.number("run.distance", Unit{"1"}),
+                       .run_step_ratio = scene.number("run.step_ratio")};
+  require(p.sizes.size() >= 2, "grid.sizes", static_cast<double>(p.sizes.size()),
+          "at least two sizes");
+  for (std::size_t k = 1; k < p.sizes.size(); ++k) {
+    require(p.sizes[k] > p.sizes[k - 1], "grid.sizes", static_cast<double>(p.sizes[k]),
+            "rising sizes");
+  }
+  require_amplitudes("cycle.forces", p.forces);
+  require_amplitudes("cycle.error_forces", p.error_forces);
+  require_amplitudes("cycle.all_forces", p.all_forces);
+  require(p.points >= 2 && p.points <= 1000, "cycle.points", p.points, "2 to 1000");
+  for (const double length : p.lengths) {
+    require(length >= 1 && length <= 1e9, "cycle.lengths", length, "numbers in [1, 1e9]");
+  }
+  require(p.length >= p.bound.half_width(), "kernel.length", p.length,
+          [&] { return "at least half_width = " + format_short(p.bound.half_width()) + " mm"; });
+  require(p.run_elements >= 8 && p.run_elements <= 2000, "run.elements",
+          static_cast<double>(p.run_elements), "8 to 2000");
+  require(p.run_force != 0 && std::abs(p.run_force) < 1, "run.force", p.run_force,
+          "a number in (-1, 1), not 0");
+  require(p.run_swing > 0 && std::abs(p.run_force) + p.run_swing < 1, "run.swing", p.run_swing,
+          "a number > 0, less than 1 together with the size of run.force");
+  require(p.run_distance > 0 && p.run_distance <= 1e4, "run.distance", p.run_distance,
+          "a number in (0, 1e4]");
+  require(p.run_step_ratio >= 1e-3 && p.run_step_ratio <= 5, "run.step_ratio", p.run_step_ratio,
+          "a number in [1e-3, 5]");
+  return p;
+}
+
+std::vector<Table> fretting(const FrettingParameters& p, const Progress& progress) {
+  const Table loops = loops_table(p);
+  const Errors errors = errors_of(p, progress);
+  const Table curve = curve_table(p);
+  const Table lengths = lengths_table(p);
+  const Table run = run_table(p, at_rest(p, hertz_of(p), "material", p.run_elements));
+  return {loops, errors.cycles, errors.errors, errors.orders,
+          curve, lengths,       run,           claims_of(p, loops, errors, curve, lengths, run)};
+}
+
+}  // namespace microslip::experiments

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "microslip/experiments/fretting.hpp"
+#include "microslip/rolling/transient.hpp"
+
+namespace microslip::experiments::fretting_study {
+
+/// What is left of the balance of energy, over the work done in all.
+inline constexpr double run_rounding = 1e-11;
+
+/// A cycle at standstill, rolling, another cycle at standstill, rolling, and back to no force.
+/// \param rolling  at rest
+Table run_table(const FrettingParameters& parameters, TransientRolling rolling);
+
+}  // namespace microslip::experiments::fretting_study

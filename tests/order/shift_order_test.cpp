@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Shifts between two ways of rolling where everything sticks: tractions are singular at the edges,
+// wherever these are within an element.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "microslip/rolling/transient.hpp"
+#include "microslip/support/convergence.hpp"
+
+namespace microslip {
+namespace {
+
+using Eigen::Index;
+
+constexpr double high = 1000;  ///< peak of a bound that nothing reaches  [N/mm^2]
+constexpr double creepage = 1e-3;
+constexpr double by = 1e-3;
+
+struct Forces {
+  double after_shift;
+  double later;
+};
+
+/// Rolled by 0.96 + `part` of an element of N = 50, shifted, and rolled on by 0.4.
+Forces forces(Index elements, const AdvectionScheme& scheme, double part, double step_ratio = 1) {
+  TransientRolling rolling({.kernel = PlaneKernel({1.44, 0.28}, 20),
+                            .bound = HertzBound(1, high),
+                            .grid = Grid({.half_width = 1, .elements = elements}),
+                            .basis = constant_basis(),
+                            .scheme = scheme});
+  const double length = step_ratio * 2 / static_cast<double>(elements);
+  const auto roll = [&](double distance) {
+    rolling.roll(distance, {length}, PrescribedCreepage{creepage}, [](const TransientState&) {});
+  };
+  roll(0.96 + part * 0.04);
+  rolling.shift(PrescribedShift{by});
+  const double after_shift = rolling.state().force;
+  roll(0.4);
+  return {after_shift, rolling.state().force};
+}
+
+/// By the scheme of the thesis with whole elements, extrapolated.
+Forces exact(double part) {
+  const Forces coarse = forces(400, Direct{}, part);
+  const Forces fine = forces(800, Direct{}, part);
+  return {2 * fine.after_shift - coarse.after_shift, 2 * fine.later - coarse.later};
+}
+
+TEST(ShiftOrder, BetweenTwoWaysOfRollingIsOfSecondOrderWhereEverythingSticks) {
+  const std::vector<double> sizes = {25, 50, 100, 200};
+  std::vector<double> shifted(sizes.size(), 0.0), later(sizes.size(), 0.0);
+  for (const double part : {0.0, 0.25, 0.5, 0.625, 0.75, 0.875}) {
+    const Forces truth = exact(part);
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      const Forces found = forces(static_cast<Index>(sizes[i]), MaterialFixed{}, part);
+      shifted[i] = std::max(shifted[i], std::abs(found.after_shift / truth.after_shift - 1));
+      later[i] = std::max(later[i], std::abs(found.later / truth.later - 1));
+    }
+  }
+  EXPECT_NEAR(fitted_order(sizes, shifted), 2, 0.3);
+  EXPECT_NEAR(fitted_order(sizes, later), 2, 0.5);
+  EXPECT_LT(shifted[1], 3e-5);
+  EXPECT_LT(later[1], 3e-5);
+}
+
+// In between, the traction that the shift lays down at the leading edge is felt too little, and no
+// more once the elements there have entered. The history of a node that comes
+// is linear between the ends of steps, which leaves 1e-7, with a shift and without.
+TEST(ShiftOrder, ShortStepsEndAtTheSame) {
+  for (const double part : {0.0, 0.3, 0.7}) {
+    const double whole = forces(50, MaterialFixed{}, part).later;
+    for (const double step_ratio : {0.3, 0.07, 2.6}) {
+      EXPECT_NEAR(forces(50, MaterialFixed{}, part, step_ratio).later / whole, 1, 1e-6)
+          << part << ' ' << step_ratio;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace microslip
