@@ -43,17 +43,12 @@ Kernel make_kernel(const Material& material, const microslip_kernel& kernel) {
 }
 
 AdvectionScheme make_scheme(int scheme) {
-  switch (scheme) {
-    case MICROSLIP_MATERIAL:
-      return MaterialFixed{};
-    case MICROSLIP_DIRECT:
-      return Direct{};
-    case MICROSLIP_REMEMBERED:
-      return Remembered{};
-    default:
-      reject("grid.scheme", std::to_string(scheme),
-             "0 for material, 1 for direct or 2 for remembered");
-  }
+  require(
+      scheme == MICROSLIP_MATERIAL || scheme == MICROSLIP_DIRECT || scheme == MICROSLIP_REMEMBERED,
+      "grid.scheme", scheme, "0 for material, 1 for direct or 2 for remembered");
+  if (scheme == MICROSLIP_MATERIAL) return MaterialFixed{};
+  if (scheme == MICROSLIP_DIRECT) return Direct{};
+  return Remembered{};
 }
 
 }  // namespace

@@ -88,6 +88,11 @@ Table claims_of(const FrequencyResponseParameters& p, const Table& curves, const
              (waves.errors.number(i, "stick_ratio") == all_adheres) == adheres;
     });
   };
+  const double order_about_states = extreme(waves.orders, "order", true, [&](std::size_t i) {
+    return text(waves.orders, i, "scheme") == "remembered" &&
+           waves.orders.number(i, "step_ratio") == 1 &&
+           waves.orders.number(i, "stick_ratio") != all_adheres;
+  });
   const auto half_space = [&](std::size_t i) {
     return text(curves, i, "case") == "plane" && curves.number(i, "stick_ratio") == all_adheres;
   };
@@ -114,6 +119,10 @@ Table claims_of(const FrequencyResponseParameters& p, const Table& curves, const
         "least error over states, over the largest one where everything adheres, at the largest N, "
         "c = 1",
         "frequency_response_errors"},
+       {"where the stick-slip point lies anywhere within an element, a state with slip answers in "
+        "second order, too",
+        "none", 2, order_about_states, "1", ours_if({within(0.3, 2)}),
+        "least order of the remembered scheme over states, c = 1", "frequency_response_errors"},
        {"a foundation of springs with the same steady slope, as in FASTSIM, has another frequency "
         "response",
         "none", not_given, extreme(curves, "from_winkler", false, half_space), "1",

@@ -36,13 +36,13 @@ TEST_F(Warnings, TellOfUnsafeValues) {
   expect_warned(good_transient, "--set step.scheme=direct --set step.ratio=0.1",
                 "step.ratio = 0.1: this scheme is safe from 0.5 to 1.3; step.scheme remembered "
                 "is safe for any");
-  const std::string tiny = "--set motion.distance=1e-9 --set step.ratio=";
+  const std::string tiny = "--set motion.distance=1e-11 --set step.ratio=";
   expect_warned(
-      good_transient, tiny + "1e-10",
-      "step.ratio = 1e-10: under a force, rounding is more than 1 % of the creepage below "
-      "step.ratio = 1e-09 with 20 elements");
-  EXPECT_EQ(run(good_transient, tiny + "1e-9").error, "");
-  EXPECT_EQ(run(good_transient, tiny + "1e-10 --set start.force=1 --set load.force= "
+      good_transient, tiny + "1e-12",
+      "step.ratio = 1e-12: under a force, rounding is more than 1 % of the creepage below "
+      "step.ratio = 2e-12 with 20 elements");
+  EXPECT_EQ(run(good_transient, tiny + "2e-12").error, "");
+  EXPECT_EQ(run(good_transient, tiny + "1e-12 --set start.force=1 --set load.force= "
                                        "--set load.creepage=0.01")
                 .error,
             "");

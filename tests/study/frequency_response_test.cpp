@@ -59,9 +59,11 @@ double error(const char* kernel, double stick_ratio, const char* scheme, double 
               "error");
 }
 
-TEST(FrequencyResponseStudy, WhereAllAdheresMaterialIsSecondOrderAndOthersFirst) {
+TEST(FrequencyResponseStudy, WhereAllAdheresTheOrderIsTwoByMaterialAndRememberedElseOne) {
   for (const char* kernel : {"plane", "strip"}) {
     for (const double c : {1.0, 0.3}) {
+      EXPECT_NEAR(order(kernel, 1, "remembered", c), 2, 0.1) << kernel << ' ' << c;
+      EXPECT_LT(error(kernel, 1, "remembered", c), 1e-4) << kernel << ' ' << c;
       EXPECT_NEAR(order(kernel, 1, "material", c), 2, 0.3) << kernel << ' ' << c;
       EXPECT_LT(error(kernel, 1, "material", c), 5e-5) << kernel << ' ' << c;
       EXPECT_NEAR(order(kernel, 1, "direct", c), 1, 0.2) << kernel << ' ' << c;
@@ -71,7 +73,9 @@ TEST(FrequencyResponseStudy, WhereAllAdheresMaterialIsSecondOrderAndOthersFirst)
 }
 
 // Over the places of the stick-slip point within an element.
-TEST(FrequencyResponseStudy, AboutAStateWithSlipAllAreFirstOrder) {
+TEST(FrequencyResponseStudy, AboutAStateWithSlipRememberedIsSecondOrderAndOthersFirst) {
+  EXPECT_NEAR(order("plane", 0.6, "remembered", 1), 2, 0.4);
+  EXPECT_LT(error("plane", 0.6, "remembered", 1), 1e-4);
   for (const char* scheme : {"material", "direct"}) {
     EXPECT_NEAR(order("plane", 0.6, scheme, 1), 1, 0.35) << scheme;
     EXPECT_GT(error("plane", 0.6, scheme, 1), 5e-4) << scheme;

@@ -56,7 +56,7 @@ TEST(Dissipation, OfTransientsIsTheWorkLessWhatIsStored) {
       const Missing found = missing(c, 101, PrescribedCreepage{creepage});
       EXPECT_LT(std::abs(found.by_mean), c.accepted) << c.scheme.index() << ' ' << c.step_ratio;
       if (std::holds_alternative<Fractional>(c.scheme)) continue;
-      EXPECT_LT(found.by_end, -3e-3) << c.scheme.index() << ' ' << c.step_ratio;
+      EXPECT_LT(found.by_end, -2.5e-3) << c.scheme.index() << ' ' << c.step_ratio;
     }
   }
 }

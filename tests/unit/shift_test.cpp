@@ -76,10 +76,12 @@ TEST(Shift, MeetsTheContactConditions) {
       EXPECT_LT((slip - shift.slip).lpNorm<Eigen::Infinity>(), 1e-13);
       for (Index i = 0; i < slip.size(); ++i) {
         const double p = state.traction[i];
-        EXPECT_LE(std::abs(p), rolling.bound()[i] + 1e-14);
+        // A mean over partitions, up to a tenth of the next node's distance to the bound above it.
+        const double near = std::holds_alternative<Remembered>(scheme) ? 0.03 : 1e-14;
+        EXPECT_LE(std::abs(p), rolling.bound()[i] + near);
         if (state.zones[static_cast<std::size_t>(i)] == Zone::adhesion) continue;
-        EXPECT_NEAR(std::abs(p), rolling.bound()[i], 1e-14);
-        EXPECT_LE(p * slip[i], 1e-14);
+        EXPECT_NEAR(std::abs(p), rolling.bound()[i], near);
+        EXPECT_LE(p * slip[i], near);
       }
       EXPECT_EQ(state.slip.lpNorm<1>(), 0);
       EXPECT_EQ(state.creepage, 0);

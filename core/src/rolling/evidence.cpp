@@ -131,7 +131,7 @@ std::optional<std::string> doubt_of(const Evidence& evidence, const Solver& acce
   if (evidence.bound_resolution() > doubtful_resolution) {
     return above("bound_resolution", evidence.bound_resolution(),
                  "the elements do not resolve the bound; take more of them, or leading_edge "
-                 "inversion, or step.scheme material");
+                 "inversion, or step.scheme remembered");
   }
   if (steady && evidence.dissipated > (1 + doubtful_dissipation) * evidence.power) {
     return above("dissipation_error", evidence.dissipation_error(),

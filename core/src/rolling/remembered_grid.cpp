@@ -181,36 +181,20 @@ double RememberedGrid::start_from_shift(const PrescribedForce& force, TransientS
   return longer.creepage;
 }
 
+/// A part of a step that travels nothing.
 Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load,
                                   TransientState& after) {
-  const Index n = x_.size();
-  next_ = state_;
-  Load shift = load;
-  if (auto* distance = std::get_if<PrescribedCreepage>(&shift)) distance->value += state_.lead;
-  conditions_.offset = -state_.nodes.head(n);
-  contact_.zones = state_.zones;
-  active_set_.solve(conditions_, shift, contact_);
-
-  const double moved = contact_.creepage;
-  next_.points.array() -= moved;
-  next_.nodes << (contact_.slip - conditions_.offset).array() - moved,
-      displacement_at_entry(contact_.traction);
-  next_.lead = 0;
-  next_.traction = contact_.traction;
-  next_.zones = contact_.zones;
-  next_.stored = spacing_ * contact_.traction.dot(next_.nodes.head(n)) / 2;
-  remember(next_, std::max(0.0, phase(next_)), true);
-
-  contact_.creepage -= state_.lead;
-  const VectorXd slip =
-      (displacement(contact_.traction - before.traction).array() + contact_.creepage).matrix();
-  return fill_shift(before.distance, before.traction, contact_, slip, bound_, bound_, after);
+  begin_sum();
+  roll_part(0, state_.distance, load);
+  const auto* distance = std::get_if<PrescribedCreepage>(&load);
+  if (distance != nullptr) sum_.creepage = distance->value;
+  sum_.zones = next_.zones;
+  sum_.traction = next_.traction;
+  const VectorXd slip = displacement(next_.traction - before.traction).array() + sum_.creepage;
+  return fill_shift(before.distance, before.traction, sum_, slip, bound_, bound_, after);
 }
 
-void RememberedGrid::solve_step(const TransientState&, double length, const Load& load,
-                                TransientState& after) {
-  require(length / spacing_ >= min_step_ratio, "step.ratio", length / spacing_,
-          "a number >= 1e-15");
+void RememberedGrid::begin_sum() {
   next_ = state_;
   sum_.slip.setZero(x_.size());
   sum_.creepage = 0;
@@ -218,6 +202,13 @@ void RememberedGrid::solve_step(const TransientState&, double length, const Load
   sum_.residuals = {};
   mean_force_ = 0;
   work_ = 0;
+}
+
+void RememberedGrid::solve_step(const TransientState&, double length, const Load& load,
+                                TransientState& after) {
+  require(length / spacing_ >= min_step_ratio, "step.ratio", length / spacing_,
+          "a number >= 1e-15");
+  begin_sum();
   // Compensated, or steps of whole elements would be split after some ten thousand.
   const double added = length - state_.distance_error;
   const double end = state_.distance + added;
@@ -226,9 +217,10 @@ void RememberedGrid::solve_step(const TransientState&, double length, const Load
   for (double next = state_.entered + 1; end / spacing_ - next > rounding; ++next) {
     const double part = next * spacing_ - next_.distance;
     rest -= part;
-    roll_part(part, next * spacing_, load_within(load, force, 1 - rest / length));
+    const Load within = load_within(load, force, 1 - rest / length);
+    roll_part(part, next * spacing_, load_of_step(within, part));
   }
-  roll_part(rest, end, load);
+  roll_part(rest, end, load_of_step(load, rest));
   next_.distance_error = (end - state_.distance) - added;
 
   sum_.zones = next_.zones;
@@ -296,6 +288,7 @@ void RememberedGrid::add_slip(const RememberedState& before, double travelled) {
 }
 
 /// Rolls up to where an element has been travelled at most.
+/// \param load  its creepage is the shift  [mm]
 void RememberedGrid::roll_part(double length, double end, const Load& load) {
   RememberedState& state = next_;
   const double now = end / spacing_ - state.entered;
@@ -303,7 +296,7 @@ void RememberedGrid::roll_part(double length, double end, const Load& load) {
   const double phase_now = whole ? 1 : now;
   const double travelled = std::min(1.0, phase_now - std::max(0.0, phase(state)));
 
-  Load shift = load_of_step(load, length);
+  Load shift = load;
   if (auto* creepage = std::get_if<PrescribedCreepage>(&shift)) creepage->value += state.lead;
   recall(state, phase_now, travelled, false);
   contact_.zones = state.zones;

@@ -79,6 +79,7 @@ class RememberedGrid final : public RollingGrid {
   void remember_all(RememberedState& state) const;
   double phase(const RememberedState& state) const;
   double displacement_at_entry(const Eigen::VectorXd& traction) const;
+  void begin_sum();
   void roll_part(double length, double end, const Load& load);
   void recall(const RememberedState& state, double phase, double travelled, bool slipped);
   void add_slip(const RememberedState& before, double travelled);

@@ -217,7 +217,7 @@ TransientScene read_transient(Scene& scene) {
   for (const double ratio : step_ratios) {
     require(ratio >= min_step_ratio, "step.ratio", ratio, "numbers >= 1e-15");
     warn_outside(scene, entry_of(problem.scheme).safe_steps, "step.ratio", ratio,
-                 "step.scheme material");
+                 "step.scheme remembered");
   }
   const double distance = scene.number("motion.distance");
   require_positive("motion.distance", distance);
@@ -254,7 +254,7 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
   require_positive("motion.distance", cylinder.distance);
   require_few_steps(cylinder.distance, cylinder.step_ratio * model.grid.spacing());
   warn_outside(scene, entry_of(scheme).safe_steps, "step.ratio", cylinder.step_ratio,
-               "step.scheme material");
+               "step.scheme remembered");
   return cylinder;
 }
 
