@@ -6,9 +6,16 @@ slips = 0.6
 of(name, ratio) = strcol("case") eq name && same(column("stick_ratio"), ratio) ? column("wavelength_ratio") : NaN
 at(kernel, ratio, scheme) = strcol("kernel") eq kernel && same(column("stick_ratio"), ratio) && strcol("scheme") eq scheme \
   && column("step_ratio") == 1 ? column("wavelength_ratio") : NaN
-degrees(phase) = phase * 180 / pi
+angle(n) = column("phase") * 180 / pi
+# The schemes: remembered, drawn last and listed first, material and direct.
+names = "remembered material direct"
+colour(k) = k == 1 ? 4 : k == 2 ? 6 : 5
+point(k) = k == 1 ? 7 : k == 2 ? 4 : 6
+size(k) = k == 1 ? 0.45 : k == 2 ? 0.9 : 1.2
+kernel(i) = i == 2 ? "strip" : "plane"
+ratio(i) = i == 3 ? slips : 1
 eval page(760, 620)
-set multiplot layout 2,1 margins 0.1,0.97,0.1,0.97 spacing 0.04
+set multiplot layout 2,1 margins 0.11,0.97,0.1,0.97 spacing 0.04
 set logscale x
 set format x ""
 set logscale y
@@ -19,10 +26,10 @@ plot curves using (of("plane", 1)):"size" with @exact_line title "plane strain, 
      curves using (of("strip", 1)):"size" with lines linetype 1 title "strip, all adheres", \
      curves using (of("plane", slips)):"size" with lines linetype 3 title "plane strain, a' = 0.6", \
      curves using (of("winkler", 1)):"size" with lines linetype 2 dashtype 2 title "springs (FASTSIM)", \
-     measured using (at("plane", 1, "material")):"size" with points linetype 7 pointtype 7 pointsize 0.45 title "material", \
-     measured using (at("strip", 1, "material")):"size" with points linetype 1 pointtype 7 pointsize 0.45 notitle, \
-     measured using (at("plane", slips, "material")):"size" with points linetype 3 pointtype 7 pointsize 0.45 notitle, \
-     measured using (at("plane", 1, "direct")):"size" with points linetype 5 pointtype 6 pointsize 0.8 title "direct"
+     measured using (at("plane", 1, "direct")):"size" with points linetype colour(3) pointtype point(3) pointsize size(3) notitle, \
+     for [k=2:1:-1] for [i=1:3] measured using (at(kernel(i), ratio(i), word(names, k))):"size" \
+       with points linetype colour(k) pointtype point(k) pointsize size(k) notitle, \
+     for [k=1:3] keyentry with points linetype colour(k) pointtype point(k) pointsize size(k) title word(names, k)
 set format x "10^{%T}"
 unset logscale y
 set xlabel "wavelength of the creepage over the half-width, L/a [1]"
@@ -30,12 +37,11 @@ set ylabel "phase of H [degrees]"
 set yrange [-100:5]
 set ytics 30
 unset key
-plot curves using (of("plane", 1)):(degrees(column("phase"))) with @exact_line, \
-     curves using (of("strip", 1)):(degrees(column("phase"))) with lines linetype 1, \
-     curves using (of("plane", slips)):(degrees(column("phase"))) with lines linetype 3, \
-     curves using (of("winkler", 1)):(degrees(column("phase"))) with lines linetype 2 dashtype 2, \
-     measured using (at("plane", 1, "material")):(degrees(column("phase"))) with points linetype 7 pointtype 7 pointsize 0.45, \
-     measured using (at("strip", 1, "material")):(degrees(column("phase"))) with points linetype 1 pointtype 7 pointsize 0.45, \
-     measured using (at("plane", slips, "material")):(degrees(column("phase"))) with points linetype 3 pointtype 7 pointsize 0.45, \
-     measured using (at("plane", 1, "direct")):(degrees(column("phase"))) with points linetype 5 pointtype 6 pointsize 0.8
+plot curves using (of("plane", 1)):(angle(0)) with @exact_line, \
+     curves using (of("strip", 1)):(angle(0)) with lines linetype 1, \
+     curves using (of("plane", slips)):(angle(0)) with lines linetype 3, \
+     curves using (of("winkler", 1)):(angle(0)) with lines linetype 2 dashtype 2, \
+     measured using (at("plane", 1, "direct")):(angle(0)) with points linetype colour(3) pointtype point(3) pointsize size(3) notitle, \
+     for [k=2:1:-1] for [i=1:3] measured using (at(kernel(i), ratio(i), word(names, k))):(angle(0)) \
+       with points linetype colour(k) pointtype point(k) pointsize size(k) notitle
 unset multiplot

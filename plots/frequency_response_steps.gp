@@ -1,22 +1,39 @@
 # Small steps from rest: the force after a step of the creepage, and the creepage after a step of the force, with its
-# peak where the first peak of the tractions leaves the contact. Steps of one element.
+# peak where the first peak of the tractions leaves the contact. Steps of one element: every ninth, another for each
+# scheme, and in the small panel all steps near the peak.
 steps = tables."/steps.tsv"
 of(kind, scheme) = strcol("kind") eq kind && strcol("scheme") eq scheme ? column("distance") : NaN
+at_peak = 0.15
+some(kind, scheme, k) = enlarged || int(column(0)) % 9 == 3 * k ? of(kind, scheme) : NaN
+names = "remembered material direct"
+point(k) = k == 1 ? 7 : k == 2 ? 4 : 6
+size(k) = k == 1 ? 0.45 : 0.65
 eval page(860, 400)
-set multiplot layout 1,2 margins 0.08,0.98,0.14,0.9 spacing 0.09
+set multiplot layout 1,2 margins 0.085,0.98,0.14,0.9 spacing 0.1
 set xlabel "distance rolled, in half-widths [1]"
 set xrange [0:5]
-set yrange [0:1.05]
-set ylabel "force over its steady value [1]"
-set title "step of the creepage"
 set key bottom right
-plot steps using (of("force", "exact")):"value" with @exact_line title "exact", \
-     steps using (of("force", "direct")):"value" with points linetype 1 pointtype 6 pointsize 0.5 title "direct", \
-     steps using (of("force", "material")):"value" with points linetype 3 pointtype 7 pointsize 0.3 title "material"
-set ylabel "creepage over its steady value [1]"
-set title "step of the force"
-set yrange [0:2]
-plot steps using (of("creepage", "exact")):"value" with @exact_line title "exact", \
-     steps using (of("creepage", "direct")):"value" with points linetype 1 pointtype 6 pointsize 0.5 title "direct", \
-     steps using (of("creepage", "material")):"value" with points linetype 3 pointtype 7 pointsize 0.3 title "material"
+enlarged = 0
+do for [panel=1:3] {
+  kind = panel == 1 ? "force" : "creepage"
+  if (panel == 3) {
+    enlarged = 1
+    unset key
+    unset xlabel
+    set lmargin at screen 0.8
+    set rmargin at screen 0.975
+    set bmargin at screen 0.62
+    set tmargin at screen 0.89
+    set xrange [2 - at_peak:2 + at_peak]
+    set xtics 2 - at_peak, at_peak
+    set ytics 0.25
+  }
+  set title panel == 1 ? "step of the creepage" : panel == 2 ? "step of the force" : ""
+  set ylabel panel < 3 ? kind." over its steady value [1]" : ""
+  set yrange [panel < 3 ? 0 : 1.1:panel == 1 ? 1.05 : panel == 2 ? 2 : 1.8]
+  plot steps using (of(kind, "exact")):"value" with @exact_line title "exact", \
+       for [k=3:1:-1] steps using (some(kind, word(names, k), k - 1)):"value" with points linetype k \
+         pointtype point(k) pointsize size(k) notitle, \
+       for [k=1:3] keyentry with points linetype k pointtype point(k) pointsize size(k) title word(names, k)
+}
 unset multiplot
