@@ -174,9 +174,12 @@ TEST(Shift, ByForceAndByDistanceAgree) {
     TransientRolling by_distance = rolled(scheme, 0.6, 0.1);
     TransientRolling by_force = by_distance;
     by_distance.shift(PrescribedShift{0.7});
-    EXPECT_NEAR(by_force.shift(PrescribedForce{by_distance.state().force}).distance, 0.7, 1e-12);
+    // Partitions of one force have other shifts: their mean agrees to third order in dx.
+    const bool mean = std::holds_alternative<Remembered>(scheme);
+    EXPECT_NEAR(by_force.shift(PrescribedForce{by_distance.state().force}).distance, 0.7,
+                mean ? 1e-6 : 1e-12);
     EXPECT_LT((by_force.state().traction - by_distance.state().traction).lpNorm<Eigen::Infinity>(),
-              1e-12);
+              mean ? 3e-4 : 1e-12);
   }
 }
 

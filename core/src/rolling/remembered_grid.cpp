@@ -154,14 +154,8 @@ void RememberedGrid::start_from(const VectorXd& traction, TransientState& state)
 
 double RememberedGrid::start_from_shift(const PrescribedForce& force, TransientState& state) {
   const Index n = x_.size();
-  const VectorXd zeros = VectorXd::Zero(n + 1);
-  const ContactState contact = active_set_.solve(
-      {.bound = bound_, .offset = zeros.head(n), .reference = zeros.head(n)}, force);
-  begin(contact.traction, state);
-  state_.zones = contact.zones;
-  remember_all(state_);
-  state.zones = contact.zones;
-  if (!sticks(contact.zones, n - 1)) return contact.creepage;
+  const double distance = RollingGrid::start_from_shift(force, state);
+  if (!sticks(state.zones, n - 1)) return distance;
 
   VectorXd bound(n + 1);
   bound << bound_, bound_[n - 1];
@@ -169,6 +163,7 @@ double RememberedGrid::start_from_shift(const PrescribedForce& force, TransientS
                         (1 - entry_in_shift) / entry_in_shift;
   ActiveSet with_entry(influence_operator(kernel_, constant_basis(), spacing_, n + 1, solver_),
                        VectorXd::Constant(n + 1, spacing_), solver_);
+  const VectorXd zeros = VectorXd::Zero(n + 1);
   const ContactState longer = with_entry.solve(
       {.bound = bound, .offset = zeros, .reference = zeros, .compliant = {{n, spring}}}, force);
   VectorXd traction = longer.traction.head(n);
@@ -186,6 +181,12 @@ Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load
                                   TransientState& after) {
   begin_sum();
   roll_part(0, state_.distance, load);
+  // The point that came to the entry last sticks if it is in the contact and its neighbours do.
+  const Index n = x_.size();
+  const double now = std::max(0.0, phase(state_));
+  if (now < 1 - edge_.offset || !sticks(next_.zones, n - 1)) {
+    next_.points[n] = now * next_.nodes[n - 1] + (1 - now) * next_.nodes[n];
+  }
   const auto* distance = std::get_if<PrescribedCreepage>(&load);
   if (distance != nullptr) sum_.creepage = distance->value;
   sum_.zones = next_.zones;
