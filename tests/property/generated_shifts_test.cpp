@@ -60,7 +60,7 @@ double shift_from_rest(const SteadyContact& contact, double force) {
 // Within one and a half times the larger of 1 % (of 3 % where the bound jumps) and the error of the
 // thesis's scheme with as many elements; the truth is known to the difference of the two that are
 // extrapolated. Distances are whole elements of these, and any part of one of the first.
-TEST(GeneratedShifts, BetweenTwoWaysOfRollingAreRight) {
+void expect_right(const AdvectionScheme& scheme) {
   ContactGenerator generator(seed_of_tests() + 3000);
   std::mt19937 random(static_cast<unsigned>(seed_of_tests()));
   std::uniform_real_distribution<double> uniform(-0.9, 0.9);
@@ -84,7 +84,7 @@ TEST(GeneratedShifts, BetweenTwoWaysOfRollingAreRight) {
     const Outcome coarse = outcome(contact, way, 400, Direct{});
     const Outcome fine = outcome(contact, way, 800, Direct{});
     const Outcome other = outcome(contact, way, 100, Direct{});
-    const Outcome ours = outcome(contact, way, 100, MaterialFixed{});
+    const Outcome ours = outcome(contact, way, 100, scheme);
     const auto check = [&](const char* what, double Outcome::*member, double scale, double& worst) {
       const double truth = 2 * fine.*member - coarse.*member;
       const double error = std::abs(ours.*member - truth);
@@ -104,6 +104,9 @@ TEST(GeneratedShifts, BetweenTwoWaysOfRollingAreRight) {
             << worst_dissipation << " of those from rest to half of full sliding, force "
             << worst_force << " of full sliding\n";
 }
+
+TEST(GeneratedShifts, BetweenTwoWaysOfRollingAreRight) { expect_right(MaterialFixed{}); }
+TEST(GeneratedShifts, AreRightWhereTheMaterialRemembers) { expect_right(Remembered{}); }
 
 }  // namespace
 }  // namespace microslip
