@@ -242,17 +242,25 @@ void RememberedGrid::move_to(double distance) {
 /// Sets the displacements with which the material has come to the nodes.
 /// \param phase      at the end of the part
 /// \param travelled  since the part began  [dx]
-/// \param slipped    whether points next to the stick-slip point are taken as they slipped
-void RememberedGrid::recall(const RememberedState& state, double phase, double travelled,
-                            bool slipped) {
+void RememberedGrid::recall(const RememberedState& state, double phase, double travelled) {
   conditions_.offset.resize(x_.size());
   for (Index i = 0; i < x_.size(); ++i) {
-    const bool as_if_stuck = !slipped && i >= state.kept && i < state.stuck;
+    const bool as_if_stuck = i >= state.kept && i < state.stuck;
     const bool from_nodes = !sticks(state.zones, i) && !as_if_stuck;
-    const Index from = !slipped && i >= state.kept ? state.kept : 0;
+    const Index from = i >= state.kept ? state.kept : 0;
     conditions_.offset[i] = from_nodes ? -interpolated_at(state.nodes, i, travelled, 0)
                                        : -interpolated_at(state.points, i, phase, from);
   }
+}
+
+/// Points next to the stick-slip point have slipped as they did: they stick again.
+void RememberedGrid::admit_slip(RememberedState& state) const {
+  const double now = std::max(0.0, phase(state));
+  for (Index i = state.kept; i < std::min(state.stuck, x_.size()); ++i) {
+    state.points[i] =
+        i == 0 ? state.nodes[0] : now * state.nodes[i - 1] + (1 - now) * state.nodes[i];
+  }
+  state.kept = state.stuck;
 }
 
 /// Remembers the displacements at the end of the part.
@@ -299,13 +307,14 @@ void RememberedGrid::roll_part(double length, double end, const Load& load) {
 
   Load shift = load;
   if (auto* creepage = std::get_if<PrescribedCreepage>(&shift)) creepage->value += state.lead;
-  recall(state, phase_now, travelled, false);
+  recall(state, phase_now, travelled);
   contact_.zones = state.zones;
   active_set_.solve(conditions_, shift, contact_);
   sum_.iterations += contact_.iterations;
   const bool stuck_again = first_stuck(contact_.zones) < state.stuck - 1;
   if (stuck_again) {
-    recall(state, phase_now, travelled, true);
+    admit_slip(state);
+    recall(state, phase_now, travelled);
     contact_.zones = state.zones;
     active_set_.solve(conditions_, shift, contact_);
     sum_.iterations += contact_.iterations;

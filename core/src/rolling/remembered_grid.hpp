@@ -16,9 +16,9 @@ namespace microslip {
 
 /// The displacements that the material remembers, and the state from which a step starts.
 ///
-/// Displacements are those of the material less the rigid shift since, so that a point in adhesion
-/// has its former displacement. They have N + 1 entries: one for each node, and one for the entry,
-/// one element before the last node.
+/// A displacement is that of a material point by the tractions when it came, less the rigid shift
+/// since: the displacement that it has now if it has stuck. There are N + 1 of them: one for each
+/// node, and one for the entry, which is one element ahead of the last node.
 struct RememberedState {
   double distance = 0;        ///< rolled  [mm]
   double distance_error = 0;  ///< that rounding added to it  [mm]
@@ -38,8 +38,8 @@ struct RememberedState {
 };
 
 /// Nodes that stand in the contact, constant functions. The material remembers the displacement
-/// with which it came: S = W + A p - m, where m is the displacement at the place from which the
-/// material has come, cubic between points one element apart.
+/// with which it came: s = W + A p - m, where m is the displacement that it would have without
+/// slip, cubic between points one element apart.
 ///
 /// - Both edges of the contact lie where the scheme feels them: LeadingEdgeConstants::offset
 ///   elements before the last node and half an element less behind the first.
@@ -49,12 +49,14 @@ struct RememberedState {
 /// - StickSlipPoint gives the mean of the solutions of four partitions, so that the stick-slip
 ///   point moves evenly through the elements.
 ///
-/// A shift without rolling after the start has no element at the entry: where the leading edge
-/// sticks, it is of first order.
+/// - Where the leading edge sticks, a shift without rolling is singular there, and of first order,
+///   except for the start: it has an element at the entry besides.
 ///
-/// Cost: a step in between two whole elements is a solve of ActiveSet and those of four known
-/// partitions. Where the partition stays, so do all factors.
-/// Accuracy: see `remembered` in docs/theory.md. tests/order/remembered_order_test.cpp
+/// Cost: a step is a solve of ActiveSet for each part that ends where an element has been travelled
+/// or with the step, and where the partition changes, a solve for each of four neighbours of the
+/// stick-slip point. Nothing is allocated where partitions are those of steps before.
+/// Accuracy: second order in dx, of small changes of the load, too; docs/theory.md,
+/// tests/order/small_motion_test.cpp, tests/unit/remembered_rolling_test.cpp
 class RememberedGrid final : public RollingGrid {
  public:
   /// \throws std::invalid_argument for offsets of the grid other than 1/2, and fewer than 4 nodes
@@ -81,7 +83,8 @@ class RememberedGrid final : public RollingGrid {
   double displacement_at_entry(const Eigen::VectorXd& traction) const;
   void begin_sum();
   void roll_part(double length, double end, const Load& load);
-  void recall(const RememberedState& state, double phase, double travelled, bool slipped);
+  void recall(const RememberedState& state, double phase, double travelled);
+  void admit_slip(RememberedState& state) const;
   void add_slip(const RememberedState& before, double travelled);
   void remember(RememberedState& state, double phase, bool stuck_again) const;
 

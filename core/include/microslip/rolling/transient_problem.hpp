@@ -17,7 +17,7 @@
 namespace microslip {
 
 /// Transient rolling of quasi-identical bodies in 2D: s = w + (1/V) Du/Dt, thesis (3.9). The grid
-/// moves with the contact, or with the material if the scheme is MaterialFixed.
+/// stands in the contact, or moves with the material if the scheme is MaterialFixed.
 struct TransientProblem {
   Kernel kernel;
   TractionBound bound;
@@ -68,7 +68,8 @@ struct TransientState {
   /// alone, and under a prescribed creepage this is -mean_force w less the change of
   /// elastic_energy() per dq, to rounding. On one that moves with the contact that holds to 1e-3 in
   /// steady rolling with 101 nodes, with Fractional to 5 %: slip is interpolated where a node has
-  /// come to. tests/unit/dissipation_test.cpp  [N/mm]
+  /// come to. With Remembered it is the right side of this balance itself.
+  /// tests/unit/dissipation_test.cpp  [N/mm]
   double dissipation;
   /// The same with the tractions at the end of the step, as the thesis has it in (9.11): of first
   /// order, and too low where slip grows in the step  [N/mm]
