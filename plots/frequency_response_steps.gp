@@ -29,7 +29,7 @@ do for [panel=1:3] {
     set ytics 0.25
   }
   set title panel == 1 ? "step of the creepage" : panel == 2 ? "step of the force" : ""
-  set ylabel panel < 3 ? kind." over its steady value [1]" : ""
+  set ylabel (panel < 3 ? kind." over its steady value [1]" : "") offset 0.6,0
   set yrange [panel < 3 ? 0 : 1.1:panel == 1 ? 1.05 : panel == 2 ? 2 : 1.8]
   plot steps using (of(kind, "exact")):"value" with @exact_line title "exact", \
        for [k=3:1:-1] steps using (some(kind, word(names, k), k - 1)):"value" with points linetype k \

@@ -5,7 +5,7 @@ eval page(860, 520)
 set multiplot
 set logscale x
 set format x ""
-set ylabel "|H|"
+set ylabel "|H|" offset 1.8,0
 set logscale y
 set lmargin at screen 0.09; set rmargin at screen 0.54
 set bmargin at screen 0.56; set tmargin at screen 0.96
