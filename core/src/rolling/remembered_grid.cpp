@@ -155,7 +155,10 @@ void RememberedGrid::start_from(const VectorXd& traction, TransientState& state)
 double RememberedGrid::start_from_shift(const PrescribedForce& force, TransientState& state) {
   const Index n = x_.size();
   const double distance = RollingGrid::start_from_shift(force, state);
-  if (!sticks(state.zones, n - 1)) return distance;
+  if (!sticks(state.zones, n - 1)) {
+    remember_all(state_);
+    return distance;
+  }
 
   VectorXd bound(n + 1);
   bound << bound_, bound_[n - 1];
