@@ -89,7 +89,8 @@ struct microslip_state {
   double creepage;    /**< w of the step  [1] */
   double dissipation; /**< energy lost per mm rolled, with mean tractions of the step. Under a
                          prescribed creepage dissipation dq + mean_force w dq + the change of the
-                         elastic energy is 0: to rounding with MICROSLIP_MATERIAL, else to the
+                         elastic energy is 0: to rounding with all schemes except
+                         MICROSLIP_DIRECT, else to the
                          order of the scheme  [N/mm] */
   double residual;    /**< slip left in adhesion, over the largest term of its equations  [1] */
   double violation;   /**< of the bound or of the direction of slip, relative  [1] */
@@ -157,7 +158,8 @@ MICROSLIP_API enum microslip_status microslip_get_state(microslip_rolling* rolli
 
 /** Mean of the creepage over the last element travelled, or since the start: it lags by half an
  * element. Under a force, a step shorter than an element has noise, because elements begin to slip
- * one by one. The mean has at least 40 times less where an element is a whole number of steps  [1]
+ * one by one, except with MICROSLIP_REMEMBERED. The mean has at least 40 times less where an
+ * element is a whole number of steps  [1]
  */
 MICROSLIP_API enum microslip_status microslip_get_element_creepage(microslip_rolling* rolling,
                                                                    double* creepage);

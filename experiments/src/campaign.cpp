@@ -73,6 +73,19 @@ double expected_work(const std::vector<double>& sizes, const std::vector<double>
 
 }  // namespace
 
+std::string name_of(Status status) {
+  switch (status) {
+    case Status::ok:
+      return "ok";
+    case Status::refused:
+      return "refused";
+    case Status::no_solution:
+      return "no_solution";
+    default:
+      return "not_run";
+  }
+}
+
 Attempt Runs::run(double size, const std::function<void()>& solve) {
   Attempt attempt{.message = "", .expected = expected_work(sizes_, work_, size)};
   if (attempt.expected > limits_.operations) return attempt;

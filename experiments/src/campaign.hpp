@@ -64,6 +64,9 @@ enum class Status {
   not_run       ///< it would take too long
 };
 
+/// ok, refused, no_solution or not_run
+std::string name_of(Status status);
+
 /// The outcome of a run.
 struct Attempt {
   Status status = Status::not_run;

@@ -12,9 +12,7 @@ namespace {
 
 std::string verdict_on(const Attempt& attempt, const Finding& found,
                        const ExtremesParameters::Limits& limits) {
-  if (attempt.status == Status::refused) return "refused";
-  if (attempt.status == Status::no_solution) return "no_solution";
-  if (attempt.status == Status::not_run) return "not_run";
+  if (attempt.status != Status::ok) return name_of(attempt.status);
   if (!(found.error <= limits.error)) return "inaccurate";
   return found.wiggle > limits.wiggle ? "wiggles" : "ok";
 }

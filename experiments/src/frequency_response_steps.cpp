@@ -33,7 +33,7 @@ struct Answer {
   std::vector<double> value;
 };
 
-/// Small loads, after which the contact adheres but for 1e-7 of it.
+/// Small loads, after which the contact adheres except for 1e-7 of it.
 class Motions {
  public:
   explicit Motions(const FrequencyResponseParameters& p) : p_(p), a_(p.bound.half_width()) {}
@@ -92,9 +92,9 @@ class Motions {
 };
 
 /// A function that is dear, and asked for at the same places for each scheme.
-class Remembered {
+class Tabulated {
  public:
-  explicit Remembered(std::function<double(double)> function) : function_(std::move(function)) {}
+  explicit Tabulated(std::function<double(double)> function) : function_(std::move(function)) {}
 
   double operator()(double x) {
     const auto [at, is_new] = values_.try_emplace(x);
@@ -109,7 +109,7 @@ class Remembered {
 
 /// The mean of the exact creepage over a length about a distance next to the peak. Integrals begin
 /// there, with q = peak + (to - peak) t^3, which takes its logarithm.
-double mean_of(Remembered& creepage, double distance, double length) {
+double mean_of(Tabulated& creepage, double distance, double length) {
   const auto from_peak = [&](double to) {
     const auto at = [&](double t) {
       return creepage(delay + (to - delay) * t * t * t) * 3 * t * t;
@@ -143,7 +143,7 @@ std::size_t index_at(const Answer& answer, double distance) {
 }
 
 /// Largest difference to the exact function, at some distances that are not next to the peak.
-double largest_error(const Answer& answer, Remembered& exact) {
+double largest_error(const Answer& answer, Tabulated& exact) {
   double error = 0;
   for (const double distance :
        {0.25, 0.5, 1.0, 1.5, delay - next_to, delay + next_to, 3.0, 4.0, 4.9}) {
@@ -187,8 +187,8 @@ MotionTables motion_tables(const FrequencyResponseParameters& p, const Progress&
            {"peak", "1", "largest mean of the creepage over an element next to q = 2 a"},
            {"exact_peak", "1", "mean of the exact creepage over that element"}}}};
   const Motions motions(p);
-  Remembered force([&](double q) { return force_after_creepage_step(q, motions.lambda()); });
-  Remembered creepage(creepage_after_force_step);
+  Tabulated force([&](double q) { return force_after_creepage_step(q, motions.lambda()); });
+  Tabulated creepage(creepage_after_force_step);
   for (int i = 1; i <= p.points; ++i) {
     const double q = farthest * i / p.points;
     tables.steps.add({"force", "exact", q, force(q)});

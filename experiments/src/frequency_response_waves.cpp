@@ -109,19 +109,6 @@ struct WaveError {
   double squares = 0;
 };
 
-const char* name_of(Status status) {
-  switch (status) {
-    case Status::ok:
-      return "ok";
-    case Status::refused:
-      return "refused";
-    case Status::no_solution:
-      return "no_solution";
-    default:
-      return "not_run";
-  }
-}
-
 class Campaign {
  public:
   Campaign(const FrequencyResponseParameters& p, const Progress& progress)

@@ -34,4 +34,13 @@ Eigen::VectorXd Grid::nodes() const {
   });
 }
 
+void require_filling(const Grid& grid, Eigen::Index fewest, const std::string& where) {
+  require(grid.size() >= fewest, "grid.elements", static_cast<double>(grid.size()),
+          "at least " + std::to_string(fewest) + " " + where);
+  require(grid.leading_offset() == 0.5, "grid.leading_offset", grid.leading_offset(),
+          "0.5 " + where);
+  require(grid.trailing_offset() == 0.5, "grid.trailing_offset", grid.trailing_offset(),
+          "0.5 " + where);
+}
+
 }  // namespace microslip

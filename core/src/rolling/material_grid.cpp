@@ -31,10 +31,6 @@ double ahead_in_shift(double phase) {
   return inside > MaterialWindow::rounding ? inside : 0;
 }
 
-bool sticks(const std::vector<Zone>& zones, Index i) {
-  return zones[static_cast<std::size_t>(i)] == Zone::adhesion;
-}
-
 double direction(Zone zone) { return static_cast<double>(zone); }
 
 }  // namespace
@@ -87,12 +83,8 @@ std::unique_ptr<RollingGrid> MaterialGrid::clone() const {
   return std::make_unique<MaterialGrid>(*this);
 }
 
-double MaterialGrid::phase(const MaterialState& state) const {
-  return state.distance / window_.spacing() - state.entered;
-}
-
 VectorXd MaterialGrid::traction_at_nodes(const TransientState& state) const {
-  const double fraction = std::max(0.0, phase(state_));
+  const double fraction = std::max(0.0, state_.phase(window_.spacing()));
   const VectorXd at_nodes = bound_at(traction_bound_, window_.x(fraction));
   VectorXd values = VectorXd::Zero(window_.size());
   for (Index i = 0; i <= window_.coming(); ++i) {
@@ -130,9 +122,7 @@ void MaterialGrid::begin(MaterialState start, TransientState& state) {
 
 /// Takes the ratio of tractions to the bound to the nodes of the window.
 void MaterialGrid::start_from(const VectorXd& traction, TransientState& state) {
-  const VectorXd bound = bound_at(traction_bound_, problem_nodes_);
-  const VectorXd ratio =
-      (bound.array() > 0).select(traction.array() / bound.array(), 0).cwiseMax(-1).cwiseMin(1);
+  const VectorXd ratio = ratio_to_bound(traction_bound_, problem_nodes_, traction);
   const VectorXd at_nodes = interpolated(problem_nodes_, ratio, window_.x(0));
   begin(at_rest(window_.bound(0).cwiseProduct(at_nodes)), state);
 }
@@ -170,7 +160,7 @@ void MaterialGrid::set_shift_conditions(double phase, const HeldEdges& held) {
 Shift MaterialGrid::solve_shift(const TransientState&, const Load& load, TransientState& after) {
   step_.end = state_;
   MaterialState& state = step_.end;
-  const double now = std::max(0.0, phase(state));
+  const double now = std::max(0.0, state.phase(window_.spacing()));
   const Index leaving = window_.leaving(now).node;
   const bool slides_out = state.leaves_by_spring && !sticks(state.contact.zones, leaving);
   conditions_.reference = state.contact.traction;
@@ -200,8 +190,6 @@ Shift MaterialGrid::solve_shift(const TransientState&, const Load& load, Transie
 
 void MaterialGrid::solve_step(const TransientState&, double length, const Load& load,
                               TransientState& after) {
-  const double step_ratio = length / window_.spacing();
-  require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
   roll(length, load);
   fill_state(step_.end.distance, step_.end.contact, length, step_.bound, step_.bound, after);
   after.dissipation = step_.dissipation / length;
@@ -213,13 +201,10 @@ void MaterialGrid::solve_step(const TransientState&, double length, const Load& 
 void MaterialGrid::accept_step() {
   std::swap(state_, step_.end);
   bound_.swap(step_.bound);
-  x_ = window_.x(phase(state_));
+  x_ = window_.x(state_.phase(window_.spacing()));
 }
 
-void MaterialGrid::move_to(double distance) {
-  state_.distance = distance;
-  state_.distance_error = 0;
-}
+void MaterialGrid::move_to(double distance) { state_.move_to(distance); }
 
 void MaterialGrid::roll(double length, const Load& load) {
   step_.end = state_;
@@ -231,19 +216,9 @@ void MaterialGrid::roll(double length, const Load& load) {
   step_.end_dissipation = 0;
   step_.mean_force = 0;
   step_.backward = 0;
-  // Compensated, or steps of whole elements would be split after some ten thousand.
-  const double added = length - state_.distance_error;
-  const double end = state_.distance + added;
-  const double error = (end - state_.distance) - added;
-  double rest = length;
-  for (double next = state_.entered + 1; end / window_.spacing() - next > MaterialWindow::rounding;
-       ++next) {
-    const double substep = next * window_.spacing() - step_.end.distance;
-    roll_substep(substep, next * window_.spacing(), load);
-    rest -= substep;
-  }
-  roll_substep(rest, end, load);
-  step_.end.distance_error = error;
+  step_.end.distance_error =
+      for_each_part(state_, length, window_.spacing(),
+                    [&](double part, double end, double) { roll_substep(part, end, load); });
   step_.mean_force /= length;
 }
 
@@ -301,7 +276,7 @@ void MaterialGrid::roll_substep(double length, double end, const Load& load) {
   MaterialState& state = step_.end;
   const bool enters = end / window_.spacing() - state.entered >= 1 - MaterialWindow::rounding;
   const double now = end / window_.spacing() - state.entered - (enters ? 1 : 0);
-  const Substep substep{.before = phase(state),
+  const Substep substep{.before = state.phase(window_.spacing()),
                         .now = now,
                         .moved = enters ? 1 : 0,
                         .edge = enters ? window_.leading() : window_.coming(),

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "element_travel.hpp"
 #include "microslip/friction/active_set.hpp"
 #include "microslip/friction/traction_bound.hpp"
 #include "microslip/rolling/material_window.hpp"
@@ -41,11 +42,7 @@ class IncomingNode {
 };
 
 /// The state from which a step on such a grid starts.
-struct MaterialState {
-  double distance = 0;        ///< rolled  [mm]
-  double distance_error = 0;  ///< that rounding added to it  [mm]
-  double entered = 0;         ///< nodes, since the start
-
+struct MaterialState : ElementTravel {
   /// At the nodes of the window; zones are slip where there is no bound. Slip and creepage are
   /// displacements [mm], summed over the substeps of the step that led here, and so are the
   /// partitions tried; the residuals are the worst. The slip of the coming node is 0 in adhesion.
@@ -118,7 +115,6 @@ class MaterialGrid final : public RollingGrid {
     bool edge_is_new;    ///< so that its condition is about the last element travelled
   };
 
-  double phase(const MaterialState& state) const;
   double spring_compliance(double inside) const;
   MaterialState at_rest(const Eigen::VectorXd& traction) const;
   void begin(MaterialState start, TransientState& state);

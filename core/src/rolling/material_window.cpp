@@ -17,13 +17,7 @@ MaterialWindow::MaterialWindow(const TractionBound& bound, const Grid& grid, dou
       spacing_(grid.spacing()),
       leading_offset_(leading_offset),
       elements_(grid.size()) {
-  require(elements_ >= 2, "grid.elements", static_cast<double>(elements_),
-          "at least 2 on a grid that is fixed to the material");
-  const double first = (grid.half_width() + grid.nodes()[0]) / spacing_;
-  require(grid.leading_offset() == 0.5, "grid.leading_offset", grid.leading_offset(),
-          "0.5 on a grid that is fixed to the material");
-  require(std::abs(first - 0.5) < rounding, "grid.trailing_offset", first,
-          "0.5 on a grid that is fixed to the material");
+  require_filling(grid, 2, "on a grid that is fixed to the material");
 }
 
 double MaterialWindow::inside(Index node, double phase) const {

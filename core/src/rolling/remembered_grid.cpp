@@ -17,9 +17,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// A phase this close to 1 is there: distances are sums.
-constexpr double rounding = 1e-9;
-
 /// The interpolation between points is cubic.
 constexpr Index fewest_nodes = 4;
 
@@ -31,10 +28,6 @@ constexpr Index kept_behind = 3;
 /// feels half an element nearer. So an element at the entry carries traction, on a spring that is
 /// the mean of the solutions with and without it.
 constexpr double entry_in_shift = 0.5;
-
-bool sticks(const std::vector<Zone>& zones, Index i) {
-  return zones[static_cast<std::size_t>(i)] == Zone::adhesion;
-}
 
 /// The value at index i + shift of values at whole indices, cubic.
 /// \param shift  in [0, 1]
@@ -57,7 +50,7 @@ double interpolated_at(const VectorXd& values, Index i, double shift, Index from
 Load load_within(const Load& load, double before, double fraction) {
   const auto* force = std::get_if<PrescribedForce>(&load);
   if (force == nullptr) return load;
-  return PrescribedForce{before + fraction * (force->value - before)};
+  return PrescribedForce{std::lerp(before, force->value, fraction)};
 }
 
 }  // namespace
@@ -84,17 +77,14 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
       kernel_(problem.kernel),
       solver_(problem.solver),
       stick_slip_point_(edge) {
+  require_filling(problem.grid, fewest_nodes, "where the material remembers its displacement");
   const Index n = grid.size();
-  require(n >= fewest_nodes, "grid.elements", static_cast<double>(n),
-          "at least 4 where the material remembers its displacement");
-  require(problem.grid.leading_offset() == 0.5, "grid.leading_offset",
-          problem.grid.leading_offset(), "0.5 where the material remembers its displacement");
   x_ = grid.nodes();
   bound_ = element_means(problem.bound, x_, weights_);
   entry_influence_.resize(n);
   for (Index j = 0; j < n; ++j) {
     entry_influence_[j] =
-        influence(kernel_, constant_basis().shapes().front(), spacing_, static_cast<double>(n - j));
+        influence(kernel_, constant_shape(), spacing_, static_cast<double>(n - j));
   }
   conditions_.bound = bound_;
   conditions_.reference = VectorXd::Zero(n);
@@ -115,10 +105,6 @@ VectorXd RememberedGrid::traction_at_nodes(const TransientState& state) const {
                     : static_cast<double>(zone) * at_nodes[i];
   }
   return values;
-}
-
-double RememberedGrid::phase(const RememberedState& state) const {
-  return state.distance / spacing_ - state.entered;
 }
 
 double RememberedGrid::displacement_at_entry(const VectorXd& traction) const {
@@ -146,9 +132,7 @@ void RememberedGrid::remember_all(RememberedState& state) const {
 
 /// Takes the ratio of tractions to the bound to the nodes of this grid.
 void RememberedGrid::start_from(const VectorXd& traction, TransientState& state) {
-  const VectorXd bound = bound_at(traction_bound_, problem_nodes_);
-  const VectorXd ratio =
-      (bound.array() > 0).select(traction.array() / bound.array(), 0).cwiseMax(-1).cwiseMin(1);
+  const VectorXd ratio = ratio_to_bound(traction_bound_, problem_nodes_, traction);
   begin(bound_.cwiseProduct(interpolated(problem_nodes_, ratio, x_)), state);
 }
 
@@ -186,7 +170,7 @@ Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load
   roll_part(0, state_.distance, load);
   // The point that came to the entry last sticks if it is in the contact and its neighbours do.
   const Index n = x_.size();
-  const double now = std::max(0.0, phase(state_));
+  const double now = std::max(0.0, state_.phase(spacing_));
   if (now < 1 - edge_.offset || !sticks(next_.zones, n - 1)) {
     next_.points[n] = now * next_.nodes[n - 1] + (1 - now) * next_.nodes[n];
   }
@@ -210,25 +194,16 @@ void RememberedGrid::begin_sum() {
 
 void RememberedGrid::solve_step(const TransientState&, double length, const Load& load,
                                 TransientState& after) {
-  require(length / spacing_ >= min_step_ratio, "step.ratio", length / spacing_,
-          "a number >= 1e-15");
   begin_sum();
-  // Compensated, or steps of whole elements would be split after some ten thousand.
-  const double added = length - state_.distance_error;
-  const double end = state_.distance + added;
-  double rest = length;
   const double force = spacing_ * state_.traction.sum();
-  for (double next = state_.entered + 1; end / spacing_ - next > rounding; ++next) {
-    const double part = next * spacing_ - next_.distance;
-    rest -= part;
-    const Load within = load_within(load, force, 1 - rest / length);
-    roll_part(part, next * spacing_, load_of_step(within, part));
-  }
-  roll_part(rest, end, load_of_step(load, rest));
-  next_.distance_error = (end - state_.distance) - added;
+  next_.distance_error =
+      for_each_part(state_, length, spacing_, [&](double part, double end, double rest) {
+        const Load within = load_within(load, force, 1 - rest / length);
+        roll_part(part, end, load_of_step(within, part));
+      });
 
   sum_.zones = next_.zones;
-  fill_state(end, sum_, length, bound_, bound_, after);
+  fill_state(next_.distance, sum_, length, bound_, bound_, after);
   after.traction = next_.traction;
   after.force = weights_.dot(next_.traction);
   after.mean_force = mean_force_ / length;
@@ -237,10 +212,7 @@ void RememberedGrid::solve_step(const TransientState&, double length, const Load
 
 void RememberedGrid::accept_step() { std::swap(state_, next_); }
 
-void RememberedGrid::move_to(double distance) {
-  state_.distance = distance;
-  state_.distance_error = 0;
-}
+void RememberedGrid::move_to(double distance) { state_.move_to(distance); }
 
 /// Sets the displacements with which the material has come to the nodes.
 /// \param phase      at the end of the part
@@ -258,7 +230,7 @@ void RememberedGrid::recall(const RememberedState& state, double phase, double t
 
 /// Points next to the stick-slip point have slipped as they did: they stick again.
 void RememberedGrid::admit_slip(RememberedState& state) const {
-  const double now = std::max(0.0, phase(state));
+  const double now = std::max(0.0, state.phase(spacing_));
   for (Index i = state.kept; i < std::min(state.stuck, x_.size()); ++i) {
     state.points[i] =
         i == 0 ? state.nodes[0] : now * state.nodes[i - 1] + (1 - now) * state.nodes[i];
@@ -304,9 +276,9 @@ void RememberedGrid::add_slip(const RememberedState& before, double travelled) {
 void RememberedGrid::roll_part(double length, double end, const Load& load) {
   RememberedState& state = next_;
   const double now = end / spacing_ - state.entered;
-  const bool whole = now >= 1 - rounding;
+  const bool whole = now >= 1 - MaterialWindow::rounding;
   const double phase_now = whole ? 1 : now;
-  const double travelled = std::min(1.0, phase_now - std::max(0.0, phase(state)));
+  const double travelled = std::min(1.0, phase_now - std::max(0.0, state.phase(spacing_)));
 
   Load shift = load;
   if (auto* creepage = std::get_if<PrescribedCreepage>(&shift)) creepage->value += state.lead;

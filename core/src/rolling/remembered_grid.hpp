@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "element_travel.hpp"
 #include "microslip/friction/active_set.hpp"
 #include "microslip/friction/traction_bound.hpp"
 #include "microslip/halfspace/grid.hpp"
@@ -19,11 +20,7 @@ namespace microslip {
 /// A displacement is that of a material point by the tractions when it came, less the rigid shift
 /// since: the displacement that it has now if it has stuck. There are N + 1 of them: one for each
 /// node, and one for the entry, which is one element ahead of the last node.
-struct RememberedState {
-  double distance = 0;        ///< rolled  [mm]
-  double distance_error = 0;  ///< that rounding added to it  [mm]
-  double entered = 0;         ///< whole elements travelled since the start
-
+struct RememberedState : ElementTravel {
   /// At the points of the material that were at nodes and entry when the last whole element had
   /// been travelled, as if points next to the stick-slip point had not slipped  [mm]
   Eigen::VectorXd points;
@@ -48,7 +45,6 @@ struct RememberedState {
 ///   not depend on the step.
 /// - StickSlipPoint gives the mean of the solutions of four partitions, so that the stick-slip
 ///   point moves evenly through the elements.
-///
 /// - Where the leading edge sticks, a shift without rolling is singular there, and of first order,
 ///   except for the start: it has an element at the entry besides.
 ///
@@ -79,7 +75,6 @@ class RememberedGrid final : public RollingGrid {
 
   void begin(const Eigen::VectorXd& traction, TransientState& state);
   void remember_all(RememberedState& state) const;
-  double phase(const RememberedState& state) const;
   double displacement_at_entry(const Eigen::VectorXd& traction) const;
   void begin_sum();
   void roll_part(double length, double end, const Load& load);

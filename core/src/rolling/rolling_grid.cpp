@@ -69,6 +69,11 @@ Shift RollingGrid::fill_shift(double distance, const VectorXd& before, const Con
           .work = above_mean - mean_force.sum() * contact.creepage};
 }
 
+VectorXd ratio_to_bound(const TractionBound& bound, const VectorXd& x, const VectorXd& traction) {
+  const VectorXd at = bound_at(bound, x);
+  return (at.array() > 0).select(traction.array() / at.array(), 0).cwiseMax(-1).cwiseMin(1);
+}
+
 std::vector<Zone> zones_at(const VectorXd& traction, const VectorXd& bound) {
   std::vector<Zone> zones;
   for (Index i = 0; i < bound.size(); ++i) {

@@ -95,6 +95,17 @@ class RollingGrid {
   ActiveSet active_set_;
 };
 
+/// Whether the zone of an element is adhesion.
+inline bool sticks(const std::vector<Zone>& zones, Eigen::Index i) {
+  return zones[static_cast<std::size_t>(i)] == Zone::adhesion;
+}
+
+/// The ratio of tractions to the bound, within -1 and 1; 0 where there is no bound.
+/// \param x         places  [mm]
+/// \param traction  there  [N/mm^2]
+Eigen::VectorXd ratio_to_bound(const TractionBound& bound, const Eigen::VectorXd& x,
+                               const Eigen::VectorXd& traction);
+
 /// Slip where tractions reach the bound, and where that is zero; else adhesion.
 std::vector<Zone> zones_at(const Eigen::VectorXd& traction, const Eigen::VectorXd& bound);
 

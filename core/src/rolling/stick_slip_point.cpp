@@ -43,31 +43,33 @@ StickSlipPoint::StickSlipPoint(const LeadingEdgeConstants& edge)
                   (edge.layer[0] * std::sqrt(edge.offset)) -
               1) {}
 
+StickSlipPoint::Root StickSlipPoint::root_of(const SlipConditions& conditions,
+                                             const ContactState& contact, double direction) const {
+  const auto below_bound = [&](Index i) {
+    return std::max(0.0, conditions.bound[i] - direction * contact.traction[i]);
+  };
+  const double first = below_bound(stuck_);
+  return {first, below_bound(stuck_ + 1) - second_ * first};
+}
+
 /// With the coefficients A of the regular square root and B of the singular one, the point is
 /// -B/A elements from where the partition would have it without the singular one, and that is half
 /// an element behind its natural end.
 StickSlipPoint::Place StickSlipPoint::place_of(const SlipConditions& conditions,
-                                               const ContactState& contact, Index stuck,
-                                               double direction) const {
-  const auto below_bound = [&](Index i) {
-    return std::max(0.0, conditions.bound[i] - direction * contact.traction[i]);
-  };
-  const double first = below_bound(stuck);
-  if (stuck == 0) {
+                                               const Root& root) const {
+  if (stuck_ == 0) {
     // All that sticks: the slip zone begins to take a node when its mean traction is at the bound.
     const double bound = conditions.bound[0];
-    return {0, bound > 0 ? (1 - std::min(1.0, first / bound)) / 2 : 0};
+    return {0, bound > 0 ? (1 - std::min(1.0, root.first / bound)) / 2 : 0};
   }
-  const double regular = below_bound(stuck + 1) - second_ * first;
-  const double beyond = regular > 0 ? std::clamp(1 - first / regular, 0.0, 1.0) : 0.0;
-  if (beyond >= 0.5) return {stuck, beyond - 0.5};
-  return {stuck - 1, beyond + 0.5};
+  const double beyond =
+      root.regular > 0 ? std::clamp(1 - root.first / root.regular, 0.0, 1.0) : 0.0;
+  if (beyond >= 0.5) return {stuck_, beyond - 0.5};
+  return {stuck_ - 1, beyond + 0.5};
 }
 
-/// The response of the partition to a change of a neighbour of its end.
-/// \param neighbour  -2, -1: unit traction of a slipping node before the end; 0, 1: unit slip of
-/// the
-///                   first and second node in adhesion
+/// The response of the partition to a change of a neighbour of its end: to unit traction of the
+/// slipping nodes before it, -2 and -1, and to unit slip of the first nodes in adhesion, 0 and 1.
 const StickSlipPoint::Response& StickSlipPoint::response(ActiveSet& active_set, Index neighbour) {
   Response& found = responses_[static_cast<std::size_t>(neighbour + 2)];
   if (found.known) return found;
@@ -119,21 +121,17 @@ std::array<double, 2> StickSlipPoint::changes(ActiveSet& active_set,
   return {(f * d - b * g) / determinant, (a * g - c * f) / determinant};
 }
 
-/// Next to the end, tractions are A below the bound in the second solution, and A tau above it at
-/// the node before the first, if that sticks. Where material that slipped and stuck again, or a
-/// rough bound, makes something else of them, there is no square root to go by.
-/// \return the part of the mean to take: 1 where this is so to a quarter of A, 0 beyond three
-/// quarters
+/// If the node before the end stuck, too, its traction would be above the bound by A less the first
+/// node's distance to the bound. Where it is not, because material slipped and stuck again or the
+/// bound is rough, there is no square root to go by.
+/// \return the part of the mean to take: 1 up to a difference of a quarter of A, 0 from three
+///         quarters on
 double StickSlipPoint::trust(ActiveSet& active_set, const SlipConditions& conditions,
-                             const ContactState& contact, double direction) {
-  const auto below_bound = [&](Index i) {
-    return conditions.bound[i] - direction * contact.traction[i];
-  };
-  const double regular = below_bound(stuck_ + 1) - second_ * below_bound(stuck_);
-  if (regular <= 0) return 0;
+                             const ContactState& contact, const Root& root, double direction) {
+  if (root.regular <= 0) return 0;
   const double above = direction * changes(active_set, conditions, contact, -1, direction)[0];
-  const double expected = regular - below_bound(stuck_);
-  return std::clamp(1.5 - 2 * std::abs(above - expected) / regular, 0.0, 1.0);
+  const double expected = root.regular - root.first;
+  return std::clamp(1.5 - 2 * std::abs(above - expected) / root.regular, 0.0, 1.0);
 }
 
 void StickSlipPoint::average(ActiveSet& active_set, const SlipConditions& conditions,
@@ -155,10 +153,11 @@ void StickSlipPoint::average(ActiveSet& active_set, const SlipConditions& condit
     direction = static_cast<double>(contact.zones[static_cast<std::size_t>(stuck) - 1]);
   }
 
-  const Place place = place_of(conditions, contact, stuck, direction);
+  const Root root = root_of(conditions, contact, direction);
+  const Place place = place_of(conditions, root);
   const auto weights =
       place.partition == 0 ? convolution_at_edge(place.fraction) : convolution(place.fraction);
-  const double part = stuck == 0 ? 1 : trust(active_set, conditions, contact, direction);
+  const double part = stuck == 0 ? 1 : trust(active_set, conditions, contact, root, direction);
   if (part == 0) return;
   std::array<double, 4> change{};
   for (Index k = 0; k < 4; ++k) {

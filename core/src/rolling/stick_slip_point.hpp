@@ -48,13 +48,21 @@ class StickSlipPoint {
     double creepage = 0;
   };
 
-  Place place_of(const SlipConditions& conditions, const ContactState& contact, Eigen::Index stuck,
-                 double direction) const;
+  /// Tractions below the bound at the first node in adhesion, and the coefficient A of the regular
+  /// square root [N/mm^2]
+  struct Root {
+    double first;
+    double regular;
+  };
+
+  Root root_of(const SlipConditions& conditions, const ContactState& contact,
+               double direction) const;
+  Place place_of(const SlipConditions& conditions, const Root& root) const;
   const Response& response(ActiveSet& active_set, Eigen::Index neighbour);
   std::array<double, 2> changes(ActiveSet& active_set, const SlipConditions& conditions,
                                 const ContactState& contact, Eigen::Index moved, double direction);
   double trust(ActiveSet& active_set, const SlipConditions& conditions, const ContactState& contact,
-               double direction);
+               const Root& root, double direction);
 
   double second_;  ///< the second node's traction over the first's, of the singular square root
 

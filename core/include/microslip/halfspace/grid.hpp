@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 
 namespace microslip {
 
@@ -29,6 +30,7 @@ class Grid {
   double half_width() const { return parameters_.half_width; }
   double spacing() const { return spacing_; }
   double leading_offset() const { return parameters_.leading_offset; }
+  double trailing_offset() const { return parameters_.trailing_offset; }
 
   /// The same contact and offsets with another number of nodes.
   Grid with_elements(Eigen::Index elements) const;
@@ -40,5 +42,10 @@ class Grid {
   Parameters parameters_;
   double spacing_;
 };
+
+/// \param fewest  elements
+/// \param where   words for the message: the scheme that wants elements that fill the contact
+/// \throws std::invalid_argument for offsets other than 1/2, and for fewer elements
+void require_filling(const Grid& grid, Eigen::Index fewest, const std::string& where);
 
 }  // namespace microslip

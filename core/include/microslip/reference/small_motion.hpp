@@ -22,9 +22,13 @@ double force_after_creepage_step(double distance, double lambda);
 
 /// The creepage after a step of the force, from rest, over the steady one. It does not know L0,
 /// begins with 1/2, and is singular like a logarithm at the distance 2, where the peak that was
-/// laid down at the leading edge leaves the contact: \f[ c = \mathcal
-/// L^{-1}\frac{I_0}{s\,(I_0+I_1)} \f] \param distance  rolled, over l, in [1e-3, 1e3]; infinite at
-/// 2  [1] \throws std::invalid_argument outside the range
+/// laid down at the leading edge leaves the contact,
+///
+/// \f[ c = \mathcal L^{-1}\frac{I_0}{s\,(I_0+I_1)} \f]
+///
+/// \param distance  rolled, over l, in [1e-3, 1e3]; infinite at 2  [1]
+///
+/// \throws std::invalid_argument outside the range
 double creepage_after_force_step(double distance);
 
 }  // namespace microslip

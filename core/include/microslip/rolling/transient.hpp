@@ -82,8 +82,7 @@ class TransientRolling {
   /// which one of them no longer does so, or does so again, changes the tractions of some elements
   /// next to it by about the traction there, however short it is; one of no length changes nothing.
   /// Cost: as two steps. After a shift that throws the state is what it was, as after a step.
-  /// \throws std::invalid_argument for a shift that is not finite, or by a scheme that has no
-  ///         shifts but its start, and as ActiveSet::solve
+  /// \throws std::invalid_argument for a shift that is not finite, and as ActiveSet::solve
   Shift shift(const ShiftLoad& load);
 
   /// Rolls on.

@@ -60,8 +60,9 @@ struct TransientState {
   double creepage;  ///< w of the step; zero at standstill  [1]
   /// Mean of the creepage over the last element travelled, or since the start or a shift: it lags
   /// by half an element. Under a force, a step shorter than an element has noise, because elements
-  /// begin to slip one by one. The mean has 40 to 5000 times less where an element is a whole
-  /// number of steps, and 10 times less with c = 0.3. tests/unit/element_creepage_test.cpp  [1]
+  /// begin to slip one by one, except with Remembered. The mean has 40 to 5000 times less where an
+  /// element is a whole number of steps, and 10 times less with c = 0.3.
+  /// tests/unit/element_creepage_test.cpp  [1]
   double element_creepage;
   /// Energy lost per mm rolled and mm width: -integral of (p + p')/2 s over the material points,
   /// those that have just left included. On a grid fixed to the material the slip is that by A p

@@ -26,8 +26,9 @@ struct ResponseScene {
 ResponseScene read_response(Scene& scene);
 
 /// Tables: response (dF/dw against the wavelength) and summary, about the steady state by
-/// inversion. \throws std::invalid_argument without a stick zone, and with more zones than the
-/// inversion takes
+/// inversion.
+///
+/// \throws std::invalid_argument without a stick zone, and with more zones than the inversion takes
 std::vector<Table> response_tables(const ResponseScene& scene, const Progress& progress);
 
 }  // namespace microslip::experiments

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/rolling/material_window.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip {
+
+/// The way that a contact has rolled over the elements of its material.
+struct ElementTravel {
+  double distance = 0;        ///< rolled  [mm]
+  double distance_error = 0;  ///< that rounding added to it  [mm]
+  double entered = 0;         ///< whole elements travelled since the start
+
+  /// The part of an element travelled since the last whole one. The spacing is that of the nodes,
+  /// dx [mm]
+  double phase(double spacing) const { return distance / spacing - entered; }
+
+  /// Takes the same place with fewer rounding errors.
+  void move_to(double at) {
+    distance = at;
+    distance_error = 0;
+  }
+};
+
+/// Divides a step into parts, each of which ends where an element has been travelled, or with the
+/// step. Sums of distances are compensated, or steps of whole elements would be divided after some
+/// ten thousand.
+/// \param start    at the beginning of the step
+/// \param length   of the step  [mm]
+/// \param spacing  dx  [mm]
+/// \param part     called with the length of each part, the distance at its end, and what is left
+///                 of the step after it  [mm]
+/// \return         the distance_error at the end of the step  [mm]
+/// \throws std::invalid_argument if the length is below min_step_ratio dx
+template <class Part>
+double for_each_part(const ElementTravel& start, double length, double spacing, const Part& part) {
+  require(length / spacing >= min_step_ratio, "step.ratio", length / spacing, "a number >= 1e-15");
+  const double added = length - start.distance_error;
+  const double end = start.distance + added;
+  double from = start.distance;
+  double rest = length;
+  for (double next = start.entered + 1; end / spacing - next > MaterialWindow::rounding; ++next) {
+    const double to = next * spacing;
+    rest -= to - from;
+    part(to - from, to, rest);
+    from = to;
+  }
+  part(rest, end, 0.0);
+  return (end - start.distance) - added;
+}
+
+}  // namespace microslip
