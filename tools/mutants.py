@@ -153,6 +153,6 @@ def main(arguments):
 
 
 if __name__ == "__main__":
-    if not (sys.argv[1:] == ["--check"] or len(sys.argv) > 2):
+    if not (sys.argv[1:] == ["--check"] or (len(sys.argv) > 2 and not sys.argv[1].startswith("-"))):
         raise SystemExit(__doc__)
     sys.exit(main(sys.argv[1:]))
