@@ -99,6 +99,22 @@ struct microslip_state {
   int iterations; /**< stick/slip partitions tried */
 };
 
+/** Derivatives of the results of a step by one of its inputs, in the unit of the result over that
+ * of the input. */
+struct microslip_slopes {
+  double force;
+  double mean_force;
+  double creepage;
+  double dissipation;
+};
+
+/** Derivatives of a step, exact for the step as it is made: its stick/slip partition stays, and the
+ * stick-slip point moves. Where the partition changes, they are those of one side. */
+struct microslip_jacobian {
+  struct microslip_slopes by_load;   /**< by the creepage or the force that is set */
+  struct microslip_slopes by_length; /**< by dq at that creepage or force  [1/mm] */
+};
+
 /** A contact that rolls. */
 typedef struct microslip_rolling microslip_rolling;
 
@@ -149,9 +165,17 @@ MICROSLIP_API enum microslip_status microslip_start_from_shift(microslip_rolling
  * the creepage below 1e-13 N elements, with MICROSLIP_MATERIAL below 1e-12 N or 1e-9. */
 MICROSLIP_API enum microslip_status microslip_advance(microslip_rolling* rolling, double dq);
 
-/** The state to which that step would lead, without rolling. */
+/** The state to which that step would lead, without rolling. If microslip_advance() makes the same
+ * step next, that costs nothing. */
 MICROSLIP_API enum microslip_status microslip_attempt(microslip_rolling* rolling, double dq,
                                                       struct microslip_state* state);
+
+/** The same with the derivatives of that step, by which an implicit integrator finds its load by
+ * Newton's method: examples/c/wheel_drive.c. For MICROSLIP_REMEMBERED alone. It costs two more
+ * solves than microslip_attempt() for each element that is travelled. */
+MICROSLIP_API enum microslip_status microslip_attempt_with_jacobian(
+    microslip_rolling* rolling, double dq, struct microslip_state* state,
+    struct microslip_jacobian* jacobian);
 
 MICROSLIP_API enum microslip_status microslip_get_state(microslip_rolling* rolling,
                                                         struct microslip_state* state);

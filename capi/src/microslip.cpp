@@ -103,6 +103,13 @@ microslip_state in_c(const TransientState& state) {
           .iterations = state.iterations};
 }
 
+microslip_slopes in_c(const microslip::StepSlopes& slopes) {
+  return {.force = slopes.force,
+          .mean_force = slopes.mean_force,
+          .creepage = slopes.creepage,
+          .dissipation = slopes.dissipation};
+}
+
 /// Values at the nodes into an array of the caller's.
 template <class Value, class Values>
 microslip_status copy_values(microslip_rolling* handle, Value* to, std::size_t length,
@@ -185,6 +192,18 @@ microslip_status microslip_attempt(microslip_rolling* rolling, double dq, micros
   return roll_with(rolling, [&](microslip_rolling& of) {
     microslip_state& out = require_pointer(state, "state");
     out = in_c(of.contact->attempt(dq, require_step(of, dq)));
+  });
+}
+
+microslip_status microslip_attempt_with_jacobian(microslip_rolling* rolling, double dq,
+                                                 microslip_state* state,
+                                                 microslip_jacobian* jacobian) {
+  return roll_with(rolling, [&](microslip_rolling& of) {
+    microslip_state& out = require_pointer(state, "state");
+    microslip_jacobian& slopes = require_pointer(jacobian, "jacobian");
+    microslip::StepJacobian found;
+    out = in_c(of.contact->attempt(dq, require_step(of, dq), found));
+    slopes = {.by_load = in_c(found.by_load), .by_length = in_c(found.by_length)};
   });
 }
 

@@ -5,8 +5,8 @@
  *
  * Time steps are equal, so dq = v dt is another one in each, from 0.01 to 3.3 elements. The
  * midpoint rule: mean velocities over a step move the contact, whose mean force moves the wheel.
- * Its equation for the mean force is solved by secants. Then energy is balanced to rounding,
- * whatever the steps.
+ * Its equation for the mean force is solved by Newton's method with the derivatives of the step.
+ * Then energy is balanced to rounding, whatever the steps.
  *
  *   cc wheel_drive.c $(pkg-config --cflags --libs microslip) -lm -o wheel_drive && ./wheel_drive */
 #include <math.h>
@@ -19,7 +19,7 @@ enum { STEPS = 400, ELEMENTS = 100 };
 static const struct microslip_material material = {82000, 0.28};
 static const struct microslip_contact contact = {5, 300, NULL, NULL, 0};
 static const struct microslip_kernel kernel = {MICROSLIP_STRIP, 10};
-static const struct microslip_grid grid = {ELEMENTS, MICROSLIP_MATERIAL};
+static const struct microslip_grid grid = {ELEMENTS, MICROSLIP_REMEMBERED};
 
 static const double mass = 0.8;        /* m  [N s^2/mm^2] */
 static const double inertia = 6000;    /* I  [N s^2] */
@@ -61,34 +61,48 @@ static void check(enum microslip_status status, microslip_rolling* rolling) {
   exit(status);
 }
 
-/* Sets the creepage of a step with a mean force; returns how far it rolls  [mm]. */
-static double set_motion(microslip_rolling* rolling, const struct wheel* wheel, double force) {
+/* A step with a mean force, and its derivatives by that force. */
+struct motion {
+  double creepage, creepage_slope;
+  double dq, dq_slope; /* [mm] */
+};
+
+static struct motion motion_with(const struct wheel* wheel, double force) {
   const double velocity = wheel->velocity + time_step * force / (2 * mass);
   const double spin = wheel->spin + time_step * (wheel->torque - radius * force) / (2 * inertia);
-  check(microslip_set_creepage(rolling, (velocity - radius * spin) / velocity), rolling);
-  return velocity * time_step;
+  const double velocity_slope = time_step / (2 * mass);
+  const double spin_slope = -time_step * radius / (2 * inertia);
+  const double rolled = radius * spin / velocity;
+  const struct motion motion = {1 - rolled,
+                                (rolled * velocity_slope - radius * spin_slope) / velocity,
+                                velocity * time_step, velocity_slope * time_step};
+  return motion;
 }
 
-/* By how much a mean force is above the one to which it leads  [N/mm]. */
-static double excess(microslip_rolling* rolling, const struct wheel* wheel, double force) {
+/* By how much a mean force is above the one to which it leads, and the derivative of that  [N/mm].
+ */
+static double excess(microslip_rolling* rolling, const struct wheel* wheel, double force,
+                     double* slope) {
+  const struct motion motion = motion_with(wheel, force);
   struct microslip_state state;
-  const double dq = set_motion(rolling, wheel, force);
-  check(microslip_attempt(rolling, dq, &state), rolling);
+  struct microslip_jacobian jacobian;
+  check(microslip_set_creepage(rolling, motion.creepage), rolling);
+  check(microslip_attempt_with_jacobian(rolling, motion.dq, &state, &jacobian), rolling);
+  *slope = 1 - jacobian.by_load.mean_force * motion.creepage_slope -
+           jacobian.by_length.mean_force * motion.dq_slope;
   return force - state.mean_force;
 }
 
-/* The mean force that leads to itself. The excess grows at least as fast as the force. */
-static double find_mean_force(microslip_rolling* rolling, const struct wheel* wheel, double guess,
+/* The mean force that leads to itself; the step with it is the one tried last. */
+static double find_mean_force(microslip_rolling* rolling, const struct wheel* wheel, double force,
                               double scale) {
-  double before = guess, excess_before = excess(rolling, wheel, before);
-  double force = before - excess_before, slope = 1;
-  for (int secants = 0; secants < 100; ++secants) {
-    const double now = excess(rolling, wheel, force);
-    const double accepted = fabs(now) < fabs(excess_before) ? 1e-15 : 1e-11; /* or rounding */
+  double excess_before = INFINITY;
+  for (int trials = 0; trials < 50; ++trials) {
+    double slope;
+    const double now = excess(rolling, wheel, force, &slope);
+    const double accepted = fabs(now) < excess_before ? 1e-13 : 1e-11; /* or rounding */
     if (fabs(now) <= accepted * scale) return force;
-    if (now != excess_before) slope = fmax(1, (now - excess_before) / (force - before));
-    before = force;
-    excess_before = now;
+    excess_before = fabs(now);
     force -= now / slope;
   }
   fprintf(stderr, "wheel_drive: the midpoint rule finds no force\n");
@@ -103,7 +117,7 @@ int main(void) {
     fprintf(stderr, "wheel_drive: %s\n", message);
     return EXIT_FAILURE;
   }
-  double full_sliding, force = 0, work = 0, dissipated = 0;
+  double full_sliding, force = 0, before = 0, work = 0, dissipated = 0;
   check(microslip_get_full_sliding(rolling, &full_sliding), rolling);
   struct wheel wheel = {1, 1 / radius, 0};
   const double start = kinetic_energy(&wheel);
@@ -115,8 +129,10 @@ int main(void) {
   for (int k = 0; k < STEPS; ++k) {
     const double middle = (k + 0.5) * time_step;
     wheel.torque = most_torque * full_sliding * radius * sin(2 * pi * middle / end);
-    force = find_mean_force(rolling, &wheel, force, full_sliding);
-    const double dq = set_motion(rolling, &wheel, force), spin_before = wheel.spin;
+    const double guess = 2 * force - before;
+    before = force;
+    force = find_mean_force(rolling, &wheel, guess, full_sliding);
+    const double dq = motion_with(&wheel, force).dq, spin_before = wheel.spin;
     check(microslip_advance(rolling, dq), rolling);
     wheel.velocity += time_step * force / mass;
     wheel.spin += time_step * (wheel.torque - radius * force) / inertia;

@@ -3,10 +3,12 @@
  *
  *   h = microslip_mex('create', problem)    a struct with shear_modulus, poisson_ratio,
  *                                           half_width, peak_traction or bound_x and bound_value,
- *                                           kernel 'strip' or 'plane', length, elements
+ *                                           kernel 'strip' or 'plane', length, elements, scheme
+ *                                           'material' if not given, 'direct' or 'remembered'
  *   microslip_mex('set_creepage', h, w)     likewise set_force, advance
  *   microslip_mex('destroy', h)
  *   s = microslip_mex('attempt', h, dq)     a struct as microslip_state
+ *   [s, J] = microslip_mex('attempt', h, dq)  and a struct as microslip_jacobian
  *   s = microslip_mex('state', h)
  *   v = microslip_mex('nodes', h)           a column; likewise traction, bound, slip, displacement
  *   e = microslip_mex('elastic_energy', h)  likewise full_sliding; copy, a handle
@@ -43,6 +45,22 @@ static mxArray* state_struct(const struct microslip_state* s) {
   return array;
 }
 
+static mxArray* slopes_struct(const struct microslip_slopes* s) {
+  const char* names[] = {"force", "mean_force", "creepage", "dissipation"};
+  const double values[] = {s->force, s->mean_force, s->creepage, s->dissipation};
+  mxArray* array = mxCreateStructMatrix(1, 1, 4, names);
+  for (int i = 0; i < 4; ++i) mxSetField(array, 0, names[i], mxCreateDoubleScalar(values[i]));
+  return array;
+}
+
+static mxArray* jacobian_struct(const struct microslip_jacobian* j) {
+  const char* names[] = {"by_load", "by_length"};
+  mxArray* array = mxCreateStructMatrix(1, 1, 2, names);
+  mxSetField(array, 0, names[0], slopes_struct(&j->by_load));
+  mxSetField(array, 0, names[1], slopes_struct(&j->by_length));
+  return array;
+}
+
 /* Of a field that must be there; null for one that need not. */
 static const mxArray* field(const mxArray* problem, const char* name, int needed) {
   const mxArray* value = mxGetField(problem, 0, name);
@@ -58,7 +76,7 @@ static double number(const mxArray* problem, const char* name, int needed) {
 
 static mxArray* create(const mxArray* p) {
   const mxArray *x = field(p, "bound_x", 0), *value = field(p, "bound_value", 0);
-  char kernel_name[8] = "", message[512];
+  char kernel_name[8] = "", scheme_name[16] = "material", message[512];
   mxGetString(field(p, "kernel", 1), kernel_name, sizeof kernel_name);
   const struct microslip_material material = {number(p, "shear_modulus", 1),
                                               number(p, "poisson_ratio", 1)};
@@ -69,7 +87,12 @@ static mxArray* create(const mxArray* p) {
                    : !strcmp(kernel_name, "plane") ? MICROSLIP_PLANE
                                                    : -1;
   const struct microslip_kernel kernel = {type, number(p, "length", 1)};
-  const struct microslip_grid grid = {(int)number(p, "elements", 1), MICROSLIP_MATERIAL};
+  if (field(p, "scheme", 0)) mxGetString(field(p, "scheme", 0), scheme_name, sizeof scheme_name);
+  const int scheme = !strcmp(scheme_name, "material")     ? MICROSLIP_MATERIAL
+                     : !strcmp(scheme_name, "direct")     ? MICROSLIP_DIRECT
+                     : !strcmp(scheme_name, "remembered") ? MICROSLIP_REMEMBERED
+                                                          : -1;
+  const struct microslip_grid grid = {(int)number(p, "elements", 1), scheme};
   microslip_rolling* rolling;
   if (x && value && mxGetNumberOfElements(x) != mxGetNumberOfElements(value))
     mexErrMsgIdAndTxt("microslip:bad_input", "bound_value: expected as many as bound_x");
@@ -96,6 +119,17 @@ static const struct {
                {"slip", microslip_get_slip},
                {"displacement", microslip_get_displacement}};
 
+/* The state and, if it is asked for, the jacobian. */
+static void attempt(microslip_rolling* h, double dq, int outputs, mxArray* out[]) {
+  struct microslip_state state;
+  struct microslip_jacobian jacobian;
+  check(outputs > 1 ? microslip_attempt_with_jacobian(h, dq, &state, &jacobian)
+                    : microslip_attempt(h, dq, &state),
+        microslip_message(h));
+  out[0] = state_struct(&state);
+  if (outputs > 1) out[1] = jacobian_struct(&jacobian);
+}
+
 static int is(const char* command, const char* name) { return strcmp(command, name) == 0; }
 
 static mxArray* answer(const char* command, microslip_rolling* h, double argument) {
@@ -113,10 +147,8 @@ static mxArray* answer(const char* command, microslip_rolling* h, double argumen
     check(columns[i].call(h, mxGetPr(values), microslip_size(h)), microslip_message(h));
     return values;
   }
-  if (is(command, "attempt") || is(command, "state")) {
-    check(is(command, "state") ? microslip_get_state(h, &state)
-                               : microslip_attempt(h, argument, &state),
-          microslip_message(h));
+  if (is(command, "state")) {
+    check(microslip_get_state(h, &state), microslip_message(h));
     return state_struct(&state);
   }
   if (is(command, "copy")) {
@@ -139,7 +171,6 @@ static mxArray* answer(const char* command, microslip_rolling* h, double argumen
 
 void mexFunction(int outputs, mxArray* out[], int inputs, const mxArray* in[]) {
   char command[32] = "";
-  (void)outputs;
   if (inputs < 2 || mxGetString(in[0], command, sizeof command) != 0)
     mexErrMsgIdAndTxt("microslip:bad_input", "expected a command, and a handle or a struct");
   if (is(command, "create")) {
@@ -152,6 +183,11 @@ void mexFunction(int outputs, mxArray* out[], int inputs, const mxArray* in[]) {
     microslip_destroy(handle);
     return;
   }
-  mxArray* result = answer(command, handle, inputs > 2 ? mxGetScalar(in[2]) : mxGetNaN());
+  const double argument = inputs > 2 ? mxGetScalar(in[2]) : mxGetNaN();
+  if (is(command, "attempt")) {
+    attempt(handle, argument, outputs, out);
+    return;
+  }
+  mxArray* result = answer(command, handle, argument);
   if (result) out[0] = result;
 }

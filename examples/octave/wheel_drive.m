@@ -5,7 +5,8 @@
 %
 % Time steps are equal, so dq = v dt is another one in each, from 0.01 to 3.3 elements. The midpoint
 % rule: mean velocities over a step move the contact, whose mean force moves the wheel. Its equation
-% for the mean force is solved by secants. Then energy is balanced to rounding, whatever the steps.
+% for the mean force is solved by Newton's method with the derivatives of the step. Then energy is
+% balanced to rounding, whatever the steps.
 %
 %   mkoctfile --mex microslip_mex.c -lmicroslip && octave-cli wheel_drive.m
 function wheel_drive()
@@ -17,13 +18,14 @@ function wheel_drive()
              'velocity', 1, 'spin', 1/460, 'torque', 0);
   most_torque = 0.9;                  % of full sliding times R  [1]
   problem = struct('shear_modulus', 82000, 'poisson_ratio', 0.28, 'half_width', 5, ...
-                   'peak_traction', 300, 'kernel', 'strip', 'length', 10, 'elements', 100);
+                   'peak_traction', 300, 'kernel', 'strip', 'length', 10, 'elements', 100, ...
+                   'scheme', 'remembered');
   rolling = microslip_mex('create', problem);
   full_sliding = microslip_mex('full_sliding', rolling);
   dx = 2 * problem.half_width / problem.elements;
   finish = steps * w.time_step;
   start = kinetic_energy(w);
-  force = 0; work = 0; dissipated = 0;
+  force = 0; before = 0; work = 0; dissipated = 0;
 
   fprintf('# wheel_drive: a wheel that a torque drives and then brakes\n# parameters\n');
   fprintf('#   mass = %g\n#   inertia = %g\n#   radius = %g\n', w.mass, w.inertia, w.radius);
@@ -50,8 +52,11 @@ function wheel_drive()
   for k = 0:steps - 1
     middle = (k + 0.5) * w.time_step;
     w.torque = most_torque * full_sliding * w.radius * sin(2 * pi * middle / finish);
-    force = find_mean_force(rolling, w, force, full_sliding);
-    dq = set_motion(rolling, w, force);
+    guess = 2 * force - before;
+    before = force;
+    force = find_mean_force(rolling, w, guess, full_sliding);
+    motion = motion_with(w, force);
+    dq = motion.dq;
     microslip_mex('advance', rolling, dq);
     spin_before = w.spin;
     w.velocity = w.velocity + w.time_step * force / w.mass;
@@ -75,34 +80,38 @@ function energy = kinetic_energy(w)
   energy = (w.mass * w.velocity * w.velocity + w.inertia * w.spin * w.spin) / 2;
 end
 
-% Sets the creepage of a step with a mean force; returns how far it rolls  [mm].
-function dq = set_motion(rolling, w, force)
+% Creepage and length of a step with a mean force, each with its derivative by that force.
+function motion = motion_with(w, force)
   velocity = w.velocity + w.time_step * force / (2 * w.mass);
   spin = w.spin + w.time_step * (w.torque - w.radius * force) / (2 * w.inertia);
-  microslip_mex('set_creepage', rolling, (velocity - w.radius * spin) / velocity);
-  dq = velocity * w.time_step;
+  velocity_slope = w.time_step / (2 * w.mass);
+  spin_slope = -w.time_step * w.radius / (2 * w.inertia);
+  rolled = w.radius * spin / velocity;
+  motion.creepage = 1 - rolled;
+  motion.creepage_slope = (rolled * velocity_slope - w.radius * spin_slope) / velocity;
+  motion.dq = velocity * w.time_step;
+  motion.dq_slope = velocity_slope * w.time_step;
 end
 
-% By how much a mean force is above the one to which it leads  [N/mm].
-function e = excess(rolling, w, force)
-  state = microslip_mex('attempt', rolling, set_motion(rolling, w, force));
+% By how much a mean force is above the one to which it leads, and the derivative of that  [N/mm].
+function [e, slope] = excess(rolling, w, force)
+  motion = motion_with(w, force);
+  microslip_mex('set_creepage', rolling, motion.creepage);
+  [state, jacobian] = microslip_mex('attempt', rolling, motion.dq);
+  slope = 1 - jacobian.by_load.mean_force * motion.creepage_slope ...
+            - jacobian.by_length.mean_force * motion.dq_slope;
   e = force - state.mean_force;
 end
 
-% The mean force that leads to itself. The excess grows at least as fast as the force.
-function force = find_mean_force(rolling, w, guess, scale)
-  before = guess;
-  excess_before = excess(rolling, w, before);
-  force = before - excess_before;
-  slope = 1;
-  for secants = 1:100
-    now = excess(rolling, w, force);
+% The mean force that leads to itself; the step with it is the one tried last.
+function force = find_mean_force(rolling, w, force, scale)
+  before = Inf;
+  for trials = 1:50
+    [now, slope] = excess(rolling, w, force);
     accepted = 1e-11;  % or rounding
-    if abs(now) < abs(excess_before), accepted = 1e-15; end
+    if abs(now) < before, accepted = 1e-13; end
     if abs(now) <= accepted * scale, return; end
-    if now ~= excess_before, slope = max(1, (now - excess_before) / (force - before)); end
-    before = force;
-    excess_before = now;
+    before = abs(now);
     force = force - now / slope;
   end
   error('the midpoint rule finds no force');

@@ -38,6 +38,14 @@ class State(c.Structure):
             "adhesion_elements", "slip_elements", "iterations")]
 
 
+class Slopes(c.Structure):
+    _fields_ = [(name, c.c_double) for name in ("force", "mean_force", "creepage", "dissipation")]
+
+
+class Jacobian(c.Structure):
+    _fields_ = [("by_load", Slopes), ("by_length", Slopes)]
+
+
 class Error(Exception):
     """A call failed; `status` is that of microslip.h, and the text says why."""
 
@@ -60,6 +68,7 @@ for _name, *_arguments in (
         ("start_from_shift", _handle, c.c_double, c.POINTER(c.c_double)),
         ("advance", _handle, c.c_double),
         ("attempt", _handle, c.c_double, c.POINTER(State)),
+        ("attempt_with_jacobian", _handle, c.c_double, c.POINTER(State), c.POINTER(Jacobian)),
         ("get_state", _handle, c.POINTER(State)),
         ("get_elastic_energy", _handle, c.POINTER(c.c_double)),
         ("get_full_sliding", _handle, c.POINTER(c.c_double)),
@@ -141,6 +150,12 @@ class Rolling:
 
     def attempt(self, dq):
         return self._get("attempt", State(), dq)
+
+    def attempt_with_jacobian(self, dq):
+        """The state, and the derivatives of the step."""
+        state, jacobian = State(), Jacobian()
+        self._call("attempt_with_jacobian", dq, c.byref(state), c.byref(jacobian))
+        return state, jacobian
 
     state = property(lambda self: self._get("get_state", State()))
     elastic_energy = property(lambda self: self._get("get_elastic_energy", c.c_double()).value)

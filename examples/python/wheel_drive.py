@@ -5,7 +5,8 @@
 
 Time steps are equal, so dq = v dt is another one in each, from 0.01 to 3.3 elements. The midpoint
 rule: mean velocities over a step move the contact, whose mean force moves the wheel. Its equation
-for the mean force is solved by secants. Then energy is balanced to rounding, whatever the steps.
+for the mean force is solved by Newton's method with the derivatives of the step. Then energy is
+balanced to rounding, whatever the steps.
 
   MICROSLIP_LIBRARY=lib/libmicroslip.so python3 wheel_drive.py
 """
@@ -45,42 +46,49 @@ class Wheel:
         return (mass * self.velocity * self.velocity + inertia * self.spin * self.spin) / 2
 
 
-def set_motion(rolling, wheel, force):
-    """Sets the creepage of a step with a mean force; returns how far it rolls  [mm]."""
+def motion_with(wheel, force):
+    """Creepage and length of a step with a mean force, each with its derivative by that force."""
     velocity = wheel.velocity + time_step * force / (2 * mass)
     spin = wheel.spin + time_step * (wheel.torque - radius * force) / (2 * inertia)
-    rolling.set_creepage((velocity - radius * spin) / velocity)
-    return velocity * time_step
+    velocity_slope = time_step / (2 * mass)
+    spin_slope = -time_step * radius / (2 * inertia)
+    rolled = radius * spin / velocity
+    return ((1 - rolled, (rolled * velocity_slope - radius * spin_slope) / velocity),
+            (velocity * time_step, velocity_slope * time_step))
 
 
-def find_mean_force(rolling, wheel, guess, scale):
-    """The mean force that leads to itself. The excess over what it leads to grows at least as fast."""
+def excess(rolling, wheel, force):
+    """By how much a mean force is above the one to which it leads, and the derivative of that."""
+    (creepage, creepage_slope), (dq, dq_slope) = motion_with(wheel, force)
+    rolling.set_creepage(creepage)
+    state, jacobian = rolling.attempt_with_jacobian(dq)
+    slope = (1 - jacobian.by_load.mean_force * creepage_slope
+             - jacobian.by_length.mean_force * dq_slope)
+    return force - state.mean_force, slope
 
-    def excess(force):
-        return force - rolling.attempt(set_motion(rolling, wheel, force)).mean_force
 
-    before, excess_before = guess, excess(guess)
-    force, slope = before - excess_before, 1
-    for _ in range(100):
-        now = excess(force)
-        accepted = 1e-15 if abs(now) < abs(excess_before) else 1e-11  # or rounding
+def find_mean_force(rolling, wheel, force, scale):
+    """The mean force that leads to itself; the step with it is the one tried last."""
+    before = math.inf
+    for _ in range(50):
+        now, slope = excess(rolling, wheel, force)
+        accepted = 1e-13 if abs(now) < before else 1e-11  # or rounding
         if abs(now) <= accepted * scale:
             return force
-        if now != excess_before:
-            slope = max(1, (now - excess_before) / (force - before))
-        before, excess_before = force, now
+        before = abs(now)
         force -= now / slope
     raise RuntimeError("the midpoint rule finds no force")
 
 
 rolling = microslip.Rolling(microslip.Material(82000, 0.28), contact,
-                            microslip.Kernel(microslip.Kernel.STRIP, 10), microslip.Grid(elements))
+                            microslip.Kernel(microslip.Kernel.STRIP, 10),
+                            microslip.Grid(elements, microslip.Grid.REMEMBERED))
 full_sliding = rolling.full_sliding
 dx = 2 * contact.half_width / elements
 end = steps * time_step
 wheel = Wheel(1)
 start = wheel.kinetic()
-force = work = dissipated = 0
+force = force_before = work = dissipated = 0
 
 print("# wheel_drive: a wheel that a torque drives and then brakes\n# parameters")
 for name in ("mass", "inertia", "radius", "time_step", "most_torque"):
@@ -93,8 +101,10 @@ print("\t".join(column.split(" ")[0] for column in columns))
 for k in range(steps):
     middle = (k + 0.5) * time_step
     wheel.torque = most_torque * full_sliding * radius * math.sin(2 * math.pi * middle / end)
-    force = find_mean_force(rolling, wheel, force, full_sliding)
-    dq = set_motion(rolling, wheel, force)
+    guess = 2 * force - force_before
+    force_before = force
+    force = find_mean_force(rolling, wheel, guess, full_sliding)
+    _, (dq, _) = motion_with(wheel, force)
     rolling.advance(dq)
     spin_before = wheel.spin
     wheel.velocity += time_step * force / mass

@@ -28,6 +28,7 @@ Case make_case(const std::string& name, const microslip_contact& contact, Tracti
                Load load) {
   AdvectionScheme scheme = MaterialFixed{};
   if (grid.scheme == MICROSLIP_DIRECT) scheme = Direct{};
+  if (grid.scheme == MICROSLIP_REMEMBERED) scheme = Remembered{};
   return {.name = name,
           .parts = {.contact = contact, .kernel = kernel_parts, .grid = grid},
           .problem = {.kernel = kernel,
@@ -51,7 +52,9 @@ std::vector<Case> cases() {
           make_case("table", table, TabulatedBound(1, x, values), strip, StripKernel(material, 3),
                     {60, MICROSLIP_MATERIAL}, PrescribedForce{-1}),
           make_case("direct", hertz, HertzBound(1, 2), strip, StripKernel(material, 3),
-                    {40, MICROSLIP_DIRECT}, PrescribedCreepage{0.4})};
+                    {40, MICROSLIP_DIRECT}, PrescribedCreepage{0.4}),
+          make_case("remembered", table, TabulatedBound(1, x, values), plane,
+                    PlaneKernel(material, 200), {50, MICROSLIP_REMEMBERED}, PrescribedForce{-1})};
 }
 
 class EveryCase : public testing::TestWithParam<Case> {};
@@ -130,6 +133,33 @@ TEST_P(EveryCase, ACopyGoesOnAlikeAndByItself) {
   roll(handle, 30, spacing);
   expect_same(answers(copy), answers(handle));
   EXPECT_NE(answers(copy), before);
+}
+
+std::vector<double> numbers_of(const auto& jacobian) {
+  std::vector<double> all;
+  for (const auto& slopes : {jacobian.by_load, jacobian.by_length}) {
+    all.insert(all.end(), {slopes.force, slopes.mean_force, slopes.creepage, slopes.dissipation});
+  }
+  return all;
+}
+
+TEST(CInterface, HasTheJacobianOfTheLibrary) {
+  const Case c = cases().back();
+  const Handle handle = created(c.parts);
+  TransientRolling rolling(c.problem);
+  for (const Load& load : {Load(PrescribedForce{-1}), Load(PrescribedCreepage{0.3})}) {
+    set_load(handle, load);
+    for (const double dq : {0.03, 0.1}) {
+      microslip_state state{};
+      microslip_jacobian jacobian{};
+      ASSERT_EQ(microslip_attempt_with_jacobian(handle.get(), dq, &state, &jacobian), MICROSLIP_OK);
+      StepJacobian expected;
+      expect_same(numbers(state), library_numbers(rolling.attempt(dq, load, expected)));
+      expect_same(numbers_of(jacobian), numbers_of(expected));
+      ASSERT_EQ(microslip_advance(handle.get(), dq), MICROSLIP_OK);
+      rolling.step(dq, load);
+    }
+  }
 }
 
 // dissipation dq + mean_force w dq + the change of elastic energy, over some of the terms.

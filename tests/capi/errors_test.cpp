@@ -148,6 +148,14 @@ TEST(CErrors, ARefusedCallChangesNothing) {
                  [](Rolling r) { return microslip_attempt(r, 0.05, nullptr); });
   expect_refused("state = null: expected a pointer",
                  [](Rolling r) { return microslip_get_state(r, nullptr); });
+  microslip_state state{};
+  microslip_jacobian jacobian{};
+  expect_refused("jacobian = null: expected a pointer", [&](Rolling r) {
+    return microslip_attempt_with_jacobian(r, 0.05, &state, nullptr);
+  });
+  expect_refused(
+      "scheme: expected 'remembered', which alone has derivatives of its steps",
+      [&](Rolling r) { return microslip_attempt_with_jacobian(r, 0.05, &state, &jacobian); });
   expect_refused("copy = null: expected a pointer",
                  [](Rolling r) { return microslip_copy(r, nullptr); });
   expect_refused("values = null: expected a pointer",

@@ -62,6 +62,23 @@ class Copies(unittest.TestCase):
             pickle.dumps(rolling())
 
 
+class Jacobians(unittest.TestCase):
+    def test_are_slopes_of_the_step(self):
+        contact = microslip.Rolling(MATERIAL, CONTACT, STRIP, microslip.Grid(20, microslip.Grid.REMEMBERED))
+        contact.start_from_shift(-1000)
+
+        def tried(creepage, dq):
+            contact.set_creepage(creepage)
+            return contact.attempt_with_jacobian(dq)
+
+        for name in ("force", "mean_force", "dissipation"):
+            _, jacobian = tried(1e-3, 0.2)
+            by_load = [getattr(tried(w, 0.2)[0], name) for w in (1e-3 * (1 - 1e-4), 1e-3 * (1 + 1e-4))]
+            self.assertAlmostEqual((by_load[1] - by_load[0]) / 2e-7 / getattr(jacobian.by_load, name), 1, 6)
+            by_length = [getattr(tried(1e-3, dq)[0], name) for dq in (0.2 * (1 - 1e-4), 0.2 * (1 + 1e-4))]
+            self.assertAlmostEqual((by_length[1] - by_length[0]) / 4e-5 / getattr(jacobian.by_length, name), 1, 6)
+
+
 class Constructors(unittest.TestCase):
     def test_that_fail_raise_their_own_error_only(self):
         """A process of its own each, as what a destructor raises is only printed."""

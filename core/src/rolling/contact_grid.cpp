@@ -53,7 +53,8 @@ Shift ContactGrid::solve_shift(const TransientState& before, const Load& load,
 }
 
 void ContactGrid::solve_step(const TransientState& before, double length, const Load& load,
-                             TransientState& after) {
+                             TransientState& after, StepJacobian* jacobian) {
+  require_no_jacobian(jacobian);
   const double step_ratio = length / spacing_;
   const double solved_length = advection_.solved_step_ratio(step_ratio) * spacing_;
   advection_.advect(before.traction, step_ratio, conditions_);

@@ -21,7 +21,7 @@ class ContactGrid final : public RollingGrid {
   void start_from(const Eigen::VectorXd& traction, TransientState& state) override;
   Shift solve_shift(const TransientState& before, const Load& load, TransientState& after) override;
   void solve_step(const TransientState& before, double length, const Load& load,
-                  TransientState& after) override;
+                  TransientState& after, StepJacobian* jacobian) override;
 
  private:
   double dissipation(const TransientState& before, const TransientState& after,

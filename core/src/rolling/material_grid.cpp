@@ -189,7 +189,8 @@ Shift MaterialGrid::solve_shift(const TransientState&, const Load& load, Transie
 }
 
 void MaterialGrid::solve_step(const TransientState&, double length, const Load& load,
-                              TransientState& after) {
+                              TransientState& after, StepJacobian* jacobian) {
+  require_no_jacobian(jacobian);
   roll(length, load);
   fill_state(step_.end.distance, step_.end.contact, length, step_.bound, step_.bound, after);
   after.dissipation = step_.dissipation / length;

@@ -97,7 +97,7 @@ class MaterialGrid final : public RollingGrid {
   void start_from(const Eigen::VectorXd& traction, TransientState& state) override;
   Shift solve_shift(const TransientState& before, const Load& load, TransientState& after) override;
   void solve_step(const TransientState& before, double length, const Load& load,
-                  TransientState& after) override;
+                  TransientState& after, StepJacobian* jacobian) override;
   void accept_step() override;
   void move_to(double distance) override;
 

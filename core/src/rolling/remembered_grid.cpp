@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -45,12 +46,38 @@ double interpolated_at(const VectorXd& values, Index i, double shift, Index from
          factor(0) * factor(1) * factor(2) / 6 * values[a + 3];
 }
 
-/// The load after a fraction of a step: a force changes linearly over it.
-/// \param before  the force at its beginning  [N/mm]
-Load load_within(const Load& load, double before, double fraction) {
+/// Its derivative by the shift.
+double slope_at(const VectorXd& values, Index i, double shift, Index from) {
+  const Index last = values.size() - fewest_nodes;
+  const Index a = std::clamp(i - 1, std::min(from, last), last);
+  const double z = static_cast<double>(i - a) + shift;
+  const double z2 = z * z;
+  return (-(3 * z2 - 12 * z + 11) / 6) * values[a] + (3 * z2 - 10 * z + 6) / 2 * values[a + 1] -
+         (3 * z2 - 8 * z + 3) / 2 * values[a + 2] + (3 * z2 - 6 * z + 2) / 6 * values[a + 3];
+}
+
+/// The load of a part of a step as the partition has it: the shift, or the force, which changes
+/// linearly over the step.
+/// \param before    the force at the beginning of the step  [N/mm]
+/// \param part      its length  [mm]
+/// \param fraction  of the step, at the end of the part
+Load load_within(const Load& load, double before, double part, double fraction) {
   const auto* force = std::get_if<PrescribedForce>(&load);
-  if (force == nullptr) return load;
+  if (force == nullptr) return load_of_step(load, part);
   return PrescribedForce{std::lerp(before, force->value, fraction)};
+}
+
+/// Its derivatives by load and length of the step. A longer step has a longer last part, and its
+/// force is the same fraction later.
+/// \param length  of the step  [mm]
+std::array<Load, 2> slopes_within(const Load& load, double before, double part, double fraction,
+                                  double length, bool is_last) {
+  if (const auto* force = std::get_if<PrescribedForce>(&load)) {
+    const double by_length = is_last ? 0 : -(force->value - before) * fraction / length;
+    return {PrescribedForce{fraction}, PrescribedForce{by_length}};
+  }
+  const double creepage = std::get<PrescribedCreepage>(load).value;
+  return {PrescribedCreepage{part}, PrescribedCreepage{is_last ? creepage : 0}};
 }
 
 }  // namespace
@@ -81,13 +108,15 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
   const Index n = grid.size();
   x_ = grid.nodes();
   bound_ = element_means(problem.bound, x_, weights_);
+  const VectorXd zeros = VectorXd::Zero(n);
+  next_.conditions = {.bound = bound_, .offset = zeros, .reference = zeros};
+  for (Step& slope : slopes_)
+    slope.conditions = {.bound = zeros, .offset = zeros, .reference = zeros};
   entry_influence_.resize(n);
   for (Index j = 0; j < n; ++j) {
     entry_influence_[j] =
         influence(kernel_, constant_shape(), spacing_, static_cast<double>(n - j));
   }
-  conditions_.bound = bound_;
-  conditions_.reference = VectorXd::Zero(n);
 }
 
 std::unique_ptr<RollingGrid> RememberedGrid::clone() const {
@@ -166,65 +195,89 @@ double RememberedGrid::start_from_shift(const PrescribedForce& force, TransientS
 /// A part of a step that travels nothing.
 Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load,
                                   TransientState& after) {
-  begin_sum();
-  roll_part(0, state_.distance, load);
+  begin_step(false);
+  roll_part(
+      {.length = 0, .end = state_.distance, .load = load, .load_slopes = {}, .is_last = true});
   // The point that came to the entry last sticks if it is in the contact and its neighbours do.
   const Index n = x_.size();
   const double now = std::max(0.0, state_.phase(spacing_));
-  if (now < 1 - edge_.offset || !sticks(next_.zones, n - 1)) {
-    next_.points[n] = now * next_.nodes[n - 1] + (1 - now) * next_.nodes[n];
+  RememberedState& state = next_.state;
+  if (now < 1 - edge_.offset || !sticks(state.zones, n - 1)) {
+    state.points[n] = now * state.nodes[n - 1] + (1 - now) * state.nodes[n];
   }
   const auto* distance = std::get_if<PrescribedCreepage>(&load);
-  if (distance != nullptr) sum_.creepage = distance->value;
-  sum_.zones = next_.zones;
-  sum_.traction = next_.traction;
-  const VectorXd slip = displacement(next_.traction - before.traction).array() + sum_.creepage;
+  sum_.creepage = distance != nullptr ? distance->value : next_.shift;
+  sum_.zones = state.zones;
+  sum_.traction = state.traction;
+  const VectorXd slip = displacement(state.traction - before.traction).array() + sum_.creepage;
   return fill_shift(before.distance, before.traction, sum_, slip, bound_, bound_, after);
 }
 
-void RememberedGrid::begin_sum() {
-  next_ = state_;
+void RememberedGrid::begin_step(bool with_slopes) {
+  next_.shift = next_.mean_force = next_.work = 0;
+  next_.state = state_;
   sum_.slip.setZero(x_.size());
-  sum_.creepage = 0;
   sum_.iterations = 0;
   sum_.residuals = {};
-  mean_force_ = 0;
-  work_ = 0;
+  has_slopes_ = with_slopes;
+  if (!with_slopes) return;
+  for (Step& slope : slopes_) {
+    slope.shift = slope.mean_force = slope.work = 0;
+    slope.state = state_;
+    slope.state.points.setZero();
+    slope.state.nodes.setZero();
+    slope.state.traction.setZero();
+    slope.state.stored = 0;
+    slope.state.lead = 0;
+  }
 }
 
 void RememberedGrid::solve_step(const TransientState&, double length, const Load& load,
-                                TransientState& after) {
-  begin_sum();
+                                TransientState& after, StepJacobian* jacobian) {
+  begin_step(jacobian != nullptr);
   const double force = spacing_ * state_.traction.sum();
-  next_.distance_error =
+  next_.state.distance_error =
       for_each_part(state_, length, spacing_, [&](double part, double end, double rest) {
-        const Load within = load_within(load, force, 1 - rest / length);
-        roll_part(part, end, load_of_step(within, part));
+        const double fraction = 1 - rest / length;
+        const bool is_last = rest == 0;
+        roll_part({.length = part,
+                   .end = end,
+                   .load = load_within(load, force, part, fraction),
+                   .load_slopes = slopes_within(load, force, part, fraction, length, is_last),
+                   .is_last = is_last});
       });
 
-  sum_.zones = next_.zones;
-  fill_state(next_.distance, sum_, length, bound_, bound_, after);
-  after.traction = next_.traction;
-  after.force = weights_.dot(next_.traction);
-  after.mean_force = mean_force_ / length;
-  after.dissipation = -(work_ + next_.stored - state_.stored) / length;
+  const RememberedState& state = next_.state;
+  sum_.creepage = next_.shift;
+  sum_.zones = state.zones;
+  fill_state(state.distance, sum_, length, bound_, bound_, after);
+  after.traction = state.traction;
+  after.force = weights_.dot(state.traction);
+  after.mean_force = next_.mean_force / length;
+  after.dissipation = -(next_.work + state.stored - state_.stored) / length;
+  if (jacobian == nullptr) return;
+  jacobian->by_load = slopes_of_step(slopes_[0], after, length, 0);
+  jacobian->by_length = slopes_of_step(slopes_[1], after, length, 1);
 }
-
-void RememberedGrid::accept_step() { std::swap(state_, next_); }
+void RememberedGrid::accept_step() { std::swap(state_, next_.state); }
 
 void RememberedGrid::move_to(double distance) { state_.move_to(distance); }
 
-/// Sets the displacements with which the material has come to the nodes.
+/// The displacement with which the material has come to a node, or its derivative by the way.
+/// \param value  interpolated_at or slope_at
+template <class Interpolation>
+double RememberedGrid::remembered_at(const RememberedState& state, Index i, double phase,
+                                     double travelled, const Interpolation& value) const {
+  const bool as_if_stuck = i >= state.kept && i < state.stuck;
+  if (!sticks(state.zones, i) && !as_if_stuck) return value(state.nodes, i, travelled, 0);
+  return value(state.points, i, phase, i >= state.kept ? state.kept : 0);
+}
+
 /// \param phase      at the end of the part
 /// \param travelled  since the part began  [dx]
-void RememberedGrid::recall(const RememberedState& state, double phase, double travelled) {
-  conditions_.offset.resize(x_.size());
+void RememberedGrid::recall(Step& step, double phase, double travelled) const {
   for (Index i = 0; i < x_.size(); ++i) {
-    const bool as_if_stuck = i >= state.kept && i < state.stuck;
-    const bool from_nodes = !sticks(state.zones, i) && !as_if_stuck;
-    const Index from = i >= state.kept ? state.kept : 0;
-    conditions_.offset[i] = from_nodes ? -interpolated_at(state.nodes, i, travelled, 0)
-                                       : -interpolated_at(state.points, i, phase, from);
+    step.conditions.offset[i] = -remembered_at(step.state, i, phase, travelled, interpolated_at);
   }
 }
 
@@ -263,62 +316,124 @@ void RememberedGrid::remember(RememberedState& state, double phase, bool stuck_a
 
 /// Adds the slip of a part. Next to the stick-slip point, slip is counted since a point was in
 /// adhesion, so that what it had slipped before has to be taken away.
-void RememberedGrid::add_slip(const RememberedState& before, double travelled) {
-  sum_.slip += contact_.slip;
+void RememberedGrid::add_slip(double travelled) {
+  const RememberedState& before = next_.state;
+  const ContactState& contact = next_.contact;
+  sum_.slip += contact.slip;
   for (Index i = before.kept; i < std::min(before.stuck, x_.size()); ++i) {
-    if (sticks(contact_.zones, i)) continue;
-    sum_.slip[i] -= interpolated_at(before.nodes, i, travelled, 0) + conditions_.offset[i];
+    if (sticks(contact.zones, i)) continue;
+    sum_.slip[i] -= interpolated_at(before.nodes, i, travelled, 0) + next_.conditions.offset[i];
   }
 }
 
-/// Rolls up to where an element has been travelled at most.
-/// \param load  its creepage is the shift  [mm]
-void RememberedGrid::roll_part(double length, double end, const Load& load) {
-  RememberedState& state = next_;
-  const double now = end / spacing_ - state.entered;
-  const bool whole = now >= 1 - MaterialWindow::rounding;
-  const double phase_now = whole ? 1 : now;
-  const double travelled = std::min(1.0, phase_now - std::max(0.0, state.phase(spacing_)));
+/// The load of the partition, which has the lead to make up for.
+Load RememberedGrid::of_partition(const Load& load, const Step& step) {
+  const auto* creepage = std::get_if<PrescribedCreepage>(&load);
+  return creepage == nullptr ? load : PrescribedCreepage{creepage->value + step.state.lead};
+}
 
-  Load shift = load;
-  if (auto* creepage = std::get_if<PrescribedCreepage>(&shift)) creepage->value += state.lead;
-  recall(state, phase_now, travelled);
-  contact_.zones = state.zones;
-  active_set_.solve(conditions_, shift, contact_);
-  sum_.iterations += contact_.iterations;
-  const bool stuck_again = first_stuck(contact_.zones) < state.stuck - 1;
-  if (stuck_again) {
-    admit_slip(state);
-    recall(state, phase_now, travelled);
-    contact_.zones = state.zones;
-    active_set_.solve(conditions_, shift, contact_);
-    sum_.iterations += contact_.iterations;
+void RememberedGrid::search_partition(const Load& load) {
+  next_.contact.zones = next_.state.zones;
+  active_set_.solve(next_.conditions, of_partition(load, next_), next_.contact);
+  sum_.iterations += next_.contact.iterations;
+}
+
+/// Solves for the derivatives of the contact by the partition that has been found.
+void RememberedGrid::solve_slopes(const Part& part, double phase, double travelled) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    Step& slope = slopes_[k];
+    recall(slope, phase, travelled);
+    if (k == 1 && part.is_last) {
+      for (Index i = 0; i < x_.size(); ++i) {
+        slope.conditions.offset[i] -=
+            remembered_at(next_.state, i, phase, travelled, slope_at) / spacing_;
+      }
+    }
+    active_set_.solve_partition(slope.conditions, of_partition(part.load_slopes[k], slope),
+                                next_.contact.zones, slope.contact);
   }
+}
+
+/// The displacements that the partition leads to.
+void RememberedGrid::displace(Step& step) const {
+  step.moved = step.contact.creepage;
+  step.state.points.array() -= step.moved;
+  step.displacement = (step.contact.slip - step.conditions.offset).array() - step.moved;
+  step.state.nodes.head(x_.size()) = step.displacement;
+}
+
+/// Moves to the end of a part, with the mean over partitions.
+void RememberedGrid::finish_part(Step& step, const Part& part, double phase,
+                                 bool stuck_again) const {
+  RememberedState& state = step.state;
+  const ContactState& contact = step.contact;
+  step.part_force = spacing_ * (state.traction.sum() + contact.traction.sum()) / 2;
+  step.creepage = contact.creepage - state.lead;
+  step.shift += step.creepage;
+  state.lead = contact.creepage - step.moved;
+  state.nodes[x_.size()] = displacement_at_entry(contact.traction) + state.lead;
+  state.traction = contact.traction;
+  state.zones = contact.zones;
+  remember(state, phase, stuck_again);
+  state.distance = part.end;
+  if (phase >= 1) state.entered += 1;
+}
+
+/// Rolls up to where an element has been travelled at most.
+void RememberedGrid::roll_part(const Part& part) {
+  const RememberedState& before = next_.state;
+  const double now = part.end / spacing_ - before.entered;
+  const double phase = now >= 1 - MaterialWindow::rounding ? 1 : now;
+  const double travelled = std::min(1.0, phase - std::max(0.0, before.phase(spacing_)));
+
+  recall(next_, phase, travelled);
+  search_partition(part.load);
+  const bool stuck_again = first_stuck(next_.contact.zones) < before.stuck - 1;
+  const std::size_t slopes = has_slopes_ ? 2 : 0;
+  if (stuck_again) {
+    admit_slip(next_.state);
+    for (std::size_t k = 0; k < slopes; ++k) admit_slip(slopes_[k].state);
+    recall(next_, phase, travelled);
+    search_partition(part.load);
+  }
+  if (has_slopes_) solve_slopes(part, phase, travelled);
   double& residual = sum_.residuals.equations;
-  residual = std::max(residual, contact_.residuals.equations);
+  residual = std::max(residual, next_.contact.residuals.equations);
+  add_slip(travelled);
+  sum_.traction = next_.contact.traction;
 
-  const double force_before = spacing_ * state.traction.sum();
-  const double moved = contact_.creepage;
-  add_slip(state, travelled);
-  sum_.traction = contact_.traction;
-  state.points.array() -= moved;
-  displacement_ = (contact_.slip - conditions_.offset).array() - moved;
-  state.nodes.head(x_.size()) = displacement_;
-  stick_slip_point_.average(active_set_, conditions_, shift, contact_, displacement_);
-  state.stored = spacing_ * contact_.traction.dot(displacement_) / 2;
-  const double creepage = contact_.creepage - state.lead;
-  state.lead = contact_.creepage - moved;
-  state.nodes[x_.size()] = displacement_at_entry(contact_.traction) + state.lead;
-  state.traction = contact_.traction;
-  state.zones = contact_.zones;
-  remember(state, phase_now, stuck_again);
-  state.distance = end;
-  if (whole) state.entered += 1;
+  displace(next_);
+  for (std::size_t k = 0; k < slopes; ++k) displace(slopes_[k]);
+  const std::array<RolledContact*, 2> sloped{&slopes_[0], &slopes_[1]};
+  stick_slip_point_.average(active_set_, next_.conditions, part.load, next_,
+                            std::span(sloped).first(slopes));
+  finish_part(next_, part, phase, stuck_again);
+  const VectorXd& p = next_.state.traction;
+  next_.state.stored = spacing_ * p.dot(next_.displacement) / 2;
+  next_.mean_force += next_.part_force * part.length;
+  next_.work += next_.part_force * next_.creepage;
+  for (std::size_t k = 0; k < slopes; ++k) {
+    Step& slope = slopes_[k];
+    finish_part(slope, part, phase, stuck_again);
+    slope.state.stored =
+        spacing_ * (slope.state.traction.dot(next_.displacement) + p.dot(slope.displacement)) / 2;
+    slope.mean_force += slope.part_force * part.length;
+    if (k == 1 && part.is_last) slope.mean_force += next_.part_force;
+    slope.work += slope.part_force * next_.creepage + next_.part_force * slope.creepage;
+  }
+}
 
-  const double mean_force = (force_before + spacing_ * state.traction.sum()) / 2;
-  sum_.creepage += creepage;
-  mean_force_ += mean_force * length;
-  work_ += mean_force * creepage;
+/// \param length     of the step  [mm]
+/// \param by_length  its derivative
+StepSlopes RememberedGrid::slopes_of_step(const Step& slope, const TransientState& after,
+                                          double length, double by_length) const {
+  const auto per_length = [&](double of_sum, double value) {
+    return (of_sum - value * by_length) / length;
+  };
+  return {.force = spacing_ * slope.state.traction.sum(),
+          .mean_force = per_length(slope.mean_force, after.mean_force),
+          .creepage = per_length(slope.shift, after.creepage),
+          .dissipation = per_length(-slope.work - slope.state.stored, after.dissipation)};
 }
 
 }  // namespace microslip

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -64,7 +65,7 @@ class RememberedGrid final : public RollingGrid {
   double start_from_shift(const PrescribedForce& force, TransientState& state) override;
   Shift solve_shift(const TransientState& before, const Load& load, TransientState& after) override;
   void solve_step(const TransientState& before, double length, const Load& load,
-                  TransientState& after) override;
+                  TransientState& after, StepJacobian* jacobian) override;
   void accept_step() override;
   void move_to(double distance) override;
 
@@ -73,15 +74,51 @@ class RememberedGrid final : public RollingGrid {
   RememberedGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge,
                  const Grid& grid);
 
+  /// A step on its way through its parts, each of which ends where an element has been travelled or
+  /// with the step; or a derivative of it. Given the partition, all is linear except for products
+  /// of force and displacement.
+  struct Step : RolledContact {
+    RememberedState state;      ///< at the end of the part
+    SlipConditions conditions;  ///< of the part
+    double moved = 0;           ///< shift by the partition in the part, with the lead  [mm]
+    double creepage = 0;        ///< shift by the mean in the part  [mm]
+    double part_force = 0;      ///< mean of the force over the part  [N/mm]
+
+    // Summed over the parts.
+    double shift = 0;       ///< [mm]
+    double mean_force = 0;  ///< [N]
+    double work = 0;        ///< of the force  [N]
+  };
+
+  /// A part of a step.
+  struct Part {
+    double length;                    ///< [mm]
+    double end;                       ///< the distance at its end  [mm]
+    Load load;                        ///< its creepage is the shift  [mm]
+    std::array<Load, 2> load_slopes;  ///< by load and length of the step
+    bool is_last;
+  };
+
   void begin(const Eigen::VectorXd& traction, TransientState& state);
   void remember_all(RememberedState& state) const;
   double displacement_at_entry(const Eigen::VectorXd& traction) const;
-  void begin_sum();
-  void roll_part(double length, double end, const Load& load);
-  void recall(const RememberedState& state, double phase, double travelled);
+
+  void begin_step(bool with_slopes);
+  void roll_part(const Part& part);
+  template <class Interpolation>
+  double remembered_at(const RememberedState& state, Eigen::Index i, double phase, double travelled,
+                       const Interpolation& value) const;
+  void recall(Step& step, double phase, double travelled) const;
+  static Load of_partition(const Load& load, const Step& step);
+  void search_partition(const Load& load);
+  void solve_slopes(const Part& part, double phase, double travelled);
   void admit_slip(RememberedState& state) const;
-  void add_slip(const RememberedState& before, double travelled);
+  void add_slip(double travelled);
+  void displace(Step& step) const;
+  void finish_part(Step& step, const Part& part, double phase, bool stuck_again) const;
   void remember(RememberedState& state, double phase, bool stuck_again) const;
+  StepSlopes slopes_of_step(const Step& slope, const TransientState& after, double length,
+                            double by_length) const;
 
   TractionBound traction_bound_;
   Eigen::VectorXd problem_nodes_;  ///< [mm]
@@ -93,18 +130,10 @@ class RememberedGrid final : public RollingGrid {
   StickSlipPoint stick_slip_point_;
 
   RememberedState state_;
-  RememberedState next_;  ///< after the step that was solved last
-
-  // Of the step, summed over its parts. Each ends where an element has been travelled, or with the
-  // step.
-  ContactState sum_;       ///< of the partition, slip and creepage as displacements  [mm]
-  double mean_force_ = 0;  ///< [N]
-  double work_ = 0;        ///< of the force  [N]
-
-  // Of the part of a step that is being solved.
-  SlipConditions conditions_;
-  ContactState contact_;
-  Eigen::VectorXd displacement_;  ///< of the mean over partitions  [mm]
+  Step next_;                   ///< that was solved last
+  std::array<Step, 2> slopes_;  ///< of it, by its load and by its length
+  bool has_slopes_ = false;
+  ContactState sum_;  ///< of its partition, slip and creepage as displacements  [mm]
 };
 
 }  // namespace microslip

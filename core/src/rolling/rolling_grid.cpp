@@ -2,6 +2,7 @@
 #include "rolling_grid.hpp"
 
 #include <cmath>
+#include <stdexcept>
 #include <variant>
 
 #include "contact_grid.hpp"
@@ -67,6 +68,12 @@ Shift RollingGrid::fill_shift(double distance, const VectorXd& before, const Con
           .slip = slip,
           .dissipation = above_mean - mean_force.dot(slip),
           .work = above_mean - mean_force.sum() * contact.creepage};
+}
+
+void require_no_jacobian(const StepJacobian* jacobian) {
+  if (jacobian == nullptr) return;
+  throw std::invalid_argument(
+      "scheme: expected 'remembered', which alone has derivatives of its steps");
 }
 
 VectorXd ratio_to_bound(const TractionBound& bound, const VectorXd& x, const VectorXd& traction) {

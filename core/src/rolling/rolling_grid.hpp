@@ -8,6 +8,7 @@
 
 #include "microslip/friction/active_set.hpp"
 #include "microslip/rolling/shift.hpp"
+#include "microslip/rolling/step_jacobian.hpp"
 #include "microslip/rolling/transient_problem.hpp"
 
 namespace microslip {
@@ -56,11 +57,13 @@ class RollingGrid {
 
   /// Solves a step, and stays where it is.
   /// \param before  the state now
-  /// \param length  dq  [mm]
-  /// \param after   out
-  /// \throws std::invalid_argument for a length outside the range, and as ActiveSet::solve
+  /// \param length    dq  [mm]
+  /// \param after     out
+  /// \param jacobian  out, may be null
+  /// \throws std::invalid_argument for a length outside the range, for a Jacobian by a scheme
+  ///                               that has none, and as ActiveSet::solve
   virtual void solve_step(const TransientState& before, double length, const Load& load,
-                          TransientState& after) = 0;
+                          TransientState& after, StepJacobian* jacobian) = 0;
 
   /// Moves to the end of the step or shift that was solved last.
   virtual void accept_step() {}
@@ -94,6 +97,9 @@ class RollingGrid {
   Eigen::VectorXd x_, bound_, weights_;
   ActiveSet active_set_;
 };
+
+/// \throws std::invalid_argument unless null
+void require_no_jacobian(const StepJacobian* jacobian);
 
 /// Whether the zone of an element is adhesion.
 inline bool sticks(const std::vector<Zone>& zones, Eigen::Index i) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <unsupported/Eigen/AutoDiff>
 
 namespace microslip {
 
@@ -14,19 +16,31 @@ namespace {
 /// Nodes that stick from the first one on, for the mean to be taken.
 constexpr Index fewest = 5;
 
+/// A number and its two derivatives.
+using Sloped = Eigen::AutoDiffScalar<Eigen::Vector2d>;
+
+template <class Scalar>
+Scalar clamped(const Scalar& x, double low, double high) {
+  if (x < low) return Scalar(low);
+  if (x > high) return Scalar(high);
+  return x;
+}
+
 /// Weights of the partitions before the one behind the point, of that one, and of the next two.
-std::array<double, 4> convolution(double y) {
-  const double y2 = y * y;
-  const double y3 = y2 * y;
+template <class Scalar>
+std::array<Scalar, 4> convolution(const Scalar& y) {
+  const Scalar y2 = y * y;
+  const Scalar y3 = y2 * y;
   return {-y / 2 + y2 - y3 / 2, 1 - 2.5 * y2 + 1.5 * y3, y / 2 + 2 * y2 - 1.5 * y3, (y3 - y2) / 2};
 }
 
 /// The same where adhesion has no partition before: that of the whole contact is exact for the
 /// smallest loads, and the others come in with the square of the slip zone.
-std::array<double, 4> convolution_at_edge(double y) {
-  const double y2 = y * y;
-  const double y3 = y2 * y;
-  return {0, 1 - 2 * y2 + y3, 3 * y2 - 2 * y3, y3 - y2};
+template <class Scalar>
+std::array<Scalar, 4> convolution_at_edge(const Scalar& y) {
+  const Scalar y2 = y * y;
+  const Scalar y3 = y2 * y;
+  return {Scalar(0), 1 - 2 * y2 + y3, 3 * y2 - 2 * y3, y3 - y2};
 }
 
 }  // namespace
@@ -43,27 +57,38 @@ StickSlipPoint::StickSlipPoint(const LeadingEdgeConstants& edge)
                   (edge.layer[0] * std::sqrt(edge.offset)) -
               1) {}
 
-StickSlipPoint::Root StickSlipPoint::root_of(const SlipConditions& conditions,
-                                             const ContactState& contact, double direction) const {
-  const auto below_bound = [&](Index i) {
-    return std::max(0.0, conditions.bound[i] - direction * contact.traction[i]);
-  };
-  const double first = below_bound(stuck_);
-  return {first, below_bound(stuck_ + 1) - second_ * first};
+/// Of a derivative, bounds are 0.
+double StickSlipPoint::left(const SlipConditions* conditions, const ContactState& contact,
+                            Index neighbour) const {
+  const Index node = stuck_ + neighbour;
+  if (node < 0) return 0;
+  if (neighbour < 0) return -contact.slip[node];
+  return (conditions == nullptr ? 0 : conditions->bound[node]) -
+         direction_ * contact.traction[node];
+}
+
+template <class Scalar>
+StickSlipPoint::Root<Scalar> StickSlipPoint::root_of(const Left<Scalar>& left) const {
+  constexpr double any = std::numeric_limits<double>::infinity();
+  const Scalar first = clamped(left[2], 0, any);
+  const Scalar next = clamped(left[3], 0, any);
+  return {first, next - second_ * first};
 }
 
 /// With the coefficients A of the regular square root and B of the singular one, the point is
 /// -B/A elements from where the partition would have it without the singular one, and that is half
 /// an element behind its natural end.
-StickSlipPoint::Place StickSlipPoint::place_of(const SlipConditions& conditions,
-                                               const Root& root) const {
+/// \param bound  of the first node
+template <class Scalar>
+StickSlipPoint::Place<Scalar> StickSlipPoint::place_of(const Root<Scalar>& root,
+                                                       double bound) const {
   if (stuck_ == 0) {
     // All that sticks: the slip zone begins to take a node when its mean traction is at the bound.
-    const double bound = conditions.bound[0];
-    return {0, bound > 0 ? (1 - std::min(1.0, root.first / bound)) / 2 : 0};
+    if (bound <= 0) return {0, Scalar(0)};
+    return {0, clamped<Scalar>((1 - root.first / bound) / 2, 0, 0.5)};
   }
-  const double beyond =
-      root.regular > 0 ? std::clamp(1 - root.first / root.regular, 0.0, 1.0) : 0.0;
+  Scalar beyond(0);
+  if (root.regular > 0) beyond = clamped<Scalar>(1 - root.first / root.regular, 0, 1);
   if (beyond >= 0.5) return {stuck_, beyond - 0.5};
   return {stuck_ - 1, beyond + 0.5};
 }
@@ -95,28 +120,26 @@ const StickSlipPoint::Response& StickSlipPoint::response(ActiveSet& active_set, 
   return found;
 }
 
-/// What the neighbours nearest to the end have to change so that adhesion begins `moved` nodes
-/// further on, or further back: traction where they stick instead, slip where they slip instead.
-std::array<double, 2> StickSlipPoint::changes(ActiveSet& active_set,
-                                              const SlipConditions& conditions,
-                                              const ContactState& contact, Index moved,
-                                              double direction) {
+/// The changes of the neighbours nearest to the end, and next to them, with which adhesion begins
+/// `moved` nodes further on, or further back: traction where they stick instead, slip where they
+/// slip instead.
+template <class Scalar>
+std::array<Scalar, 2> StickSlipPoint::changes(ActiveSet& active_set, const Left<Scalar>& left,
+                                              Index moved) {
   const bool slips = moved > 0;
   const Index nearest = slips ? 0 : -1;
   const Index next = slips ? 1 : -2;
-  const auto left = [&](Index neighbour) {
-    const Index node = stuck_ + neighbour;
-    return slips ? direction * conditions.bound[node] - contact.traction[node]
-                 : -contact.slip[node];
+  const auto left_at = [&](Index neighbour) -> Scalar {
+    return (slips ? direction_ : 1.0) * left[static_cast<std::size_t>(neighbour + 2)];
   };
   const auto entry = [&](Index neighbour, Index by) {
     const Response& r = response(active_set, by);
     return slips ? r.traction[stuck_ + neighbour] : r.slip[stuck_ + neighbour];
   };
-  if (std::abs(moved) == 1) return {left(nearest) / entry(nearest, nearest), 0};
+  if (std::abs(moved) == 1) return {left_at(nearest) / entry(nearest, nearest), Scalar(0)};
   const double a = entry(nearest, nearest), b = entry(nearest, next);
   const double c = entry(next, nearest), d = entry(next, next);
-  const double f = left(nearest), g = left(next);
+  const Scalar f = left_at(nearest), g = left_at(next);
   const double determinant = a * d - b * c;
   return {(f * d - b * g) / determinant, (a * g - c * f) / determinant};
 }
@@ -126,16 +149,56 @@ std::array<double, 2> StickSlipPoint::changes(ActiveSet& active_set,
 /// bound is rough, there is no square root to go by.
 /// \return the part of the mean to take: 1 up to a difference of a quarter of A, 0 from three
 ///         quarters on
-double StickSlipPoint::trust(ActiveSet& active_set, const SlipConditions& conditions,
-                             const ContactState& contact, const Root& root, double direction) {
-  if (root.regular <= 0) return 0;
-  const double above = direction * changes(active_set, conditions, contact, -1, direction)[0];
-  const double expected = root.regular - root.first;
-  return std::clamp(1.5 - 2 * std::abs(above - expected) / root.regular, 0.0, 1.0);
+template <class Scalar>
+Scalar StickSlipPoint::trust(ActiveSet& active_set, const Left<Scalar>& left,
+                             const Root<Scalar>& root) {
+  if (stuck_ == 0) return Scalar(1);
+  if (root.regular <= 0) return Scalar(0);
+  const Scalar above = direction_ * changes(active_set, left, -1)[0];
+  const Scalar expected = root.regular - root.first;
+  Scalar difference = above - expected;
+  if (difference < 0) difference = -difference;
+  return clamped<Scalar>(1.5 - 2 * difference / root.regular, 0, 1);
+}
+
+/// The changes of the neighbours of the end that lead from the partition to the mean.
+/// \param bound  of the first node
+template <class Scalar>
+std::array<Scalar, 4> StickSlipPoint::change(ActiveSet& active_set, const Left<Scalar>& left,
+                                             double bound) {
+  std::array<Scalar, 4> sum{Scalar(0), Scalar(0), Scalar(0), Scalar(0)};
+  const Root<Scalar> root = root_of(left);
+  const Scalar part = trust(active_set, left, root);
+  if (part == 0) return sum;
+  const Place<Scalar> place = place_of(root, bound);
+  const auto weights =
+      place.partition == 0 ? convolution_at_edge(place.fraction) : convolution(place.fraction);
+  for (Index k = 0; k < 4; ++k) {
+    const Index moved = place.partition - 1 + k - stuck_;
+    if (moved == 0 || stuck_ + moved < 0) continue;
+    const Scalar weight = part * weights[static_cast<std::size_t>(k)];
+    const auto [nearest, next] = changes(active_set, left, moved);
+    sum[moved > 0 ? 2 : 1] += weight * nearest;
+    sum[moved > 0 ? 3 : 0] += weight * next;
+  }
+  return sum;
+}
+
+void StickSlipPoint::add(RolledContact& rolled, const std::array<double, 4>& change) const {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double by = change[k];
+    if (by == 0) continue;
+    const Response& r = responses_[k];
+    rolled.contact.traction += by * r.traction;
+    rolled.contact.creepage += by * r.creepage;
+    rolled.displacement += by * (r.slip.array() - r.creepage).matrix();
+  }
 }
 
 void StickSlipPoint::average(ActiveSet& active_set, const SlipConditions& conditions,
-                             const Load& load, ContactState& contact, VectorXd& displacement) {
+                             const Load& load, RolledContact& rolled,
+                             std::span<RolledContact* const> slopes) {
+  const ContactState& contact = rolled.contact;
   const auto n = static_cast<Index>(contact.zones.size());
   const Index stuck = first_stuck(contact.zones);
   if (stuck + fewest >= n) return;
@@ -148,33 +211,30 @@ void StickSlipPoint::average(ActiveSet& active_set, const SlipConditions& condit
                                                           : Load(PrescribedCreepage{0});
     for (Response& r : responses_) r.known = false;
   }
-  double direction = contact.traction[0] < 0 ? -1 : 1;
+  direction_ = contact.traction[0] < 0 ? -1 : 1;
   if (stuck > 0) {
-    direction = static_cast<double>(contact.zones[static_cast<std::size_t>(stuck) - 1]);
+    direction_ = static_cast<double>(contact.zones[static_cast<std::size_t>(stuck) - 1]);
   }
 
-  const Root root = root_of(conditions, contact, direction);
-  const Place place = place_of(conditions, root);
-  const auto weights =
-      place.partition == 0 ? convolution_at_edge(place.fraction) : convolution(place.fraction);
-  const double part = stuck == 0 ? 1 : trust(active_set, conditions, contact, root, direction);
-  if (part == 0) return;
-  std::array<double, 4> change{};
+  Left<double> left_now;
   for (Index k = 0; k < 4; ++k) {
-    const double weight = weights[static_cast<std::size_t>(k)];
-    const Index moved = place.partition - 1 + k - stuck;
-    if (weight == 0 || moved == 0) continue;
-    const auto [nearest, next] = changes(active_set, conditions, contact, moved, direction);
-    change[moved > 0 ? 2 : 1] += weight * nearest;
-    change[moved > 0 ? 3 : 0] += weight * next;
+    left_now[static_cast<std::size_t>(k)] = left(&conditions, contact, k - 2);
   }
+  if (slopes.empty()) {
+    add(rolled, change(active_set, left_now, conditions.bound[0]));
+    return;
+  }
+  Left<Sloped> sloped;
   for (Index k = 0; k < 4; ++k) {
-    const double by = part * change[static_cast<std::size_t>(k)];
-    if (by == 0) continue;
-    const Response& r = response(active_set, k - 2);
-    contact.traction += by * r.traction;
-    contact.creepage += by * r.creepage;
-    displacement += by * (r.slip.array() - r.creepage).matrix();
+    const auto at = static_cast<std::size_t>(k);
+    sloped[at] = Sloped(left_now[at], {left(nullptr, slopes[0]->contact, k - 2),
+                                       left(nullptr, slopes[1]->contact, k - 2)});
+  }
+  const std::array<Sloped, 4> sum = change(active_set, sloped, conditions.bound[0]);
+  add(rolled, {sum[0].value(), sum[1].value(), sum[2].value(), sum[3].value()});
+  for (Index i = 0; i < 2; ++i) {
+    const auto of = [&](std::size_t k) { return sum[k].derivatives()[i]; };
+    add(*slopes[static_cast<std::size_t>(i)], {of(0), of(1), of(2), of(3)});
   }
 }
 

@@ -3,12 +3,19 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <span>
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
 #include "microslip/spectrum/leading_edge.hpp"
 
 namespace microslip {
+
+/// A contact as a partition has it, and then as the mean over partitions has it; or its derivative.
+struct RolledContact {
+  ContactState contact;
+  Eigen::VectorXd displacement;  ///< response times traction, n  [mm]
+};
 
 /// The stick-slip point at the trailing end of adhesion, anywhere within an element.
 ///
@@ -26,18 +33,20 @@ class StickSlipPoint {
  public:
   explicit StickSlipPoint(const LeadingEdgeConstants& edge);
 
-  /// Replaces traction and creepage of a contact by those of the mean; zones and slip stay. Without
-  /// five nodes in adhesion at the end, all stays.
-  /// \param active_set    that solved the contact, whose response is influence
-  /// \param contact       the solution of the conditions, in and out
-  /// \param displacement  response times traction, n, in and out  [mm]
+  /// Replaces traction, creepage and displacement of a contact by those of the mean; zones and slip
+  /// stay. Without five nodes in adhesion at the end, all stays.
+  /// \param active_set  that solved the contact, whose response is influence
+  /// \param rolled      the solution of the conditions, in and out
+  /// \param slopes      its derivatives, in and out: none or two
   void average(ActiveSet& active_set, const SlipConditions& conditions, const Load& load,
-               ContactState& contact, Eigen::VectorXd& displacement);
+               RolledContact& rolled, std::span<RolledContact* const> slopes = {});
 
  private:
+  /// The place of the point; a scalar is a number, or a number with two derivatives.
+  template <class Scalar>
   struct Place {
     Eigen::Index partition;  ///< whose natural end is behind the point
-    double fraction;         ///< of an element from there, in [0, 1]
+    Scalar fraction;         ///< of an element from there, in [0, 1]
   };
 
   /// A change of one neighbour of the end: unit slip of one in adhesion, unit traction of another.
@@ -48,21 +57,34 @@ class StickSlipPoint {
     double creepage = 0;
   };
 
-  /// Tractions below the bound at the first node in adhesion, and the coefficient A of the regular
+  /// What is left at the neighbours of the end, two before it and two behind: by how much slip is
+  /// below 0, and traction below the bound.
+  template <class Scalar>
+  using Left = std::array<Scalar, 4>;
+
+  /// Traction below the bound at the first node in adhesion, and the coefficient A of the regular
   /// square root [N/mm^2]
+  template <class Scalar>
   struct Root {
-    double first;
-    double regular;
+    Scalar first;
+    Scalar regular;
   };
 
-  Root root_of(const SlipConditions& conditions, const ContactState& contact,
-               double direction) const;
-  Place place_of(const SlipConditions& conditions, const Root& root) const;
+  double left(const SlipConditions* conditions, const ContactState& contact,
+              Eigen::Index neighbour) const;
+  template <class Scalar>
+  Root<Scalar> root_of(const Left<Scalar>& left) const;
+  template <class Scalar>
+  Place<Scalar> place_of(const Root<Scalar>& root, double bound) const;
+  template <class Scalar>
+  std::array<Scalar, 2> changes(ActiveSet& active_set, const Left<Scalar>& left,
+                                Eigen::Index moved);
+  template <class Scalar>
+  Scalar trust(ActiveSet& active_set, const Left<Scalar>& left, const Root<Scalar>& root);
+  template <class Scalar>
+  std::array<Scalar, 4> change(ActiveSet& active_set, const Left<Scalar>& left, double bound);
   const Response& response(ActiveSet& active_set, Eigen::Index neighbour);
-  std::array<double, 2> changes(ActiveSet& active_set, const SlipConditions& conditions,
-                                const ContactState& contact, Eigen::Index moved, double direction);
-  double trust(ActiveSet& active_set, const SlipConditions& conditions, const ContactState& contact,
-               const Root& root, double direction);
+  void add(RolledContact& rolled, const std::array<double, 4>& change) const;
 
   double second_;  ///< the second node's traction over the first's, of the singular square root
 
@@ -70,6 +92,7 @@ class StickSlipPoint {
   std::vector<Zone> zones_;
   Load load_;  ///< none, of the kind of the load
   Eigen::Index stuck_ = 0;
+  double direction_ = 1;               ///< of the traction that slips before the end
   std::array<Response, 4> responses_;  ///< of nodes stuck_ - 2 ... stuck_ + 1
   SlipConditions unit_;
   ContactState answer_;

@@ -105,6 +105,7 @@ TransientRolling::TransientRolling(const TransientRolling& other)
       grid_(other.grid_->clone()),
       state_(other.state_),
       next_(other.next_),
+      solved_(other.solved_),
       creep_(other.creep_) {}
 
 TransientRolling& TransientRolling::operator=(const TransientRolling& other) {
@@ -132,6 +133,7 @@ double TransientRolling::condition() { return grid_->condition(); }
 void TransientRolling::start_from(const VectorXd& traction) {
   const VectorXd nodes = problem_.grid.nodes();
   require_within_bound(nodes, bound_at(problem_.bound, nodes), traction);
+  solved_.reset();
   grid_->start_from(traction, state_);
   creep_.start();
 }
@@ -154,6 +156,7 @@ Shift TransientRolling::shift(const ShiftLoad& load) {
                             : std::get<PrescribedForce>(load).value == state_.force) {
     return {.slip = zeros()};
   }
+  solved_.reset();
   Shift result = grid_->solve_shift(state_, whole, next_);
   std::swap(state_, next_);
   creep_.start();
@@ -161,18 +164,32 @@ Shift TransientRolling::shift(const ShiftLoad& load) {
   return result;
 }
 
-void TransientRolling::solve_step(double length, const Load& load) {
-  grid_->solve_step(state_, length, load, next_);
+void TransientRolling::solve_step(double length, const Load& load, StepJacobian* jacobian) {
+  solved_.reset();
+  grid_->solve_step(state_, length, load, next_, jacobian);
   next_.element_creepage = creep_.mean_with(length, next_.creepage);
+  solved_ = {length, load};
+}
+
+bool TransientRolling::is_solved(double length, const Load& load) const {
+  if (!solved_ || solved_->first != length || solved_->second.index() != load.index()) return false;
+  const auto value = [](const auto& l) { return l.value; };
+  return std::visit(value, solved_->second) == std::visit(value, load);
 }
 
 TransientState TransientRolling::attempt(double length, const Load& load) {
-  solve_step(length, load);
+  solve_step(length, load, nullptr);
+  return next_;
+}
+
+TransientState TransientRolling::attempt(double length, const Load& load, StepJacobian& jacobian) {
+  solve_step(length, load, &jacobian);
   return next_;
 }
 
 void TransientRolling::step(double length, const Load& load) {
-  solve_step(length, load);
+  if (!is_solved(length, load)) solve_step(length, load, nullptr);
+  solved_.reset();
   std::swap(state_, next_);
   creep_.include(length, state_.creepage);
   grid_->accept_step();

@@ -5,10 +5,13 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "microslip/rolling/recent_creep.hpp"
 #include "microslip/rolling/shift.hpp"
+#include "microslip/rolling/step_jacobian.hpp"
 #include "microslip/rolling/transient_problem.hpp"
 
 namespace microslip {
@@ -91,8 +94,14 @@ class TransientRolling {
   /// \throws std::invalid_argument outside the range, and as ActiveSet::solve
   void step(double length, const Load& load);
 
-  /// The state to which that step would lead.
+  /// The state to which that step would lead. If the same step is made next, it costs nothing.
   TransientState attempt(double length, const Load& load);
+
+  /// The same with the derivatives of that step, for the scheme Remembered. Cost: two more solves
+  /// for each element that is travelled.
+  /// \param jacobian  out
+  /// \throws std::invalid_argument for another scheme, and as step
+  TransientState attempt(double length, const Load& load, StepJacobian& jacobian);
 
   /// Rolls a distance in steps of the given lengths, in turn; the last is shortened to end there.
   /// \param distance    (0, inf)  [mm]
@@ -102,12 +111,14 @@ class TransientRolling {
             const std::function<void(const TransientState&)>& after_step);
 
  private:
-  void solve_step(double length, const Load& load);
+  void solve_step(double length, const Load& load, StepJacobian* jacobian);
+  bool is_solved(double length, const Load& load) const;
 
   TransientProblem problem_;
   std::unique_ptr<RollingGrid> grid_;
   TransientState state_{};
-  TransientState next_{};  ///< after a step that is tried
+  TransientState next_{};                          ///< after a step that is tried
+  std::optional<std::pair<double, Load>> solved_;  ///< length and load of the step to next_
   RecentCreep creep_;
 };
 
