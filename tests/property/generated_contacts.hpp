@@ -12,6 +12,8 @@
 
 namespace microslip {
 
+inline constexpr double half_width = 5;  ///< of generated contacts  [mm]
+
 /// A contact and a load that nobody chose.
 struct GeneratedContact {
   std::string kind;  ///< of its bound
@@ -42,7 +44,6 @@ class ContactGenerator {
     TractionBound bound;
   };
 
-  static constexpr double half_width = 5;
   static constexpr double peak = 300;
   static constexpr Material material{82000, 0.28};
 
@@ -152,6 +153,23 @@ class ContactGenerator {
 inline unsigned seed_of_tests() {
   const char* given = std::getenv("MICROSLIP_SEED");
   return given == nullptr ? 1 : static_cast<unsigned>(std::atoi(given));
+}
+
+/// Transients need plane strain in which no load yields against itself.
+inline bool rolls_transiently(const SteadyContact& contact) {
+  const auto* plane = std::get_if<PlaneKernel>(&contact.kernel);
+  return plane == nullptr || plane->length() >= 2 * half_width;
+}
+
+/// By 100 elements.
+inline double steady_creepage(const SteadyContact& contact) {
+  const Grid grid({.half_width = half_width, .elements = 100});
+  return solve_steady(whole_contact({.kernel = contact.kernel,
+                                     .bound = contact.bound,
+                                     .grid = grid,
+                                     .basis = constant_basis(),
+                                     .load = contact.load}))
+      .creepage;
 }
 
 }  // namespace microslip

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -202,31 +201,6 @@ TEST(MaterialFixed, AnySequenceOfStepsMeetsTheContactConditions) {
   }
 }
 
-TEST(MaterialFixed, AnAttemptChangesNothing) {
-  TransientRolling rolling = rolled_from_shift(0.37, 10, 40);
-  const TransientState tried = rolling.attempt(0.11, PrescribedCreepage{0.3});
-  rolling.attempt(0.04, PrescribedCreepage{-0.3});
-  rolling.step(0.11, PrescribedCreepage{0.3});
-  EXPECT_EQ(rolling.state().traction, tried.traction);
-  EXPECT_EQ(rolling.state().force, tried.force);
-  EXPECT_EQ(rolling.state().zones, tried.zones);
-}
-
-// Tractions on the grid are taken for a part of the bound.
-TEST(MaterialFixed, StartsFromTractionsOnTheGrid) {
-  TransientRolling rolling(problem(40));
-  const Eigen::VectorXd nodes = problem(40).grid.nodes();
-  const Eigen::VectorXd bound = bound_at(HertzBound(1, 1), nodes);
-  rolling.start_from(-bound);
-  EXPECT_NEAR(rolling.state().force, -full_sliding, 1e-12);
-  EXPECT_EQ(rolling.state().adhesion_elements, 0);
-  rolling.start_from(Eigen::VectorXd(0.4 * bound.cwiseProduct(nodes)));
-  for (Eigen::Index i = 2; i < 40; ++i) {
-    EXPECT_NEAR(rolling.state().traction[i], 0.4 * rolling.bound()[i] * rolling.x()[i], 1e-12);
-  }
-  EXPECT_THROW(rolling.start_from(1.1 * bound), std::invalid_argument);
-}
-
 // Means of the bound are differences of its integral: 1e-12 dx would leave one digit.
 TEST(MaterialFixed, TinyStepsKeepTheirDigits) {
   double first = 0;
@@ -264,17 +238,6 @@ TEST(MaterialFixed, TheWindowStaysAsLargeAsTheContact) {
   }
 }
 
-TEST(MaterialFixed, WantsConstantFunctionsThatFillTheContact) {
-  TransientProblem p = problem();
-  p.basis = linear_basis();
-  EXPECT_THROW(TransientRolling{p}, std::invalid_argument);
-  p = problem();
-  p.grid = Grid({.half_width = 1, .elements = 41, .leading_offset = 1});
-  EXPECT_THROW(TransientRolling{p}, std::invalid_argument);
-  EXPECT_THROW(TransientRolling{problem(1)}, std::invalid_argument);
-  EXPECT_NO_THROW(TransientRolling{problem(2)});
-}
-
 // After four contact widths Carter's solution is there, up to the last node, at any phase.
 TEST(MaterialRolling, ValuesAtTheNodesAreThoseOfTheTraction) {
   const HertzBound bound(1, 1);
@@ -302,24 +265,6 @@ TEST(MaterialRolling, ValuesAtTheNodesAreThoseOfTheTraction) {
       EXPECT_NEAR(values[i], exact.traction(x), 0.02 * std::abs(exact.traction(x))) << x;
     }
   }
-}
-
-// Rounding of the distance would split each of them in two, after some ten thousand.
-TEST(MaterialRolling, ManyStepsOfWholeElementsStayWhole) {
-  const Eigen::Index n = 20;
-  TransientRolling rolling({.kernel = PlaneKernel({1, 0.28}, 200),
-                            .bound = HertzBound(1, 1),
-                            .grid = Grid({.half_width = 1, .elements = n}),
-                            .basis = constant_basis(),
-                            .scheme = MaterialFixed{}},
-                           CattaneoShift{-1});
-  for (int step = 0; step < 30000; ++step) {
-    rolling.step(2.0 / n * 1.3, PrescribedForce{-1});
-    rolling.step(2.0 / n * 0.7, PrescribedForce{-1});
-  }
-  EXPECT_NEAR(rolling.state().distance, 60000 * 2.0 / n, 1e-10);
-  rolling.step(2.0 / n, PrescribedForce{-1});
-  EXPECT_EQ(rolling.state().iterations, 1);
 }
 
 }  // namespace

@@ -5,10 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <stdexcept>
 #include <vector>
 
-#include "microslip/reference/carter.hpp"
 #include "microslip/rolling/transient.hpp"
 
 namespace microslip {
@@ -29,14 +27,6 @@ TransientProblem problem(Index n = 41) {
 }
 
 double spacing_of(const TransientRolling& rolling) { return rolling.x()[1] - rolling.x()[0]; }
-
-TransientRolling rolled_from_shift(double step_ratio, double elements, Index n,
-                                   const Load& load = PrescribedForce{-0.64 * full_sliding}) {
-  TransientRolling rolling(problem(n), CattaneoShift{-0.64 * full_sliding});
-  const double dx = spacing_of(rolling);
-  rolling.roll(elements * dx, {step_ratio * dx}, load, [](const TransientState&) {});
-  return rolling;
-}
 
 double largest_difference(const VectorXd& a, const VectorXd& b) {
   return (a - b).lpNorm<Eigen::Infinity>();
@@ -112,54 +102,6 @@ TEST(Remembered, AnySequenceOfStepsMeetsTheContactConditions) {
   // Of the mean, at nodes next to the stick-slip point: a tenth of the distance of the next to the
   // bound.
   EXPECT_LT(excess, 0.12);
-}
-
-TEST(Remembered, AnAttemptChangesNothing) {
-  TransientRolling rolling = rolled_from_shift(0.37, 10, 40);
-  const TransientState tried = rolling.attempt(0.11, PrescribedCreepage{0.3});
-  rolling.attempt(0.04, PrescribedCreepage{-0.3});
-  rolling.step(0.11, PrescribedCreepage{0.3});
-  EXPECT_LT(largest_difference(rolling.state().traction, tried.traction), 1e-13);
-  EXPECT_NEAR(rolling.state().force, tried.force, 1e-13);
-  EXPECT_EQ(rolling.state().zones, tried.zones);
-}
-
-TEST(Remembered, StartsFromTractionsOnTheGrid) {
-  TransientRolling rolling(problem(40));
-  const VectorXd nodes = problem(40).grid.nodes();
-  const VectorXd bound = bound_at(HertzBound(1, 1), nodes);
-  rolling.start_from(-bound);
-  EXPECT_NEAR(rolling.state().force, -full_sliding, 1e-12);
-  EXPECT_EQ(rolling.state().adhesion_elements, 0);
-  rolling.start_from(VectorXd(0.4 * bound.cwiseProduct(nodes)));
-  for (Index i = 2; i < 39; ++i) {
-    EXPECT_NEAR(rolling.state().traction[i], 0.4 * rolling.bound()[i] * rolling.x()[i], 1e-12);
-  }
-  EXPECT_THROW(rolling.start_from(1.1 * bound), std::invalid_argument);
-}
-
-TEST(Remembered, WantsConstantFunctionsThatFillTheContact) {
-  TransientProblem p = problem();
-  p.basis = linear_basis();
-  EXPECT_THROW(TransientRolling{p}, std::invalid_argument);
-  p = problem();
-  p.grid = Grid({.half_width = 1, .elements = 41, .leading_offset = 1});
-  EXPECT_THROW(TransientRolling{p}, std::invalid_argument);
-  EXPECT_THROW(TransientRolling{problem(3)}, std::invalid_argument);
-  EXPECT_NO_THROW(TransientRolling{problem(4)});
-}
-
-// Rounding of the distance would split each of them in two, after some ten thousand.
-TEST(Remembered, ManyStepsOfWholeElementsStayWhole) {
-  TransientRolling rolling(problem(20), CattaneoShift{-1});
-  const double dx = spacing_of(rolling);
-  for (int step = 0; step < 30000; ++step) {
-    rolling.step(dx * 1.3, PrescribedForce{-1});
-    rolling.step(dx * 0.7, PrescribedForce{-1});
-  }
-  EXPECT_NEAR(rolling.state().distance, 60000 * dx, 1e-9);
-  rolling.step(dx, PrescribedForce{-1});
-  EXPECT_EQ(rolling.state().iterations, 1);
 }
 
 // After ten contact widths Carter's solution is there, for any load and number of elements.
