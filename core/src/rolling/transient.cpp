@@ -195,12 +195,13 @@ void TransientRolling::step(double length, const Load& load) {
   grid_->accept_step();
 }
 
-void TransientRolling::roll(double distance, const std::vector<double>& lengths, const Load& load,
+void TransientRolling::roll(double distance, const std::vector<double>& lengths,
+                            const LoadHistory& loads,
                             const std::function<void(const TransientState&)>& after_step) {
   const Schedule schedule(distance, lengths);
   const double start = state_.distance;
   for (std::size_t k = 0;; ++k) {
-    step(schedule.length(k), load);
+    step(schedule.length(k), loads.between(schedule.begin(k), schedule.end(k)));
     state_.distance = start + schedule.end(k);  // the same place, with fewer rounding errors
     grid_->move_to(state_.distance);
     after_step(state_);

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "microslip/rolling/load_history.hpp"
 #include "microslip/rolling/recent_creep.hpp"
 #include "microslip/rolling/shift.hpp"
 #include "microslip/rolling/step_jacobian.hpp"
@@ -104,10 +105,11 @@ class TransientRolling {
   TransientState attempt(double length, const Load& load, StepJacobian& jacobian);
 
   /// Rolls a distance in steps of the given lengths, in turn; the last is shortened to end there.
-  /// \param distance    (0, inf)  [mm]
+  /// \param distance    (0, inf), at most that of the loads  [mm]
   /// \param lengths     dq, at least one, each as for step()  [mm]
+  /// \param loads       of the distance from here on
   /// \param after_step  called after each
-  void roll(double distance, const std::vector<double>& lengths, const Load& load,
+  void roll(double distance, const std::vector<double>& lengths, const LoadHistory& loads,
             const std::function<void(const TransientState&)>& after_step);
 
  private:

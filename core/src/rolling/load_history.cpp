@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/rolling/load_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip {
+
+using Eigen::Array3d;
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+std::string named(Index row, const std::string& column) {
+  return "row " + std::to_string(row + 1) + ": " + column;
+}
+
+void require_finite(const VectorXd& column, Index rows, const std::string& name) {
+  require(column.size() == rows, "number of rows of " + name, static_cast<double>(column.size()),
+          [&] { return std::to_string(rows) + ", as of the first column"; });
+  for (Index i = 0; i < rows; ++i) {
+    if (!std::isfinite(column[i])) require(false, named(i, name), column[i], "a finite number");
+  }
+}
+
+void require_ascending(const VectorXd& column, const std::string& name) {
+  for (Index i = 1; i < column.size(); ++i) {
+    if (column[i] > column[i - 1]) continue;
+    require(false, named(i, name), column[i],
+            "more than " + format_short(column[i - 1]) + " of the row before");
+  }
+}
+
+/// \throws std::invalid_argument unless the columns go together
+void require_columns(const RunRows& rows) {
+  if (rows.distance.has_value() == rows.time.has_value()) {
+    throw std::invalid_argument("columns: expected either q or t");
+  }
+  const int loads = int(rows.creepage.has_value()) + int(rows.force.has_value()) +
+                    int(rows.angular_velocity.has_value());
+  if (loads != 1) {
+    throw std::invalid_argument("columns: expected one of creepage, force and omega");
+  }
+  if (rows.time.has_value() != rows.velocity.has_value()) {
+    throw std::invalid_argument("columns: expected v where there is t, and only there");
+  }
+  if (rows.angular_velocity && rows.distance) {
+    throw std::invalid_argument("columns: expected t and v where there is omega");
+  }
+}
+
+/// The slopes of linear functions from row to row.
+std::vector<double> slopes(const std::vector<double>& values, const std::vector<double>& lengths) {
+  std::vector<double> found;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    found.push_back((values[i + 1] - values[i]) / lengths[i]);
+  }
+  return found;
+}
+
+std::vector<double> in_std(const VectorXd& values) { return {values.begin(), values.end()}; }
+
+}  // namespace
+
+LoadHistory::LoadHistory(const RunRows& rows) {
+  require_columns(rows);
+  const VectorXd& along = rows.time ? *rows.time : *rows.distance;
+  const std::string name = rows.time ? "t" : "q";
+  const Index n = along.size();
+  require(n >= 2, "number of rows", static_cast<double>(n), "at least 2");
+  require_finite(along, n, name);
+  require_ascending(along, name);
+  for (Index i = 1; i < n; ++i) lengths_.push_back(along[i] - along[i - 1]);
+  speed_.assign(static_cast<std::size_t>(n), 1);
+  if (rows.velocity) {
+    require_finite(*rows.velocity, n, "v");
+    for (Index i = 0; i < n; ++i) {
+      const double v = (*rows.velocity)[i];
+      if (!(v > 0)) require(false, named(i, "v"), v, "a velocity above 0: bodies that roll on");
+    }
+    speed_ = in_std(*rows.velocity);
+  }
+  distances_ = {0};
+  for (std::size_t i = 0; i < lengths_.size(); ++i) {
+    distances_.push_back(distances_[i] + lengths_[i] * (speed_[i] + speed_[i + 1]) / 2);
+  }
+
+  if (rows.force) {
+    require_finite(*rows.force, n, "force");
+    force_ = in_std(*rows.force);
+    return;
+  }
+  const std::vector<double> acceleration = slopes(speed_, lengths_);
+  if (rows.creepage) {
+    require_finite(*rows.creepage, n, "creepage");
+    const std::vector<double> creepage = in_std(*rows.creepage);
+    const std::vector<double> change = slopes(creepage, lengths_);
+    for (std::size_t i = 0; i < lengths_.size(); ++i) {
+      shift_rate_.emplace_back(creepage[i] * speed_[i],
+                               creepage[i] * acceleration[i] + change[i] * speed_[i],
+                               change[i] * acceleration[i]);
+    }
+    return;
+  }
+  require_finite(*rows.angular_velocity, n, "omega");
+  require_positive("radius", rows.radius);
+  const std::vector<double> slip = in_std(*rows.velocity - rows.radius * *rows.angular_velocity);
+  const std::vector<double> change = slopes(slip, lengths_);
+  for (std::size_t i = 0; i < lengths_.size(); ++i) shift_rate_.emplace_back(slip[i], change[i], 0);
+}
+
+double LoadHistory::distance() const {
+  return constant_ ? std::numeric_limits<double>::infinity() : distances_.back();
+}
+
+/// A distance is quadratic in time from a row on.
+LoadHistory::Place LoadHistory::place_of(double distance) const {
+  const auto next = std::upper_bound(distances_.begin() + 1, distances_.end() - 1, distance);
+  const auto row = static_cast<std::size_t>(next - distances_.begin()) - 1;
+  const double speed = speed_[row];
+  const double acceleration = (speed_[row + 1] - speed) / lengths_[row];
+  const double rolled = distance - distances_[row];
+  const double speed_there = std::sqrt(std::max(0.0, speed * speed + 2 * acceleration * rolled));
+  return {row, std::min(lengths_[row], 2 * rolled / (speed + speed_there))};
+}
+
+/// The rigid shift between two places of a row  [mm]
+double LoadHistory::shift_within(std::size_t row, double from, double to) const {
+  const Array3d& rate = shift_rate_[row];
+  const Array3d means(1, (from + to) / 2, (from * from + from * to + to * to) / 3);
+  return (to - from) * (rate * means).sum();
+}
+
+double LoadHistory::force_at(double distance) const {
+  const Place at = place_of(distance);
+  return std::lerp(force_[at.row], force_[at.row + 1], at.since / lengths_[at.row]);
+}
+
+Load LoadHistory::at(double distance) const {
+  if (constant_) return *constant_;
+  if (!force_.empty()) return PrescribedForce{force_at(distance)};
+  const Place there = place_of(distance);
+  const Array3d& rate = shift_rate_[there.row];
+  const double speed =
+      std::lerp(speed_[there.row], speed_[there.row + 1], there.since / lengths_[there.row]);
+  return PrescribedCreepage{(rate[0] + there.since * (rate[1] + there.since * rate[2])) / speed};
+}
+
+Load LoadHistory::between(double from, double to) const {
+  if (constant_) return *constant_;
+  if (!force_.empty()) return PrescribedForce{force_at(to)};
+  const Place begin = place_of(from);
+  const Place end = place_of(to);
+  if (begin.row == end.row) {
+    return PrescribedCreepage{shift_within(begin.row, begin.since, end.since) / (to - from)};
+  }
+  double shift = shift_within(begin.row, begin.since, lengths_[begin.row]);
+  for (std::size_t row = begin.row + 1; row < end.row; ++row) {
+    shift += shift_within(row, 0, lengths_[row]);
+  }
+  shift += shift_within(end.row, 0, end.since);
+  return PrescribedCreepage{shift / (to - from)};
+}
+
+}  // namespace microslip

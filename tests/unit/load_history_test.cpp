@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Loads of steps from rows of a run, against sums over many short parts of the linear functions.
+#include "microslip/rolling/load_history.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+namespace microslip {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+double creepage_of(const Load& load) { return std::get<PrescribedCreepage>(load).value; }
+
+VectorXd ascending(Index n, std::mt19937& random) {
+  std::exponential_distribution<double> gap(1);
+  VectorXd values(n);
+  double sum = 3;  // rows need not begin at 0
+  for (double& value : values) value = sum += 0.01 + gap(random);
+  return values;
+}
+
+VectorXd uniform(Index n, double from, double to, std::mt19937& random) {
+  std::uniform_real_distribution<double> value(from, to);
+  return VectorXd::NullaryExpr(n, [&] { return value(random); });
+}
+
+/// Linear between rows.
+double value_at(const VectorXd& at, const VectorXd& values, double where) {
+  Index i = 0;
+  while (i + 2 < at.size() && at[i + 1] <= where) ++i;
+  return values[i] + (values[i + 1] - values[i]) * (where - at[i]) / (at[i + 1] - at[i]);
+}
+
+/// Distance and shift after each of many short parts of a run.
+struct Sums {
+  VectorXd distance;
+  VectorXd shift;
+};
+
+Sums summed(const VectorXd& along, const std::function<double(double)>& speed,
+            const std::function<double(double)>& shift_rate) {
+  constexpr Index parts = 200000;
+  const double part = (along[along.size() - 1] - along[0]) / parts;
+  Sums sums{VectorXd::Zero(parts + 1), VectorXd::Zero(parts + 1)};
+  for (Index i = 0; i < parts; ++i) {
+    const double middle = along[0] + (static_cast<double>(i) + 0.5) * part;
+    sums.distance[i + 1] = sums.distance[i] + part * speed(middle);
+    sums.shift[i + 1] = sums.shift[i] + part * shift_rate(middle);
+  }
+  return sums;
+}
+
+void expect_mean_creepage(const LoadHistory& history, const Sums& sums, std::mt19937& random) {
+  EXPECT_NEAR(history.distance() / sums.distance[sums.distance.size() - 1], 1, 1e-8);
+  std::uniform_int_distribution<Index> any(0, sums.distance.size() - 1);
+  for (int k = 0; k < 200; ++k) {
+    const Index i = any(random), j = any(random);
+    if (std::abs(i - j) < 20) continue;
+    const Index from = std::min(i, j), to = std::max(i, j);
+    const double rolled = sums.distance[to] - sums.distance[from];
+    const double expected = (sums.shift[to] - sums.shift[from]) / rolled;
+    EXPECT_NEAR(creepage_of(history.between(sums.distance[from],
+                                            std::min(sums.distance[to], history.distance()))),
+                expected, 1e-5);
+  }
+}
+
+TEST(LoadHistory, OverDistanceIsTheMeanOfTheCreepage) {
+  std::mt19937 random(1);
+  RunRows rows;
+  rows.distance = ascending(20, random);
+  rows.creepage = uniform(20, -0.3, 0.3, random);
+  const auto creepage = [&](double q) { return value_at(*rows.distance, *rows.creepage, q); };
+  expect_mean_creepage(LoadHistory(rows),
+                       summed(
+                           *rows.distance, [](double) { return 1.0; }, creepage),
+                       random);
+}
+
+TEST(LoadHistory, OverTimeIsTheMeanOverTheDistance) {
+  std::mt19937 random(2);
+  RunRows rows;
+  rows.time = ascending(20, random);
+  rows.velocity = uniform(20, 0.5, 20, random);
+  rows.creepage = uniform(20, -0.3, 0.3, random);
+  const auto speed = [&](double t) { return value_at(*rows.time, *rows.velocity, t); };
+  const auto rate = [&](double t) { return speed(t) * value_at(*rows.time, *rows.creepage, t); };
+  expect_mean_creepage(LoadHistory(rows), summed(*rows.time, speed, rate), random);
+}
+
+TEST(LoadHistory, OfVelocitiesIsTheShiftOverTheDistance) {
+  std::mt19937 random(3);
+  RunRows rows;
+  rows.time = ascending(20, random);
+  rows.velocity = uniform(20, 5, 20, random);
+  rows.angular_velocity = VectorXd(*rows.velocity / 460 + uniform(20, -1e-3, 1e-3, random));
+  rows.radius = 460;
+  const auto speed = [&](double t) { return value_at(*rows.time, *rows.velocity, t); };
+  const auto rate = [&](double t) {
+    return speed(t) - 460 * value_at(*rows.time, *rows.angular_velocity, t);
+  };
+  expect_mean_creepage(LoadHistory(rows), summed(*rows.time, speed, rate), random);
+}
+
+TEST(LoadHistory, HasTheForceAtTheEndOfAStep) {
+  RunRows rows;
+  rows.time = VectorXd::LinSpaced(3, 10, 12);
+  rows.velocity = Eigen::Vector3d(2, 4, 4);  // q = 2 t + t^2, 3 after a second
+  rows.force = Eigen::Vector3d(-1, -3, 5);
+  const LoadHistory history(rows);
+  EXPECT_EQ(history.distances(), (std::vector<double>{0, 3, 7}));
+  EXPECT_NEAR(std::get<PrescribedForce>(history.between(0.5, 1.25)).value, -2, 1e-14);
+  EXPECT_NEAR(std::get<PrescribedForce>(history.between(0.5, 5)).value, 1, 1e-14);
+  EXPECT_EQ(std::get<PrescribedForce>(history.at(0)).value, -1);
+  EXPECT_EQ(std::get<PrescribedForce>(history.at(7)).value, 5);
+}
+
+// No sum over the whole run takes their digits.
+TEST(LoadHistory, TinyStepsKeepTheirDigits) {
+  RunRows rows;
+  rows.distance = VectorXd::LinSpaced(1001, 0, 1e6);
+  rows.creepage = VectorXd::LinSpaced(1001, 1e-3, 3e-3);
+  const LoadHistory history(rows);
+  EXPECT_NEAR(creepage_of(history.between(5e5, 5e5 + 1e-9)) / 2e-3, 1, 1e-14);
+  EXPECT_NEAR(creepage_of(history.at(5e5)) / 2e-3, 1, 1e-14);
+  EXPECT_NEAR(creepage_of(history.between(0, 1e6)) / 2e-3, 1, 1e-13);
+}
+
+TEST(LoadHistory, OfOneLoadIsThatLoad) {
+  EXPECT_EQ(creepage_of(LoadHistory(PrescribedCreepage{0.3}).between(7, 1e9)), 0.3);
+  const LoadHistory force(PrescribedForce{-4});
+  EXPECT_EQ(std::get<PrescribedForce>(force.between(7, 8)).value, -4);
+  EXPECT_EQ(force.distance(), std::numeric_limits<double>::infinity());
+}
+
+void expect_refused(const RunRows& rows, const std::string& message) {
+  try {
+    const LoadHistory history(rows);
+    ADD_FAILURE() << "accepted: " << message;
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(error.what(), message);
+  }
+}
+
+TEST(LoadHistory, NamesRowAndColumnOfWhatIsWrong) {
+  const auto with = [](VectorXd q, VectorXd w) {
+    RunRows rows;
+    rows.distance = std::move(q);
+    rows.creepage = std::move(w);
+    return rows;
+  };
+  const Eigen::Vector3d some(0, 1, 2);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  expect_refused(with(Eigen::Vector3d(0, 2, 2), some),
+                 "row 3: q = 2: expected more than 2 of the row before");
+  expect_refused(with(some, Eigen::Vector3d(0, nan, 1)),
+                 "row 2: creepage = nan: expected a finite number");
+  expect_refused(with(some, Eigen::Vector2d(0, 1)),
+                 "number of rows of creepage = 2: expected 3, as of the first column");
+  expect_refused(with(VectorXd::Zero(1), VectorXd::Zero(1)),
+                 "number of rows = 1: expected at least 2");
+  RunRows rows = with(some, some);
+  rows.force = some;
+  expect_refused(rows, "columns: expected one of creepage, force and omega");
+  rows = with(some, some);
+  rows.velocity = some;
+  expect_refused(rows, "columns: expected v where there is t, and only there");
+  rows.time = some;
+  expect_refused(rows, "columns: expected either q or t");
+  rows.distance.reset();
+  expect_refused(rows, "row 1: v = 0: expected a velocity above 0: bodies that roll on");
+  rows.velocity = Eigen::Vector3d(1, 2, 3);
+  EXPECT_NO_THROW(LoadHistory{rows});
+  rows.creepage.reset();
+  rows.angular_velocity = some;
+  expect_refused(rows, "radius = 0: expected a number > 0");
+}
+
+}  // namespace
+}  // namespace microslip
