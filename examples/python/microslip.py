@@ -38,6 +38,10 @@ class State(c.Structure):
             "adhesion_elements", "slip_elements", "iterations")]
 
 
+class Shift(c.Structure):
+    _fields_ = [(name, c.c_double) for name in ("distance", "force", "dissipation", "work")]
+
+
 class Error(Exception):
     """A call failed; `status` is that of microslip.h, and the text says why."""
 
@@ -58,6 +62,8 @@ for _name, *_arguments in (
         ("set_creepage", _handle, c.c_double),
         ("set_force", _handle, c.c_double),
         ("start_from_shift", _handle, c.c_double, c.POINTER(c.c_double)),
+        ("shift_to_force", _handle, c.c_double, c.POINTER(Shift)),
+        ("shift_by_distance", _handle, c.c_double, c.POINTER(Shift)),
         ("advance", _handle, c.c_double),
         ("attempt", _handle, c.c_double, c.POINTER(State)),
         ("get_state", _handle, c.POINTER(State)),
@@ -135,6 +141,12 @@ class Rolling:
 
     def start_from_shift(self, force):
         return self._get("start_from_shift", c.c_double(), force).value
+
+    def shift_to_force(self, force):
+        return self._get("shift_to_force", Shift(), force)
+
+    def shift_by_distance(self, distance):
+        return self._get("shift_by_distance", Shift(), distance)
 
     def advance(self, dq):
         self._call("advance", dq)
