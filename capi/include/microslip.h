@@ -115,6 +115,16 @@ struct microslip_jacobian {
   struct microslip_slopes by_length; /**< by dq at that creepage or force  [1/mm] */
 };
 
+/** A shift without rolling, and its energies per mm of width. These are the same if the shift is
+ * made in parts, to rounding with MICROSLIP_DIRECT; with MICROSLIP_MATERIAL the elements next to
+ * the edges take and give back up to 5e-3 of the work where they begin or cease to slip. */
+struct microslip_shift {
+  double distance;    /**< rigid shift; a positive one gives negative tractions  [mm] */
+  double force;       /**< F at its end  [N/mm] */
+  double dissipation; /**< energy lost where the bodies slip  [N] */
+  double work;        /**< of the force: dissipation plus the change of the elastic energy  [N] */
+};
+
 /** A contact that rolls. */
 typedef struct microslip_rolling microslip_rolling;
 
@@ -160,6 +170,20 @@ MICROSLIP_API enum microslip_status microslip_set_force(microslip_rolling* rolli
  * shift  out, may be null  [mm] */
 MICROSLIP_API enum microslip_status microslip_start_from_shift(microslip_rolling* rolling,
                                                                double force, double* shift);
+
+/** Shifts the bodies without rolling, from the tractions now, until they carry a force or by a
+ * rigid shift. A contact may roll, be shifted and roll on. What the state says of a step is 0
+ * afterwards, the distance is the same, and the load that is set remains.
+ *
+ * force     F, less in absolute value than full sliding  [N/mm]
+ * distance  finite  [mm]
+ * shift     out, may be null */
+MICROSLIP_API enum microslip_status microslip_shift_to_force(microslip_rolling* rolling,
+                                                             double force,
+                                                             struct microslip_shift* shift);
+MICROSLIP_API enum microslip_status microslip_shift_by_distance(microslip_rolling* rolling,
+                                                                double distance,
+                                                                struct microslip_shift* shift);
 
 /** Rolls on by dq, from 1e-15 to 1e6 elements  [mm]. Under a force, rounding is more than 1 % of
  * the creepage below 1e-13 N elements, with MICROSLIP_MATERIAL below 1e-12 N or 1e-9. */

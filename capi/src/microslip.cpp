@@ -110,6 +110,24 @@ microslip_slopes in_c(const microslip::StepSlopes& slopes) {
           .dissipation = slopes.dissipation};
 }
 
+microslip_status shift_with(microslip_rolling* handle, const microslip::ShiftLoad& load,
+                            microslip_shift* out) noexcept {
+  return roll_with(handle, [&](microslip_rolling& of) {
+    if (const auto* force = std::get_if<microslip::PrescribedForce>(&load)) {
+      require_force(of, force->value);
+    } else {
+      microslip::require(true, "distance", std::get<microslip::PrescribedShift>(load).value,
+                         "a finite number");
+    }
+    const microslip::Shift shift = of.contact->shift(load);
+    if (out == nullptr) return;
+    *out = {.distance = shift.distance,
+            .force = of.contact->state().force,
+            .dissipation = shift.dissipation,
+            .work = shift.work};
+  });
+}
+
 /// Values at the nodes into an array of the caller's.
 template <class Value, class Values>
 microslip_status copy_values(microslip_rolling* handle, Value* to, std::size_t length,
@@ -181,6 +199,16 @@ microslip_status microslip_start_from_shift(microslip_rolling* rolling, double f
     const double found = of.contact->start_from_shift({force});
     if (shift != nullptr) *shift = found;
   });
+}
+
+microslip_status microslip_shift_to_force(microslip_rolling* rolling, double force,
+                                          microslip_shift* shift) {
+  return shift_with(rolling, microslip::PrescribedForce{force}, shift);
+}
+
+microslip_status microslip_shift_by_distance(microslip_rolling* rolling, double distance,
+                                             microslip_shift* shift) {
+  return shift_with(rolling, microslip::PrescribedShift{distance}, shift);
 }
 
 microslip_status microslip_advance(microslip_rolling* rolling, double dq) {

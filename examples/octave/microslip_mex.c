@@ -13,6 +13,9 @@
  *   v = microslip_mex('nodes', h)           a column; likewise traction, bound, slip, displacement
  *   e = microslip_mex('elastic_energy', h)  likewise full_sliding; copy, a handle
  *   S = microslip_mex('start_from_shift', h, F)
+ *   s = microslip_mex('shift_to_force', h, F)
+ *                                           a struct as microslip_shift; likewise
+ *                                           shift_by_distance, with a rigid shift
  *
  * Octave: mkoctfile --mex microslip_mex.c -lmicroslip;  MATLAB: mex microslip_mex.c -lmicroslip */
 #include <mex.h>
@@ -48,6 +51,14 @@ static mxArray* state_struct(const struct microslip_state* s) {
 static mxArray* slopes_struct(const struct microslip_slopes* s) {
   const char* names[] = {"force", "mean_force", "creepage", "dissipation"};
   const double values[] = {s->force, s->mean_force, s->creepage, s->dissipation};
+  mxArray* array = mxCreateStructMatrix(1, 1, 4, names);
+  for (int i = 0; i < 4; ++i) mxSetField(array, 0, names[i], mxCreateDoubleScalar(values[i]));
+  return array;
+}
+
+static mxArray* shift_struct(const struct microslip_shift* s) {
+  const char* names[] = {"distance", "force", "dissipation", "work"};
+  const double values[] = {s->distance, s->force, s->dissipation, s->work};
   mxArray* array = mxCreateStructMatrix(1, 1, 4, names);
   for (int i = 0; i < 4; ++i) mxSetField(array, 0, names[i], mxCreateDoubleScalar(values[i]));
   return array;
@@ -134,6 +145,7 @@ static int is(const char* command, const char* name) { return strcmp(command, na
 
 static mxArray* answer(const char* command, microslip_rolling* h, double argument) {
   struct microslip_state state;
+  struct microslip_shift shift;
   microslip_rolling* copy;
   double result = 0;
   for (int i = 0; i < 3; ++i) {
@@ -150,6 +162,12 @@ static mxArray* answer(const char* command, microslip_rolling* h, double argumen
   if (is(command, "state")) {
     check(microslip_get_state(h, &state), microslip_message(h));
     return state_struct(&state);
+  }
+  if (is(command, "shift_to_force") || is(command, "shift_by_distance")) {
+    check(is(command, "shift_to_force") ? microslip_shift_to_force(h, argument, &shift)
+                                        : microslip_shift_by_distance(h, argument, &shift),
+          microslip_message(h));
+    return shift_struct(&shift);
   }
   if (is(command, "copy")) {
     check(microslip_copy(h, &copy), microslip_message(h));

@@ -46,6 +46,10 @@ class Jacobian(c.Structure):
     _fields_ = [("by_load", Slopes), ("by_length", Slopes)]
 
 
+class Shift(c.Structure):
+    _fields_ = [(name, c.c_double) for name in ("distance", "force", "dissipation", "work")]
+
+
 class Error(Exception):
     """A call failed; `status` is that of microslip.h, and the text says why."""
 
@@ -66,6 +70,8 @@ for _name, *_arguments in (
         ("set_creepage", _handle, c.c_double),
         ("set_force", _handle, c.c_double),
         ("start_from_shift", _handle, c.c_double, c.POINTER(c.c_double)),
+        ("shift_to_force", _handle, c.c_double, c.POINTER(Shift)),
+        ("shift_by_distance", _handle, c.c_double, c.POINTER(Shift)),
         ("advance", _handle, c.c_double),
         ("attempt", _handle, c.c_double, c.POINTER(State)),
         ("attempt_with_jacobian", _handle, c.c_double, c.POINTER(State), c.POINTER(Jacobian)),
@@ -144,6 +150,12 @@ class Rolling:
 
     def start_from_shift(self, force):
         return self._get("start_from_shift", c.c_double(), force).value
+
+    def shift_to_force(self, force):
+        return self._get("shift_to_force", Shift(), force)
+
+    def shift_by_distance(self, distance):
+        return self._get("shift_by_distance", Shift(), distance)
 
     def advance(self, dq):
         self._call("advance", dq)

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/scene_tables.hpp"
 #include "microslip/rolling/schemes.hpp"
@@ -35,6 +39,62 @@ void add(Table& history, const TransientState& state) {
                static_cast<double>(state.iterations)});
 }
 
+/// What the shifts before rolling did together.
+struct ShiftRecord {
+  std::vector<std::vector<Cell>> rows = {};  ///< of the table
+  double distance = 0;                       ///< [mm]
+  double dissipation = 0;                    ///< [N]
+  double largest_work = 0;                   ///< of one of them  [N]
+  WorstOfSteps worst = {};
+};
+
+ShiftRecord shift_all(TransientRolling& rolling, const TransientScene& scene,
+                      const std::function<void()>& after_each) {
+  ShiftRecord record;
+  const auto include = [&](const Shift& shift) {
+    const TransientState& state = rolling.state();
+    record.distance += shift.distance;
+    record.dissipation += shift.dissipation;
+    record.largest_work = std::max(record.largest_work, std::abs(shift.work));
+    record.rows.push_back({state.force, shift.distance, record.distance, shift.dissipation,
+                           shift.work, rolling.elastic_energy(),
+                           static_cast<double>(state.adhesion_elements),
+                           static_cast<double>(state.slip_elements)});
+  };
+  include({});
+  for (const ShiftLoad& load : scene.shifts) {
+    include(rolling.shift(load));
+    record.worst.include(rolling.state());
+    after_each();
+  }
+  return record;
+}
+
+Table shifts_table(const ShiftRecord& record) {
+  Table table(
+      "shifts",
+      "shifts without rolling before the bodies roll, a row a shift; the first is the start",
+      {{"force", "N/mm", "total force F at its end"},
+       {"shift", "mm", "rigid shift; a positive one gives negative tractions"},
+       {"total_shift", "mm", "the sum so far"},
+       {"dissipation", "N", "energy lost per mm width", 1e-12 * record.largest_work},
+       {"work", "N", "of the force: dissipation plus what is stored more"},
+       {"elastic_energy", "N", "stored per mm width at its end"},
+       {"adhesion_elements", "1", "elements in adhesion"},
+       {"slip_elements", "1", "elements in slip"}});
+  for (const std::vector<Cell>& row : record.rows) table.add(row);
+  return table;
+}
+
+/// What is doubtful of shifts that the solver accepts.
+/// \throws as require_evidence
+std::optional<std::string> doubt_of(const ShiftRecord& shifts, const Solver& accepted) {
+  constexpr double no_condition = 1;  // estimated once, after the last step
+  require_evidence(shifts.worst.evidence, no_condition, shifts.worst.iterations, accepted);
+  const auto doubt = microslip::doubt_of(shifts.worst.evidence, accepted, false);
+  return doubt ? std::optional("in the shifts, " + *doubt) : std::nullopt;
+}
+
 /// \param noise  of the creepage of single steps
 std::optional<std::string> doubt_of(double noise) {
   constexpr double doubtful = 0.1;
@@ -51,8 +111,14 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   const std::vector<double> lengths = lengths_of(scene);
   const std::size_t steps = number_of_steps(scene.distance, lengths);
   TransientRolling rolling(scene.problem, scene.start);
+  std::size_t done = 0;
+  const auto count = [&] { progress(++done, scene.shifts.size() + steps); };
+  const ShiftRecord shifts = shift_all(rolling, scene, count);
+  const auto shift_doubt = doubt_of(shifts, scene.problem.solver);
   Table history = empty_history();
-  add(history, rolling.state());
+  TransientState start = rolling.state();
+  start.iterations = 0;  // it is no step
+  add(history, start);
   double cumulative_creep = 0;
   double dissipated = 0;
   double before = 0;
@@ -65,7 +131,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
     noise.include(state.distance - before, state.creepage);
     before = state.distance;
     worst.include(state);
-    progress(history.rows() - 1, steps);
+    count();
   });
 
   const TransientState& last = rolling.state();
@@ -83,18 +149,27 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   summary.add({"slip_elements", static_cast<double>(last.slip_elements), "1"});
   summary.add({"dissipation", last.dissipation, "N/mm"});
   summary.add({"dissipated_energy", dissipated, "N"});
+  if (!scene.shifts.empty()) {
+    summary.add({"shifts", static_cast<double>(scene.shifts.size()), "1"});
+    summary.add({"shift_sum", shifts.distance, "mm"});
+    summary.add({"shift_dissipated_energy", shifts.dissipation, "N"});
+  }
   const double step_noise = noise.relative();
+  const auto noise_doubt = doubt_of(step_noise);
   summary.add({"creepage_noise", step_noise, "1"});
   summary.add({"method", name_of(scene.problem.scheme), "1"});
   add_evidence(summary, worst.evidence,
                {.condition = rolling.condition(),
                 .iterations = worst.iterations,
                 .accepted = scene.problem.solver,
-                .doubt = doubt_of(step_noise)});
-  return {traction_table("transient rolling, values at the nodes at the end",
-                         {rolling.x(), rolling.bound_at_nodes(), rolling.traction_at_nodes(),
-                          last.slip, rolling.displacement(), last.zones}),
-          history, summary};
+                .doubt = noise_doubt ? noise_doubt : shift_doubt});
+  std::vector<Table> tables{
+      traction_table("transient rolling, values at the nodes at the end",
+                     {rolling.x(), rolling.bound_at_nodes(), rolling.traction_at_nodes(), last.slip,
+                      rolling.displacement(), last.zones}),
+      history, summary};
+  if (!scene.shifts.empty()) tables.push_back(shifts_table(shifts));
+  return tables;
 }
 
 }  // namespace microslip::experiments

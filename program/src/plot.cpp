@@ -49,7 +49,7 @@ std::string program_of(const fs::path& folder) {
   return program;
 }
 
-/// Of the four that have a figure.
+/// Of the four that have a figure of their own.
 std::string kind_of(const fs::path& folder) {
   if (fs::exists(folder / "sweep.tsv")) {
     reject(folder, "it is that of a sweep, the columns of sweep.tsv are for plots of your own");
@@ -64,7 +64,30 @@ std::string kind_of(const fs::path& folder) {
 struct Figure {
   std::string name;
   fs::path script;
+  std::string ending;  ///< behind the name of the result
 };
+
+/// Whether there are enough shifts for a loop of the force.
+bool has_loop(const fs::path& folder) {
+  constexpr int least = 3;
+  std::ifstream in(folder / "shifts.tsv");
+  int rows = -2;  // the first two lines are the names and the start
+  for (std::string line; std::getline(in, line);) rows += line.starts_with('#') ? 0 : 1;
+  return rows >= least;
+}
+
+std::vector<Figure> figures_of_scene(const fs::path& plots, const std::string& program,
+                                     const fs::path& folder) {
+  const auto script = [&](const std::string& kind) {
+    return plots / (program + "_" + kind + ".gp");
+  };
+  const std::string kind = kind_of(folder);
+  std::vector<Figure> figures{{kind, script(kind), ""}};
+  if (kind == "transient" && has_loop(folder)) {
+    figures.push_back({"shifts", script("shifts"), "_shifts"});
+  }
+  return figures;
+}
 
 /// All that the scripts know of a study, in the order of their names.
 std::vector<Figure> figures_of_study(const fs::path& plots, const std::string& study) {
@@ -72,7 +95,8 @@ std::vector<Figure> figures_of_study(const fs::path& plots, const std::string& s
   for (const auto& entry : fs::directory_iterator(plots)) {
     const std::string name = entry.path().stem();
     if (entry.path().extension() != ".gp" || !name.starts_with(study + "_")) continue;
-    figures.push_back({name.substr(study.size() + 1), entry.path()});
+    const std::string figure = name.substr(study.size() + 1);
+    figures.push_back({figure, entry.path(), "_" + figure});
   }
   std::ranges::sort(figures, {}, &Figure::name);
   return figures;
@@ -99,7 +123,7 @@ void draw(const fs::path& plots, const fs::path& script, const fs::path& folder,
   std::cout << "drew " << figure.string() << '\n';
 }
 
-/// The figures of a study, or the one of them that is asked for.
+/// The figures of a result, or the one of them that is asked for.
 std::vector<Figure> chosen(const std::vector<Figure>& figures, const Given& given) {
   if (given.count("figure") == 0) return figures;
   const std::string wanted = given["figure"].as<std::string>();
@@ -128,7 +152,7 @@ fs::path target_of(const Given& given) {
                               "': expected a name that ends in .svg, .png or .pdf");
 }
 
-/// \param name  of the program whose results have one figure, and others are studies
+/// \param name  of the program of scenes; the others are studies
 void draw_all(const std::string& name, const fs::path& folder, const Given& given) {
   const std::string program = program_of(folder);
   const fs::path plots = share_folder() / "plots";
@@ -136,20 +160,16 @@ void draw_all(const std::string& name, const fs::path& folder, const Given& give
     throw std::runtime_error("cannot read " + shown(plots.string()) +
                              ": expected the scripts of figures there");
   }
-  std::vector<Figure> figures;
-  if (program == name) {
-    figures.push_back({"", plots / (name + "_" + kind_of(folder) + ".gp")});
-  } else {
-    figures = chosen(figures_of_study(plots, program), given);
-  }
-  if (figures.empty()) reject(folder, "that of " + shown(program) + " has no figures");
+  const std::vector<Figure> all =
+      program == name ? figures_of_scene(plots, program, folder) : figures_of_study(plots, program);
+  if (all.empty()) reject(folder, "that of " + shown(program) + " has no figures");
+  const std::vector<Figure> figures = chosen(all, given);
   if (given.count("to") != 0) {
     if (figures.size() > 1) throw std::invalid_argument("--to: expected --figure with it here");
     return draw(plots, figures.front().script, folder, target_of(given));
   }
   for (const Figure& figure : figures) {
-    draw(plots, figure.script, folder,
-         folder.string() + (figure.name.empty() ? "" : "_" + figure.name) + ".svg");
+    draw(plots, figure.script, folder, folder.string() + figure.ending + ".svg");
   }
 }
 
@@ -160,10 +180,10 @@ int plot(const std::string& name, int argc, const char* const* argv) {
     Options known("Options of plot");
     known.add_options()("result", options::value<std::string>()->default_value("out"),
                         "the first word: folder of a result, or of a study, or a table there")(
-        "figure", options::value<std::string>(), "of a study: this one instead of all")(
+        "figure", options::value<std::string>(), "this one instead of all")(
         "to", options::value<std::string>(),
-        "file that ends in .svg, .png or .pdf (default: RESULT.svg, or RESULT_FIGURE.svg of a "
-        "study)")("version", "print version and revision")("help", "print this");
+        "file that ends in .svg, .png or .pdf (default: RESULT.svg, or RESULT_FIGURE.svg of one "
+        "figure of several)")("version", "print version and revision")("help", "print this");
     const Given given = parse(known, argc - 1, argv + 1, "result");
     if (answers(given, known, name + " plot", "draws the figures of a result, with gnuplot")) {
       return 0;

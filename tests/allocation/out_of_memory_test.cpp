@@ -50,6 +50,17 @@ TEST_P(OutOfMemory, AStepLosesTheHandle) {
   EXPECT_GT(failures, 5);
 }
 
+TEST_P(OutOfMemory, AShiftLosesTheHandle) {
+  const auto shift = [](microslip_rolling* rolling) {
+    return microslip_shift_to_force(rolling, 0.3, nullptr);
+  };
+  const int failures = fail_each(GetParam(), shift, [&](const Handle& handle) {
+    EXPECT_EQ(shift(handle.get()), MICROSLIP_OUT_OF_MEMORY);
+    EXPECT_EQ(microslip_size(handle.get()), 0u);
+  });
+  EXPECT_GT(failures, 5);
+}
+
 TEST_P(OutOfMemory, ACopyThatFailsChangesNothing) {
   const std::vector<double> before = answers(rolled(GetParam()));
   const auto copy = [](microslip_rolling* rolling) {

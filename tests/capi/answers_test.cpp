@@ -6,6 +6,7 @@
 
 #include "c99.h"
 #include "handle.hpp"
+#include "microslip/reference/fretting_cycle.hpp"
 #include "microslip/rolling/transient.hpp"
 
 namespace microslip {
@@ -118,6 +119,43 @@ TEST_P(EveryCase, IsThatOfTheLibraryToTheBit) {
   EXPECT_GT(state_of(handle).slip_elements, 0);
 }
 
+std::vector<double> numbers_of_shift(const microslip_shift& s) {
+  return {s.distance, s.force, s.dissipation, s.work};
+}
+
+// At standstill, between two ways of rolling, and after them.
+TEST_P(EveryCase, IsShiftedLikeTheLibraryToTheBit) {
+  const Case& c = GetParam();
+  const Handle handle = created(c.parts);
+  TransientRolling rolling(c.problem);
+  set_load(handle, c.load);
+  const auto expect_shift = [&](const ShiftLoad& load) {
+    const auto* by = std::get_if<PrescribedShift>(&load);
+    microslip_shift shift{};
+    ASSERT_EQ(by != nullptr
+                  ? microslip_shift_by_distance(handle.get(), by->value, &shift)
+                  : microslip_shift_to_force(handle.get(), std::get<1>(load).value, &shift),
+              MICROSLIP_OK)
+        << microslip_message(handle.get());
+    const Shift expected = rolling.shift(load);
+    expect_same(numbers_of_shift(shift),
+                {expected.distance, rolling.state().force, expected.dissipation, expected.work});
+    expect_same(answers(handle), library_answers(rolling));
+  };
+  for (const double ratio : {0.3, 2.7, 0.01}) {
+    expect_shift(PrescribedForce{0.7});
+    expect_shift(PrescribedShift{0.5 * ratio});
+    expect_shift(PrescribedForce{-0.4});
+    const double dq = ratio * c.problem.grid.spacing();
+    ASSERT_EQ(microslip_advance(handle.get(), dq), MICROSLIP_OK);
+    rolling.step(dq, c.load);
+    expect_same(answers(handle), library_answers(rolling));
+  }
+  ASSERT_EQ(microslip_shift_to_force(handle.get(), 0.2, nullptr), MICROSLIP_OK);
+  rolling.shift(PrescribedForce{0.2});
+  expect_same(answers(handle), library_answers(rolling));
+}
+
 TEST_P(EveryCase, ACopyGoesOnAlikeAndByItself) {
   const Case& c = GetParam();
   const double spacing = c.problem.grid.spacing();
@@ -179,6 +217,29 @@ TEST(CInterface, BalancesEnergy) {
   }
   EXPECT_GT(dissipated, 0.1);
   EXPECT_NEAR(sum / dissipated, 0, 1e-13);
+}
+
+// Mindlin's, in closed form: the way back, and what a cycle loses.
+TEST(CInterface, FretsLikeMindlinFromC99) {
+  constexpr int points = 8;
+  const HertzBound bound(1, 1);
+  for (const int scheme : {MICROSLIP_MATERIAL, MICROSLIP_REMEMBERED, MICROSLIP_DIRECT}) {
+    // Orders 2 and 3/2; on the grid of the contact edges are not where they are felt.
+    const double accuracy = scheme == MICROSLIP_DIRECT ? 1e-4 : 1e-5;
+    for (const double tau : {0.3, 0.6, 0.9}) {
+      SCOPED_TRACE(std::to_string(scheme) + ' ' + std::to_string(tau));
+      const double force = tau * bound.total();
+      const FrettingCycle exact(material, bound, force);
+      std::vector<double> shift(points + 1);
+      const double loss = loss_of_a_cycle_in_c99(scheme, 400, force, points, shift.data());
+      for (int i = 0; i <= points; ++i) {
+        EXPECT_NEAR(shift[static_cast<std::size_t>(i)],
+                    exact.shift(force * (1 - 2.0 * i / points), 20),
+                    accuracy * std::abs(exact.shift(force, 20)));
+      }
+      EXPECT_NEAR(loss / exact.dissipation(), 1, scheme == MICROSLIP_DIRECT ? 3e-3 : 1e-3);
+    }
+  }
 }
 
 // Transforms of few sizes, planned and used by all threads at once.

@@ -19,3 +19,27 @@ double force_after_a_step_in_c99(void) {
   microslip_destroy(rolling);
   return state.force;
 }
+
+double loss_of_a_cycle_in_c99(int scheme, int elements, double force, int n, double* shift) {
+  const struct microslip_material material = {1, 0.28};
+  const struct microslip_contact contact = {1, 1, NULL, NULL, 0};
+  const struct microslip_kernel kernel = {MICROSLIP_PLANE, 20};
+  struct microslip_grid grid;
+  microslip_rolling* rolling;
+  struct microslip_shift part;
+  double loss = 0;
+  int i;
+  grid.elements = elements;
+  grid.scheme = scheme;
+  if (microslip_create(&material, &contact, &kernel, &grid, &rolling, NULL, 0)) return -1;
+  for (i = 0; i <= n && loss >= 0; ++i) {
+    if (microslip_shift_to_force(rolling, force * (1 - 2.0 * i / n), &part)) loss = -1;
+    shift[i] = part.distance + (i > 0 ? shift[i - 1] : 0);
+    if (i > 0 && loss >= 0) loss += part.dissipation;
+  }
+  if (loss >= 0 && microslip_shift_to_force(rolling, force, &part) == MICROSLIP_OK) {
+    loss += part.dissipation;
+  }
+  microslip_destroy(rolling);
+  return loss;
+}

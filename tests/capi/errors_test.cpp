@@ -98,6 +98,8 @@ TEST(CErrors, ANullHandleIsABadInput) {
   EXPECT_EQ(microslip_set_creepage(nullptr, 0), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_set_force(nullptr, 0), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_start_from_shift(nullptr, 0, &value), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_shift_to_force(nullptr, 0, nullptr), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_shift_by_distance(nullptr, 0, nullptr), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_advance(nullptr, 1), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_attempt(nullptr, 1, &state), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_get_state(nullptr, &state), MICROSLIP_BAD_INPUT);
@@ -138,6 +140,15 @@ TEST(CErrors, ARefusedCallChangesNothing) {
   expect_refused("force = nan" + forces, [](Rolling r) { return microslip_set_force(r, nan); });
   expect_refused("force = -2" + forces,
                  [](Rolling r) { return microslip_start_from_shift(r, -2, nullptr); });
+  for (const double force : {1.6, -2.0, nan, infinity}) {
+    expect_refused("force = " + format_short(force) + forces,
+                   [force](Rolling r) { return microslip_shift_to_force(r, force, nullptr); });
+  }
+  for (const double distance : {nan, infinity, -infinity}) {
+    expect_refused(
+        "distance = " + format_short(distance) + ": expected a finite number",
+        [distance](Rolling r) { return microslip_shift_by_distance(r, distance, nullptr); });
+  }
   expect_refused("creepage = inf: expected a finite number",
                  [](Rolling r) { return microslip_set_creepage(r, infinity); });
   for (const double dq : {0.0, -0.1, nan, 1e-17, 1e9}) {

@@ -79,6 +79,22 @@ class Jacobians(unittest.TestCase):
             self.assertAlmostEqual((by_length[1] - by_length[0]) / 4e-5 / getattr(jacobian.by_length, name), 1, 6)
 
 
+class Shifts(unittest.TestCase):
+    def test_lose_in_a_cycle_what_the_force_does(self):
+        contact = microslip.Rolling(MATERIAL, CONTACT, STRIP, GRID)
+        first = contact.shift_to_force(-1500)
+        self.assertGreater(first.distance, 0)
+        self.assertAlmostEqual(first.work - first.dissipation, contact.elastic_energy, places=12)
+        back, forth = contact.shift_to_force(1500), contact.shift_to_force(-1500)
+        self.assertAlmostEqual(back.distance, -forth.distance, places=12)
+        self.assertAlmostEqual(back.work + forth.work, back.dissipation + forth.dissipation, places=10)
+        again = contact.shift_by_distance(0.01)
+        self.assertEqual(again.distance, 0.01)
+        self.assertEqual(again.force, contact.state.force)
+        with self.assertRaisesRegex(microslip.Error, "^force = 3000: expected an absolute value"):
+            contact.shift_to_force(3000)
+
+
 class Constructors(unittest.TestCase):
     def test_that_fail_raise_their_own_error_only(self):
         """A process of its own each, as what a destructor raises is only printed."""

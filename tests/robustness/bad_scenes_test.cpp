@@ -252,6 +252,25 @@ TEST_F(BadScenes, Transients) {
                   "microslip: start.force = -2: expected an absolute value");
   expect_rejected(good_transient + "start { force -2 }", "",
                   "scene.info:14: start.force = -2: expected an absolute value");
+  expect_rejected(good_transient, "--set start.force='1 -1 2'",
+                  "microslip: start.force = 2: expected an absolute value below full sliding, 1.5");
+  expect_rejected(good_transient, "--set start.force='1 nan'",
+                  "start.force = '1 nan': expected finite numbers, separated by blanks");
+  expect_rejected(good_transient, "--set start.force='1 0,5'",
+                  "start.force = '1 0,5': expected finite numbers with a decimal point, separated");
+  expect_rejected(good_transient, "--set start.force=' '", "expected at least one number");
+  const std::string units =
+      "': expected numbers with a unit behind the last or behind each, N/mm or another of its "
+      "kind (N/m, kN/m)";
+  for (const std::string force :
+       {"1 N/m 2", "1 N/m 2 3 N/m", "1 2 mm", "1 furlong", "1 2 N/mm mm", "1mm 2"}) {
+    expect_rejected(good_transient, "--set start.force='" + force + "'", force + units);
+  }
+  expect_rejected(good_transient, "--set start.force='1 2' --set start.shift=1",
+                  "expected only one of 'start.force' and 'start.shift'");
+  expect_rejected(good_transient, "--set start.shift='1 inf'", "start.shift = '1 inf': expected");
+  expect_rejected(good_transient, "--set start.type=rest --set start.shift=1",
+                  "key 'start.shift' has no role here: it is for start.type cattaneo");
   std::string slides = good_transient;
   slides.replace(slides.find("force -1"), 8, "force -2");
   expect_rejected(slides, "", "scene.info:13: load.force = -2: expected an absolute value");

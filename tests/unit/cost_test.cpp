@@ -20,6 +20,7 @@ double work_of(const Model& model) {
     solve_steady(*steady);
   } else if (const auto* transient = std::get_if<TransientScene>(&model)) {
     TransientRolling rolling(transient->problem, transient->start);
+    for (const ShiftLoad& shift : transient->shifts) rolling.shift(shift);
     std::vector<double> lengths = transient->step_ratios;
     for (double& length : lengths) length *= transient->problem.grid.spacing();
     rolling.roll(transient->distance, lengths, transient->load, [](const TransientState&) {});
@@ -30,13 +31,13 @@ double work_of(const Model& model) {
   return count.operations();
 }
 
-void expect_foreseen(const std::string& text, int elements) {
+void expect_foreseen(const std::string& text, int elements, double factor = 3) {
   Scene scene = scene_of(good_contact + text);
   scene.set("grid.elements=" + std::to_string(elements));
   const Model model = read_model(scene);
   const double ratio = work_of(model) / work_needed(model);
-  EXPECT_LT(ratio, 3) << text << elements;
-  EXPECT_GT(ratio, 1.0 / 3) << text << elements;
+  EXPECT_LT(ratio, factor) << text << elements;
+  EXPECT_GT(ratio, 1 / factor) << text << elements;
 }
 
 TEST(Cost, OfSteadyRollingIsForeseenWithinAFactorOfThree) {
@@ -66,6 +67,21 @@ TEST(Cost, OfTransientsIsForeseenWithinAFactorOfThree) {
       expect_foreseen(scene + "direct }", n);
       if (n < 500) expect_foreseen(scene + "direct }\nsolver { type dense }", n);
       if (n < 500) expect_foreseen(scene + "fractional }", n);
+    }
+  }
+}
+
+// How far a search goes along the path, and how often, is not foreseen.
+TEST(Cost, OfShiftsIsForeseenWithinAFactorOfEight) {
+  for (const std::string forces : {"1.4 -1.4 1.4", "0.7 -0.7 0.7 -0.7", "0.2 -0.2 0.2 -0.2"}) {
+    for (const int n : {101, 201, 401}) {
+      for (const std::string scheme : {"remembered", "material", "direct"}) {
+        expect_foreseen(
+            "problem transient\nload { force -1 }\nmotion { distance 0.01 }\n"
+            "start { type cattaneo\n force \"" +
+                forces + "\" }\nstep { ratio 1\n scheme " + scheme + " }",
+            n, 8);
+      }
     }
   }
 }

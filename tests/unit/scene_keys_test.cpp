@@ -124,6 +124,7 @@ const std::vector<Role> roles = {
     {"load.force", "-1", with_target + transients},
     {"start.type", "rest", transients},
     {"start.force", "-1", "material direct relaxed relaxed_traction fractional creepage"},
+    {"start.shift", "0.1", "material direct relaxed relaxed_traction fractional creepage"},
     {"start.file", "traction", "file"},
     {"step.ratio", "1", differences + transients + cylinders},
     {"step.scheme", "material", transients + cylinders},

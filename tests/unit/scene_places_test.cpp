@@ -63,7 +63,10 @@ TEST(ScenePlaces, AreInFrontOfMessages) {
             "test:2: missing key 'a.bb' (did you mean 'a.b'?)");
   EXPECT_EQ(said(scene, [](Scene& s) { s.number("nothing.like.it"); }),
             "missing key 'nothing.like.it'");
-  EXPECT_EQ(said(scene, [](Scene& s) { s.has_second("a.b", "c"); }),
+  EXPECT_EQ(said(scene,
+                 [](Scene& s) {
+                   s.one_of({"a.b", "c"});
+                 }),
             "test:4: expected only one of 'a.b' and 'c'");
 }
 
@@ -89,7 +92,10 @@ TEST(ScenePlaces, AreThoseOfTheSceneThatWins) {
   EXPECT_EQ(number("a"), "test:1: a = 'x': expected a finite number");
   EXPECT_EQ(number("b"), "quick.info:2: b = 'x': expected a finite number");
   EXPECT_EQ(number("c"), "c = 'y': expected a finite number");
-  EXPECT_EQ(said(scene, [](Scene& s) { s.has_second("d", "c"); }),
+  EXPECT_EQ(said(scene,
+                 [](Scene& s) {
+                   s.one_of({"d", "c"});
+                 }),
             "test:3: expected only one of 'd' and 'c'");
 }
 

@@ -28,6 +28,21 @@ TEST(Units, ConvertWithinAKind) {
   EXPECT_EQ(quantity("0.2 %", "1"), 0.002);
 }
 
+TEST(Units, OfAListAreBehindTheLastOrBehindEach) {
+  const std::vector<double> forces{-500, 500};
+  for (const char* text : {"-500 500", " -500\t500 ", "-0.5 0.5 kN/mm", "-.5kN/mm +0.5 kN / mm",
+                           "-500 N/mm 500e3 N/m", "-500 500N/mm"}) {
+    EXPECT_EQ(quantities(text, "N/mm"), forces) << text;
+  }
+  EXPECT_EQ(quantities("2 cm", "mm"), (std::vector<double>{20}));
+  EXPECT_EQ(quantities("1 1 N s^2/mm^2", "N s^2/mm^2"), (std::vector<double>{1, 1}));
+  EXPECT_EQ(quantities("", "mm"), std::vector<double>());
+  for (const char* text : {"1 mm 2", "1 mm 2 3 mm", "1 2 N", "mm 1", "1 x", "1 nan", "1 1e400",
+                           "1 2 mm mm", "1, 2", "1 1e306 km"}) {
+    EXPECT_FALSE(quantities(text, "mm")) << text;
+  }
+}
+
 // A power of ten divides or multiplies once: 0.009 and not 0.009000000000000001 = 9 * 0.001.
 TEST(Units, PowersOfTenAreExact) {
   EXPECT_EQ(quantity("9 um", "mm"), 0.009);
@@ -66,11 +81,16 @@ TEST(Units, ParametersAreInTheUnitOfTheKey) {
   Scene scene = scene_of("kernel { width 2 cm }");
   scene.number("kernel.width");
   EXPECT_EQ(scene.parameters(), (Parameters{{"kernel.width", "20"}}));
+  Scene list = scene_of("start { force \"-1 0.5 kN/mm\" }");
+  EXPECT_EQ(list.numbers("start.force"), (std::vector<double>{-1000, 500}));
+  EXPECT_EQ(list.parameters(), (Parameters{{"start.force", "-1000 500"}}));
 }
 
 TEST(Units, SweptValuesAreNumbersInTheUnitOfTheKey) {
   EXPECT_EQ(swept_values("kernel.width", "5 mm | 1 cm | 20"),
             (std::vector<std::string>{"5", "10", "20"}));
+  EXPECT_EQ(swept_values("start.force", "1 -1 kN/mm | 1 2 | 1e1 | 5 N/m 7 mm"),
+            (std::vector<std::string>{"1000 -1000", "1 2", "1e1", "5 N/m 7 mm"}));
   EXPECT_EQ(swept_values("start.file", "3 mm|b"), (std::vector<std::string>{"3 mm", "b"}));
 }
 

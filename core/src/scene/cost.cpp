@@ -15,6 +15,9 @@ namespace {
 
 constexpr double row_of_history = 1000;
 
+/// What an element that begins or ceases to slip in a shift takes, in steps.
+constexpr double steps_of_exchange = 4;
+
 /// Of a contact, per element where matrices are Toeplitz, and where they have all entries.
 struct Memory {
   double element;   ///< [bytes]
@@ -55,7 +58,7 @@ struct MemoryOf {
   double operator()(const TransientScene& scene) const {
     return memory_by({.element = 1600, .matrices = 4.1}, by_fft(scene.problem),
                      scene.problem.grid.size()) +
-           row_of_history * steps_needed(scene);
+           row_of_history * (steps_needed(scene) + static_cast<double>(scene.shifts.size()));
   }
   double operator()(const CylinderScene& scene) const {
     return memory_by({.element = 1600, .matrices = 5}, by_fft(scene.contact),
@@ -77,6 +80,22 @@ struct StepsOf {
   }
 };
 
+/// About how many elements begin or cease to slip in all shifts, as under Hertz's bound: on a way
+/// back twice the change of the force makes one half-width less stick. One at least in each; of a
+/// shift by distance half of them.
+double exchanges_of_shifts(const TransientScene& scene) {
+  const auto n = static_cast<double>(scene.problem.grid.size());
+  const double most = full_sliding_force(scene.problem.bound);
+  double exchanges = 0, before = 0;
+  for (const ShiftLoad& load : scene.shifts) {
+    const auto* force = std::get_if<PrescribedForce>(&load);
+    const double change = force == nullptr ? 0 : std::abs(force->value - before) / (2 * most);
+    exchanges += 1 + (force == nullptr ? n / 2 : 2 * n * (1 - std::sqrt(1 - change)));
+    if (force != nullptr) before = force->value;
+  }
+  return exchanges;
+}
+
 /// Constants are of the runs of the study speed_accuracy.
 struct WorkOf {
   double operator()(const SteadyProblem& problem) const {
@@ -92,7 +111,8 @@ struct WorkOf {
   double operator()(const SteadyTarget&) const { return std::numeric_limits<double>::quiet_NaN(); }
   double operator()(const TransientScene& scene) const {
     return steps_needed(scene) *
-           of_step(scene.problem, std::ranges::all_of(scene.step_ratios, is_whole));
+               of_step(scene.problem, std::ranges::all_of(scene.step_ratios, is_whole)) +
+           steps_of_exchange * exchanges_of_shifts(scene) * of_step(scene.problem, true);
   }
   double operator()(const CylinderScene& scene) const {
     const double rounds = scene.integrator == Integrator::midpoint ? 4 : 1;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/scene/explanation.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <iterator>
 #include <sstream>
 
 #include "microslip/rolling/schemes.hpp"
@@ -56,6 +58,22 @@ std::string rolled(const Model& model, double distance, const Grid& grid) {
          " contact widths, in " + number(steps_needed(model)) + " steps";
 }
 
+/// The shifts before rolling, except for that of an ordinary start.
+std::vector<std::string> shifted(const TransientScene& scene) {
+  if (scene.shifts.empty()) return {};
+  const std::string count = std::to_string(scene.shifts.size());
+  const std::string shifts = scene.shifts.size() == 1 ? "1 shift" : count + " shifts";
+  double most = 0;
+  for (const ShiftLoad& load : scene.shifts) {
+    most = std::max(most, std::visit([](const auto& of) { return std::abs(of.value); }, load));
+  }
+  const bool by_force = std::holds_alternative<PrescribedForce>(scene.shifts.front());
+  return {shifts + " without rolling before it, " +
+          (by_force ? "to at most " + number(most / full_sliding_force(scene.problem.bound)) +
+                          " of full sliding"
+                    : "by at most " + number(most) + " mm")};
+}
+
 const std::string normal = "the normal contact: bound and edges are given and stay as they are";
 const std::string details =
     "lateral creepage, spin, bodies of different material, friction that depends on slip, heat, "
@@ -74,9 +92,13 @@ struct Explain {
          "many elements as the error needs"});
   }
   Explanation operator()(const TransientScene& scene) const {
+    std::vector<std::string> consequences = {sliding(scene.problem.bound, scene.load),
+                                             elements_of(scene.problem.grid)};
+    std::ranges::copy(shifted(scene), std::back_inserter(consequences));
+    consequences.push_back(rolled(scene, scene.distance, scene.problem.grid));
+    consequences.push_back(method_of(scene.problem.scheme));
     return {"transient rolling under " + kind_of(scene.load),
-            {sliding(scene.problem.bound, scene.load), elements_of(scene.problem.grid),
-             rolled(scene, scene.distance, scene.problem.grid), method_of(scene.problem.scheme)},
+            consequences,
             {normal, "inertia of the bodies, which problem cylinder has", details}};
   }
   Explanation operator()(const CylinderScene& scene) const {

@@ -41,7 +41,7 @@ TractionBound read_bound(Scene& scene) {
         half_width, scene.number("contact.peak_traction", 1),
         Eigen::Map<const Eigen::VectorXd>(h.data(), static_cast<Eigen::Index>(h.size())));
   }
-  if (!scene.has_second("contact.peak_traction", "contact.bound_file")) {
+  if (scene.one_of({"contact.peak_traction", "contact.bound_file"}) == "contact.peak_traction") {
     return read_hertz_bound(scene);
   }
   const double half_width = scene.number("contact.half_width");
@@ -81,7 +81,7 @@ Solver read_solver(Scene& scene) {
 }
 
 Load read_load(Scene& scene) {
-  if (scene.has_second("load.creepage", "load.force")) {
+  if (scene.one_of({"load.creepage", "load.force"}) == "load.force") {
     return PrescribedForce{scene.number("load.force")};
   }
   return PrescribedCreepage{scene.number("load.creepage")};
@@ -143,22 +143,45 @@ void require_few_steps(double distance, double length) {
           "at most " + format_short(most_steps) + " steps, not " + format_short(steps));
 }
 
-Start read_start(Scene& scene, const TransientProblem& problem, const Load& load) {
-  const std::string type = known_word(scene, "start.type");
-  if (type == "rest") return Rest{};
-  if (type == "file") {
-    return scene.from_columns("start.file", {"x", "traction"}, [&](const auto& columns) {
-      return traction_at_nodes(columns[0], columns[1], problem);
-    });
-  }
-  const std::string key = scene.has("start.force") ? "start.force" : "load.force";
+/// How a transient begins, before it rolls.
+struct Beginning {
+  Start start = Rest{};
+  std::vector<ShiftLoad> shifts = {};
+};
+
+std::vector<double> read_start_forces(Scene& scene, const Load& load) {
   const auto* of_load = std::get_if<PrescribedForce>(&load);
-  const double force = of_load == nullptr ? scene.number("start.force")
-                                          : scene.number("start.force", of_load->value);
+  if (scene.has("start.force") || of_load == nullptr) return scene.numbers("start.force");
+  return {scene.number("start.force", of_load->value)};
+}
+
+Beginning read_shifts(Scene& scene, const TransientProblem& problem, const Load& load) {
+  Beginning beginning;
+  const std::string given = scene.at_most_one_of({"start.force", "start.shift"});
+  if (given == "start.shift") {
+    for (const double shift : scene.numbers("start.shift")) {
+      beginning.shifts.emplace_back(PrescribedShift{shift});
+    }
+    return beginning;
+  }
+  const std::string key = given.empty() ? "load.force" : given;
   const double most = full_sliding_force(problem.bound);
-  require(std::abs(force) < most, key, force,
-          [&] { return "an absolute value below full sliding, " + format_short(most); });
-  return CattaneoShift{force};
+  for (const double force : read_start_forces(scene, load)) {
+    require(std::abs(force) < most, key, force,
+            [&] { return "an absolute value below full sliding, " + format_short(most); });
+    beginning.shifts.emplace_back(PrescribedForce{force});
+  }
+  if (beginning.shifts.size() > 1) return beginning;
+  return {.start = CattaneoShift{std::get<PrescribedForce>(beginning.shifts.front()).value}};
+}
+
+Beginning read_beginning(Scene& scene, const TransientProblem& problem, const Load& load) {
+  const std::string type = known_word(scene, "start.type");
+  if (type == "rest") return {};
+  if (type == "cattaneo") return read_shifts(scene, problem, load);
+  return {.start = scene.from_columns("start.file", {"x", "traction"}, [&](const auto& columns) {
+    return traction_at_nodes(columns[0], columns[1], problem);
+  })};
 }
 
 const SteadyEntry& read_steady_scheme(Scene& scene) {
@@ -228,8 +251,10 @@ TransientScene read_transient(Scene& scene) {
   if (std::holds_alternative<PrescribedForce>(load)) {
     for (const double ratio : step_ratios) warn_of_noise(scene, problem, ratio);
   }
+  const Beginning beginning = read_beginning(scene, problem, load);
   return {.problem = problem,
-          .start = read_start(scene, problem, load),
+          .start = beginning.start,
+          .shifts = beginning.shifts,
           .distance = distance,
           .step_ratios = step_ratios,
           .load = load};

@@ -3,6 +3,8 @@
 
 #include <boost/algorithm/string/replace.hpp>
 
+#include "microslip/support/format.hpp"
+
 namespace microslip {
 
 std::optional<Eigen::Index> whole_number(std::string_view text) {
@@ -11,6 +13,12 @@ std::optional<Eigen::Index> whole_number(std::string_view text) {
   const auto value = finite_number(text);
   if (!value || *value != std::floor(*value) || std::abs(*value) > exact) return std::nullopt;
   return static_cast<Eigen::Index>(*value);
+}
+
+std::string joined_numbers(const std::vector<double>& values) {
+  std::string all;
+  for (const double value : values) all += (all.empty() ? "" : " ") + format_short(value);
+  return all;
 }
 
 std::string advice(const std::string& text) {

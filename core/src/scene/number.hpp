@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace microslip {
 
@@ -35,6 +36,9 @@ inline std::optional<double> finite_number(std::string_view text) {
 
 /// Also if it is written as 1e5 or 20.0; such a one up to 2^53, below which no digit is lost.
 std::optional<Eigen::Index> whole_number(std::string_view text);
+
+/// The shortest texts of numbers, separated by blanks.
+std::string joined_numbers(const std::vector<double>& values);
 
 /// How to write what is nearly a number, e.g. " with a decimal point" for 1,5: to follow "a number"
 /// in a message. Empty if there is nothing to say.

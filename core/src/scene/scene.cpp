@@ -2,6 +2,7 @@
 #include "microslip/scene/scene.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iterator>
 #include <sstream>
@@ -156,18 +157,24 @@ const Scene::Value& Scene::value(const std::string& key) const {
   throw BadParameter(near, "missing key '" + key + "'" + question(near));
 }
 
-bool Scene::has_second(const std::string& first, const std::string& second) const {
-  const bool both = has(first) && has(second);
-  if (both || (!has(first) && !has(second))) {
-    const std::string near = both ? "" : nearest(first, keys());
-    throw BadParameter(!both                      ? near
-                       : place_of(second).empty() ? first
-                                                  : second,
-                       std::string(both ? "expected only one of" : "missing key") + " '" + first +
-                           (both ? "' and '" : "' or '") + second + "'" +
-                           (both ? "" : question(near)));
+std::string Scene::at_most_one_of(const std::vector<std::string>& keys) const {
+  std::string first;
+  for (const std::string& key : keys) {
+    if (!has(key)) continue;
+    if (!first.empty()) {
+      throw BadParameter(place_of(key).empty() ? first : key,
+                         "expected only one of '" + first + "' and '" + key + "'");
+    }
+    first = key;
   }
-  return has(second);
+  return first;
+}
+
+std::string Scene::one_of(const std::vector<std::string>& keys) const {
+  const std::string found = at_most_one_of(keys);
+  if (!found.empty()) return found;
+  const std::string near = nearest(keys.front(), this->keys());
+  throw BadParameter(near, "missing key '" + joined(keys, "' or '") + "'" + question(near));
 }
 
 double Scene::number(const std::string& key) { return number(key, Unit{unit_of_key(key)}); }
@@ -199,17 +206,30 @@ double Scene::positive(const std::string& key, Unit unit) {
 }
 
 std::vector<double> Scene::numbers(const std::string& key) {
+  const std::string unit = unit_of_key(key);
+  const bool takes_units = unit != "1";
   std::vector<double> values;
   std::istringstream words(text(key));
   for (std::string word; words >> word;) {
-    const auto value = finite_number(word);
-    if (!value) {
+    if (const auto value = finite_number(word)) {
+      values.push_back(*value);
+      continue;
+    }
+    const bool behind = !values.empty() && !converted<double>(word) &&  // which takes nan and inf
+                        std::isalpha(static_cast<unsigned char>(word[0])) != 0;
+    if (!takes_units || (!behind && !has_unit(word))) {
       reject(key, text(key), "finite numbers" + advice(word) + ", separated by blanks");
     }
-    values.push_back(*value);
+    const auto with_units = quantities(text(key), unit);
+    if (!with_units) {
+      reject(key, text(key),
+             "numbers with a unit behind the last or behind each, " + accepted_units(unit));
+    }
+    parameters_.emplace_back(key, joined_numbers(*with_units));
+    return *with_units;
   }
   if (values.empty()) reject(key, text(key), "at least one number");
-  parameters_.emplace_back(key, text(key));
+  parameters_.emplace_back(key, takes_units ? joined_numbers(values) : text(key));
   return values;
 }
 

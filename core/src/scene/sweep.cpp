@@ -90,10 +90,12 @@ std::optional<std::vector<std::string>> range(const std::vector<std::string>& pa
   return step ? linear_range(*first, *step, *last) : std::nullopt;
 }
 
-/// In the unit of the key, so that columns of swept values are numbers.
+/// In the unit of the key, so that columns of swept values are numbers, or lists of them.
 std::string without_unit(const std::string& key, const std::string& value) {
-  const auto number = has_unit(value) ? quantity(value, unit_of_key(key)) : std::nullopt;
-  return number ? format_short(*number) : value;
+  const auto is_number = [](const std::string& word) { return finite_number(word).has_value(); };
+  if (std::ranges::all_of(words_of(value), is_number)) return value;
+  const auto numbers = quantities(value, unit_of_key(key));
+  return numbers ? joined_numbers(*numbers) : value;
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 #include <map>
+#include <sstream>
+#include <string>
 #include <vector>
 
 #include "number.hpp"
@@ -135,6 +137,32 @@ std::optional<double> quantity(std::string_view text, std::string_view unit) {
   if (!from || !to || from->powers != to->powers) return std::nullopt;
   const double result = scaled(*value * (from->factor / to->factor), from->ten - to->ten);
   return std::isfinite(result) ? std::optional(result) : std::nullopt;
+}
+
+std::optional<std::vector<double>> quantities(std::string_view text, std::string_view unit) {
+  std::vector<std::string> items;  // a number each, with the unit behind it
+  std::istringstream words{std::string(text)};
+  for (std::string word; words >> word;) {
+    if (items.empty() || !split_number(word).first.empty()) {
+      items.push_back(word);
+    } else {
+      items.back() += ' ' + word;
+    }
+  }
+  const auto unit_behind = [](const std::string& item) { return split_number(item).second; };
+  const auto has_none = [&](const std::string& item) { return unit_behind(item).empty(); };
+  const auto without = static_cast<std::size_t>(std::ranges::count_if(items, has_none));
+  const bool one_for_all = without > 0 && without + 1 == items.size() && !has_none(items.back());
+  if (without > 0 && without < items.size() && !one_for_all) return std::nullopt;
+  std::vector<double> values;
+  for (const std::string& item : items) {
+    const bool takes_last = one_for_all && &item != &items.back();
+    const std::string behind(takes_last ? unit_behind(items.back()) : "");
+    const auto value = quantity(item + (takes_last ? ' ' + behind : ""), unit);
+    if (!value) return std::nullopt;
+    values.push_back(*value);
+  }
+  return values;
 }
 
 bool is_unit(std::string_view text) { return unit_of(text).has_value(); }

@@ -71,16 +71,18 @@ SteadyTarget read_steady_target(Scene& scene);
 struct TransientScene {
   TransientProblem problem;
   Start start;
-  double distance;                  ///< (0, inf)  [mm]
+  std::vector<ShiftLoad> shifts;    ///< without rolling, one after the other from the start on
+  double distance;                  ///< rolled after them, (0, inf)  [mm]
   std::vector<double> step_ratios;  ///< dq/dx, taken in turn, each (0, inf)  [1]
   Load load;
 };
 
 /// All of a steady scene but step.ratio, and: step.ratio (one or more numbers), step.scheme
 /// material|direct|relaxed|relaxed_traction|fractional (material), step.relaxation (1) of the third
-/// and fourth, motion.distance, start.type rest|cattaneo|file; start.force (load.force) of the
-/// second, start.file of the third: columns x traction, at the nodes, or at any positions for
-/// `material`.
+/// and fourth, motion.distance, start.type rest|cattaneo|file; start.force (load.force) or
+/// start.shift of the second; start.file of the third: columns x traction, at the nodes, or at any
+/// positions for `material`. One start.force makes a CattaneoShift; several, or any start.shift,
+/// are shifts from rest.
 TransientScene read_transient(Scene& scene);
 
 /// A cylinder that rolls down a slope from rest.

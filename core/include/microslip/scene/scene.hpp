@@ -70,8 +70,12 @@ class Scene {
   /// As it was given. \throws std::invalid_argument if there is no such key
   const std::string& text(const std::string& key) const { return value(key).text; }
 
-  /// Whether the second of two keys is given. \throws std::invalid_argument unless one of them is
-  bool has_second(const std::string& first, const std::string& second) const;
+  /// The one key that is given of those that exclude each other; empty if none is.
+  /// \throws std::invalid_argument if two are
+  std::string at_most_one_of(const std::vector<std::string>& keys) const;
+
+  /// The same. \throws std::invalid_argument if none is, too
+  std::string one_of(const std::vector<std::string>& keys) const;
 
   /// A finite decimal number, with a point in any locale: 1.5, .5, +5, -1e-3. One that is too small
   /// for a double, 1e-400, is rejected like one that is too large. After it may stand a unit, which
@@ -84,7 +88,8 @@ class Scene {
   double positive(const std::string& key);
   double positive(const std::string& key, Unit unit);
 
-  /// A list of them, separated by blanks; not empty.
+  /// A list of them, separated by blanks; not empty. Of a key with a unit, as quantities() takes
+  /// it.
   std::vector<double> numbers(const std::string& key);
 
   /// A whole number, also as 1e5.

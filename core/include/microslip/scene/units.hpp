@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace microslip {
 
@@ -19,6 +20,15 @@ namespace microslip {
 /// \param unit  in which the result is, and a number without one
 /// \return nothing if it is no finite number, or the unit is unknown or of another kind
 std::optional<double> quantity(std::string_view text, std::string_view unit);
+
+/// Numbers separated by blanks, in another unit: "-0.5 0.5 kN/mm" in N/mm is -500 and 500. One unit
+/// after the last number is that of all; else each number has its own, or none has.
+/// \param text  as many numbers as quantity() takes one of
+/// \param unit  as for quantity()
+/// \return nothing if one of them is no finite number, units are unknown or of another kind, or
+/// some
+///         numbers before the last have a unit and others have none
+std::optional<std::vector<double>> quantities(std::string_view text, std::string_view unit);
 
 /// Whether it reads as a unit.
 bool is_unit(std::string_view text);

@@ -11,9 +11,9 @@ namespace microslip::experiments {
 
 /// \file
 /// Solves a scene. Tables: `traction`, a row a node; `summary`, quantity, value and unit, with the
-/// evidence of add_evidence; and `history`, a row a step, of what is not steady. Progress counts
-/// steps, thousandths of a cylinder's way, or percents of the operations that a steady solution is
-/// expected to take.
+/// evidence of add_evidence; `history`, a row a step, of what is not steady; and `shifts`, a row a
+/// shift, of a transient with TransientScene::shifts. Progress counts shifts and steps, thousandths
+/// of a cylinder's way, or percents of the operations that a steady solution is expected to take.
 
 std::vector<Table> scene_tables(const SteadyProblem& problem, const Progress& progress);
 std::vector<Table> scene_tables(const SteadyTarget& target, const Progress& progress);

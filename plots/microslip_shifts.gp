@@ -1,0 +1,11 @@
+# Shifts without rolling, one after the other: the force at the end of each over the rigid shift so far. What is
+# between two points is no straight line; more values of start.force show it.
+shifts = tables."/shifts.tsv"
+eval page(640, 420)
+set xlabel "rigid shift [mm]"
+set ylabel "force F [N/mm]"
+set xzeroaxis linecolor "gray60"
+set yzeroaxis linecolor "gray60"
+set key off
+set xtics format "%g"
+plot shifts using "total_shift":"force" with linespoints linetype 1 pointtype 7 pointsize 0.6
