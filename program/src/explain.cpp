@@ -58,8 +58,11 @@ std::string operations(double value) {
 
 void print_keys(const Parameters& parameters) {
   std::size_t names = 0, values = 0;
-  const auto with_unit = [](const auto& parameter) {
-    const std::string unit = unit_of_key(parameter.first);
+  const auto key_of = [](const std::string& name) {  // without the word "derived" before it
+    return name.substr(name.rfind(' ') + 1);
+  };
+  const auto with_unit = [&](const auto& parameter) {
+    const std::string unit = unit_of_key(key_of(parameter.first));
     return parameter.second + (unit == "1" ? "" : " " + unit);
   };
   for (const auto& parameter : parameters) {
@@ -67,7 +70,7 @@ void print_keys(const Parameters& parameters) {
     values = std::max(values, with_unit(parameter).size());
   }
   for (const auto& parameter : parameters) {
-    const Key* key = find_key(parameter.first);
+    const Key* key = find_key(key_of(parameter.first));
     std::cout << "  " << std::left << std::setw(static_cast<int>(names)) << parameter.first << "  "
               << std::setw(static_cast<int>(values)) << with_unit(parameter);
     if (key != nullptr) std::cout << "  " << key->meaning;

@@ -42,6 +42,11 @@ const std::map<std::string, Settings> scenes = {
     {"plane", with(steady, {"kernel.width=", "kernel.type=plane", "kernel.length=10"})},
     {"polynomial", with(steady, {"contact.bound_polynomial=1 0.3"})},
     {"table", with(steady, {"contact.peak_traction=", "contact.bound_file=bound"})},
+    {"youngs", with(steady, {"material.shear_modulus=", "material.youngs_modulus=2.56"})},
+    {"hertz",
+     with(steady, {"contact.half_width=", "contact.peak_traction=", "contact.normal_load=0.01",
+                   "contact.radius_1=100", "contact.friction=0.3"})},
+    {"force_ratio", with(steady, {"load.creepage=", "load.force_ratio=-0.5"})},
     {"chebyshev", with(steady, {"method=chebyshev"})},
     {"target_error", with(steady, {"grid.elements=", "target_error=1e-3"})},
     {"standard", with(steady, {"leading_edge=standard"})},
@@ -87,18 +92,18 @@ struct Role {
   std::string scenes;  ///< where it has a role, by their names
 };
 
-const std::string with_target =
-    "calibrated plane polynomial table chebyshev target_error standard known_edge trimmed ";
-const std::string steady_scenes =
-    "calibrated plane polynomial table chebyshev standard known_edge trimmed ";
-const std::string by_elements = "calibrated plane polynomial table standard known_edge trimmed ";
+const std::string by_elements =
+    "calibrated plane polynomial table youngs hertz force_ratio standard known_edge trimmed ";
+const std::string steady_scenes = by_elements + "chebyshev ";
+const std::string with_target = steady_scenes + "target_error ";
 const std::string differences = "standard known_edge trimmed ";
 const std::string transients =
     "material direct relaxed relaxed_traction fractional rest file creepage ";
 const std::string cylinders = "cylinder cylinder_relaxed ";
 const std::string strips =
-    "calibrated polynomial table chebyshev target_error standard known_edge trimmed " + transients +
-    cylinders;
+    "calibrated polynomial table youngs hertz force_ratio chebyshev target_error standard "
+    "known_edge trimmed " +
+    transients + cylinders;
 const std::string all = "plane " + strips;
 
 /// Of a choice between keys, the one that is not in a scene is refused with the others' names.
@@ -106,8 +111,13 @@ const std::vector<Role> roles = {
     {"problem", "", all},
     {"material.shear_modulus", "1", all},
     {"material.poisson_ratio", "0.28", all},
+    {"material.youngs_modulus", "2.56", all},
     {"contact.half_width", "1", all},
     {"contact.peak_traction", "1", all},
+    {"contact.normal_load", "0.01", all},
+    {"contact.radius_1", "100", "hertz"},
+    {"contact.radius_2", "100", "hertz"},
+    {"contact.friction", "0.3", "hertz"},
     {"contact.bound_polynomial", "1", all},
     {"contact.bound_file", "bound", "table"},
     {"kernel.type", "", all},
@@ -122,6 +132,8 @@ const std::vector<Role> roles = {
     {"target_error", "1e-3", with_target},
     {"load.creepage", "0.4", with_target + transients},
     {"load.force", "-1", with_target + transients},
+    {"load.force_ratio", "-0.5", with_target + transients},
+    {"load.stick_ratio", "0.6", with_target + transients},
     {"start.type", "rest", transients},
     {"start.force", "-1", "material direct relaxed relaxed_traction fractional creepage"},
     {"start.shift", "0.1", "material direct relaxed relaxed_traction fractional creepage"},

@@ -111,7 +111,9 @@ TEST(Model, AKeyOfTheOtherKernelIsUnknown) {
 TEST(Model, WantsExactlyOneLoad) {
   for (const char* text : {"load { creepage 1\nforce 1 }", "problem steady"}) {
     Scene scene = scene_of(text);
-    const std::string said = message([&] { read_load(scene); });
+    const std::string said = message([&] {
+      read_load(scene, PlaneKernel({1, 0.28}, 10), HertzBound(1, 1));
+    });
     EXPECT_NE(said.find("'load.creepage'"), std::string::npos) << text;
     EXPECT_NE(said.find("'load.force'"), std::string::npos) << text;
   }

@@ -26,6 +26,7 @@ constexpr std::string_view whole_contact =
     "leading_edge standard, known_edge or trimmed, or problem transient or cylinder";
 
 constexpr std::string_view elements = "scenes without method chebyshev and target_error";
+constexpr std::string_view with_load = "scenes with contact.normal_load";
 constexpr std::string_view rolls = "problem transient or cylinder";
 
 constexpr auto keys = std::to_array<Key>({
@@ -37,6 +38,11 @@ constexpr auto keys = std::to_array<Key>({
      .unit = "N/mm^2",
      .meaning = "combined shear modulus G",
      .range = positive},
+    {.name = "material.youngs_modulus",
+     .unit = "N/mm^2",
+     .meaning = "Young's modulus E of both bodies, G = E/(2 (1 + nu))",
+     .range = positive,
+     .note = "instead of material.shear_modulus"},
     {.name = "material.poisson_ratio",
      .meaning = "combined Poisson ratio nu",
      .range = {.least = 0, .most = 0.5}},
@@ -48,6 +54,26 @@ constexpr auto keys = std::to_array<Key>({
      .unit = "N/mm^2",
      .meaning = "peak mu p0 of the Hertzian traction bound",
      .range = positive},
+    {.name = "contact.normal_load",
+     .unit = "N/mm",
+     .meaning = "normal load of two cylinders, from which half-width and peak follow by Hertz",
+     .range = positive,
+     .note = "instead of contact.half_width, contact.peak_traction, contact.bound_polynomial and "
+             "contact.bound_file"},
+    {.name = "contact.radius_1",
+     .unit = "mm",
+     .meaning = "radius of the one body",
+     .range = positive,
+     .role = with_load},
+    {.name = "contact.radius_2",
+     .unit = "mm",
+     .meaning = "radius of the other body; a plane if it is not given",
+     .note = "> 0, or negative for a concave body, then larger in size than contact.radius_1",
+     .role = with_load},
+    {.name = "contact.friction",
+     .meaning = "friction coefficient mu",
+     .range = {.least = 0, .most = 10, .open = true},
+     .role = with_load},
     {.name = "contact.bound_polynomial",
      .type = list,
      .meaning =
@@ -121,6 +147,15 @@ constexpr auto keys = std::to_array<Key>({
      .unit = "N/mm",
      .meaning = "force F",
      .note = "less than full sliding; instead of load.creepage",
+     .role = "problem steady or transient"},
+    {.name = "load.force_ratio",
+     .meaning = "force over that of full sliding",
+     .note = "above -1, below 1; instead of load.creepage",
+     .role = "problem steady or transient"},
+    {.name = "load.stick_ratio",
+     .meaning = "part a' of the contact that sticks in Carter's solution; the force is "
+                "a'^2 - 1 times full sliding",
+     .note = "above 0, below 1, for Hertz's bound in plane strain; instead of load.creepage",
      .role = "problem steady or transient"},
     {.name = "start.type",
      .type = word,

@@ -5,19 +5,50 @@
 #include <cmath>
 #include <numeric>
 
+#include "hertz.hpp"
 #include "known_keys.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/schemes.hpp"
+#include "microslip/scene/keys.hpp"
+#include "microslip/scene/units.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 #include "start_file.hpp"
 
 namespace microslip {
 
+namespace {
+
+/// One set of constants is all that there is a model for.
+void refuse_unlike_bodies(const Scene& scene) {
+  for (const std::string& key : scene.keys()) {
+    const bool is_of_one_body = key.ends_with("_1") || key.ends_with("_2");
+    if (!key.starts_with("material.") || !is_of_one_body) continue;
+    const std::string both = key.substr(0, key.size() - 2);
+    if (find_key(both) == nullptr) continue;
+    throw BadParameter(key, "key '" + key + "': expected '" + both +
+                                "' of both bodies; there is no model of bodies of different "
+                                "material");
+  }
+}
+
+}  // namespace
+
 Material read_material(Scene& scene) {
-  const Material material{.shear_modulus = scene.number("material.shear_modulus"),
-                          .poisson_ratio = scene.number("material.poisson_ratio")};
+  refuse_unlike_bodies(scene);
+  if (scene.one_of({"material.shear_modulus", "material.youngs_modulus"}) ==
+      "material.shear_modulus") {
+    const Material material{.shear_modulus = scene.number("material.shear_modulus"),
+                            .poisson_ratio = scene.number("material.poisson_ratio")};
+    validate(material);
+    return material;
+  }
+  const double youngs_modulus = scene.positive("material.youngs_modulus");
+  const double nu = scene.number("material.poisson_ratio");
+  validate({.shear_modulus = youngs_modulus, .poisson_ratio = nu});  // before nu = -1 divides
+  const Material material{.shear_modulus = youngs_modulus / (2 * (1 + nu)), .poisson_ratio = nu};
   validate(material);
+  scene.derive("material.shear_modulus", material.shear_modulus);
   return material;
 }
 
@@ -50,6 +81,13 @@ TractionBound read_bound(Scene& scene) {
   });
 }
 
+TractionBound read_bound(Scene& scene, const Material& material) {
+  if (scene.one_of({"contact.half_width", "contact.normal_load"}) == "contact.half_width") {
+    return read_bound(scene);
+  }
+  return read_loaded_contact(scene, material);
+}
+
 Grid read_grid(Scene& scene, double half_width) {
   return Grid({.half_width = half_width,
                .elements = scene.whole("grid.elements"),
@@ -80,11 +118,27 @@ Solver read_solver(Scene& scene) {
   return solver;
 }
 
-Load read_load(Scene& scene) {
-  if (scene.one_of({"load.creepage", "load.force"}) == "load.force") {
-    return PrescribedForce{scene.number("load.force")};
+Load read_load(Scene& scene, const Kernel& kernel, const TractionBound& bound) {
+  const std::string key =
+      scene.one_of({"load.creepage", "load.force", "load.force_ratio", "load.stick_ratio"});
+  const double value = scene.number(key);
+  if (key == "load.creepage") return PrescribedCreepage{value};
+  if (key == "load.force") return PrescribedForce{value};
+  double ratio = value;
+  if (key == "load.force_ratio") {
+    require(std::abs(value) < 1, key, value, "a number above -1, below 1");
+  } else {
+    require(std::holds_alternative<HertzBound>(bound), key, value,
+            "Hertz's bound, as it is Carter's; for others there is load.force_ratio");
+    require(std::holds_alternative<PlaneKernel>(kernel), key, value,
+            "kernel.type plane, as it is Carter's; for strips there is load.force_ratio");
+    require(value > 0 && value < 1, key, value,
+            "a number above 0, which is full sliding, and below 1, which is no load");
+    ratio = -(1 - value) * (1 + value);  // the sign of a positive creepage
   }
-  return PrescribedCreepage{scene.number("load.creepage")};
+  const double force = ratio * full_sliding_force(bound);
+  scene.derive("load.force", force);
+  return PrescribedForce{force};
 }
 
 namespace {
@@ -100,7 +154,7 @@ struct ContactModel {
 ///               else its nodes only say where a result is shown
 ContactModel read_contact(Scene& scene, bool whole = true) {
   const Material material = read_material(scene);
-  const TractionBound bound = read_bound(scene);
+  const TractionBound bound = read_bound(scene, material);
   const Kernel kernel = read_kernel(scene, material);
   const double a = half_width_of(bound);
   return {kernel, bound,
@@ -210,9 +264,9 @@ SteadyTarget read_steady_target(Scene& scene) {
   const double target = scene.number("target_error");
   require_target_error(target);
   const Material material = read_material(scene);
-  const TractionBound bound = read_bound(scene);
+  const TractionBound bound = read_bound(scene, material);
   const Kernel kernel = read_kernel(scene, material);
-  return {{kernel, bound, read_load(scene)}, target};
+  return {{kernel, bound, read_load(scene, kernel, bound)}, target};
 }
 
 SteadyProblem read_steady(Scene& scene, const SteadyMethod& method) {
@@ -223,7 +277,7 @@ SteadyProblem read_steady(Scene& scene, const SteadyMethod& method) {
           .grid = model.grid,
           .basis = elements ? read_basis(scene, model.grid) : constant_basis(),
           .method = method,
-          .load = read_load(scene),
+          .load = read_load(scene, model.kernel, model.bound),
           .solver = elements ? read_solver(scene) : Solver{}};
 }
 
@@ -247,7 +301,7 @@ TransientScene read_transient(Scene& scene) {
   const double mean = std::accumulate(step_ratios.begin(), step_ratios.end(), 0.0) /
                       static_cast<double>(step_ratios.size());
   require_few_steps(distance, mean * problem.grid.spacing());
-  const Load load = read_load(scene);
+  const Load load = read_load(scene, problem.kernel, problem.bound);
   if (std::holds_alternative<PrescribedForce>(load)) {
     for (const double ratio : step_ratios) warn_of_noise(scene, problem, ratio);
   }
@@ -259,6 +313,21 @@ TransientScene read_transient(Scene& scene) {
           .step_ratios = step_ratios,
           .load = load};
 }
+
+namespace {
+
+/// The cylinder is one of the two bodies that Hertz's contact is of.
+void warn_of_other_radius(Scene& scene, double radius) {
+  if (!scene.has("contact.normal_load")) return;
+  for (const char* key : {"contact.radius_1", "contact.radius_2"}) {
+    const auto given = scene.has(key) ? quantity(scene.text(key), "mm") : std::nullopt;
+    if (given == radius) return;
+  }
+  scene.warn("cylinder.radius = " + format_short(radius) +
+             ": neither contact.radius_1 nor contact.radius_2 is that");
+}
+
+}  // namespace
 
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator) {
   const ContactModel model = read_contact(scene);
@@ -275,6 +344,7 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
                          .integrator = integrator,
                          .step_ratio = known_number(scene, "step.ratio"),
                          .distance = scene.number("motion.distance")};
+  warn_of_other_radius(scene, cylinder.cylinder.radius);
   require_definite(cylinder.contact);
   require_positive("motion.distance", cylinder.distance);
   require_few_steps(cylinder.distance, cylinder.step_ratio * model.grid.spacing());

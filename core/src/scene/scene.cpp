@@ -281,7 +281,9 @@ std::string Scene::word_or_first(const std::string& key,
 
 void Scene::reject_unread() const {
   std::vector<std::string> known;
-  for (const auto& [key, text] : parameters_) known.push_back(key);
+  for (const auto& [key, text] : parameters_) {
+    if (key.find(' ') == std::string::npos) known.push_back(key);  // else it is derived
+  }
   for (const auto& [key, value] : values_) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const Key* elsewhere = find_key(key);
@@ -291,6 +293,10 @@ void Scene::reject_unread() const {
                   : "unknown key '" + shown(key) + "'" + question(meant(key, known))) +
                  "; known to this model: " + joined(known, ", "));
   }
+}
+
+void Scene::derive(const std::string& key, double value) {
+  parameters_.emplace_back("derived " + key, format_short(value));
 }
 
 void Scene::warn(const std::string& line) {

@@ -15,7 +15,7 @@ namespace microslip {
 /// \file
 /// Parts of a model from the keys of a scene. Each throws std::invalid_argument that names the key.
 
-/// material.shear_modulus, material.poisson_ratio
+/// material.shear_modulus or material.youngs_modulus, material.poisson_ratio
 Material read_material(Scene& scene);
 
 /// kernel.type strip|plane; kernel.width of a strip, kernel.length of plane strain
@@ -27,6 +27,10 @@ HertzBound read_hertz_bound(Scene& scene);
 /// contact.half_width, and contact.peak_traction, with contact.bound_polynomial if it is not
 /// Hertzian (then the peak is 1 by default), or contact.bound_file (columns x bound)
 TractionBound read_bound(Scene& scene);
+
+/// The same, or instead of all that contact.normal_load, contact.radius_1, contact.radius_2 (none
+/// for a plane) and contact.friction, from which half-width and peak follow by Hertz.
+TractionBound read_bound(Scene& scene, const Material& material);
 
 /// grid.elements, grid.leading_offset (0.5), grid.trailing_offset (0.5)
 Grid read_grid(Scene& scene, double half_width);
@@ -41,8 +45,9 @@ ShapeFunction read_shape(Scene& scene);
 /// solver.condition (1e13)
 Solver read_solver(Scene& scene);
 
-/// load.creepage or load.force
-Load read_load(Scene& scene);
+/// load.creepage, load.force, load.force_ratio or, for Hertz's bound in plane strain,
+/// load.stick_ratio
+Load read_load(Scene& scene, const Kernel& kernel, const TractionBound& bound);
 
 /// method collocation|chebyshev (collocation), and of the first leading_edge
 /// inversion|calibrated|standard|exact|trimmed (inversion):

@@ -117,7 +117,11 @@ class Scene {
   /// \throws std::invalid_argument if a key was given that nobody read
   void reject_unread() const;
 
-  /// What was read so far.
+  /// Adds a value that follows from others to the parameters, as "derived" and the key that it
+  /// would have if it were given.
+  void derive(const std::string& key, double value);
+
+  /// What was read so far, and what was derived.
   const Parameters& parameters() const { return parameters_; }
 
   /// Adds a line, unless it is there, that the program tells its user, and puts into its tables.
