@@ -20,7 +20,7 @@ constexpr double relative_rounding = 1e-12;
 
 /// Near rest, a small slope takes more steps than the distance tells.
 void require_few_steps(const RollingCylinder& body, const CylinderScene& scene) {
-  const double steps = body.steps_from_rest(scene.distance);
+  const double steps = body.steps_from_start(scene.distance);
   require(steps <= most_steps, "cylinder.slope_force", scene.cylinder.slope_force, [&] {
     return "a force that rolls " + format_short(scene.distance) + " mm from rest in at most " +
            format_short(most_steps) + " steps, not about " + format_short(std::round(steps)) +

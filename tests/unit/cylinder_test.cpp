@@ -71,17 +71,43 @@ TEST_P(EveryIntegrator, StartsFromRestInStepsOfAboutAnElement) {
   }
 }
 
+TEST_P(EveryIntegrator, StartsFromRestInNoLongerStepThanAskedFor) {
+  Cylinder steep = cylinder;
+  steep.slope_force = 300;
+  RollingCylinder body = rolling(GetParam(), MaterialFixed{}, 60, steep);
+  body.step();
+  EXPECT_LT(body.state().position, 60 * 0.05);
+}
+
+TEST_P(EveryIntegrator, StartsFromFreeRolling) {
+  Cylinder moving = cylinder;
+  moving.velocity = 3;
+  RollingCylinder body = rolling(GetParam(), Remembered{}, 1, moving);
+  EXPECT_EQ(body.state().velocity, 3);
+  EXPECT_EQ(body.state().angular_velocity, 0.03);
+  body.step();
+  EXPECT_NEAR(body.state().position, 0.05, 1e-3);
+  roll_to(body, 5);
+  EXPECT_NEAR(body.state().angular_velocity * moving.radius / body.state().velocity, 1, 0.05);
+  const double linear = moving.mass * (body.state().velocity - 3);
+  const double angular = moving.inertia * (body.state().angular_velocity - 0.03) / moving.radius;
+  EXPECT_NEAR(linear + angular, moving.slope_force * body.state().time, 1e-12);
+}
+
 // With slopes so small that steps are parts of the period, and so large that they are elements.
 TEST(RollingCylinder, KnowsHowManyStepsItTakes) {
-  for (const double slope : {1e-4, 1e-3, 0.3}) {
-    Cylinder body = cylinder;
-    body.slope_force = slope;
-    for (const double distance : {0.02, 0.5, 5.0}) {
-      RollingCylinder rolled = rolling(Integrator::verlet, MaterialFixed{}, 1, body);
-      const double steps = rolled.steps_from_rest(distance);
-      int taken = 0;
-      for (; rolled.state().position < distance; ++taken) rolled.step();
-      EXPECT_NEAR(taken, steps, 0.2 * taken + 2) << slope << ' ' << distance;
+  for (const double velocity : {0.0, 0.1, 2.0}) {
+    for (const double slope : {1e-4, 1e-3, 0.3}) {
+      Cylinder body = cylinder;
+      body.slope_force = slope;
+      body.velocity = velocity;
+      for (const double distance : {0.02, 0.5, 5.0}) {
+        RollingCylinder rolled = rolling(Integrator::verlet, MaterialFixed{}, 1, body);
+        const double steps = rolled.steps_from_start(distance);
+        int taken = 0;
+        for (; rolled.state().position < distance; ++taken) rolled.step();
+        EXPECT_NEAR(taken, steps, 0.2 * taken + 2) << slope << ' ' << distance << ' ' << velocity;
+      }
     }
   }
 }
@@ -110,13 +136,17 @@ TEST_P(EveryIntegrator, FollowsTheSwingOfTheContactOnAGentleSlope) {
 }
 
 TEST(RollingCylinder, MidpointBalancesEnergyToRounding) {
-  for (const double step_ratio : {1.0, 0.37, 2.5}) {
-    RollingCylinder body = rolling(Integrator::midpoint, MaterialFixed{}, step_ratio);
-    roll_to(body, 10);
-    const EnergyLedger ledger = body.ledger();
-    EXPECT_GT(ledger.dissipated, 0.01);
-    EXPECT_LT(std::abs(ledger.total()), 1e-13 * -ledger.potential) << step_ratio;
-    EXPECT_GT(std::abs(ledger.end_total()), 1e-3 * -ledger.potential);
+  for (const double velocity : {0.0, 1.0}) {
+    Cylinder started = cylinder;
+    started.velocity = velocity;
+    for (const double step_ratio : {1.0, 0.37, 2.5}) {
+      RollingCylinder body = rolling(Integrator::midpoint, MaterialFixed{}, step_ratio, started);
+      roll_to(body, 10);
+      const EnergyLedger ledger = body.ledger();
+      EXPECT_GT(ledger.dissipated, 1e-3);
+      EXPECT_LT(std::abs(ledger.total()), 1e-13 * -ledger.potential) << step_ratio;
+      EXPECT_GT(std::abs(ledger.end_total()), 1e-4 * -ledger.potential);
+    }
   }
 }
 
@@ -158,6 +188,9 @@ TEST(RollingCylinder, SaysWhenItStalls) {
 TEST(RollingCylinder, RejectsConstantsOutsideTheRange) {
   Cylinder body = cylinder;
   body.mass = 0;
+  EXPECT_THROW(rolling(Integrator::verlet, Direct{}, 1, body), std::invalid_argument);
+  body = cylinder;
+  body.velocity = -1;
   EXPECT_THROW(rolling(Integrator::verlet, Direct{}, 1, body), std::invalid_argument);
   body = cylinder;
   body.slope_force = -1;

@@ -47,15 +47,21 @@ RollingCylinder::RollingCylinder(const TransientProblem& contact, const Cylinder
   require_positive("cylinder.inertia", cylinder.inertia);
   require_positive("cylinder.radius", cylinder.radius);
   require_positive("cylinder.slope_force", cylinder.slope_force);
+  require(std::isfinite(cylinder.velocity) && cylinder.velocity >= 0, "cylinder.velocity",
+          cylinder.velocity, "a finite number >= 0");
   require_positive("step.ratio", step_ratio);
   const double mass =
       1 / (1 / cylinder.mass + cylinder.radius * cylinder.radius / cylinder.inertia);
   period_ = 2 * std::numbers::pi * std::sqrt(mass / stiffness(contact));
-  const double part = std::min(0.125, 4 * step_length_ / contact.grid.half_width());
-  longest_step_ =
-      std::min(part * period_, std::sqrt(2 * step_length_ * cylinder.mass / cylinder.slope_force));
-  ahead_time_ = time_step(0);
-  ahead_velocity_ = acceleration_ * ahead_time_ / 2;
+  const double part = step_length_ / contact.grid.half_width();
+  const double fall =
+      std::sqrt(2 * contact.grid.half_width() * cylinder.mass / cylinder.slope_force);
+  longest_step_ = std::min(std::min(0.125, part) * period_, std::min(1.0, part) * fall);
+  state_.velocity = cylinder.velocity;
+  state_.angular_velocity = cylinder.velocity / cylinder.radius;
+  ahead_time_ = time_step(cylinder.velocity);
+  ahead_velocity_ = cylinder.velocity + acceleration_ * ahead_time_ / 2;
+  ahead_angular_velocity_ = state_.angular_velocity;
   const double first_step = ahead_velocity_ * ahead_time_ / contact.grid.spacing();
   require(first_step >= least_first_step, "cylinder.slope_force", cylinder.slope_force, [&] {
     return "a force that moves the cylinder by at least " + format_short(least_first_step) +
@@ -64,14 +70,17 @@ RollingCylinder::RollingCylinder(const TransientProblem& contact, const Cylinder
   });
 }
 
-/// Near rest, steps are parts of the period; then each has the same length.
-double RollingCylinder::steps_from_rest(double distance) const {
+/// As long as the body is slow, each step has the same duration; then each has the same length.
+double RollingCylinder::steps_from_start(double distance) const {
   const double rolling_mass =
       cylinder_.mass + cylinder_.inertia / (cylinder_.radius * cylinder_.radius);
   const double acceleration = cylinder_.slope_force / rolling_mass;
-  const double fastest = step_length_ / longest_step_;
-  const double slow = std::min(distance, fastest * fastest / (2 * acceleration));
-  return std::sqrt(2 * slow / acceleration) / longest_step_ + (distance - slow) / step_length_;
+  const double start = cylinder_.velocity;
+  const double fast = std::max(start, step_length_ / longest_step_);
+  const double slow = std::min(distance, (fast - start) * (fast + start) / (2 * acceleration));
+  const double slow_time =
+      2 * slow / (start + std::hypot(start, std::sqrt(2 * acceleration * slow)));
+  return (slow > 0 ? slow_time / longest_step_ : 0) + (distance - slow) / step_length_;
 }
 
 double RollingCylinder::time_step(double velocity) const {
@@ -168,10 +177,12 @@ void RollingCylinder::step() {
 }
 
 EnergyLedger RollingCylinder::ledger() const {
+  const double v = state_.velocity, start = cylinder_.velocity;
+  const double omega = state_.angular_velocity, start_omega = start / cylinder_.radius;
   EnergyLedger ledger;
   ledger.potential = -cylinder_.slope_force * state_.position;
-  ledger.translation = cylinder_.mass * state_.velocity * state_.velocity / 2;
-  ledger.rotation = cylinder_.inertia * state_.angular_velocity * state_.angular_velocity / 2;
+  ledger.translation = cylinder_.mass * (v - start) * (v + start) / 2;
+  ledger.rotation = cylinder_.inertia * (omega - start_omega) * (omega + start_omega) / 2;
   ledger.elastic = contact_.elastic_energy();
   ledger.dissipated = dissipated_;
   ledger.end_dissipated = end_dissipated_;
