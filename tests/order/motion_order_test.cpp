@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "microslip/dynamics/cylinder.hpp"
@@ -22,7 +24,8 @@ constexpr double length = 10;
 constexpr Cylinder solid{.mass = 1, .inertia = 5000, .radius = 100, .slope_force = 0.3};
 
 RollingCylinder rolling_on(Eigen::Index n, const AdvectionScheme& scheme, const Cylinder& body,
-                           Integrator integrator, double step_ratio) {
+                           Integrator integrator, double step_ratio,
+                           std::optional<double> tolerance = {}) {
   return {{.kernel = PlaneKernel(material, length),
            .bound = HertzBound(1, 1),
            .grid = Grid({.half_width = 1, .elements = n}),
@@ -30,7 +33,8 @@ RollingCylinder rolling_on(Eigen::Index n, const AdvectionScheme& scheme, const 
            .scheme = scheme},
           body,
           integrator,
-          step_ratio};
+          step_ratio,
+          tolerance};
 }
 
 // A cylinder that rolls freely with v0, and on which a small force F_cm acts from then on. With
@@ -196,6 +200,43 @@ TEST_P(MotionFromRest, IsSecondOrder) {
     for (const std::vector<double>& of : errors) {
       EXPECT_NEAR(fitted_order(sizes, of), 2, 0.25);
       EXPECT_LT(of.back(), accepted);
+    }
+  }
+}
+
+// Of time steps alone, on one grid: where the body swings, where it rolls a few elements in a
+// swing, and where it slides; with tolerances by which most steps are shortened.
+TEST(StepsByATolerance, HaveItsErrorAndAreFewerThanEqualOnes) {
+  for (const auto& [slope_force, saved] :
+       {std::pair{0.05, 1.05}, std::pair{0.3, 1.25}, std::pair{3.0, 1.7}}) {
+    Cylinder body = solid;
+    body.slope_force = slope_force;
+    const double end = std::sqrt(2 * 8 / (2.0 / 3 * slope_force));  // about 8 mm
+    const auto motion = [&](double step_ratio, std::optional<double> tolerance) {
+      return from_rest(
+          rolling_on(60, Remembered{}, body, Integrator::midpoint, step_ratio, tolerance), body,
+          end);
+    };
+    const Motion fine = motion(0.05, {});
+    const auto error_of = [&](const Motion& coarse) {
+      constexpr int places = 100;
+      double squares = 0;
+      for (int k = 1; k <= places; ++k) {
+        const double time = end * k / places;
+        squares += std::pow(at_time(coarse, time)[1] - at_time(fine, time)[1], 2) / places;
+      }
+      return std::sqrt(squares) / at_time(fine, end)[1];
+    };
+    const Motion equal = motion(0.5, {});
+    const double equal_error = error_of(equal);
+    for (const double tolerance : {1e-5, 3e-6}) {
+      const Motion controlled = motion(4, tolerance);
+      const double error = error_of(controlled);
+      EXPECT_LT(error, 2 * tolerance) << slope_force;
+      EXPECT_GT(error, 0.06 * tolerance) << slope_force;
+      const double equal_steps =
+          static_cast<double>(equal.states.size()) * std::sqrt(equal_error / error);
+      EXPECT_GT(equal_steps, saved * static_cast<double>(controlled.states.size())) << slope_force;
     }
   }
 }

@@ -4,7 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "microslip/support/not_converged.hpp"
 
 namespace microslip {
 namespace {
@@ -12,8 +17,8 @@ namespace {
 constexpr Cylinder cylinder{.mass = 1, .inertia = 5000, .radius = 100, .slope_force = 0.3};
 
 RollingCylinder rolling(Integrator integrator, AdvectionScheme scheme = MaterialFixed{},
-                        double step_ratio = 1, const Cylinder& body = cylinder,
-                        Eigen::Index n = 40) {
+                        double step_ratio = 1, const Cylinder& body = cylinder, Eigen::Index n = 40,
+                        std::optional<double> tolerance = {}) {
   return {{.kernel = PlaneKernel({1.44, 0.28}, 10),
            .bound = HertzBound(1, 1),
            .grid = Grid({.half_width = 1, .elements = n}),
@@ -21,7 +26,8 @@ RollingCylinder rolling(Integrator integrator, AdvectionScheme scheme = Material
            .scheme = scheme},
           body,
           integrator,
-          step_ratio};
+          step_ratio,
+          tolerance};
 }
 
 void roll_to(RollingCylinder& body, double distance) {
@@ -148,6 +154,53 @@ TEST(RollingCylinder, MidpointBalancesEnergyToRounding) {
       EXPECT_GT(std::abs(ledger.end_total()), 1e-4 * -ledger.potential);
     }
   }
+}
+
+TEST(RollingCylinder, KeepsTheBalanceOfEnergyInStepsByATolerance) {
+  for (const double tolerance : {1e-3, 1e-5}) {
+    for (const AdvectionScheme& scheme :
+         std::vector<AdvectionScheme>{MaterialFixed{}, Remembered{}}) {
+      RollingCylinder body = rolling(Integrator::midpoint, scheme, 4, cylinder, 40, tolerance);
+      roll_to(body, 5);
+      EXPECT_LT(std::abs(body.ledger().total()), 1e-13 * -body.ledger().potential);
+    }
+  }
+}
+
+// Near rest the force bends most; later on, steps are as long as without a tolerance.
+TEST(RollingCylinder, TakesShorterStepsWhereTheForceBends) {
+  RollingCylinder body = rolling(Integrator::midpoint, Remembered{}, 4, cylinder, 40, 1e-5);
+  RollingCylinder without = rolling(Integrator::midpoint, Remembered{}, 4);
+  body.step();
+  without.step();
+  EXPECT_LT(body.state().time, 0.25 * without.state().time);
+  roll_to(body, 60);
+  roll_to(without, 60);
+  const double before = body.state().position, before_without = without.state().position;
+  body.step();
+  without.step();
+  EXPECT_NEAR(body.state().position - before, without.state().position - before_without, 0.02);
+}
+
+TEST(RollingCylinder, RefusesToleranceThatTheGridCannotMeet) {
+  RollingCylinder body = rolling(Integrator::midpoint, Direct{}, 0.3, cylinder, 20, 1e-9);
+  try {
+    roll_to(body, 5);
+    FAIL();
+  } catch (const NotConverged& error) {
+    EXPECT_NE(std::string(error.what()).find("motion.tolerance = 1e-09"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(RollingCylinder, RejectsTolerancesOutsideTheRange) {
+  const auto made = [](Integrator by, double tolerance) {
+    rolling(by, Remembered{}, 1, cylinder, 40, tolerance);
+  };
+  EXPECT_NO_THROW(made(Integrator::midpoint, 1));
+  EXPECT_THROW(made(Integrator::midpoint, 0), std::invalid_argument);
+  EXPECT_THROW(made(Integrator::midpoint, 1.01), std::invalid_argument);
+  EXPECT_THROW(made(Integrator::verlet, 1e-3), std::invalid_argument);
 }
 
 // The two schemes of thesis chapter 9 are one: half a step more of velocity is what the other adds

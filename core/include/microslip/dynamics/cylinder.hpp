@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "microslip/rolling/transient.hpp"
 
 namespace microslip {
@@ -56,6 +59,9 @@ struct CylinderState {
   double creepage = 0;          ///< (v - omega R)/v of the step  [1]
 };
 
+/// \throws std::invalid_argument unless in (0, 1]
+void require_tolerance(double tolerance);
+
 /// A cylinder that starts from rest, or from free rolling. A step lasts c dx / v. While v is small,
 /// it lasts a part of the two times that the start has, or of the shorter one. One is the period in
 /// which the body swings on a contact that sticks, 2 pi sqrt(m'/k), with 1/m' = 1/m + R^2/I and k
@@ -72,10 +78,15 @@ class RollingCylinder {
  public:
   /// \param contact     creepage-driven, so its kernel.width or kernel.length matters
   /// \param step_ratio  c, > 0  [1]
+  /// \param tolerance   of v from the length of time steps, relative to (v^2 + 2 a F_cm/m)^1/2, in
+  ///                    (0, 1], for the midpoint rule. Steps become shorter than by the rule above
+  ///                    where the error is estimated to be larger: what v gathers in a period, and
+  ///                    until the contact has rolled on by its width. Measured: 0.1 to 4 times the
+  ///                    tolerance where most steps are shorter by it. None: the rule above  [1]
   /// \throws std::invalid_argument outside the ranges, and if the slope is so small that the first
   ///                               step is next to none
   RollingCylinder(const TransientProblem& contact, const Cylinder& cylinder, Integrator integrator,
-                  double step_ratio);
+                  double step_ratio, std::optional<double> tolerance = {});
 
   /// Estimate of the number of steps to roll so far from the start, as long as the contact does not
   /// slide; within a fifth (tests/unit/cylinder_test.cpp).
@@ -83,6 +94,9 @@ class RollingCylinder {
 
   /// Period of the body that swings on a contact which sticks  [s]
   double period() const { return period_; }
+
+  /// Steps of the contact solved so far, trials included: what the motion costs.
+  std::size_t contact_steps() const { return contact_steps_; }
 
   const CylinderState& state() const { return state_; }
   const TransientRolling& contact() const { return contact_; }
@@ -92,7 +106,8 @@ class RollingCylinder {
   EnergyLedger ledger() const;
 
   /// \throws std::runtime_error if the cylinder stalls or rolls backwards
-  /// \throws NotConverged       as the contact, or if the implicit equation has no solution
+  /// \throws NotConverged       as the contact, if the implicit equation has no solution, or if the
+  ///                            tolerance would ask for steps that are 1000 times shorter
   void step();
 
  private:
@@ -102,21 +117,38 @@ class RollingCylinder {
   void step_leapfrog();
   void step_midpoint();
 
+  /// Of a step of the midpoint rule  [N/mm]
+  struct StepForce {
+    double mean;
+    double end;
+  };
+  StepForce solve_midpoint(double time);
+  double kept_error(double time, const StepForce& force) const;
+
   TransientRolling contact_;
   Cylinder cylinder_;
   Integrator integrator_;
+  double half_width_;
+  double step_ratio_;
   double step_length_;  ///< c dx
   double period_;
-  double longest_step_;  ///< [s]
-  double force_scale_;   ///< full sliding  [N/mm]
+  double longest_step_;   ///< [s]
+  double fall_velocity_;  ///< that F_cm gives over a  [mm/s]
+  double force_scale_;    ///< full sliding  [N/mm]
   CylinderState state_;
+  std::size_t contact_steps_ = 0;
   double acceleration_;
   double angular_acceleration_ = 0;
   // Leapfrog: velocities half a step ahead, and that step.
   double ahead_velocity_ = 0;
   double ahead_angular_velocity_ = 0;
   double ahead_time_ = 0;
-  double slope_ = 1;  ///< midpoint: of the last secant, >= 1
+  // Midpoint rule.
+  double slope_ = 1;  ///< of the last secant, >= 1
+  std::optional<double> tolerance_;
+  double allowed_time_;   ///< for the next step, by the tolerance  [s]
+  double last_time_ = 0;  ///< of the last step  [s]
+  double last_rate_ = 0;  ///< at which the force changed in it  [N/(mm s)]
   double dissipated_ = 0;
   double end_dissipated_ = 0;
 };
