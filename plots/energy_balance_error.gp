@@ -19,14 +19,15 @@ plot energy using (of("contact", "verlet")):"error" with linespoints linetype 2 
      energy using (of("world", "midpoint")):(column("mean_error") + 1e-18) with linespoints linetype 1 pointtype 7 pointsize 0.5 title "world, midpoint, mean", \
      0.2 / x with lines linecolor "gray60" dashtype 2 title "first order"
 set yrange [*:*]
-set xrange [10:110]
+set xrange [15:210]
 set ylabel "error of v(t), root of mean square [1]"
 unset key
 set key inside bottom left
-set xtics (10, 20, 40, 80)
+set xtics (20, 40, 80, 160)
 set title "motion, against a finer grid"
 plot motion using (of("contact", "verlet")):"velocity_error" with linespoints linetype 2 pointtype 6 pointsize 0.6 title "contact, Verlet", \
-     motion using (of("world", "verlet")):"velocity_error" with linespoints linetype 3 pointtype 5 pointsize 0.4 title "world, Verlet", \
-     motion using (of("world", "midpoint")):"velocity_error" with linespoints linetype 1 pointtype 7 pointsize 0.5 title "world, midpoint", \
-     0.1 / x with lines linecolor "gray60" dashtype 2 title "first order"
+     motion using (of("world", "midpoint")):"velocity_error" with linespoints linetype 5 pointtype 8 pointsize 0.6 title "world, midpoint", \
+     motion using (of("remembered", "verlet")):"velocity_error" with linespoints linetype 3 pointtype 5 pointsize 0.4 title "remembered, Verlet", \
+     motion using (of("remembered", "midpoint")):"velocity_error" with linespoints linetype 1 pointtype 7 pointsize 0.4 title "remembered, midpoint", \
+     0.4 / x**2 with lines linecolor "gray60" dashtype 2 title "second order"
 unset multiplot

@@ -296,11 +296,17 @@ motion { distance 0.33 }
   expect_rejected(good, "--set cylinder.mass=0", "cylinder.mass = 0: expected a number > 0");
   expect_rejected(good, "--set cylinder.radius=-1", "cylinder.radius = -1");
   expect_rejected(good, "--set cylinder.slope_force=1e-12",
-                  "cylinder.slope_force = 1e-12: expected a force that rolls 0.33 mm from rest in "
+                  "cylinder.slope_force = 1e-12: expected a force that rolls 0.33 mm in "
                   "at most 1e+06 steps, not about ");
   expect_rejected(good, "--set cylinder.slope_force=1e-16",
                   "cylinder.slope_force = 1e-16: expected a force that moves the cylinder by");
   expect_rejected(good, "--set cylinder.slope_force=", "missing key 'cylinder.slope_force'");
+  expect_rejected(good, "--set cylinder.velocity=-1", "cylinder.velocity = -1: expected a number");
+  expect_rejected(good, "--set motion.tolerance=0",
+                  "motion.tolerance = 0: expected a number above 0, at most 1");
+  expect_rejected(good, "--set motion.tolerance=1e-4 --set motion.integrator=verlet",
+                  "key 'motion.tolerance' has no role here: it is for problem cylinder with "
+                  "motion.integrator midpoint");
   expect_rejected(good, "--set motion.integrator=euler", "motion.integrator = 'euler': expected");
   expect_rejected(good, "--set load.force=-1", "key 'load.force' has no role here");
   expect_rejected(good, "--set step.ratio=-1", "step.ratio = -1: expected a number > 0");

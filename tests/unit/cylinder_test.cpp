@@ -4,7 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "microslip/support/not_converged.hpp"
 
 namespace microslip {
 namespace {
@@ -12,8 +17,8 @@ namespace {
 constexpr Cylinder cylinder{.mass = 1, .inertia = 5000, .radius = 100, .slope_force = 0.3};
 
 RollingCylinder rolling(Integrator integrator, AdvectionScheme scheme = MaterialFixed{},
-                        double step_ratio = 1, const Cylinder& body = cylinder,
-                        Eigen::Index n = 40) {
+                        double step_ratio = 1, const Cylinder& body = cylinder, Eigen::Index n = 40,
+                        std::optional<double> tolerance = {}) {
   return {{.kernel = PlaneKernel({1.44, 0.28}, 10),
            .bound = HertzBound(1, 1),
            .grid = Grid({.half_width = 1, .elements = n}),
@@ -21,7 +26,8 @@ RollingCylinder rolling(Integrator integrator, AdvectionScheme scheme = Material
            .scheme = scheme},
           body,
           integrator,
-          step_ratio};
+          step_ratio,
+          tolerance};
 }
 
 void roll_to(RollingCylinder& body, double distance) {
@@ -71,17 +77,43 @@ TEST_P(EveryIntegrator, StartsFromRestInStepsOfAboutAnElement) {
   }
 }
 
+TEST_P(EveryIntegrator, StartsFromRestInNoLongerStepThanAskedFor) {
+  Cylinder steep = cylinder;
+  steep.slope_force = 300;
+  RollingCylinder body = rolling(GetParam(), MaterialFixed{}, 60, steep);
+  body.step();
+  EXPECT_LT(body.state().position, 60 * 0.05);
+}
+
+TEST_P(EveryIntegrator, StartsFromFreeRolling) {
+  Cylinder moving = cylinder;
+  moving.velocity = 3;
+  RollingCylinder body = rolling(GetParam(), Remembered{}, 1, moving);
+  EXPECT_EQ(body.state().velocity, 3);
+  EXPECT_EQ(body.state().angular_velocity, 0.03);
+  body.step();
+  EXPECT_NEAR(body.state().position, 0.05, 1e-3);
+  roll_to(body, 5);
+  EXPECT_NEAR(body.state().angular_velocity * moving.radius / body.state().velocity, 1, 0.05);
+  const double linear = moving.mass * (body.state().velocity - 3);
+  const double angular = moving.inertia * (body.state().angular_velocity - 0.03) / moving.radius;
+  EXPECT_NEAR(linear + angular, moving.slope_force * body.state().time, 1e-12);
+}
+
 // With slopes so small that steps are parts of the period, and so large that they are elements.
 TEST(RollingCylinder, KnowsHowManyStepsItTakes) {
-  for (const double slope : {1e-4, 1e-3, 0.3}) {
-    Cylinder body = cylinder;
-    body.slope_force = slope;
-    for (const double distance : {0.02, 0.5, 5.0}) {
-      RollingCylinder rolled = rolling(Integrator::verlet, MaterialFixed{}, 1, body);
-      const double steps = rolled.steps_from_rest(distance);
-      int taken = 0;
-      for (; rolled.state().position < distance; ++taken) rolled.step();
-      EXPECT_NEAR(taken, steps, 0.2 * taken + 2) << slope << ' ' << distance;
+  for (const double velocity : {0.0, 0.1, 2.0}) {
+    for (const double slope : {1e-4, 1e-3, 0.3}) {
+      Cylinder body = cylinder;
+      body.slope_force = slope;
+      body.velocity = velocity;
+      for (const double distance : {0.02, 0.5, 5.0}) {
+        RollingCylinder rolled = rolling(Integrator::verlet, MaterialFixed{}, 1, body);
+        const double steps = rolled.steps_from_start(distance);
+        int taken = 0;
+        for (; rolled.state().position < distance; ++taken) rolled.step();
+        EXPECT_NEAR(taken, steps, 0.2 * taken + 2) << slope << ' ' << distance << ' ' << velocity;
+      }
     }
   }
 }
@@ -110,14 +142,65 @@ TEST_P(EveryIntegrator, FollowsTheSwingOfTheContactOnAGentleSlope) {
 }
 
 TEST(RollingCylinder, MidpointBalancesEnergyToRounding) {
-  for (const double step_ratio : {1.0, 0.37, 2.5}) {
-    RollingCylinder body = rolling(Integrator::midpoint, MaterialFixed{}, step_ratio);
-    roll_to(body, 10);
-    const EnergyLedger ledger = body.ledger();
-    EXPECT_GT(ledger.dissipated, 0.01);
-    EXPECT_LT(std::abs(ledger.total()), 1e-13 * -ledger.potential) << step_ratio;
-    EXPECT_GT(std::abs(ledger.end_total()), 1e-3 * -ledger.potential);
+  for (const double velocity : {0.0, 1.0}) {
+    Cylinder started = cylinder;
+    started.velocity = velocity;
+    for (const double step_ratio : {1.0, 0.37, 2.5}) {
+      RollingCylinder body = rolling(Integrator::midpoint, MaterialFixed{}, step_ratio, started);
+      roll_to(body, 10);
+      const EnergyLedger ledger = body.ledger();
+      EXPECT_GT(ledger.dissipated, 1e-3);
+      EXPECT_LT(std::abs(ledger.total()), 1e-13 * -ledger.potential) << step_ratio;
+      EXPECT_GT(std::abs(ledger.end_total()), 1e-4 * -ledger.potential);
+    }
   }
+}
+
+TEST(RollingCylinder, KeepsTheBalanceOfEnergyInStepsByATolerance) {
+  for (const double tolerance : {1e-3, 1e-5}) {
+    for (const AdvectionScheme& scheme :
+         std::vector<AdvectionScheme>{MaterialFixed{}, Remembered{}}) {
+      RollingCylinder body = rolling(Integrator::midpoint, scheme, 4, cylinder, 40, tolerance);
+      roll_to(body, 5);
+      EXPECT_LT(std::abs(body.ledger().total()), 1e-13 * -body.ledger().potential);
+    }
+  }
+}
+
+// Near rest the force bends most; later on, steps are as long as without a tolerance.
+TEST(RollingCylinder, TakesShorterStepsWhereTheForceBends) {
+  RollingCylinder body = rolling(Integrator::midpoint, Remembered{}, 4, cylinder, 40, 1e-5);
+  RollingCylinder without = rolling(Integrator::midpoint, Remembered{}, 4);
+  body.step();
+  without.step();
+  EXPECT_LT(body.state().time, 0.25 * without.state().time);
+  roll_to(body, 60);
+  roll_to(without, 60);
+  const double before = body.state().position, before_without = without.state().position;
+  body.step();
+  without.step();
+  EXPECT_NEAR(body.state().position - before, without.state().position - before_without, 0.02);
+}
+
+TEST(RollingCylinder, RefusesToleranceThatTheGridCannotMeet) {
+  RollingCylinder body = rolling(Integrator::midpoint, Direct{}, 0.3, cylinder, 20, 1e-9);
+  try {
+    roll_to(body, 5);
+    FAIL();
+  } catch (const NotConverged& error) {
+    EXPECT_NE(std::string(error.what()).find("motion.tolerance = 1e-09"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(RollingCylinder, RejectsTolerancesOutsideTheRange) {
+  const auto made = [](Integrator by, double tolerance) {
+    rolling(by, Remembered{}, 1, cylinder, 40, tolerance);
+  };
+  EXPECT_NO_THROW(made(Integrator::midpoint, 1));
+  EXPECT_THROW(made(Integrator::midpoint, 0), std::invalid_argument);
+  EXPECT_THROW(made(Integrator::midpoint, 1.01), std::invalid_argument);
+  EXPECT_THROW(made(Integrator::verlet, 1e-3), std::invalid_argument);
 }
 
 // The two schemes of thesis chapter 9 are one: half a step more of velocity is what the other adds
@@ -158,6 +241,9 @@ TEST(RollingCylinder, SaysWhenItStalls) {
 TEST(RollingCylinder, RejectsConstantsOutsideTheRange) {
   Cylinder body = cylinder;
   body.mass = 0;
+  EXPECT_THROW(rolling(Integrator::verlet, Direct{}, 1, body), std::invalid_argument);
+  body = cylinder;
+  body.velocity = -1;
   EXPECT_THROW(rolling(Integrator::verlet, Direct{}, 1, body), std::invalid_argument);
   body = cylinder;
   body.slope_force = -1;

@@ -61,7 +61,7 @@ const std::map<std::string, Settings> scenes = {
     {"file", with(transient, {"start.type=file", "start.file=traction"})},
     {"creepage", with(transient, {"load.force=", "load.creepage=0.1", "start.force=-1"})},
     {"cylinder", cylinder},
-    {"cylinder_relaxed", with(cylinder, {"step.scheme=relaxed"})}};
+    {"cylinder_relaxed", with(cylinder, {"step.scheme=relaxed", "motion.integrator=verlet"})}};
 
 Scene scene_with(const Settings& settings) {
   Scene scene = scene_of(good_contact);
@@ -145,8 +145,10 @@ const std::vector<Role> roles = {
     {"cylinder.inertia", "5e3", cylinders},
     {"cylinder.radius", "100", cylinders},
     {"cylinder.slope_force", "0.3", cylinders},
+    {"cylinder.velocity", "0", cylinders},
     {"motion.distance", "0.3", transients + cylinders},
     {"motion.integrator", "midpoint", cylinders},
+    {"motion.tolerance", "1e-4", "cylinder"},
     {"solver.type", "auto", by_elements + transients + cylinders},
     {"solver.tolerance", "1e-10", by_elements + transients + cylinders},
     {"solver.violation", "1e-3", by_elements + transients + cylinders},

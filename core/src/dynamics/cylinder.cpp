@@ -25,6 +25,9 @@ void require_rolling(double velocity, const CylinderState& state) {
 /// Shorter steps have not been tried, and the first is not the shortest  [dx]
 constexpr double least_first_step = 1e-12;
 
+/// Where the tolerance asks for shorter steps, the force is not smooth enough for it.
+constexpr double least_step = 1e-3;  // of that with c = 1
+
 /// -dF/dS of a shift S so small that nothing slips  [N/mm^2]
 double stiffness(const TransientProblem& contact) {
   const double length = contact.grid.spacing();
@@ -35,27 +38,48 @@ double stiffness(const TransientProblem& contact) {
 
 }  // namespace
 
+void require_tolerance(double tolerance) {
+  require(tolerance > 0 && tolerance <= 1, "motion.tolerance", tolerance,
+          "a number above 0, at most 1");
+}
+
 RollingCylinder::RollingCylinder(const TransientProblem& contact, const Cylinder& cylinder,
-                                 Integrator integrator, double step_ratio)
+                                 Integrator integrator, double step_ratio,
+                                 std::optional<double> tolerance)
     : contact_(contact),
       cylinder_(cylinder),
       integrator_(integrator),
+      half_width_(contact.grid.half_width()),
+      step_ratio_(step_ratio),
       step_length_(step_ratio * contact.grid.spacing()),
       force_scale_(full_sliding_force(contact.bound)),
-      acceleration_(cylinder.slope_force / cylinder.mass) {
+      acceleration_(cylinder.slope_force / cylinder.mass),
+      tolerance_(tolerance) {
   require_positive("cylinder.mass", cylinder.mass);
   require_positive("cylinder.inertia", cylinder.inertia);
   require_positive("cylinder.radius", cylinder.radius);
   require_positive("cylinder.slope_force", cylinder.slope_force);
+  require(std::isfinite(cylinder.velocity) && cylinder.velocity >= 0, "cylinder.velocity",
+          cylinder.velocity, "a finite number >= 0");
   require_positive("step.ratio", step_ratio);
+  if (tolerance) {
+    require_tolerance(*tolerance);
+    require(integrator == Integrator::midpoint, "motion.tolerance", *tolerance,
+            "none, except for the midpoint rule");
+  }
   const double mass =
       1 / (1 / cylinder.mass + cylinder.radius * cylinder.radius / cylinder.inertia);
   period_ = 2 * std::numbers::pi * std::sqrt(mass / stiffness(contact));
-  const double part = std::min(0.125, 4 * step_length_ / contact.grid.half_width());
-  longest_step_ =
-      std::min(part * period_, std::sqrt(2 * step_length_ * cylinder.mass / cylinder.slope_force));
-  ahead_time_ = time_step(0);
-  ahead_velocity_ = acceleration_ * ahead_time_ / 2;
+  allowed_time_ = period_;
+  const double part = step_length_ / half_width_;
+  const double fall = std::sqrt(2 * half_width_ * cylinder.mass / cylinder.slope_force);
+  fall_velocity_ = fall * cylinder.slope_force / cylinder.mass;
+  longest_step_ = std::min(std::min(0.125, part) * period_, std::min(1.0, part) * fall);
+  state_.velocity = cylinder.velocity;
+  state_.angular_velocity = cylinder.velocity / cylinder.radius;
+  ahead_time_ = time_step(cylinder.velocity);
+  ahead_velocity_ = cylinder.velocity + acceleration_ * ahead_time_ / 2;
+  ahead_angular_velocity_ = state_.angular_velocity;
   const double first_step = ahead_velocity_ * ahead_time_ / contact.grid.spacing();
   require(first_step >= least_first_step, "cylinder.slope_force", cylinder.slope_force, [&] {
     return "a force that moves the cylinder by at least " + format_short(least_first_step) +
@@ -64,14 +88,17 @@ RollingCylinder::RollingCylinder(const TransientProblem& contact, const Cylinder
   });
 }
 
-/// Near rest, steps are parts of the period; then each has the same length.
-double RollingCylinder::steps_from_rest(double distance) const {
+/// As long as the body is slow, each step has the same duration; then each has the same length.
+double RollingCylinder::steps_from_start(double distance) const {
   const double rolling_mass =
       cylinder_.mass + cylinder_.inertia / (cylinder_.radius * cylinder_.radius);
   const double acceleration = cylinder_.slope_force / rolling_mass;
-  const double fastest = step_length_ / longest_step_;
-  const double slow = std::min(distance, fastest * fastest / (2 * acceleration));
-  return std::sqrt(2 * slow / acceleration) / longest_step_ + (distance - slow) / step_length_;
+  const double start = cylinder_.velocity;
+  const double fast = std::max(start, step_length_ / longest_step_);
+  const double slow = std::min(distance, (fast - start) * (fast + start) / (2 * acceleration));
+  const double slow_time =
+      2 * slow / (start + std::hypot(start, std::sqrt(2 * acceleration * slow)));
+  return (slow > 0 ? slow_time / longest_step_ : 0) + (distance - slow) / step_length_;
 }
 
 double RollingCylinder::time_step(double velocity) const {
@@ -84,6 +111,7 @@ void RollingCylinder::roll_contact(double velocity, double angular_velocity, dou
   const double length = velocity * time;
   const double creepage = 1 - angular_velocity * cylinder_.radius / velocity;
   contact_.step(length, PrescribedCreepage{creepage});
+  ++contact_steps_;
   dissipated_ += contact_.state().dissipation * length;
   end_dissipated_ += contact_.state().end_dissipation * length;
   state_.time += time;
@@ -114,19 +142,22 @@ void RollingCylinder::step_leapfrog() {
 
 /// The unknown is the mean force. More of it makes the contact slide further, and so makes the
 /// force at the end smaller: the equation has one solution, found by secants from the last force.
-void RollingCylinder::step_midpoint() {
-  const double time = time_step(state_.velocity);
+RollingCylinder::StepForce RollingCylinder::solve_midpoint(double time) {
   const auto velocity = [&](double mean_force) {
     return state_.velocity + time * (cylinder_.slope_force + mean_force) / (2 * cylinder_.mass);
   };
   const auto angular_velocity = [&](double mean_force) {
     return state_.angular_velocity - time * cylinder_.radius * mean_force / (2 * cylinder_.inertia);
   };
+  double end_force = 0;
   const auto excess = [&](double mean_force) {
     const double v = velocity(mean_force);
     require_rolling(v, state_);
     const double creepage = 1 - angular_velocity(mean_force) * cylinder_.radius / v;
-    return mean_force - contact_.attempt(v * time, PrescribedCreepage{creepage}).mean_force;
+    const TransientState after = contact_.attempt(v * time, PrescribedCreepage{creepage});
+    ++contact_steps_;
+    end_force = after.force;
+    return mean_force - after.mean_force;
   };
   // A secant may ask for so much braking that the cylinder would roll backwards.
   const auto towards = [&](double from, double to) {
@@ -143,7 +174,7 @@ void RollingCylinder::step_midpoint() {
   for (int k = 0;; ++k) {
     const double at_mean = excess(mean_force);
     const bool stagnates = std::abs(at_mean) >= std::abs(at_before);
-    if (std::abs(at_mean) <= (stagnates ? accepted : rounding)) break;
+    if (std::abs(at_mean) <= (stagnates ? accepted : rounding)) return {mean_force, end_force};
     if (k == most_secants) {
       throw NotConverged("cylinder: midpoint rule", k, std::abs(at_mean) / force_scale_);
     }
@@ -151,9 +182,47 @@ void RollingCylinder::step_midpoint() {
     before = std::exchange(mean_force, towards(mean_force, mean_force - at_mean / slope_));
     at_before = at_mean;
   }
-  roll_contact(velocity(mean_force), angular_velocity(mean_force), time);
-  state_.velocity += time * (cylinder_.slope_force + mean_force) / cylinder_.mass;
-  state_.angular_velocity -= time * cylinder_.radius * mean_force / cylinder_.inertia;
+}
+
+/// Estimate of the error of v, over its scale, if all steps were like this one for as long as the
+/// contact keeps it: a period, and until the contact has rolled on by its width. The rule takes the
+/// force as linear in a step, and leaves dt^3 F''/(12 m). The force begins flat.
+double RollingCylinder::kept_error(double time, const StepForce& force) const {
+  const double rate = (force.end - state_.force) / time;
+  const double curvature = 2 * (rate - last_rate_) / (time + last_time_);
+  const double scale = std::hypot(state_.velocity, fall_velocity_);
+  const double kept = period_ + 2 * half_width_ / scale;
+  return std::abs(curvature) * time * time * kept / (12 * cylinder_.mass * scale);
+}
+
+void RollingCylinder::step_midpoint() {
+  const double wanted = time_step(state_.velocity);
+  const double shortest = least_step * wanted * std::min(1.0, 1 / step_ratio_);
+  double time = std::min(wanted, allowed_time_);
+  StepForce force = solve_midpoint(time);
+  for (int tries = 1; tolerance_; ++tries) {
+    const double error = kept_error(time, force);
+    allowed_time_ = time * std::clamp(0.9 * std::sqrt(*tolerance_ / error), 0.2, 2.0);
+    if (error <= *tolerance_) break;
+    time = allowed_time_;
+    if (time < shortest) {
+      throw NotConverged("motion.tolerance = " + format_short(*tolerance_) +
+                             ": the force of the contact is not smooth enough for it, steps would "
+                             "be a thousandth of those with step.ratio 1,",
+                         tries, error);
+    }
+    force = solve_midpoint(time);
+  }
+  const double before = state_.force;
+  const double mean_velocity =
+      state_.velocity + time * (cylinder_.slope_force + force.mean) / (2 * cylinder_.mass);
+  const double mean_angular_velocity =
+      state_.angular_velocity - time * cylinder_.radius * force.mean / (2 * cylinder_.inertia);
+  roll_contact(mean_velocity, mean_angular_velocity, time);
+  state_.velocity += time * (cylinder_.slope_force + force.mean) / cylinder_.mass;
+  state_.angular_velocity -= time * cylinder_.radius * force.mean / cylinder_.inertia;
+  last_rate_ = (state_.force - before) / time;
+  last_time_ = time;
 }
 
 void RollingCylinder::step() {
@@ -168,10 +237,12 @@ void RollingCylinder::step() {
 }
 
 EnergyLedger RollingCylinder::ledger() const {
+  const double v = state_.velocity, start = cylinder_.velocity;
+  const double omega = state_.angular_velocity, start_omega = start / cylinder_.radius;
   EnergyLedger ledger;
   ledger.potential = -cylinder_.slope_force * state_.position;
-  ledger.translation = cylinder_.mass * state_.velocity * state_.velocity / 2;
-  ledger.rotation = cylinder_.inertia * state_.angular_velocity * state_.angular_velocity / 2;
+  ledger.translation = cylinder_.mass * (v - start) * (v + start) / 2;
+  ledger.rotation = cylinder_.inertia * (omega - start_omega) * (omega + start_omega) / 2;
   ledger.elastic = contact_.elastic_energy();
   ledger.dissipated = dissipated_;
   ledger.end_dissipated = end_dissipated_;

@@ -102,7 +102,10 @@ struct Explain {
             {normal, "inertia of the bodies, which problem cylinder has", details}};
   }
   Explanation operator()(const CylinderScene& scene) const {
-    return {"a cylinder that rolls down a slope from rest",
+    const double velocity = scene.cylinder.velocity;
+    const std::string start =
+        velocity == 0 ? "rest" : "free rolling with " + number(velocity) + " mm/s";
+    return {"a cylinder that rolls down a slope from " + start,
             {sliding(scene.contact.bound), elements_of(scene.contact.grid),
              rolled(scene, scene.distance, scene.contact.grid) +
                  " or more: those from rest, and of a body that swings, are shorter",

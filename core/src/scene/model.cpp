@@ -356,10 +356,19 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
 CylinderScene read_cylinder(Scene& scene) {
   const std::string integrator = known_word(scene, "motion.integrator");
   const AdvectionScheme scheme = read_scheme(scene);
-  return read_cylinder(scene, scheme,
-                       integrator == "midpoint" ? Integrator::midpoint
-                       : integrator == "verlet" ? Integrator::verlet
-                                                : Integrator::leapfrog);
+  CylinderScene cylinder = read_cylinder(scene, scheme,
+                                         integrator == "midpoint" ? Integrator::midpoint
+                                         : integrator == "verlet" ? Integrator::verlet
+                                                                  : Integrator::leapfrog);
+  const double velocity = known_number(scene, "cylinder.velocity");
+  require(velocity >= 0, "cylinder.velocity", velocity, "a number >= 0");
+  cylinder.cylinder.velocity = velocity;
+  constexpr const char* tolerance = "motion.tolerance";
+  if (cylinder.integrator == Integrator::midpoint && scene.has(tolerance)) {
+    cylinder.tolerance = scene.number(tolerance);
+    require_tolerance(*cylinder.tolerance);
+  }
+  return cylinder;
 }
 
 Model read_model(Scene& scene) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -90,22 +91,23 @@ struct TransientScene {
 /// are shifts from rest.
 TransientScene read_transient(Scene& scene);
 
-/// A cylinder that rolls down a slope from rest.
+/// A cylinder that rolls down a slope, from rest or from free rolling.
 struct CylinderScene {
   TransientProblem contact;
   Cylinder cylinder;
   Integrator integrator;
-  double step_ratio;  ///< c, (0, inf)  [1]
-  double distance;    ///< (0, inf)  [mm]
+  double step_ratio;                     ///< c, (0, inf)  [1]
+  double distance;                       ///< (0, inf)  [mm]
+  std::optional<double> tolerance = {};  ///< of the steps, (0, 1], for the midpoint rule  [1]
 };
 
 /// All of a steady scene but load.*; cylinder.mass, cylinder.inertia, cylinder.radius,
-/// cylinder.slope_force, step.ratio (1), motion.distance, motion.integrator
-/// midpoint|verlet|leapfrog (midpoint), and step.scheme and step.relaxation as in a transient, but
-/// by default material.
+/// cylinder.slope_force, cylinder.velocity (0), step.ratio (1), motion.distance, motion.integrator
+/// midpoint|verlet|leapfrog (midpoint), with midpoint motion.tolerance, and step.scheme and
+/// step.relaxation as in a transient.
 CylinderScene read_cylinder(Scene& scene);
 
-/// The same with a given scheme and integrator.
+/// The same from rest, with a given scheme and integrator, and without a tolerance.
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator);
 
 /// What a scene describes.

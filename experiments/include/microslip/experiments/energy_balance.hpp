@@ -18,16 +18,19 @@ struct EnergyBalanceParameters {
   std::vector<Eigen::Index> sizes;  ///< N of the energy errors, each twice the one before
   double error_distance;            ///< at which errors are taken  [mm]
   std::vector<Eigen::Index> motion_sizes;  ///< N whose motion is compared with a finer one
-  Eigen::Index refinement;                 ///< elements of the finer one for each, >= 2
+  Eigen::Index refinement;                 ///< elements of the finer one over the last N, >= 2
+  std::vector<double> step_ratios;  ///< c of equal steps that a tolerance is held against, falling
+  std::vector<double> tolerances;   ///< motion.tolerance, with the first c  [1]
 };
 
 /// The keys of a cylinder's scene without step.scheme and motion.integrator, and
-/// snapshots.positions, error.sizes, error.distance, motion.sizes, motion.refinement
+/// snapshots.positions, error.sizes, error.distance, motion.sizes, motion.refinement,
+/// control.ratios, control.tolerances
 EnergyBalanceParameters read_energy_balance(Scene& scene);
 
 /// Tables: motion (v and omega R against X), snapshots, energy (all of them and their sums against
 /// X), energy_error (against N for each frame, integrator and ledger), motion_error (against a
-/// finer run), orders, claims.
+/// finer run), step_control (by tolerance, and equal), orders, claims.
 std::vector<Table> energy_balance(const EnergyBalanceParameters& parameters,
                                   const Progress& progress);
 
