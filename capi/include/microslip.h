@@ -115,9 +115,9 @@ struct microslip_jacobian {
   struct microslip_slopes by_length; /**< by dq at that creepage or force  [1/mm] */
 };
 
-/** A shift without rolling, and its energies per mm of width. These are the same if the shift is
- * made in parts, to rounding with MICROSLIP_DIRECT; with MICROSLIP_MATERIAL the elements next to
- * the edges take and give back up to 5e-3 of the work where they begin or cease to slip. */
+/** A shift without rolling, and its energies per mm of width. A shift that is made in parts has the
+ * same sum of energies, to rounding with MICROSLIP_DIRECT, and with the other schemes to 6e-3 of
+ * the work at N = 41. */
 struct microslip_shift {
   double distance;    /**< rigid shift; a positive one gives negative tractions  [mm] */
   double force;       /**< F at its end  [N/mm] */

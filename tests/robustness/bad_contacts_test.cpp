@@ -68,6 +68,39 @@ TEST_F(BadScenes, ContactsFromLoadsAndRadii) {
   EXPECT_EQ(run(loaded_contact, "").error, "");
 }
 
+// In tables and in explain, with the units of the keys that they would have.
+TEST_F(BadScenes, WhatFollowsFromLoadsAndRadiiIsShown) {
+  ASSERT_EQ(run(loaded_contact, "").error, "");
+  const std::string summary = text_of(out() / "summary.tsv");
+  for (const char* key : {"material.shear_modulus = 0.769230769230769", "load.force = -0.0015",
+                          "contact.half_width = 1.0764", "contact.peak_traction = 0.001774"}) {
+    EXPECT_NE(summary.find(std::string("#   derived ") + key), std::string::npos) << key;
+  }
+  const std::string explained =
+      run_command(MICROSLIP_BIN "/microslip explain '" + scene_file().string() + "'").output;
+  EXPECT_NE(explained.find("  derived contact.half_width      1.0764"), std::string::npos);
+  EXPECT_NE(explained.find(" mm         half-width a of the contact\n"), std::string::npos)
+      << explained;
+}
+
+TEST_F(BadScenes, ACylinderIsOneOfTheBodies) {
+  const std::string scene = "problem cylinder" + good_contact + R"(
+cylinder { mass 1
+  inertia 5000
+  radius 10 cm
+  slope_force 0.0003 }
+motion { distance 0.33 }
+)";
+  const std::string loaded =
+      "--set contact.half_width= --set contact.peak_traction= --set contact.normal_load=0.01 "
+      "--set contact.friction=0.3 --set contact.radius_1=";
+  EXPECT_EQ(run(scene, loaded + "100").error, "");
+  EXPECT_EQ(run(scene, loaded + "200 --set 'contact.radius_2=0.1 m'").error, "");
+  EXPECT_EQ(run(scene, loaded + "200").error,
+            "microslip: warning: cylinder.radius = 100: neither contact.radius_1 nor "
+            "contact.radius_2 is that\n");
+}
+
 TEST_F(BadScenes, LoadRatios) {
   const auto rejected = [&](const std::string& setting, const std::string& named) {
     expect_rejected(loaded_contact, "--set load.force_ratio= --set 'load." + setting + "'", named);

@@ -25,9 +25,8 @@ std::optional<double> quantity(std::string_view text, std::string_view unit);
 /// after the last number is that of all; else each number has its own, or none has.
 /// \param text  as many numbers as quantity() takes one of
 /// \param unit  as for quantity()
-/// \return nothing if one of them is no finite number, units are unknown or of another kind, or
-/// some
-///         numbers before the last have a unit and others have none
+/// \return nothing if one of them is no finite number, if a unit is unknown or of another kind, or
+///         if some numbers have one and others, except for one unit after the last, have none
 std::optional<std::vector<double>> quantities(std::string_view text, std::string_view unit);
 
 /// Whether it reads as a unit.
