@@ -18,6 +18,7 @@ plot motion using (of("verlet")):"velocity_error" with linespoints linetype 3 po
      0.5 / x**2 with lines linecolor "gray60" dashtype 2 title "second order"
 set xlabel "time steps [1]"
 set xrange [200:6000]
+set xtics (250, 500, 1000, 2000, 4000)
 set title "time steps alone, midpoint"
 plot control using (by("equal")):"velocity_error" with linespoints linetype 2 pointtype 6 pointsize 0.6 title "equal: c = 4 to 0.25", \
      control using (by("tolerance")):"velocity_error" with linespoints linetype 1 pointtype 7 pointsize 0.5 title "by a tolerance, c = 4"

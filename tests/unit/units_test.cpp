@@ -25,6 +25,7 @@ TEST(Units, ConvertWithinAKind) {
   EXPECT_EQ(quantity("5500 kg/m", "N s^2/mm^2"), 0.0055);
   EXPECT_EQ(quantity("5.5 N*s\u00b2/m^2", "N s^2/mm^2"), 5.5e-6);
   EXPECT_EQ(quantity("0.77 kg\u00b7m", "N s^2"), 0.77);
+  EXPECT_EQ(quantity("0.5 m/s", "mm/s"), 500);
   EXPECT_EQ(quantity("0.2 %", "1"), 0.002);
 }
 

@@ -62,18 +62,17 @@ struct CylinderState {
 /// \throws std::invalid_argument unless in (0, 1]
 void require_tolerance(double tolerance);
 
-/// A cylinder that starts from rest, or from free rolling. A step lasts c dx / v. While v is small,
-/// it lasts a part of the two times that the start has, or of the shorter one. One is the period in
-/// which the body swings on a contact that sticks, 2 pi sqrt(m'/k), with 1/m' = 1/m + R^2/I and k
-/// the stiffness of the contact. The other is the time in which F_cm moves the body by a from rest.
-/// The part is c dx/a, at most 1/8 of the one and the whole of the other: it has to be in
-/// proportion to dx, or the motion is of lower order.
+/// A cylinder that starts from rest, or from free rolling. A step lasts c dx / v, but no longer
+/// than the part c dx/a of two times. One is the period in which the body swings on a contact that
+/// sticks, 2 pi sqrt(m'/k), with 1/m' = 1/m + R^2/I and k the stiffness of the contact. The other
+/// is the time in which F_cm moves the body by a from rest. The part is at most 1/8 of the period
+/// and all of the other. It is in proportion to dx: otherwise the motion would be of lower order.
 ///
 /// Order of accuracy: second in dx for v, omega and X where c dx is below a/8, with any integrator
-/// and c. That is with Remembered; MaterialFixed adds noise of its stick-slip points. Direct is
-/// first, as its contact is; with c = 1 the error of time is the larger one up to N = 100 or so
-/// (tests/order/motion_order_test.cpp, tests/study/energy_balance_test.cpp). Cost: that of a
-/// transient step, midpoint about five.
+/// and c. That holds with Remembered; MaterialFixed adds noise of its stick-slip points. Direct is
+/// of first order, as its contact is; with c = 1 the error of time is the larger one up to N = 100
+/// or so (tests/order/motion_order_test.cpp, tests/study/energy_balance_test.cpp). Cost: that of a
+/// transient step, midpoint about four.
 class RollingCylinder {
  public:
   /// \param contact     creepage-driven, so its kernel.width or kernel.length matters
@@ -81,7 +80,7 @@ class RollingCylinder {
   /// \param tolerance   of v from the length of time steps, relative to (v^2 + 2 a F_cm/m)^1/2, in
   ///                    (0, 1], for the midpoint rule. Steps become shorter than by the rule above
   ///                    where the error is estimated to be larger: what v gathers in a period, and
-  ///                    until the contact has rolled on by its width. Measured: 0.1 to 4 times the
+  ///                    until the contact has rolled on by its width. Measured: 0.1 to 3 times the
   ///                    tolerance where most steps are shorter by it. None: the rule above  [1]
   /// \throws std::invalid_argument outside the ranges, and if the slope is so small that the first
   ///                               step is next to none
