@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <utility>
 
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
@@ -109,9 +108,8 @@ double RollingCylinder::time_step(double velocity) const {
 void RollingCylinder::roll_contact(double velocity, double angular_velocity, double time) {
   require_rolling(velocity, state_);
   const double length = velocity * time;
-  const double creepage = 1 - angular_velocity * cylinder_.radius / velocity;
+  const double creepage = 1 - cylinder_.radius * angular_velocity / velocity;
   contact_.step(length, PrescribedCreepage{creepage});
-  ++contact_steps_;
   dissipated_ += contact_.state().dissipation * length;
   end_dissipated_ += contact_.state().end_dissipation * length;
   state_.time += time;
@@ -124,6 +122,7 @@ void RollingCylinder::roll_contact(double velocity, double angular_velocity, dou
 
 void RollingCylinder::step_verlet() {
   const double time = time_step(state_.velocity);
+  ++contact_steps_;
   const double before = acceleration_, angular_before = angular_acceleration_;
   roll_contact(state_.velocity + time * before / 2,
                state_.angular_velocity + time * angular_before / 2, time);
@@ -132,6 +131,7 @@ void RollingCylinder::step_verlet() {
 }
 
 void RollingCylinder::step_leapfrog() {
+  ++contact_steps_;
   roll_contact(ahead_velocity_, ahead_angular_velocity_, ahead_time_);
   state_.velocity = ahead_velocity_ + ahead_time_ * acceleration_ / 2;
   state_.angular_velocity = ahead_angular_velocity_ + ahead_time_ * angular_acceleration_ / 2;
@@ -140,55 +140,64 @@ void RollingCylinder::step_leapfrog() {
   ahead_angular_velocity_ = state_.angular_velocity + ahead_time_ * angular_acceleration_ / 2;
 }
 
+/// The step of the contact with a mean force, and by how much that is above the one to which it
+/// leads.
+RollingCylinder::MidpointStep RollingCylinder::try_midpoint(double time, double mean_force) {
+  const double half = time / 2;
+  const double velocity_slope = half / cylinder_.mass;
+  const double angular_slope = -half * cylinder_.radius / cylinder_.inertia;
+  MidpointStep step{
+      .mean_force = mean_force,
+      .velocity = state_.velocity + velocity_slope * (cylinder_.slope_force + mean_force),
+      .angular_velocity = state_.angular_velocity + angular_slope * mean_force};
+  require_rolling(step.velocity, state_);
+  const double creepage = 1 - cylinder_.radius * step.angular_velocity / step.velocity;
+  const TransientState after = contact_.attempt(step.velocity * time, PrescribedCreepage{creepage});
+  ++contact_steps_;
+  step.excess = mean_force - after.mean_force;
+  step.end_force = after.force;
+  return step;
+}
+
 /// The unknown is the mean force. More of it makes the contact slide further, and so makes the
-/// force at the end smaller: the equation has one solution, found by secants from the last force.
-RollingCylinder::StepForce RollingCylinder::solve_midpoint(double time) {
-  const auto velocity = [&](double mean_force) {
-    return state_.velocity + time * (cylinder_.slope_force + mean_force) / (2 * cylinder_.mass);
-  };
-  const auto angular_velocity = [&](double mean_force) {
-    return state_.angular_velocity - time * cylinder_.radius * mean_force / (2 * cylinder_.inertia);
-  };
-  double end_force = 0;
-  const auto excess = [&](double mean_force) {
-    const double v = velocity(mean_force);
-    require_rolling(v, state_);
-    const double creepage = 1 - angular_velocity(mean_force) * cylinder_.radius / v;
-    const TransientState after = contact_.attempt(v * time, PrescribedCreepage{creepage});
-    ++contact_steps_;
-    end_force = after.force;
-    return mean_force - after.mean_force;
-  };
-  // A secant may ask for so much braking that the cylinder would roll backwards.
+/// force at the end smaller: the equation has one solution. It is found by secants, from the force
+/// as it changed last: for one unknown, derivatives of the step cost more than they save.
+RollingCylinder::MidpointStep RollingCylinder::solve_midpoint(double time) {
+  // It may be asked for so much braking that the cylinder would roll backwards.
   const auto towards = [&](double from, double to) {
-    for (int k = 0; k < 60 && velocity(to) <= 0; ++k) to = (from + to) / 2;
+    const double impulse = time / (2 * cylinder_.mass);
+    const auto rolls = [&](double force) {
+      return state_.velocity + impulse * (cylinder_.slope_force + force) > 0;
+    };
+    for (int k = 0; k < 60 && !rolls(to); ++k) to = (from + to) / 2;
     return to;
   };
-  // The residual is a difference of forces; where it no longer falls, rounding has been reached.
-  constexpr int most_secants = 100;
-  const double rounding = 1e-15 * force_scale_;
+  // The excess is a difference of forces; where it no longer falls, rounding has been reached.
+  constexpr int most_trials = 100;
+  const double rounding = 1e-14 * force_scale_;
   const double accepted = 1e-11 * force_scale_;
-  double before = state_.force;
-  double at_before = excess(before);
-  double mean_force = towards(before, before - at_before / slope_);
-  for (int k = 0;; ++k) {
-    const double at_mean = excess(mean_force);
-    const bool stagnates = std::abs(at_mean) >= std::abs(at_before);
-    if (std::abs(at_mean) <= (stagnates ? accepted : rounding)) return {mean_force, end_force};
-    if (k == most_secants) {
-      throw NotConverged("cylinder: midpoint rule", k, std::abs(at_mean) / force_scale_);
+  MidpointStep before =
+      try_midpoint(time, towards(state_.force, state_.force + last_rate_ * time / 2));
+  for (int k = 1; std::abs(before.excess) > rounding; ++k) {
+    if (k == most_trials) {
+      throw NotConverged("cylinder: midpoint rule", k, std::abs(before.excess) / force_scale_);
     }
-    if (at_mean != at_before) slope_ = std::max(1.0, (at_mean - at_before) / (mean_force - before));
-    before = std::exchange(mean_force, towards(mean_force, mean_force - at_mean / slope_));
-    at_before = at_mean;
+    const double next = before.mean_force - before.excess / slope_;
+    const MidpointStep step = try_midpoint(time, towards(before.mean_force, next));
+    const double change = step.excess - before.excess;
+    if (change != 0) slope_ = std::max(1.0, change / (step.mean_force - before.mean_force));
+    const bool stagnates = std::abs(step.excess) >= std::abs(before.excess);
+    before = step;
+    if (stagnates && std::abs(step.excess) <= accepted) break;
   }
+  return before;
 }
 
 /// Estimate of the error of v, over its scale, if all steps were like this one for as long as the
 /// contact keeps it: a period, and until the contact has rolled on by its width. The rule takes the
 /// force as linear in a step, and leaves dt^3 F''/(12 m). The force begins flat.
-double RollingCylinder::kept_error(double time, const StepForce& force) const {
-  const double rate = (force.end - state_.force) / time;
+double RollingCylinder::kept_error(double time, const MidpointStep& step) const {
+  const double rate = (step.end_force - state_.force) / time;
   const double curvature = 2 * (rate - last_rate_) / (time + last_time_);
   const double scale = std::hypot(state_.velocity, fall_velocity_);
   const double kept = period_ + 2 * half_width_ / scale;
@@ -199,9 +208,9 @@ void RollingCylinder::step_midpoint() {
   const double wanted = time_step(state_.velocity);
   const double shortest = least_step * wanted * std::min(1.0, 1 / step_ratio_);
   double time = std::min(wanted, allowed_time_);
-  StepForce force = solve_midpoint(time);
+  MidpointStep step = solve_midpoint(time);
   for (int tries = 1; tolerance_; ++tries) {
-    const double error = kept_error(time, force);
+    const double error = kept_error(time, step);
     allowed_time_ = time * std::clamp(0.9 * std::sqrt(*tolerance_ / error), 0.2, 2.0);
     if (error <= *tolerance_) break;
     time = allowed_time_;
@@ -211,16 +220,12 @@ void RollingCylinder::step_midpoint() {
                              "be a thousandth of those with step.ratio 1,",
                          tries, error);
     }
-    force = solve_midpoint(time);
+    step = solve_midpoint(time);
   }
   const double before = state_.force;
-  const double mean_velocity =
-      state_.velocity + time * (cylinder_.slope_force + force.mean) / (2 * cylinder_.mass);
-  const double mean_angular_velocity =
-      state_.angular_velocity - time * cylinder_.radius * force.mean / (2 * cylinder_.inertia);
-  roll_contact(mean_velocity, mean_angular_velocity, time);
-  state_.velocity += time * (cylinder_.slope_force + force.mean) / cylinder_.mass;
-  state_.angular_velocity -= time * cylinder_.radius * force.mean / cylinder_.inertia;
+  roll_contact(step.velocity, step.angular_velocity, time);
+  state_.velocity += time * (cylinder_.slope_force + step.mean_force) / cylinder_.mass;
+  state_.angular_velocity -= time * cylinder_.radius * step.mean_force / cylinder_.inertia;
   last_rate_ = (state_.force - before) / time;
   last_time_ = time;
 }

@@ -72,7 +72,7 @@ void require_tolerance(double tolerance);
 /// and c. That holds with Remembered; MaterialFixed adds noise of its stick-slip points. Direct is
 /// of first order, as its contact is; with c = 1 the error of time is the larger one up to N = 100
 /// or so (tests/order/motion_order_test.cpp, tests/study/energy_balance_test.cpp). Cost: that of a
-/// transient step, midpoint about four.
+/// transient step, midpoint about three.
 class RollingCylinder {
  public:
   /// \param contact     creepage-driven, so its kernel.width or kernel.length matters
@@ -116,13 +116,17 @@ class RollingCylinder {
   void step_leapfrog();
   void step_midpoint();
 
-  /// Of a step of the midpoint rule  [N/mm]
-  struct StepForce {
-    double mean;
-    double end;
+  /// A step of the midpoint rule that was tried with a mean force.
+  struct MidpointStep {
+    double mean_force;        ///< [N/mm]
+    double velocity;          ///< mean  [mm/s]
+    double angular_velocity;  ///< mean  [1/s]
+    double excess = 0;        ///< of the mean force over the one to which it leads  [N/mm]
+    double end_force = 0;     ///< [N/mm]
   };
-  StepForce solve_midpoint(double time);
-  double kept_error(double time, const StepForce& force) const;
+  MidpointStep try_midpoint(double time, double mean_force);
+  MidpointStep solve_midpoint(double time);
+  double kept_error(double time, const MidpointStep& step) const;
 
   TransientRolling contact_;
   Cylinder cylinder_;
