@@ -31,7 +31,10 @@ struct ContactOf {
   }
   SteadyContact operator()(const SteadyTarget& target) const { return target.contact; }
   SteadyContact operator()(const TransientScene& scene) const {
-    return {scene.problem.kernel, scene.problem.bound, scene.load};
+    if (!scene.loads.distances().empty()) {
+      throw std::invalid_argument("load.file: expected one load, of which there is a steady state");
+    }
+    return {scene.problem.kernel, scene.problem.bound, scene.loads.at(0)};
   }
   SteadyContact operator()(const CylinderScene&) const {
     reject("problem", "cylinder", "steady or transient, which have a load");

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/scene_tables.hpp"
@@ -18,25 +19,35 @@ std::vector<double> lengths_of(const TransientScene& scene) {
   return lengths;
 }
 
-Table empty_history() {
+/// \param timed  with a column of times
+Table empty_history(bool timed) {
+  std::vector<Column> columns{
+      {"q", "mm", "distance rolled"},
+      {"force", "N/mm", "total force F"},
+      {"creepage", "1", "relative rigid slip w of the step"},
+      {"element_creepage", "1",
+       "its mean over the last element travelled, without the noise of shorter steps"},
+      {"adhesion_elements", "1", "elements in adhesion"},
+      {"slip_elements", "1", "elements in slip"},
+      {"dissipation", "N/mm", "energy lost per mm rolled and mm width, with mean tractions"},
+      {"iterations", "1", "stick/slip partitions tried"}};
+  if (timed) columns.push_back({"t", "s", "time"});
   return {"history",
           "transient rolling, a row a step; the first is the start, where there is no rate",
-          {{"q", "mm", "distance rolled"},
-           {"force", "N/mm", "total force F"},
-           {"creepage", "1", "relative rigid slip w of the step"},
-           {"element_creepage", "1",
-            "its mean over the last element travelled, without the noise of shorter steps"},
-           {"adhesion_elements", "1", "elements in adhesion"},
-           {"slip_elements", "1", "elements in slip"},
-           {"dissipation", "N/mm", "energy lost per mm rolled and mm width, with mean tractions"},
-           {"iterations", "1", "stick/slip partitions tried"}}};
+          columns};
 }
 
-void add(Table& history, const TransientState& state) {
-  history.add({state.distance, state.force, state.creepage, state.element_creepage,
-               static_cast<double>(state.adhesion_elements),
-               static_cast<double>(state.slip_elements), state.dissipation,
-               static_cast<double>(state.iterations)});
+void add(Table& history, const TransientState& state, std::optional<double> time) {
+  std::vector<Cell> row{state.distance,
+                        state.force,
+                        state.creepage,
+                        state.element_creepage,
+                        static_cast<double>(state.adhesion_elements),
+                        static_cast<double>(state.slip_elements),
+                        state.dissipation,
+                        static_cast<double>(state.iterations)};
+  if (time) row.emplace_back(*time);
+  history.add(row);
 }
 
 /// What the shifts before rolling did together.
@@ -115,17 +126,17 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   const auto count = [&] { progress(++done, scene.shifts.size() + steps); };
   const ShiftRecord shifts = shift_all(rolling, scene, count);
   const auto shift_doubt = doubt_of(shifts, scene.problem.solver);
-  Table history = empty_history();
+  Table history = empty_history(scene.loads.time_at(0).has_value());
   TransientState start = rolling.state();
   start.iterations = 0;  // it is no step
-  add(history, start);
+  add(history, start, scene.loads.time_at(0));
   double cumulative_creep = 0;
   double dissipated = 0;
   double before = 0;
   WorstOfSteps worst;
   StepNoise noise(scene.problem.grid.spacing());
-  rolling.roll(scene.distance, lengths, scene.load, [&](const TransientState& state) {
-    add(history, state);
+  rolling.roll(scene.distance, lengths, scene.loads, [&](const TransientState& state) {
+    add(history, state, scene.loads.time_at(state.distance));
     cumulative_creep += state.creepage * (state.distance - before);
     dissipated += state.dissipation * (state.distance - before);
     noise.include(state.distance - before, state.creepage);

@@ -23,7 +23,7 @@ double work_of(const Model& model) {
     for (const ShiftLoad& shift : transient->shifts) rolling.shift(shift);
     std::vector<double> lengths = transient->step_ratios;
     for (double& length : lengths) length *= transient->problem.grid.spacing();
-    rolling.roll(transient->distance, lengths, transient->load, [](const TransientState&) {});
+    rolling.roll(transient->distance, lengths, transient->loads, [](const TransientState&) {});
   } else if (const auto* scene = std::get_if<CylinderScene>(&model)) {
     RollingCylinder body(scene->contact, scene->cylinder, scene->integrator, scene->step_ratio);
     while (body.state().position < scene->distance) body.step();

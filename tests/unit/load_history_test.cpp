@@ -120,6 +120,8 @@ TEST(LoadHistory, HasTheForceAtTheEndOfAStep) {
   EXPECT_NEAR(std::get<PrescribedForce>(history.between(0.5, 5)).value, 1, 1e-14);
   EXPECT_EQ(std::get<PrescribedForce>(history.at(0)).value, -1);
   EXPECT_EQ(std::get<PrescribedForce>(history.at(7)).value, 5);
+  EXPECT_NEAR(history.time_at(1.25).value(), 10.5, 1e-14);
+  EXPECT_NEAR(history.time_at(5).value(), 11.5, 1e-14);
 }
 
 // No sum over the whole run takes their digits.

@@ -60,6 +60,8 @@ const std::map<std::string, Settings> scenes = {
     {"rest", with(transient, {"start.type=rest"})},
     {"file", with(transient, {"start.type=file", "start.file=traction"})},
     {"creepage", with(transient, {"load.force=", "load.creepage=0.1", "start.force=-1"})},
+    {"run", with(transient, {"load.force=", "start.type=rest", "load.file=run", "load.radius=460",
+                             "step.ratio=", "motion.distance="})},
     {"cylinder", cylinder},
     {"cylinder_relaxed", with(cylinder, {"step.scheme=relaxed", "motion.integrator=verlet"})}};
 
@@ -68,6 +70,7 @@ Scene scene_with(const Settings& settings) {
   for (const std::string& setting : settings) scene.set(setting);
   scene.read_files_by([](const std::string& path) {
     return path == "bound" ? "x bound\n0 1\n"
+           : path == "run" ? "t v omega\n0 1 0.002\n1 1 0.002\n"
                            : "x traction\n-1 0\n-0.5 -0.1\n0 -0.1\n0.5 -0.1\n1 0\n";
   });
   return scene;
@@ -98,7 +101,7 @@ const std::string steady_scenes = by_elements + "chebyshev ";
 const std::string with_target = steady_scenes + "target_error ";
 const std::string differences = "standard known_edge trimmed ";
 const std::string transients =
-    "material direct relaxed relaxed_traction fractional rest file creepage ";
+    "material direct relaxed relaxed_traction fractional rest file creepage run ";
 const std::string cylinders = "cylinder cylinder_relaxed ";
 const std::string strips =
     "calibrated polynomial table youngs hertz force_ratio chebyshev target_error standard "
@@ -134,6 +137,8 @@ const std::vector<Role> roles = {
     {"load.force", "-1", with_target + transients},
     {"load.force_ratio", "-0.5", with_target + transients},
     {"load.stick_ratio", "0.6", with_target + transients},
+    {"load.file", "run", transients},
+    {"load.radius", "460", "run"},
     {"start.type", "rest", transients},
     {"start.force", "-1", "material direct relaxed relaxed_traction fractional creepage"},
     {"start.shift", "0.1", "material direct relaxed relaxed_traction fractional creepage"},

@@ -57,7 +57,10 @@ TEST(ScenePlaces, AreInFrontOfMessages) {
   EXPECT_EQ(said(scene, [](Scene&) { require(false, "least value of c", 1, "more"); }),
             "test:4: least value of c = 1: expected more");
   EXPECT_EQ(said(scene, [](Scene&) { require(false, "d", 1, "more"); }), "d = 1: expected more");
-  EXPECT_EQ(said(scene, [](Scene& s) { s.from_columns("c", {"x"}, [](const auto&) {}); }),
+  EXPECT_EQ(said(scene,
+                 [](Scene& s) {
+                   s.from_columns("c", {{"x", "1"}}, [](const auto&) {});
+                 }),
             "test:4: c = '1': expected no file here");
   EXPECT_EQ(said(scene, [](Scene& s) { s.number("a.bb"); }),
             "test:2: missing key 'a.bb' (did you mean 'a.b'?)");

@@ -89,7 +89,7 @@ TEST(Sweep, FilesStayRelativeToTheScene) {
     read = path;
     return "x\n1\n";
   });
-  scene.from_columns("file", {"x"}, [](const auto& columns) { return columns.size(); });
+  scene.from_columns("file", {{"x", "1"}}, [](const auto& columns) { return columns.size(); });
   EXPECT_EQ(read, "folder/b.tsv");
 }
 

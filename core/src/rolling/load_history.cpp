@@ -86,6 +86,7 @@ LoadHistory::LoadHistory(const RunRows& rows) {
       if (!(v > 0)) require(false, named(i, "v"), v, "a velocity above 0: bodies that roll on");
     }
     speed_ = in_std(*rows.velocity);
+    times_ = in_std(*rows.time);
   }
   distances_ = {0};
   for (std::size_t i = 0; i < lengths_.size(); ++i) {
@@ -151,6 +152,12 @@ Load LoadHistory::at(double distance) const {
   const double speed =
       std::lerp(speed_[there.row], speed_[there.row + 1], there.since / lengths_[there.row]);
   return PrescribedCreepage{(rate[0] + there.since * (rate[1] + there.since * rate[2])) / speed};
+}
+
+std::optional<double> LoadHistory::time_at(double distance) const {
+  if (times_.empty()) return std::nullopt;
+  const Place there = place_of(distance);
+  return times_[there.row] + there.since;
 }
 
 Load LoadHistory::between(double from, double to) const {

@@ -20,6 +20,9 @@ namespace {
 /// A start file may have been printed with few digits.
 constexpr double printed = 1e-3;
 
+/// A shift to a force that differs from that now by so little, over full sliding, is none.
+constexpr double same_force = 1e-13;
+
 /// A remainder below this part of a step is rounding of the distance.
 constexpr double negligible = 1e-9;
 
@@ -152,8 +155,10 @@ Shift TransientRolling::shift(const ShiftLoad& load) {
   const Load whole = prescribed != nullptr ? Load(PrescribedCreepage{prescribed->value})
                                            : Load(std::get<PrescribedForce>(load));
   const auto zeros = [&]() -> VectorXd { return VectorXd::Zero(state_.traction.size()); };
-  if (prescribed != nullptr ? prescribed->value == 0
-                            : std::get<PrescribedForce>(load).value == state_.force) {
+  const double rounding = same_force * grid_->weights().dot(grid_->bound());
+  if (prescribed != nullptr
+          ? prescribed->value == 0
+          : std::abs(std::get<PrescribedForce>(load).value - state_.force) <= rounding) {
     return {.slip = zeros()};
   }
   solved_.reset();

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "microslip/scene/units.hpp"
 #include "microslip/support/shown.hpp"
 #include "number.hpp"
 
@@ -38,48 +39,98 @@ std::string repeated(std::vector<std::string> names) {
   return found == names.end() ? "" : *found;
 }
 
+/// Names and units of columns; a unit is empty if there is none.
+struct Header {
+  std::vector<std::string> names;
+  std::vector<std::string> units;
+};
+
+/// \param words  "q[mm]", or "q" and "[mm]", or "I", "[N" and "s^2]"
+Header header_of(const std::vector<std::string>& words) {
+  Header header;
+  bool in_unit = false;
+  for (std::string word : words) {
+    if (!in_unit && (word.front() != '[' || header.names.empty())) {
+      const std::size_t bracket = word.find('[', 1);
+      header.names.push_back(word.substr(0, bracket));
+      header.units.emplace_back();
+      if (bracket == std::string::npos) continue;
+      word = word.substr(bracket);
+    }
+    const bool ends = word.ends_with(']');
+    const std::size_t begin = in_unit ? 0 : 1;
+    std::string& unit = header.units.back();
+    unit += (unit.empty() ? "" : " ") + word.substr(begin, word.size() - begin - (ends ? 1 : 0));
+    in_unit = !ends;
+  }
+  return header;
+}
+
+/// A wanted column in a file.
+struct Found {
+  std::size_t place;
+  double factor;  ///< of the unit in the file
+  std::vector<double> values = {};
+};
+
 }  // namespace
 
-std::vector<Eigen::VectorXd> read_columns(std::istream& in, const std::vector<std::string>& names) {
+std::vector<std::optional<Eigen::VectorXd>> read_columns(std::istream& in,
+                                                         const std::vector<FileColumn>& wanted) {
   int line = 0;
   const auto fail = [&](const std::string& what) {
     throw std::invalid_argument("line " + std::to_string(line) + ": " + what);
   };
-  const std::vector<std::string> header = next_words(in, line);
-  if (header.empty()) throw std::invalid_argument("expected a line of column names, found none");
-  std::vector<std::size_t> places;
-  for (const std::string& name : names) {
-    const auto found = std::find(header.begin(), header.end(), name);
-    if (found == header.end()) {
-      fail("expected a column '" + name +
-           "' among the names in the first line, which are: " + shown(joined(header)));
+  const std::vector<std::string> words = next_words(in, line);
+  if (words.empty()) throw std::invalid_argument("expected a line of column names, found none");
+  const Header header = header_of(words);
+  const auto find = [&](const FileColumn& column) -> std::optional<Found> {
+    const auto name = std::find(header.names.begin(), header.names.end(), column.name);
+    if (name == header.names.end()) {
+      if (column.needed) {
+        fail("expected a column '" + column.name +
+             "' among the names in the first line, which are: " + shown(joined(header.names)));
+      }
+      return std::nullopt;
     }
-    places.push_back(static_cast<std::size_t>(found - header.begin()));
-  }
-  if (const std::string name = repeated(header); !name.empty()) {
+    const auto place = static_cast<std::size_t>(name - header.names.begin());
+    const std::string& unit = header.units[place];
+    const auto factor = quantity(unit.empty() ? "1" : "1 " + unit, column.unit);
+    if (!factor) {
+      fail("column '" + column.name + "': unit '" + shown(unit) + "': expected " +
+           accepted_units(column.unit));
+    }
+    return Found{place, *factor};
+  };
+  std::vector<std::optional<Found>> found;
+  for (const FileColumn& column : wanted) found.push_back(find(column));
+  if (const std::string name = repeated(header.names); !name.empty()) {
     fail("expected one column '" + shown(name) + "', found more of that name");
   }
-  std::vector<std::vector<double>> values(names.size());
-  for (auto words = next_words(in, line); !words.empty(); words = next_words(in, line)) {
-    if (words.size() != header.size()) {
-      fail("expected " + std::to_string(header.size()) + " values, found " +
-           std::to_string(words.size()));
+  std::size_t rows = 0;
+  for (auto row = next_words(in, line); !row.empty(); row = next_words(in, line), ++rows) {
+    if (row.size() != header.names.size()) {
+      fail("expected " + std::to_string(header.names.size()) + " values, found " +
+           std::to_string(row.size()));
     }
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      const auto value = finite_number(words[places[k]]);
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      if (!found[k]) continue;
+      const std::string& word = row[found[k]->place];
+      const auto value = finite_number(word);
       if (!value) {
-        const std::string& word = words[places[k]];
-        fail("column '" + names[k] + "': '" + shown(word) + "' is not a finite number" +
+        fail("column '" + wanted[k].name + "': '" + shown(word) + "' is not a finite number" +
              advice(word));
       }
-      values[k].push_back(*value);
+      found[k]->values.push_back(found[k]->factor * *value);
     }
   }
-  if (!names.empty() && values.front().empty()) fail("expected at least one row below the names");
-  std::vector<Eigen::VectorXd> columns;
-  for (const std::vector<double>& column : values) {
-    columns.emplace_back(
-        Eigen::Map<const Eigen::VectorXd>(column.data(), static_cast<Eigen::Index>(column.size())));
+  if (rows == 0) fail("expected at least one row below the names");
+  std::vector<std::optional<Eigen::VectorXd>> columns;
+  for (const std::optional<Found>& column : found) {
+    columns.emplace_back();
+    if (!column) continue;
+    columns.back() = Eigen::Map<const Eigen::VectorXd>(
+        column->values.data(), static_cast<Eigen::Index>(column->values.size()));
   }
   return columns;
 }

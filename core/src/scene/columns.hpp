@@ -3,14 +3,17 @@
 
 #include <Eigen/Core>
 #include <iosfwd>
-#include <string>
+#include <optional>
 #include <vector>
+
+#include "microslip/scene/scene.hpp"
 
 namespace microslip {
 
-/// \param names  of the columns wanted
-/// \return       as many, each with at least one value
+/// \return  as many as are wanted, in their units, each with at least one value; those that are
+///          neither needed nor there are empty
 /// \throws std::invalid_argument in one line, with the line's number
-std::vector<Eigen::VectorXd> read_columns(std::istream& in, const std::vector<std::string>& names);
+std::vector<std::optional<Eigen::VectorXd>> read_columns(std::istream& in,
+                                                         const std::vector<FileColumn>& wanted);
 
 }  // namespace microslip

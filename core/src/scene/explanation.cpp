@@ -58,6 +58,19 @@ std::string rolled(const Model& model, double distance, const Grid& grid) {
          " contact widths, in " + number(steps_needed(model)) + " steps";
 }
 
+/// Full sliding, and the largest part of it that is prescribed.
+std::string loaded(const TransientScene& scene) {
+  Load largest = scene.loads.at(0);
+  const auto size = [](const Load& load) {
+    return std::visit([](const auto& of) { return std::abs(of.value); }, load);
+  };
+  for (const double distance : scene.loads.distances()) {
+    const Load load = scene.loads.at(distance);
+    if (size(load) > size(largest)) largest = load;
+  }
+  return sliding(scene.problem.bound, largest);
+}
+
 /// The shifts before rolling, except for that of an ordinary start.
 std::vector<std::string> shifted(const TransientScene& scene) {
   if (scene.shifts.empty()) return {};
@@ -92,12 +105,13 @@ struct Explain {
          "many elements as the error needs"});
   }
   Explanation operator()(const TransientScene& scene) const {
-    std::vector<std::string> consequences = {sliding(scene.problem.bound, scene.load),
-                                             elements_of(scene.problem.grid)};
+    std::vector<std::string> consequences = {loaded(scene), elements_of(scene.problem.grid)};
     std::ranges::copy(shifted(scene), std::back_inserter(consequences));
     consequences.push_back(rolled(scene, scene.distance, scene.problem.grid));
     consequences.push_back(method_of(scene.problem.scheme));
-    return {"transient rolling under " + kind_of(scene.load),
+    const std::string kind = kind_of(scene.loads.at(0));
+    return {"transient rolling under " +
+                (scene.loads.distances().empty() ? kind : kind + " that changes"),
             consequences,
             {normal, "inertia of the bodies, which problem cylinder has", details}};
   }

@@ -76,8 +76,9 @@ TractionBound read_bound(Scene& scene) {
     return read_hertz_bound(scene);
   }
   const double half_width = scene.number("contact.half_width");
-  return scene.from_columns("contact.bound_file", {"x", "bound"}, [&](const auto& table) {
-    return TabulatedBound(half_width, table[0], table[1]);
+  const std::vector<FileColumn> wanted = {{"x", "mm"}, {"bound", "N/mm^2"}};
+  return scene.from_columns("contact.bound_file", wanted, [&](const auto& table) {
+    return TabulatedBound(half_width, *table[0], *table[1]);
   });
 }
 
@@ -197,6 +198,62 @@ void require_few_steps(double distance, double length) {
           "at most " + format_short(most_steps) + " steps, not " + format_short(steps));
 }
 
+void require_below_full_sliding(const Eigen::VectorXd& forces, const TractionBound& bound) {
+  const double most = full_sliding_force(bound);
+  for (Eigen::Index i = 0; i < forces.size(); ++i) {
+    if (std::abs(forces[i]) < most) continue;
+    require(false, "row " + std::to_string(i + 1) + ": force", forces[i],
+            "an absolute value below full sliding, " + format_short(most));
+  }
+}
+
+LoadHistory read_run(Scene& scene, const TractionBound& bound) {
+  const std::vector<FileColumn> wanted = {{"q", "mm", false},       {"t", "s", false},
+                                          {"v", "mm/s", false},     {"creepage", "1", false},
+                                          {"force", "N/mm", false}, {"omega", "1/s", false}};
+  RunRows rows = scene.from_columns("load.file", wanted, [](const auto& columns) {
+    return RunRows{.distance = columns[0],
+                   .time = columns[1],
+                   .velocity = columns[2],
+                   .creepage = columns[3],
+                   .force = columns[4],
+                   .angular_velocity = columns[5]};
+  });
+  if (rows.angular_velocity) rows.radius = scene.positive("load.radius");
+  return scene.with_file("load.file", [&] {
+    if (rows.force) require_below_full_sliding(*rows.force, bound);
+    return LoadHistory(rows);
+  });
+}
+
+LoadHistory read_loads(Scene& scene, const TransientProblem& problem) {
+  const std::string given = scene.at_most_one_of(
+      {"load.creepage", "load.force", "load.force_ratio", "load.stick_ratio", "load.file"});
+  if (given == "load.file") return read_run(scene, problem.bound);
+  return read_load(scene, problem.kernel, problem.bound);
+}
+
+/// \return dq/dx; of load.file without step.ratio from row to row
+std::vector<double> read_steps(Scene& scene, const TransientProblem& problem,
+                               const LoadHistory& loads) {
+  if (scene.has("step.ratio") || loads.distances().empty()) return scene.numbers("step.ratio");
+  std::vector<double> ratios;
+  const std::vector<double>& rows = loads.distances();
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    ratios.push_back((rows[i] - rows[i - 1]) / problem.grid.spacing());
+  }
+  return ratios;
+}
+
+double read_distance(Scene& scene, const LoadHistory& loads) {
+  if (loads.distances().empty()) return scene.positive("motion.distance");
+  const double distance = scene.number("motion.distance", loads.distance());
+  require_positive("motion.distance", distance);
+  require(distance <= loads.distance(), "motion.distance", distance,
+          [&] { return "at most the distance of load.file, " + format_short(loads.distance()); });
+  return distance;
+}
+
 /// How a transient begins, before it rolls.
 struct Beginning {
   Start start = Rest{};
@@ -233,8 +290,9 @@ Beginning read_beginning(Scene& scene, const TransientProblem& problem, const Lo
   const std::string type = known_word(scene, "start.type");
   if (type == "rest") return {};
   if (type == "cattaneo") return read_shifts(scene, problem, load);
-  return {.start = scene.from_columns("start.file", {"x", "traction"}, [&](const auto& columns) {
-    return traction_at_nodes(columns[0], columns[1], problem);
+  const std::vector<FileColumn> wanted = {{"x", "mm"}, {"traction", "N/mm^2"}};
+  return {.start = scene.from_columns("start.file", wanted, [&](const auto& columns) {
+    return traction_at_nodes(*columns[0], *columns[1], problem);
   })};
 }
 
@@ -290,18 +348,18 @@ TransientScene read_transient(Scene& scene) {
                                  .scheme = read_scheme(scene),
                                  .solver = read_solver(scene)};
   require_definite(problem);
-  const std::vector<double> step_ratios = scene.numbers("step.ratio");
+  const LoadHistory loads = read_loads(scene, problem);
+  const std::vector<double> step_ratios = read_steps(scene, problem, loads);
   for (const double ratio : step_ratios) {
     require(ratio >= min_step_ratio, "step.ratio", ratio, "numbers >= 1e-15");
     warn_outside(scene, entry_of(problem.scheme).safe_steps, "step.ratio", ratio,
                  "step.scheme remembered");
   }
-  const double distance = scene.number("motion.distance");
-  require_positive("motion.distance", distance);
+  const double distance = read_distance(scene, loads);
   const double mean = std::accumulate(step_ratios.begin(), step_ratios.end(), 0.0) /
                       static_cast<double>(step_ratios.size());
   require_few_steps(distance, mean * problem.grid.spacing());
-  const Load load = read_load(scene, problem.kernel, problem.bound);
+  const Load load = loads.at(0);
   if (std::holds_alternative<PrescribedForce>(load)) {
     for (const double ratio : step_ratios) warn_of_noise(scene, problem, ratio);
   }
@@ -311,7 +369,7 @@ TransientScene read_transient(Scene& scene) {
           .shifts = beginning.shifts,
           .distance = distance,
           .step_ratios = step_ratios,
-          .load = load};
+          .loads = loads};
 }
 
 namespace {

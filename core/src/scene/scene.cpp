@@ -253,14 +253,14 @@ std::vector<Eigen::Index> Scene::wholes(const std::string& key, Eigen::Index lea
   return values;
 }
 
-std::vector<Eigen::VectorXd> Scene::columns(const std::string& key,
-                                            const std::vector<std::string>& names) {
+std::vector<std::optional<Eigen::VectorXd>> Scene::columns(const std::string& key,
+                                                           const std::vector<FileColumn>& wanted) {
   const Value& file = value(key);
   const std::string& path = file.text;
   if (!read_file_) throw std::invalid_argument("expected no file here");
   std::istringstream in(read_file_(path.starts_with('/') ? path : file.place.folder + path));
   parameters_.emplace_back(key, path);
-  return read_columns(in, names);
+  return read_columns(in, wanted);
 }
 
 std::string Scene::word(const std::string& key, const std::vector<std::string_view>& accepted) {

@@ -47,6 +47,9 @@ const std::map<std::string, Unit, std::less<>> symbols{
     {"t", {1, 0, {-1, 1, 2}}},
     {"ms", {1, -3, {0, 0, 1}}},
     {"s", {1, 0, {0, 0, 1}}},
+    {"min", {60, 0, {0, 0, 1}}},
+    {"h", {3.6, 3, {0, 0, 1}}},
+    {"rad", {}},
 };
 
 /// What a message names besides the unit of a key.

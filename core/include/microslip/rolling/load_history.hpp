@@ -45,6 +45,9 @@ class LoadHistory {
   /// \param distance  in [0, distance()]  [mm]
   Load at(double distance) const;
 
+  /// The time at a distance, if the rows have times  [s]
+  std::optional<double> time_at(double distance) const;
+
   /// The load of a step: the mean of the creepage over it, exact; or the force at its end. Cost:
   /// one binary search, and the rows within the step.
   /// \param from, to  distances from the first row, in [0, distance()], from < to  [mm]
@@ -63,6 +66,7 @@ class LoadHistory {
 
   std::optional<Load> constant_;
   std::vector<double> distances_;  ///< of the rows
+  std::vector<double> times_;      ///< likewise, if they have any
   std::vector<double> lengths_;    ///< from a row to the next, in distance or time
   std::vector<double> speed_;      ///< of the distance: v, or 1
   std::vector<double> force_;

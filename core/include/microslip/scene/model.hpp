@@ -80,7 +80,7 @@ struct TransientScene {
   std::vector<ShiftLoad> shifts;    ///< without rolling, one after the other from the start on
   double distance;                  ///< rolled after them, (0, inf)  [mm]
   std::vector<double> step_ratios;  ///< dq/dx, taken in turn, each (0, inf)  [1]
-  Load load;
+  LoadHistory loads;
 };
 
 /// All of a steady scene but step.ratio, and: step.ratio (one or more numbers), step.scheme

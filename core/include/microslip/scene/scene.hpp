@@ -5,6 +5,7 @@
 #include <functional>
 #include <iosfwd>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -22,6 +23,16 @@ using Parameters = std::vector<std::pair<std::string, std::string>>;
 /// The unit of a key that is none of a scene's, or that has another unit than in a scene.
 struct Unit {
   std::string_view name;  ///< "1" of a pure number
+};
+
+/// A column of a table file.
+struct FileColumn {
+  FileColumn(const char* name_, const char* unit_, bool needed_ = true)
+      : name(name_), unit(unit_), needed(needed_) {}
+
+  std::string name;
+  std::string unit;  ///< in which its values are wanted; that of a column without one, too
+  bool needed;
 };
 
 /// The input of a program: dotted keys with text values, read strictly. Every reader below converts
@@ -99,12 +110,20 @@ class Scene {
   std::vector<Eigen::Index> wholes(const std::string& key, Eigen::Index least, Eigen::Index most);
 
   /// What `use` makes of columns of numbers in a table file that the key names: a line of column
-  /// names, then rows, both separated by blanks or tabs; lines that begin with # are comments.
-  /// Other columns may hold anything. Messages name key, file and, where there is one, line.
+  /// names, each perhaps with its unit, "q [mm]" or "q[mm]", then rows, separated by blanks or
+  /// tabs; lines that begin with # are comments. Other columns may hold anything. Messages name
+  /// key, file and, where there is one, line. \param use  called with the columns wanted; those
+  /// that are neither needed nor there are empty
   template <class Use>
-  auto from_columns(const std::string& key, const std::vector<std::string>& names, Use use) {
+  auto from_columns(const std::string& key, const std::vector<FileColumn>& wanted, Use use) {
+    return with_file(key, [&] { return use(columns(key, wanted)); });
+  }
+
+  /// Calls an action; a message of its std::invalid_argument then begins with key and file.
+  template <class Action>
+  auto with_file(const std::string& key, Action action) const {
     try {
-      return use(columns(key, names));
+      return action();
     } catch (const std::invalid_argument& error) {
       throw BadParameter(key, key + " = '" + shown(text(key)) + "': " + error.what());
     }
@@ -143,8 +162,8 @@ class Scene {
     std::size_t order;  ///< among all keys, as they were first given
   };
 
-  std::vector<Eigen::VectorXd> columns(const std::string& key,
-                                       const std::vector<std::string>& names);
+  std::vector<std::optional<Eigen::VectorXd>> columns(const std::string& key,
+                                                      const std::vector<FileColumn>& wanted);
   const Value& value(const std::string& key) const;
   void put(const std::string& key, const std::string& text, const Place& place);
   void remove(const std::string& key);

@@ -10,7 +10,7 @@ namespace microslip {
 
 /// \file
 /// Units of what scenes hold. Products and powers of
-///   um mm cm m km in, N kN MN, Pa kPa MPa GPa, g kg t, ms s, %
+///   um mm cm m km in, N kN MN, Pa kPa MPa GPa, g kg t, ms s min h, rad, %
 /// with blanks, * or a centred dot between them, powers as mm2, mm^2 or with a superscript, and
 /// what follows one / below it: "kN/m", "N s^2/mm^2". No unit is that of a pure number, as is 1.
 

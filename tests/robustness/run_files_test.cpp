@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// load.file: runs from a table of distance or time, creepage, force or velocities.
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <sstream>
+#include <string>
+
+#include "microslip/scene/table.hpp"
+#include "robustness/bad_scenes.hpp"
+
+namespace microslip {
+namespace {
+
+class RunFiles : public BadScenes {
+ protected:
+  void write(const std::string& text) const { std::ofstream(folder_ / "run.tsv") << text; }
+
+  /// \param header  of the columns
+  /// \param row     at a part of the run in [0, 1]
+  void write(const std::string& header, int rows,
+             const std::function<std::string(double)>& row) const {
+    std::string text = "# made by a test\n" + header + "\n";
+    for (int i = 0; i < rows; ++i) text += row(i / (rows - 1.0)) + "\n";
+    write(text);
+  }
+
+  std::string scene(const std::string& keys = "") const {
+    return "problem transient\n" + good_contact + "start { type rest }\nload { file \"" +
+           (folder_ / "run.tsv").string() + "\" }\n" + keys;
+  }
+
+  double end_of(const std::string& text, const std::string& quantity) const {
+    const Outcome outcome = run(text, "");
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    return outcome.status == 0 ? summary_value(quantity) : std::nan("");
+  }
+
+  void expect_refused(const std::string& table, const std::string& named,
+                      const std::string& options = "") const {
+    write(table);
+    expect_rejected(scene(), options, named);
+  }
+};
+
+std::string text_of_numbers(std::initializer_list<double> numbers) {
+  std::ostringstream text;
+  text.precision(17);
+  for (const double number : numbers) text << number << '\t';
+  return text.str();
+}
+
+constexpr double creepage = 0.3;
+
+// The same run as one load, over the distance, over time, and by velocities in other units.
+TEST_F(RunFiles, OfOneLoadAreThatLoad) {
+  const double expected = end_of(
+      "problem transient\n" + good_contact +
+          "start { type rest }\nstep { ratio 0.7 }\nmotion { distance 1.5 }\nload { creepage "
+          "0.3 }\n",
+      "force");
+  const std::string steps = "step { ratio 0.7 }\n";
+  write("q creepage", 5, [](double part) { return text_of_numbers({1.5 * part, creepage}); });
+  EXPECT_NEAR(end_of(scene(steps), "force"), expected, 1e-12);
+  write("q[um] creepage [%]", 5, [](double part) {
+    return text_of_numbers({1500 * part, 100 * creepage});
+  });
+  EXPECT_NEAR(end_of(scene(steps), "force"), expected, 1e-12);
+  write("t [s] v [mm/s] other creepage", 5, [](double part) {
+    return text_of_numbers({part, 1 + part, 7, creepage});
+  });
+  EXPECT_NEAR(end_of(scene(steps), "force"), expected, 1e-12);
+  write("t [ms] v [m/s] omega [rad/s]", 5, [](double part) {
+    const double v = 1 + part;
+    return text_of_numbers({1000 * part, v / 1000, v * (1 - creepage) / 460});
+  });
+  EXPECT_NEAR(end_of(scene(steps + "load { radius 46 cm }\n"), "force"), expected, 1e-12);
+}
+
+// To the force of each row, and between them.
+TEST_F(RunFiles, OfAForceFollowIt) {
+  write("q force", 21, [](double part) {
+    return text_of_numbers({2 * part, -0.8 * std::sin(4 * part)});
+  });
+  EXPECT_NEAR(end_of(scene(), "force"), -0.8 * std::sin(4), 1e-12);
+  EXPECT_EQ(summary_value("steps"), 20);
+  const double by_rows = summary_value("cumulative_creep");
+  EXPECT_NEAR(end_of(scene("step { ratio 0.25 }\n"), "force"), -0.8 * std::sin(4), 1e-12);
+  EXPECT_NEAR(summary_value("cumulative_creep") / by_rows, 1, 2e-3);
+  EXPECT_NEAR(end_of(scene("motion { distance 0.85 }\n"), "force"),
+              -0.4 * (std::sin(1.6) + std::sin(1.8)), 1e-12);
+  const std::string from_shift = "start { type cattaneo }\n";
+  write("q force\n0 -0.5\n1 -0.5\n");
+  EXPECT_NEAR(end_of("problem transient\n" + good_contact + from_shift + "load { file \"" +
+                         (folder_ / "run.tsv").string() + "\" }\n",
+                     "force"),
+              -0.5, 1e-12);
+}
+
+// A wave of the creepage by rows that are parts of the wave, and by steps that are parts of a row.
+TEST_F(RunFiles, OfAWaveAreTheSameByRowsAndByShorterSteps) {
+  write("t [s]\tv [mm/s]\tcreepage", 401, [](double part) {
+    return text_of_numbers({part, 4, 0.3 + 0.1 * std::sin(12 * part)});
+  });
+  const double by_rows = end_of(scene(), "force");
+  const WrittenTable history = read_table("history", text_of(out() / "history.tsv"));
+  EXPECT_EQ(history.table.rows(), 401U);
+  EXPECT_NEAR(std::stod(std::get<std::string>(history.table.at(400, "t"))), 1, 1e-12);
+  EXPECT_NEAR(end_of(scene("step { ratio 0.03 }\n"), "force") / by_rows, 1, 1e-4);
+}
+
+TEST_F(RunFiles, ThatAreWrongAreRefusedWithRowAndColumn) {
+  expect_refused("q creepage\n0 0.1\n2 0.2\n1 0.1\n", "row 3: q = 1: expected more than 2");
+  expect_refused("q creepage\n0 0.1\n1 nan\n", "line 3: column 'creepage': 'nan' is not a finite");
+  expect_refused("q creepage\n0 0.1\n", "number of rows = 1: expected at least 2");
+  expect_refused("q [kg] creepage\n0 0.1\n1 0\n", "column 'q': unit 'kg': expected mm or another");
+  expect_refused("q creepage\n0 0.1\n1\n", "line 3: expected 2 values, found 1");
+  expect_refused("q force\n0 0\n1 -5\n",
+                 "row 2: force = -5: expected an absolute value below full");
+  expect_refused("q creepage force\n0 0 0\n1 0 0\n", "expected one of creepage, force and omega");
+  expect_refused("q v\n0 1\n1 1\n", "expected one of creepage, force and omega");
+  expect_refused("t creepage\n0 1\n1 1\n", "expected v where there is t, and only there");
+  expect_refused("t v creepage\n0 1 0\n1 0 0\n", "row 2: v = 0: expected a velocity above 0");
+  expect_refused("t v omega\n0 1 1\n1 1 1\n", "missing key 'load.radius'");
+  expect_refused("t v omega\n0 1 1\n1 1 1\n", "load.radius = 0: expected", "--set load.radius=0");
+  const std::string good = "q creepage\n0 0.1\n2 0.2\n";
+  expect_refused(good, "key 'load.radius' has no role here", "--set load.radius=5");
+  expect_refused(good, "expected only one of", "--set load.creepage=0.1");
+  expect_refused(good, "motion.distance = 3: expected at most the distance of load.file, 2",
+                 "--set motion.distance=3");
+  expect_refused(good, "step.ratio = 0: expected", "--set step.ratio=0");
+}
+
+}  // namespace
+}  // namespace microslip
