@@ -9,7 +9,7 @@ for scene in "$root"/studies/*/study.info; do
   study=$(basename "$(dirname "$scene")")
   "$programs/$study" --quick --out "$out/$study"
 done
-for problem in steady wheel transient cylinder; do
+for problem in steady wheel transient run cylinder; do
   "$programs/microslip" --scene "$root/examples/$problem.info" --out "$out/example_$problem"
 done
 "$programs/microslip" response --scene "$root/examples/steady.info" --out "$out/example_response"

@@ -122,5 +122,23 @@ TEST(Remembered, TurnsToCarter) {
   }
 }
 
+// The slip at nodes loses what the balance of energy says, to first order: its zone ends between
+// nodes.
+TEST(Remembered, SlipLosesTheEnergyOfSteadyRolling) {
+  for (const double ratio : {0.64, 0.9}) {
+    const double force = -ratio * full_sliding;
+    for (const auto& [n, error] : {std::pair<Index, double>{50, 0.03}, {200, 0.0075}}) {
+      for (const double c : {1.0, 0.3}) {
+        TransientRolling rolling(problem(n));
+        rolling.roll(60, {c * 2 / static_cast<double>(n)}, PrescribedForce{force},
+                     [](const TransientState&) {});
+        const TransientState& state = rolling.state();
+        EXPECT_NEAR(state.end_dissipation / (-force * state.creepage), 1, error)
+            << ratio << ", " << n << ", " << c;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace microslip
