@@ -23,10 +23,10 @@ struct Shift {
   Eigen::VectorXd slip;  ///< at the nodes, by A p alone  [mm]
 
   // Energies per mm width, on the way of a force that rises or falls steadily: where bodies slip,
-  // they do so at the bound, -p s, from when it is reached. So a shift in parts has the same sum,
-  // to rounding on a grid that moves with the contact. On one that is fixed to the material the
-  // springs of its edges are counted as dissipation, and give back in a cycle what they took; sums
-  // differ by up to 5e-3 of the work with N = 41 where an edge goes from adhesion to slip.
+  // they do so at the bound, -p s, from when it is reached. So a shift in parts has the same sum:
+  // to rounding with Direct; with Remembered and MaterialFixed to 6e-3 of the work at N = 41. On a
+  // grid fixed to the material the springs of its edges are counted as dissipation, and give back
+  // in a cycle what they took.
   // tests/unit/shift_test.cpp
   double dissipation = 0;  ///< [N]
   double work = 0;  ///< of the force, -integral of F d(shift): dissipation plus the change of
