@@ -7,9 +7,11 @@
 #include <utility>
 #include <variant>
 
+#include "load_of_part.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/support/interpolation.hpp"
 #include "microslip/support/require.hpp"
+#include "remembered_points.hpp"
 
 namespace microslip {
 
@@ -17,9 +19,6 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 namespace {
-
-/// The interpolation between points is cubic.
-constexpr Index fewest_nodes = 4;
 
 /// Points that have slipped so many elements ago, or fewer, are kept as if they had not: the
 /// partitions whose mean is taken include their nodes in adhesion.
@@ -29,56 +28,6 @@ constexpr Index kept_behind = 3;
 /// feels half an element nearer. So an element at the entry carries traction, on a spring that is
 /// the mean of the solutions with and without it.
 constexpr double entry_in_shift = 0.5;
-
-/// The value at index i + shift of values at whole indices, cubic.
-/// \param shift  in [0, 1]
-/// \param from   the values used have this index at least
-double interpolated_at(const VectorXd& values, Index i, double shift, Index from) {
-  if (shift <= 0) return values[i];
-  if (shift >= 1) return values[i + 1];
-  const Index last = values.size() - fewest_nodes;
-  const Index a = std::clamp(i - 1, std::min(from, last), last);
-  const double z = static_cast<double>(i - a) + shift;
-  const auto factor = [z](Index k) { return z - static_cast<double>(k); };
-  return -factor(1) * factor(2) * factor(3) / 6 * values[a] +
-         factor(0) * factor(2) * factor(3) / 2 * values[a + 1] -
-         factor(0) * factor(1) * factor(3) / 2 * values[a + 2] +
-         factor(0) * factor(1) * factor(2) / 6 * values[a + 3];
-}
-
-/// Its derivative by the shift.
-double slope_at(const VectorXd& values, Index i, double shift, Index from) {
-  const Index last = values.size() - fewest_nodes;
-  const Index a = std::clamp(i - 1, std::min(from, last), last);
-  const double z = static_cast<double>(i - a) + shift;
-  const double z2 = z * z;
-  return (-(3 * z2 - 12 * z + 11) / 6) * values[a] + (3 * z2 - 10 * z + 6) / 2 * values[a + 1] -
-         (3 * z2 - 8 * z + 3) / 2 * values[a + 2] + (3 * z2 - 6 * z + 2) / 6 * values[a + 3];
-}
-
-/// The load of a part of a step as the partition has it: the shift, or the force, which changes
-/// linearly over the step.
-/// \param before    the force at the beginning of the step  [N/mm]
-/// \param part      its length  [mm]
-/// \param fraction  of the step, at the end of the part
-Load load_within(const Load& load, double before, double part, double fraction) {
-  const auto* force = std::get_if<PrescribedForce>(&load);
-  if (force == nullptr) return load_of_step(load, part);
-  return PrescribedForce{std::lerp(before, force->value, fraction)};
-}
-
-/// Its derivatives by load and length of the step. A longer step has a longer last part, and its
-/// force is the same fraction later.
-/// \param length  of the step  [mm]
-std::array<Load, 2> slopes_within(const Load& load, double before, double part, double fraction,
-                                  double length, bool is_last) {
-  if (const auto* force = std::get_if<PrescribedForce>(&load)) {
-    const double by_length = is_last ? 0 : -(force->value - before) * fraction / length;
-    return {PrescribedForce{fraction}, PrescribedForce{by_length}};
-  }
-  const double creepage = std::get<PrescribedCreepage>(load).value;
-  return {PrescribedCreepage{part}, PrescribedCreepage{is_last ? creepage : 0}};
-}
 
 }  // namespace
 
@@ -104,7 +53,7 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
       kernel_(problem.kernel),
       solver_(problem.solver),
       stick_slip_point_(edge) {
-  require_filling(problem.grid, fewest_nodes, "where the material remembers its displacement");
+  require_filling(problem.grid, fewest_points, "where the material remembers its displacement");
   const Index n = grid.size();
   x_ = grid.nodes();
   bound_ = element_means(problem.bound, x_, weights_);

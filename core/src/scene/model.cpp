@@ -13,6 +13,7 @@
 #include "microslip/scene/units.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
+#include "run_file.hpp"
 #include "start_file.hpp"
 
 namespace microslip {
@@ -198,34 +199,6 @@ void require_few_steps(double distance, double length) {
           "at most " + format_short(most_steps) + " steps, not " + format_short(steps));
 }
 
-void require_below_full_sliding(const Eigen::VectorXd& forces, const TractionBound& bound) {
-  const double most = full_sliding_force(bound);
-  for (Eigen::Index i = 0; i < forces.size(); ++i) {
-    if (std::abs(forces[i]) < most) continue;
-    require(false, "row " + std::to_string(i + 1) + ": force", forces[i],
-            "an absolute value below full sliding, " + format_short(most));
-  }
-}
-
-LoadHistory read_run(Scene& scene, const TractionBound& bound) {
-  const std::vector<FileColumn> wanted = {{"q", "mm", false},       {"t", "s", false},
-                                          {"v", "mm/s", false},     {"creepage", "1", false},
-                                          {"force", "N/mm", false}, {"omega", "1/s", false}};
-  RunRows rows = scene.from_columns("load.file", wanted, [](const auto& columns) {
-    return RunRows{.distance = columns[0],
-                   .time = columns[1],
-                   .velocity = columns[2],
-                   .creepage = columns[3],
-                   .force = columns[4],
-                   .angular_velocity = columns[5]};
-  });
-  if (rows.angular_velocity) rows.radius = scene.positive("load.radius");
-  return scene.with_file("load.file", [&] {
-    if (rows.force) require_below_full_sliding(*rows.force, bound);
-    return LoadHistory(rows);
-  });
-}
-
 LoadHistory read_loads(Scene& scene, const TransientProblem& problem) {
   const std::string given = scene.at_most_one_of(
       {"load.creepage", "load.force", "load.force_ratio", "load.stick_ratio", "load.file"});
@@ -237,12 +210,7 @@ LoadHistory read_loads(Scene& scene, const TransientProblem& problem) {
 std::vector<double> read_steps(Scene& scene, const TransientProblem& problem,
                                const LoadHistory& loads) {
   if (scene.has("step.ratio") || loads.distances().empty()) return scene.numbers("step.ratio");
-  std::vector<double> ratios;
-  const std::vector<double>& rows = loads.distances();
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    ratios.push_back((rows[i] - rows[i - 1]) / problem.grid.spacing());
-  }
-  return ratios;
+  return row_ratios(loads, problem.grid.spacing());
 }
 
 double read_distance(Scene& scene, const LoadHistory& loads) {

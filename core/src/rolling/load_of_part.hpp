@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <variant>
+
+#include "microslip/friction/active_set.hpp"
+
+namespace microslip {
+
+/// The load of a part of a step as the partition has it: the shift, or the force, which changes
+/// linearly over the step.
+/// \param before    the force at the beginning of the step  [N/mm]
+/// \param part      its length  [mm]
+/// \param fraction  of the step, at the end of the part
+inline Load load_within(const Load& load, double before, double part, double fraction) {
+  const auto* force = std::get_if<PrescribedForce>(&load);
+  if (force == nullptr) return load_of_step(load, part);
+  return PrescribedForce{std::lerp(before, force->value, fraction)};
+}
+
+/// Its derivatives by load and length of the step. A longer step has a longer last part, and its
+/// force is the same fraction later.
+/// \param length  of the step  [mm]
+inline std::array<Load, 2> slopes_within(const Load& load, double before, double part,
+                                         double fraction, double length, bool is_last) {
+  if (const auto* force = std::get_if<PrescribedForce>(&load)) {
+    const double by_length = is_last ? 0 : -(force->value - before) * fraction / length;
+    return {PrescribedForce{fraction}, PrescribedForce{by_length}};
+  }
+  const double creepage = std::get<PrescribedCreepage>(load).value;
+  return {PrescribedCreepage{part}, PrescribedCreepage{is_last ? creepage : 0}};
+}
+
+}  // namespace microslip
