@@ -10,7 +10,7 @@ set format y "10^{%T}"
 set xlabel "number of elements N [1]"
 set ylabel "|sum of energies| / (F_{cm} X) [1]"
 set yrange [1e-18:0.1]
-set key at graph 0.98, 0.6
+set key at graph 0.98, 0.68
 set title "balance of energy"
 plot energy using (of("contact", "verlet")):"error" with linespoints linetype 2 pointtype 6 pointsize 0.6 title "contact, Verlet, end of step", \
      energy using (of("contact", "leapfrog")):"error" with points linetype 7 pointtype 1 pointsize 0.6 title "contact, leapfrog", \
