@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "hertz_cylinder.hpp"
 #include "microslip/dynamics/cylinder.hpp"
 #include "microslip/support/convergence.hpp"
 
@@ -20,21 +21,12 @@ namespace {
 using std::numbers::pi;
 
 const Material material{1.44, 0.28};  // k = 1/pi
-constexpr double length = 10;
 constexpr Cylinder solid{.mass = 1, .inertia = 5000, .radius = 100, .slope_force = 0.3};
 
 RollingCylinder rolling_on(Eigen::Index n, const AdvectionScheme& scheme, const Cylinder& body,
                            Integrator integrator, double step_ratio,
                            std::optional<double> tolerance = {}) {
-  return {{.kernel = PlaneKernel(material, length),
-           .bound = HertzBound(1, 1),
-           .grid = Grid({.half_width = 1, .elements = n}),
-           .basis = constant_basis(),
-           .scheme = scheme},
-          body,
-          integrator,
-          step_ratio,
-          tolerance};
+  return hertz_cylinder(material, n, scheme, body, integrator, step_ratio, tolerance);
 }
 
 // A cylinder that rolls freely with v0, and on which a small force F_cm acts from then on. With

@@ -109,6 +109,21 @@ TEST_F(RunFiles, OfAWaveAreTheSameByRowsAndByShorterSteps) {
   EXPECT_NEAR(end_of(scene("step { ratio 0.03 }\n"), "force") / by_rows, 1, 1e-4);
 }
 
+// Rows are many, and each would be a step of its own.
+TEST_F(RunFiles, OutsideTheRangeOfASchemeAreWarnedOfByTheirExtremes) {
+  write("q creepage", 200, [](double part) {
+    return text_of_numbers({3 * part * (1 + part), 0.1});
+  });
+  const Outcome outcome = run(scene("step { scheme direct }\n"), "");
+  EXPECT_EQ(outcome.status, 0) << outcome.error;
+  const std::string line = "warning: step.ratio = ";
+  const std::size_t first = outcome.error.find(line);
+  ASSERT_NE(first, std::string::npos) << outcome.error;
+  const std::size_t second = outcome.error.find(line, first + 1);
+  ASSERT_NE(second, std::string::npos) << outcome.error;
+  EXPECT_EQ(outcome.error.find(line, second + 1), std::string::npos) << outcome.error;
+}
+
 TEST_F(RunFiles, ThatAreWrongAreRefusedWithRowAndColumn) {
   expect_refused("q creepage\n0 0.1\n2 0.2\n1 0.1\n", "row 3: q = 1: expected more than 2");
   expect_refused("q creepage\n0 0.1\n1 nan\n", "line 3: column 'creepage': 'nan' is not a finite");

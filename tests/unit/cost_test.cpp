@@ -71,6 +71,19 @@ TEST(Cost, OfTransientsIsForeseenWithinAFactorOfThree) {
   }
 }
 
+// On elements a long step is solved in parts.
+TEST(Cost, OfLongStepsIsForeseenWithinAFactorOfThree) {
+  for (const std::string scheme : {"remembered", "material", "direct"}) {
+    for (const int n : {101, 401}) {
+      expect_foreseen(
+          "problem transient\nload { creepage 0.3 }\nmotion { distance 8 }\n"
+          "start { type rest }\nstep { ratio 20\n scheme " +
+              scheme + " }",
+          n);
+    }
+  }
+}
+
 // How far a search goes along the path, and how often, is not foreseen.
 TEST(Cost, OfShiftsIsForeseenWithinAFactorOfEight) {
   for (const std::string forces : {"1.4 -1.4 1.4", "0.7 -0.7 0.7 -0.7", "0.2 -0.2 0.2 -0.2"}) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "hertz_cylinder.hpp"
 #include "microslip/support/not_converged.hpp"
 
 namespace microslip {
@@ -19,15 +20,7 @@ constexpr Cylinder cylinder{.mass = 1, .inertia = 5000, .radius = 100, .slope_fo
 RollingCylinder rolling(Integrator integrator, AdvectionScheme scheme = MaterialFixed{},
                         double step_ratio = 1, const Cylinder& body = cylinder, Eigen::Index n = 40,
                         std::optional<double> tolerance = {}) {
-  return {{.kernel = PlaneKernel({1.44, 0.28}, 10),
-           .bound = HertzBound(1, 1),
-           .grid = Grid({.half_width = 1, .elements = n}),
-           .basis = constant_basis(),
-           .scheme = scheme},
-          body,
-          integrator,
-          step_ratio,
-          tolerance};
+  return hertz_cylinder({1.44, 0.28}, n, scheme, body, integrator, step_ratio, tolerance);
 }
 
 void roll_to(RollingCylinder& body, double distance) {

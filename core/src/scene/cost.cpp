@@ -110,13 +110,22 @@ struct WorkOf {
   }
   double operator()(const SteadyTarget&) const { return std::numeric_limits<double>::quiet_NaN(); }
   double operator()(const TransientScene& scene) const {
-    return steps_needed(scene) *
+    const double steps = steps_needed(scene);
+    const double elements = scene.distance / scene.problem.grid.spacing() / steps;
+    return steps * solves_of_step(scene.problem.scheme, elements) *
                of_step(scene.problem, std::ranges::all_of(scene.step_ratios, is_whole)) +
            steps_of_exchange * exchanges_of_shifts(scene) * of_step(scene.problem, true);
   }
   double operator()(const CylinderScene& scene) const {
-    const double rounds = scene.integrator == Integrator::midpoint ? 4 : 1;
-    return steps_needed(scene) * rounds * of_step(scene.contact, is_whole(scene.step_ratio));
+    const double rounds = scene.integrator == Integrator::midpoint ? 3 : 1;
+    return steps_needed(scene) * rounds * solves_of_step(scene.contact.scheme, scene.step_ratio) *
+           of_step(scene.contact, is_whole(scene.step_ratio));
+  }
+  /// On elements, a step is solved in parts that end where an element has been travelled.
+  static double solves_of_step(const AdvectionScheme& scheme, double elements) {
+    const bool in_parts =
+        std::holds_alternative<MaterialFixed>(scheme) || std::holds_alternative<Remembered>(scheme);
+    return in_parts ? std::max(1.0, elements) : 1;
   }
   static bool is_whole(double step_ratio) { return step_ratio == std::floor(step_ratio); }
   static double of_step(const TransientProblem& problem, bool by_whole_elements) {

@@ -200,7 +200,7 @@ void require_few_steps(double distance, double length) {
 }
 
 LoadHistory read_loads(Scene& scene, const TransientProblem& problem) {
-  const std::string given = scene.at_most_one_of(
+  const std::string given = scene.one_of(
       {"load.creepage", "load.force", "load.force_ratio", "load.stick_ratio", "load.file"});
   if (given == "load.file") return read_run(scene, problem.bound);
   return read_load(scene, problem.kernel, problem.bound);
@@ -211,6 +211,13 @@ std::vector<double> read_steps(Scene& scene, const TransientProblem& problem,
                                const LoadHistory& loads) {
   if (scene.has("step.ratio") || loads.distances().empty()) return scene.numbers("step.ratio");
   return row_ratios(loads, problem.grid.spacing());
+}
+
+/// The steps to warn of: all that are given, but of rows, which may be many, the extremes.
+std::vector<double> judged_steps(const Scene& scene, const std::vector<double>& step_ratios) {
+  if (scene.has("step.ratio")) return step_ratios;
+  const auto [least, most] = std::ranges::minmax(step_ratios);
+  return {least, most};
 }
 
 double read_distance(Scene& scene, const LoadHistory& loads) {
@@ -318,7 +325,8 @@ TransientScene read_transient(Scene& scene) {
   require_definite(problem);
   const LoadHistory loads = read_loads(scene, problem);
   const std::vector<double> step_ratios = read_steps(scene, problem, loads);
-  for (const double ratio : step_ratios) {
+  const std::vector<double> judged = judged_steps(scene, step_ratios);
+  for (const double ratio : judged) {
     require(ratio >= min_step_ratio, "step.ratio", ratio, "numbers >= 1e-15");
     warn_outside(scene, entry_of(problem.scheme).safe_steps, "step.ratio", ratio,
                  "step.scheme remembered");
@@ -329,7 +337,7 @@ TransientScene read_transient(Scene& scene) {
   require_few_steps(distance, mean * problem.grid.spacing());
   const Load load = loads.at(0);
   if (std::holds_alternative<PrescribedForce>(load)) {
-    for (const double ratio : step_ratios) warn_of_noise(scene, problem, ratio);
+    for (const double ratio : judged) warn_of_noise(scene, problem, ratio);
   }
   const Beginning beginning = read_beginning(scene, problem, load);
   return {.problem = problem,

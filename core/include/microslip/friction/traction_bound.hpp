@@ -132,8 +132,10 @@ Eigen::VectorXd mean_bound_around(const TractionBound& bound, const Eigen::Vecto
 
 /// Means of g over elements that fill the contact, the outermost of which extend to the edges. A
 /// mean is the integral over an element divided by its length, so that means times lengths sum up
-/// to full sliding. \param x        nodes, ascending  [mm] \param lengths  of the elements, (0,
-/// inf)  [mm]
+/// to full sliding.
+///
+/// \param x        nodes, ascending  [mm]
+/// \param lengths  of the elements, (0, inf)  [mm]
 Eigen::VectorXd element_means(const TractionBound& bound, const Eigen::VectorXd& x,
                               const Eigen::VectorXd& lengths);
 

@@ -112,8 +112,9 @@ class Scene {
   /// What `use` makes of columns of numbers in a table file that the key names: a line of column
   /// names, each perhaps with its unit, "q [mm]" or "q[mm]", then rows, separated by blanks or
   /// tabs; lines that begin with # are comments. Other columns may hold anything. Messages name
-  /// key, file and, where there is one, line. \param use  called with the columns wanted; those
-  /// that are neither needed nor there are empty
+  /// key, file and, where there is one, line.
+  ///
+  /// \param use  called with the columns wanted; those that are neither needed nor there are empty
   template <class Use>
   auto from_columns(const std::string& key, const std::vector<FileColumn>& wanted, Use use) {
     return with_file(key, [&] { return use(columns(key, wanted)); });
