@@ -112,7 +112,8 @@ struct microslip_slopes {
  * stick-slip point moves. Where the partition changes, they are those of one side. */
 struct microslip_jacobian {
   struct microslip_slopes by_load;   /**< by the creepage or the force that is set */
-  struct microslip_slopes by_length; /**< by dq at that creepage or force  [1/mm] */
+  struct microslip_slopes by_length; /**< by dq at that creepage or force; not a number where the
+                                        step changes the contact  [1/mm] */
 };
 
 /** A shift without rolling, and its energies per mm of width. A shift that is made in parts has the
@@ -164,6 +165,20 @@ MICROSLIP_API enum microslip_status microslip_set_creepage(microslip_rolling* ro
                                                            double creepage);
 MICROSLIP_API enum microslip_status microslip_set_force(microslip_rolling* rolling, double force);
 
+/** The contact at the end of the next step or shift, to which it changes linearly on the way; it
+ * stays so until set again. Numbers are over those of the contact that was created: under another
+ * normal load P both are sqrt(P/P0) by Hertz's theory, and another friction coefficient changes the
+ * bound alone. For MICROSLIP_REMEMBERED alone.
+ *
+ * With 0 for one of them, bodies do not touch, or slide without friction: there are no tractions at
+ * the end of the step, a force must be 0, and nothing is remembered. A contact that returns begins
+ * at the end of its step, at rest, or with the force that is set.
+ *
+ * half_width  >= 0; in plane strain less than 2 L0 over the half-width
+ * bound       at the same place over the half-width, >= 0 */
+MICROSLIP_API enum microslip_status microslip_set_contact(microslip_rolling* rolling,
+                                                          double half_width, double bound);
+
 /** From no tractions, shifts the bodies without rolling until they carry a force, Cattaneo's
  * problem; nothing has been rolled then. The load that is set remains.
  *
@@ -185,7 +200,7 @@ MICROSLIP_API enum microslip_status microslip_shift_by_distance(microslip_rollin
                                                                 double distance,
                                                                 struct microslip_shift* shift);
 
-/** Rolls on by dq, from 1e-15 to 1e6 elements  [mm]. Under a force, rounding is more than 1 % of
+/** Rolls on by dq, from 1e-15 to 1e6 elements of the larger contact of the step  [mm]. Under a force, rounding is more than 1 % of
  * the creepage below 1e-13 N elements, with MICROSLIP_MATERIAL below 1e-12 N or 1e-9. */
 MICROSLIP_API enum microslip_status microslip_advance(microslip_rolling* rolling, double dq);
 
@@ -216,7 +231,7 @@ MICROSLIP_API enum microslip_status microslip_get_element_creepage(microslip_rol
 MICROSLIP_API enum microslip_status microslip_get_elastic_energy(microslip_rolling* rolling,
                                                                  double* energy);
 
-/** The largest force that the bound allows  [N/mm] */
+/** The largest force that the bound allows, of the contact that is set  [N/mm] */
 MICROSLIP_API enum microslip_status microslip_get_full_sliding(microslip_rolling* rolling,
                                                                double* force);
 

@@ -41,6 +41,7 @@ struct microslip_rolling {
   std::string method;                         ///< name of its scheme
   double spacing;                             ///< dx  [mm]
   double full_sliding;                        ///< as the elements have it  [N/mm]
+  microslip::ContactScale scale = {};         ///< of the contact that is set
   std::optional<Load> load;
   char message[512] = "";  ///< of the last call that failed
 };
@@ -71,22 +72,36 @@ microslip_status roll_with(microslip_rolling* handle, const Work& work) noexcept
   return status;
 }
 
+double full_sliding_of(const microslip_rolling& handle) {
+  return handle.full_sliding * handle.scale.half_width * handle.scale.bound;
+}
+
 void require_force(const microslip_rolling& handle, double force) {
-  microslip::require(std::abs(force) < handle.full_sliding, "force", force, [&] {
-    return "an absolute value below full sliding, " + microslip::format_short(handle.full_sliding);
+  if (!handle.scale.carries()) {
+    microslip::require(force == 0, "force", force, "0 where bodies do not touch");
+    return;
+  }
+  const double most = full_sliding_of(handle);
+  microslip::require(std::abs(force) < most, "force", force, [&] {
+    return "an absolute value below full sliding, " + microslip::format_short(most);
   });
 }
 
 /// \return the load of a step
 const Load& require_step(const microslip_rolling& handle, double dq) {
-  const double elements = dq / handle.spacing;
-  microslip::require(
-      elements >= microslip::min_step_ratio && elements <= most_elements, "dq", dq, [&] {
-        return "from " + microslip::format_short(microslip::min_step_ratio) + " to " +
-               microslip::format_short(most_elements) + " elements, one of which is " +
-               microslip::format_short(handle.spacing);
-      });
+  const double now = handle.contact->state().scale.half_width;
+  const double larger = std::max(now, handle.scale.half_width);
+  const double spacing = handle.spacing * (larger > 0 ? larger : 1);
+  const double elements = dq / spacing;
+  microslip::require(elements >= microslip::min_step_ratio && elements <= most_elements, "dq", dq,
+                     [&] {
+                       return "from " + microslip::format_short(microslip::min_step_ratio) +
+                              " to " + microslip::format_short(most_elements) +
+                              " elements, one of which is " + microslip::format_short(spacing);
+                     });
   if (!handle.load) throw std::invalid_argument("load: expected a creepage or a force to be set");
+  const auto* force = std::get_if<microslip::PrescribedForce>(&*handle.load);
+  if (force != nullptr) require_force(handle, force->value);
   return *handle.load;
 }
 
@@ -192,6 +207,14 @@ microslip_status microslip_set_force(microslip_rolling* rolling, double force) {
   });
 }
 
+microslip_status microslip_set_contact(microslip_rolling* rolling, double half_width,
+                                       double bound) {
+  return with(rolling, [&](microslip_rolling& of) {
+    of.contact->set_contact({.half_width = half_width, .bound = bound});
+    of.scale = {.half_width = half_width, .bound = bound};
+  });
+}
+
 microslip_status microslip_start_from_shift(microslip_rolling* rolling, double force,
                                             double* shift) {
   return roll_with(rolling, [&](microslip_rolling& of) {
@@ -255,7 +278,7 @@ microslip_status microslip_get_elastic_energy(microslip_rolling* rolling, double
 
 microslip_status microslip_get_full_sliding(microslip_rolling* rolling, double* force) {
   return with(rolling, [&](const microslip_rolling& of) {
-    require_pointer(force, "force") = of.full_sliding;
+    require_pointer(force, "force") = full_sliding_of(of);
   });
 }
 

@@ -6,6 +6,7 @@
  *                                           kernel 'strip' or 'plane', length, elements, scheme
  *                                           'material' if not given, 'direct' or 'remembered'
  *   microslip_mex('set_creepage', h, w)     likewise set_force, advance
+ *   microslip_mex('set_contact', h, a, g)   half-width and bound over those that were created
  *   microslip_mex('destroy', h)
  *   s = microslip_mex('attempt', h, dq)     a struct as microslip_state
  *   [s, J] = microslip_mex('attempt', h, dq)  and a struct as microslip_jacobian
@@ -199,6 +200,11 @@ void mexFunction(int outputs, mxArray* out[], int inputs, const mxArray* in[]) {
   microslip_rolling* handle = (microslip_rolling*)(uintptr_t)(*(uint64_t*)mxGetData(in[1]));
   if (is(command, "destroy")) {
     microslip_destroy(handle);
+    return;
+  }
+  if (is(command, "set_contact") && inputs > 3) {
+    check(microslip_set_contact(handle, mxGetScalar(in[2]), mxGetScalar(in[3])),
+          microslip_message(handle));
     return;
   }
   const double argument = inputs > 2 ? mxGetScalar(in[2]) : mxGetNaN();

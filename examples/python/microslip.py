@@ -69,6 +69,7 @@ for _name, *_arguments in (
         ("copy", _handle, c.POINTER(_handle)),
         ("set_creepage", _handle, c.c_double),
         ("set_force", _handle, c.c_double),
+        ("set_contact", _handle, c.c_double, c.c_double),
         ("start_from_shift", _handle, c.c_double, c.POINTER(c.c_double)),
         ("shift_to_force", _handle, c.c_double, c.POINTER(Shift)),
         ("shift_by_distance", _handle, c.c_double, c.POINTER(Shift)),
@@ -147,6 +148,10 @@ class Rolling:
 
     def set_force(self, force):
         self._call("set_force", force)
+
+    def set_contact(self, half_width, bound):
+        """The contact at the end of the next step, over that which was created."""
+        self._call("set_contact", half_width, bound)
 
     def start_from_shift(self, force):
         return self._get("start_from_shift", c.c_double(), force).value

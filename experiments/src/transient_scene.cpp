@@ -19,8 +19,11 @@ std::vector<double> lengths_of(const TransientScene& scene) {
   return lengths;
 }
 
-/// \param timed  with a column of times
-Table empty_history(bool timed) {
+double full_sliding_of(const TransientScene& scene, const TransientState& state) {
+  return full_sliding_force(scene.problem.bound) * state.scale.half_width * state.scale.bound;
+}
+
+Table empty_history(const LoadHistory& loads) {
   std::vector<Column> columns{
       {"q", "mm", "distance rolled"},
       {"force", "N/mm", "total force F"},
@@ -31,13 +34,17 @@ Table empty_history(bool timed) {
       {"slip_elements", "1", "elements in slip"},
       {"dissipation", "N/mm", "energy lost per mm rolled and mm width, with mean tractions"},
       {"iterations", "1", "stick/slip partitions tried"}};
-  if (timed) columns.push_back({"t", "s", "time"});
+  if (loads.time_at(0)) columns.push_back({"t", "s", "time"});
+  if (loads.changes_contact()) {
+    columns.push_back({"half_width", "mm", "of the contact"});
+    columns.push_back({"full_sliding", "N/mm", "the force of full sliding"});
+  }
   return {"history",
           "transient rolling, a row a step; the first is the start, where there is no rate",
           columns};
 }
 
-void add(Table& history, const TransientState& state, std::optional<double> time) {
+void add(Table& history, const TransientState& state, const TransientScene& scene) {
   std::vector<Cell> row{state.distance,
                         state.force,
                         state.creepage,
@@ -46,7 +53,11 @@ void add(Table& history, const TransientState& state, std::optional<double> time
                         static_cast<double>(state.slip_elements),
                         state.dissipation,
                         static_cast<double>(state.iterations)};
-  if (time) row.emplace_back(*time);
+  if (const auto time = scene.loads.time_at(state.distance)) row.emplace_back(*time);
+  if (scene.loads.changes_contact()) {
+    row.emplace_back(state.scale.half_width * scene.problem.grid.half_width());
+    row.emplace_back(full_sliding_of(scene, state));
+  }
   history.add(row);
 }
 
@@ -121,22 +132,22 @@ std::optional<std::string> doubt_of(double noise) {
 std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress) {
   const std::vector<double> lengths = lengths_of(scene);
   const std::size_t steps = number_of_steps(scene.distance, lengths);
-  TransientRolling rolling(scene.problem, scene.start);
+  TransientRolling rolling(scene.problem, scene.start, scene.loads.contact_at(0));
   std::size_t done = 0;
   const auto count = [&] { progress(++done, scene.shifts.size() + steps); };
   const ShiftRecord shifts = shift_all(rolling, scene, count);
   const auto shift_doubt = doubt_of(shifts, scene.problem.solver);
-  Table history = empty_history(scene.loads.time_at(0).has_value());
+  Table history = empty_history(scene.loads);
   TransientState start = rolling.state();
   start.iterations = 0;  // it is no step
-  add(history, start, scene.loads.time_at(0));
+  add(history, start, scene);
   double cumulative_creep = 0;
   double dissipated = 0;
   double before = 0;
   WorstOfSteps worst;
   StepNoise noise(scene.problem.grid.spacing());
   rolling.roll(scene.distance, lengths, scene.loads, [&](const TransientState& state) {
-    add(history, state, scene.loads.time_at(state.distance));
+    add(history, state, scene);
     cumulative_creep += state.creepage * (state.distance - before);
     dissipated += state.dissipation * (state.distance - before);
     noise.include(state.distance - before, state.creepage);
@@ -146,7 +157,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   });
 
   const TransientState& last = rolling.state();
-  const double full_sliding = full_sliding_force(scene.problem.bound);
+  const double full_sliding = full_sliding_of(scene, last);
   Table summary = empty_summary("transient rolling, the whole contact at the end");
   summary.add({"distance", last.distance, "mm"});
   summary.add({"steps", static_cast<double>(steps), "1"});
@@ -154,7 +165,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   summary.add({"creepage", last.creepage, "1"});
   summary.add({"element_creepage", last.element_creepage, "1"});
   summary.add({"cumulative_creep", cumulative_creep, "mm"});
-  summary.add({"force_ratio", last.force / full_sliding, "1"});
+  summary.add({"force_ratio", full_sliding > 0 ? last.force / full_sliding : 0, "1"});
   summary.add({"full_sliding_force", full_sliding, "N/mm"});
   summary.add({"adhesion_elements", static_cast<double>(last.adhesion_elements), "1"});
   summary.add({"slip_elements", static_cast<double>(last.slip_elements), "1"});

@@ -156,6 +156,31 @@ TEST_P(EveryCase, IsShiftedLikeTheLibraryToTheBit) {
   expect_same(answers(handle), library_answers(rolling));
 }
 
+TEST_P(EveryCase, RollOnContactsThatChange) {
+  const Case& c = GetParam();
+  const Handle handle = created(c.parts);
+  const bool changes = c.parts.grid.scheme == MICROSLIP_REMEMBERED;
+  EXPECT_EQ(microslip_set_contact(handle.get(), 1.2, 0.9),
+            changes ? MICROSLIP_OK : MICROSLIP_BAD_INPUT);
+  if (!changes) return;
+  TransientRolling rolling(c.problem);
+  ASSERT_EQ(microslip_set_creepage(handle.get(), 0.2), MICROSLIP_OK);
+  for (const double size : {1.2, 0.7, 0.9, 0.0, 0.0, 1.1, 1.0}) {
+    ASSERT_EQ(microslip_set_contact(handle.get(), size, size), MICROSLIP_OK);
+    ASSERT_EQ(microslip_advance(handle.get(), 0.05), MICROSLIP_OK)
+        << microslip_message(handle.get());
+    rolling.set_contact({size, size});
+    rolling.step(0.05, PrescribedCreepage{0.2});
+    expect_same(answers(handle), library_answers(rolling));
+  }
+  ASSERT_EQ(microslip_set_contact(handle.get(), 0, 0), MICROSLIP_OK);
+  ASSERT_EQ(microslip_set_force(handle.get(), 0.1), MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(microslip_message(handle.get()),
+               "force = 0.1: expected 0 where bodies do not touch");
+  EXPECT_EQ(microslip_set_contact(handle.get(), -1, 1), MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(microslip_message(handle.get()), "half_width = -1: expected a number >= 0");
+}
+
 TEST_P(EveryCase, ACopyGoesOnAlikeAndByItself) {
   const Case& c = GetParam();
   const double spacing = c.problem.grid.spacing();

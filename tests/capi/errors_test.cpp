@@ -100,6 +100,7 @@ TEST(CErrors, ANullHandleIsABadInput) {
   EXPECT_EQ(microslip_start_from_shift(nullptr, 0, &value), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_shift_to_force(nullptr, 0, nullptr), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_shift_by_distance(nullptr, 0, nullptr), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_set_contact(nullptr, 1, 1), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_advance(nullptr, 1), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_attempt(nullptr, 1, &state), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_get_state(nullptr, &state), MICROSLIP_BAD_INPUT);

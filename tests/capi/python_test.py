@@ -95,6 +95,23 @@ class Shifts(unittest.TestCase):
             contact.shift_to_force(3000)
 
 
+class Contacts(unittest.TestCase):
+    def test_that_change_carry_what_they_can(self):
+        contact = microslip.Rolling(MATERIAL, CONTACT, STRIP, microslip.Grid(40, microslip.Grid.REMEMBERED))
+        contact.set_creepage(1)
+        full = contact.full_sliding
+        for size in (1, 1.2, 0.5):
+            contact.set_contact(size, size)
+            contact.advance(5)
+            self.assertAlmostEqual(contact.state.force / (full * size**2), -1, places=9)
+            self.assertAlmostEqual(contact.full_sliding, full * size**2, places=9)
+        contact.set_contact(0, 1)
+        contact.advance(0.1)
+        self.assertEqual(contact.state.force, 0)
+        with self.assertRaisesRegex(microslip.Error, "^bound = -1: expected a number >= 0"):
+            contact.set_contact(1, -1)
+
+
 class Constructors(unittest.TestCase):
     def test_that_fail_raise_their_own_error_only(self):
         """A process of its own each, as what a destructor raises is only printed."""

@@ -135,14 +135,34 @@ class ContactSearch {
     const double other = force_prescribed_ ? system_.weights().dot(traction) : 0;
     minus_slip_ = -slip;
     system_.solve(minus_slip_, prescribed - other, unknowns_);
+    if (conditions_->common != 0 && !force_prescribed_) add_common_shift();
     traction += unknowns_.increment;
     slip += unknowns_.response;
     slip.array() += unknowns_.creepage;
     for (Index i = 0; i < size(); ++i) {
       if (zone(i) == Zone::adhesion) slip[i] = 0;
     }
-    response.creepage = unknowns_.creepage;
+    response.creepage = unknowns_.creepage - conditions_->common * change_of_force();
     response.residual = unknowns_.residual;
+  }
+
+  /// Of the solution, from the reference.
+  double change_of_force() const {
+    return system_.weights().dot(increment_) + system_.weights().dot(unknowns_.increment);
+  }
+
+  /// Adds the shift by the force that the common compliance makes of the solution without it. The
+  /// unknown creepage is the sum of both.
+  void add_common_shift() {
+    minus_slip_.setZero();
+    system_.solve(minus_slip_, 1, by_shift_);
+    const double common = conditions_->common;
+    const double shift =
+        common * change_of_force() / (1 - common * system_.weights().dot(by_shift_.increment));
+    unknowns_.increment += shift * by_shift_.increment;
+    unknowns_.response += shift * by_shift_.response;
+    unknowns_.creepage += shift;
+    unknowns_.residual = std::max(unknowns_.residual, by_shift_.residual);
   }
 
   void respond() {
@@ -344,6 +364,7 @@ class ContactSearch {
   Response response_;
   Response rise_;  ///< of the path
   AdhesionSystem::Unknowns unknowns_;
+  AdhesionSystem::Unknowns by_shift_;  ///< by a unit creepage
   VectorXd increment_, product_, minus_slip_;
   int iterations_ = 0;
 };

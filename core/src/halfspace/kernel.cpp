@@ -99,6 +99,13 @@ double definite_half_length(const Kernel& kernel) {
   return plane != nullptr ? 2 * plane->length() : std::numeric_limits<double>::infinity();
 }
 
+Kernel in_units_of(const Kernel& kernel, double length) {
+  const Material& material = material_of(kernel);
+  const auto* strip = std::get_if<StripKernel>(&kernel);
+  if (strip != nullptr) return StripKernel(material, strip->width() / length);
+  return PlaneKernel(material, std::get<PlaneKernel>(kernel).length() / length);
+}
+
 double clear_distance(const Kernel& kernel) {
   return std::visit([](const auto& k) { return k.clear_distance(); }, kernel);
 }

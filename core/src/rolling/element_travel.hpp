@@ -11,11 +11,12 @@ namespace microslip {
 struct ElementTravel {
   double distance = 0;        ///< rolled  [mm]
   double distance_error = 0;  ///< that rounding added to it  [mm]
-  double entered = 0;         ///< whole elements travelled since the start
+  double origin = 0;          ///< distance from which elements are counted  [mm]
+  double entered = 0;         ///< whole elements travelled since then
 
   /// The part of an element travelled since the last whole one. The spacing is that of the nodes,
   /// dx [mm]
-  double phase(double spacing) const { return distance / spacing - entered; }
+  double phase(double spacing) const { return (distance - origin) / spacing - entered; }
 
   /// Takes the same place with fewer rounding errors.
   void move_to(double at) {
@@ -23,6 +24,12 @@ struct ElementTravel {
     distance_error = 0;
   }
 };
+
+/// \param ratio  a step's length over the spacing
+/// \throws std::invalid_argument below min_step_ratio
+inline void require_step(double ratio) {
+  require(ratio >= min_step_ratio, "step.ratio", ratio, "a number >= 1e-15");
+}
 
 /// Divides a step into parts, each of which ends where an element has been travelled, or with the
 /// step. Sums of distances are compensated, or steps of whole elements would be divided after some
@@ -36,13 +43,13 @@ struct ElementTravel {
 /// \throws std::invalid_argument if the length is below min_step_ratio dx
 template <class Part>
 double for_each_part(const ElementTravel& start, double length, double spacing, const Part& part) {
-  require(length / spacing >= min_step_ratio, "step.ratio", length / spacing, "a number >= 1e-15");
+  require_step(length / spacing);
   const double added = length - start.distance_error;
   const double end = start.distance + added;
   double from = start.distance;
   double rest = length;
-  for (double next = start.entered + 1; end / spacing - next > MaterialWindow::rounding; ++next) {
-    const double to = next * spacing;
+  for (double next = start.entered + 1; (end - start.origin) / spacing - next > MaterialWindow::rounding; ++next) {
+    const double to = start.origin + next * spacing;
     rest -= to - from;
     part(to - from, to, rest);
     from = to;

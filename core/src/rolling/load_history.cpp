@@ -67,6 +67,17 @@ std::vector<double> slopes(const std::vector<double>& values, const std::vector<
 
 std::vector<double> in_std(const VectorXd& values) { return {values.begin(), values.end()}; }
 
+/// A column of sizes; none is empty.
+std::vector<double> sizes(const std::optional<VectorXd>& column, Index rows,
+                          const std::string& name) {
+  if (!column) return {};
+  require_finite(*column, rows, name);
+  for (Index i = 0; i < rows; ++i) {
+    if ((*column)[i] < 0) require(false, named(i, name), (*column)[i], "a number >= 0");
+  }
+  return in_std(*column);
+}
+
 }  // namespace
 
 LoadHistory::LoadHistory(const RunRows& rows) {
@@ -93,6 +104,7 @@ LoadHistory::LoadHistory(const RunRows& rows) {
     distances_.push_back(distances_[i] + lengths_[i] * (speed_[i] + speed_[i + 1]) / 2);
   }
 
+  take_contact(rows);
   if (rows.force) {
     require_finite(*rows.force, n, "force");
     force_ = in_std(*rows.force);
@@ -117,6 +129,21 @@ LoadHistory::LoadHistory(const RunRows& rows) {
   for (std::size_t i = 0; i < lengths_.size(); ++i) shift_rate_.emplace_back(slip[i], change[i], 0);
 }
 
+void LoadHistory::take_contact(const RunRows& rows) {
+  if (rows.normal_load && (rows.half_width || rows.peak_traction)) {
+    throw std::invalid_argument(
+        "columns: expected half_width and peak_traction, or normal_load, from which they follow");
+  }
+  if (rows.peak_traction && rows.friction) {
+    throw std::invalid_argument("columns: expected peak_traction or friction, which it includes");
+  }
+  const auto n = static_cast<Index>(distances_.size());
+  load_ = sizes(rows.normal_load, n, "normal_load");
+  size_ = sizes(rows.half_width, n, "half_width");
+  bound_ = rows.friction ? sizes(rows.friction, n, "friction")
+                         : sizes(rows.peak_traction, n, "peak_traction");
+}
+
 double LoadHistory::distance() const {
   return constant_ ? std::numeric_limits<double>::infinity() : distances_.back();
 }
@@ -139,9 +166,20 @@ double LoadHistory::shift_within(std::size_t row, double from, double to) const 
   return (to - from) * (rate * means).sum();
 }
 
+double LoadHistory::between_rows(const std::vector<double>& column, const Place& at) const {
+  return std::lerp(column[at.row], column[at.row + 1], at.since / lengths_[at.row]);
+}
+
 double LoadHistory::force_at(double distance) const {
+  return between_rows(force_, place_of(distance));
+}
+
+ContactScale LoadHistory::contact_at(double distance) const {
+  if (!changes_contact()) return {};
   const Place at = place_of(distance);
-  return std::lerp(force_[at.row], force_[at.row + 1], at.since / lengths_[at.row]);
+  const double bound = bound_.empty() ? 1 : between_rows(bound_, at);
+  if (!load_.empty()) return hertz_scale(between_rows(load_, at), bound);
+  return {.half_width = size_.empty() ? 1 : between_rows(size_, at), .bound = bound};
 }
 
 Load LoadHistory::at(double distance) const {
@@ -149,8 +187,7 @@ Load LoadHistory::at(double distance) const {
   if (!force_.empty()) return PrescribedForce{force_at(distance)};
   const Place there = place_of(distance);
   const Array3d& rate = shift_rate_[there.row];
-  const double speed =
-      std::lerp(speed_[there.row], speed_[there.row + 1], there.since / lengths_[there.row]);
+  const double speed = between_rows(speed_, there);
   return PrescribedCreepage{(rate[0] + there.since * (rate[1] + there.since * rate[2])) / speed};
 }
 

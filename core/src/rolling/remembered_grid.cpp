@@ -3,15 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 #include <variant>
 
-#include "load_of_part.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/support/interpolation.hpp"
 #include "microslip/support/require.hpp"
-#include "remembered_points.hpp"
 
 namespace microslip {
 
@@ -20,14 +17,17 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Points that have slipped so many elements ago, or fewer, are kept as if they had not: the
-/// partitions whose mean is taken include their nodes in adhesion.
-constexpr Index kept_behind = 3;
-
 /// Without rolling, tractions in adhesion are singular at the leading edge, which the scheme then
 /// feels half an element nearer. So an element at the entry carries traction, on a spring that is
 /// the mean of the solutions with and without it.
 constexpr double entry_in_shift = 0.5;
+
+/// Displacement at the entry by each node, by the kernel on the problem's contact  [mm^3/N]
+VectorXd influence_at_entry(const Kernel& kernel, const ReferenceNodes& nodes) {
+  return VectorXd::NullaryExpr(nodes.size, [&](Index j) {
+    return influence(kernel, constant_shape(), nodes.spacing, static_cast<double>(nodes.size - j));
+  });
+}
 
 }  // namespace
 
@@ -48,7 +48,6 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
                   VectorXd::Constant(grid.size(), grid.spacing()), problem.solver),
       traction_bound_(problem.bound),
       problem_nodes_(problem.grid.nodes()),
-      spacing_(grid.spacing()),
       edge_(edge),
       kernel_(problem.kernel),
       solver_(problem.solver),
@@ -56,24 +55,47 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
   require_filling(problem.grid, fewest_points, "where the material remembers its displacement");
   const Index n = grid.size();
   x_ = grid.nodes();
-  bound_ = element_means(problem.bound, x_, weights_);
+  problem_x_ = x_;
+  reach_ = problem.grid.half_width() + problem.grid.spacing();
+  nodes_ = {.size = n, .spacing = grid.spacing(), .first = x_[0] / grid.spacing()};
+  problem_bound_ = element_means(problem.bound, x_, weights_);
+  bound_ = problem_bound_;
   const VectorXd zeros = VectorXd::Zero(n);
   next_.conditions = {.bound = bound_, .offset = zeros, .reference = zeros};
   for (Step& slope : slopes_)
     slope.conditions = {.bound = zeros, .offset = zeros, .reference = zeros};
-  entry_influence_.resize(n);
-  for (Index j = 0; j < n; ++j) {
-    entry_influence_[j] =
-        influence(kernel_, constant_shape(), spacing_, static_cast<double>(n - j));
-  }
+  entry_influence_ = influence_at_entry(kernel_, nodes_);
 }
 
 std::unique_ptr<RollingGrid> RememberedGrid::clone() const {
   return std::make_unique<RememberedGrid>(*this);
 }
 
+/// The response on a contact of this half-width, over the problem's, by tractions on the problem's
+/// contact: the kernel's lengths are divided by it.
+void RememberedGrid::set_response(double half_width) {
+  if (std::holds_alternative<PlaneKernel>(kernel_)) {
+    common_ = -log_factor(kernel_) * std::log(half_width);
+  } else if (half_width != response_to_) {
+    const Kernel kernel = in_units_of(kernel_, half_width);
+    active_set_ = ActiveSet(
+        influence_operator(kernel, constant_basis(), nodes_.spacing, nodes_.size, solver_),
+        weights_, solver_);
+    entry_influence_ = influence_at_entry(kernel, nodes_);
+    stick_slip_point_ = StickSlipPoint(edge_);
+  }
+  response_to_ = half_width;
+  next_.conditions.common = common_;
+  for (Step& slope : slopes_) slope.conditions.common = common_;
+}
+
+/// The bound of tractions on the problem's contact.
+void RememberedGrid::set_bound(const ContactScale& scale) {
+  next_.conditions.bound = scale.half_width * scale.bound * problem_bound_;
+}
+
 VectorXd RememberedGrid::traction_at_nodes(const TransientState& state) const {
-  const VectorXd at_nodes = bound_at(traction_bound_, x_);
+  const VectorXd at_nodes = state.scale.bound * bound_at(traction_bound_, problem_x_);
   VectorXd values(x_.size());
   for (Index i = 0; i < x_.size(); ++i) {
     const Zone zone = state.zones[static_cast<std::size_t>(i)];
@@ -85,49 +107,97 @@ VectorXd RememberedGrid::traction_at_nodes(const TransientState& state) const {
   return values;
 }
 
-double RememberedGrid::displacement_at_entry(const VectorXd& traction) const {
-  return entry_influence_.dot(traction);
+VectorXd RememberedGrid::displacement(const VectorXd& traction) {
+  if (!state_.scale.carries()) return VectorXd::Zero(traction.size());
+  set_response(state_.scale.half_width);
+  return displaced_by(state_.scale.half_width * traction);
 }
 
-/// From tractions that nothing has rolled with.
+/// \param traction  on the problem's contact
+VectorXd RememberedGrid::displaced_by(const VectorXd& traction) const {
+  return (active_set_.response() * traction).array() + common_ * weights_.dot(traction);
+}
+
+/// At entry and exit.
+void RememberedGrid::displace_ends(RememberedPoints& nodes, const VectorXd& traction) const {
+  const double common = common_ * weights_.dot(traction);
+  nodes.at[nodes_.size] = entry_influence_.dot(traction) + common;
+  nodes.exit = entry_influence_.reverse().dot(traction) + common;
+}
+
+void RememberedGrid::set_contact(const ContactScale& scale) {
+  require(scale.half_width >= 0, "half_width", scale.half_width, "a number >= 0");
+  require(scale.bound >= 0, "bound", scale.bound, "a number >= 0");
+  if (scale.carries()) require_definite(kernel_, scale.half_width * reach_);
+  target_ = scale;
+}
+
+/// A start from tractions that nothing has rolled with, within the bound that is set.
+RememberedState RememberedGrid::start_of(const VectorXd& traction,
+                                         const ContactScale& scale) const {
+  RememberedState state;
+  state.scale = scale;
+  state.counted_by = scale.half_width;
+  state.traction = traction;
+  state.zones = zones_at(traction, next_.conditions.bound);
+  state.nodes.at.resize(nodes_.size + 1);
+  state.nodes.at.head(nodes_.size) = displaced_by(traction);
+  displace_ends(state.nodes, traction);
+  state.stored = nodes_.spacing * traction.dot(state.nodes.at.head(nodes_.size)) / 2;
+  state.remember_all();
+  return state;
+}
+
+/// \param traction  on the problem's contact, within the bound that is set
 void RememberedGrid::begin(const VectorXd& traction, TransientState& state) {
-  state_ = {};
-  state_.traction = traction;
-  state_.zones = zones_at(traction, bound_);
-  state_.nodes.resize(x_.size() + 1);
-  state_.nodes << displacement(traction), displacement_at_entry(traction);
-  state_.stored = spacing_ * traction.dot(state_.nodes.head(x_.size())) / 2;
-  remember_all(state_);
-  fill_state(0, {.traction = traction, .slip = VectorXd::Zero(x_.size()), .zones = state_.zones}, 1,
-             bound_, bound_, state);
+  if (target_.carries()) set_response(target_.half_width);
+  state_ = start_of(traction, target_);
+  sum_ = {.traction = traction, .slip = VectorXd::Zero(nodes_.size), .zones = state_.zones};
+  fill_state(0, sum_, 1, next_.conditions.bound, next_.conditions.bound, state);
+  give_tractions(state_, state);
+  place_nodes();
 }
 
-void RememberedGrid::remember_all(RememberedState& state) const {
-  state.points = state.nodes;
-  state.stuck = first_stuck(state.zones);
-  state.kept = state.stuck;
+/// Gives a state the tractions on the contact now, the mean over partitions.
+void RememberedGrid::give_tractions(const RememberedState& now, TransientState& state) const {
+  state.scale = now.scale;
+  state.force = weights_.dot(now.traction);
+  state.traction = now.traction;
+  if (now.scale.half_width > 0) state.traction /= now.scale.half_width;
+}
+
+/// Takes nodes and bound to where they are after a step.
+void RememberedGrid::place_nodes() {
+  if (scale_ == state_.scale.half_width && bound_scale_ == state_.scale.bound) return;
+  scale_ = state_.scale.half_width;
+  bound_scale_ = state_.scale.bound;
+  x_ = scale_ * problem_x_;
+  bound_ = bound_scale_ * problem_bound_;
 }
 
 /// Takes the ratio of tractions to the bound to the nodes of this grid.
 void RememberedGrid::start_from(const VectorXd& traction, TransientState& state) {
   const VectorXd ratio = ratio_to_bound(traction_bound_, problem_nodes_, traction);
-  begin(bound_.cwiseProduct(interpolated(problem_nodes_, ratio, x_)), state);
+  set_bound(target_);
+  begin(next_.conditions.bound.cwiseProduct(interpolated(problem_nodes_, ratio, problem_x_)),
+        state);
 }
 
 double RememberedGrid::start_from_shift(const PrescribedForce& force, TransientState& state) {
-  const Index n = x_.size();
+  const Index n = nodes_.size;
   const double distance = RollingGrid::start_from_shift(force, state);
   if (!sticks(state.zones, n - 1)) {
-    remember_all(state_);
+    state_.remember_all();
     return distance;
   }
 
   VectorXd bound(n + 1);
-  bound << bound_, bound_[n - 1];
-  const double spring = edge_.compliance * compliance(material_of(kernel_)) * spacing_ *
+  bound << next_.conditions.bound, next_.conditions.bound[n - 1];
+  const double spring = edge_.compliance * compliance(material_of(kernel_)) * nodes_.spacing *
                         (1 - entry_in_shift) / entry_in_shift;
-  ActiveSet with_entry(influence_operator(kernel_, constant_basis(), spacing_, n + 1, solver_),
-                       VectorXd::Constant(n + 1, spacing_), solver_);
+  ActiveSet with_entry(influence_operator(in_units_of(kernel_, target_.half_width),
+                                          constant_basis(), nodes_.spacing, n + 1, solver_),
+                       VectorXd::Constant(n + 1, nodes_.spacing), solver_);
   const VectorXd zeros = VectorXd::Zero(n + 1);
   const ContactState longer = with_entry.solve(
       {.bound = bound, .offset = zeros, .reference = zeros, .compliant = {{n, spring}}}, force);
@@ -135,31 +205,35 @@ double RememberedGrid::start_from_shift(const PrescribedForce& force, TransientS
   traction[n - 1] += longer.traction[n];
   begin(traction, state);
   state_.zones.assign(longer.zones.begin(), longer.zones.end() - 1);
-  state_.nodes = with_entry.response() * longer.traction;
-  remember_all(state_);
+  state_.nodes.at = with_entry.response() * longer.traction;
+  state_.remember_all();
   state.zones = state_.zones;
   return longer.creepage;
 }
 
-/// A part of a step that travels nothing.
+/// A step that travels nothing.
 Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load,
                                   TransientState& after) {
   begin_step(false);
-  roll_part(
-      {.length = 0, .end = state_.distance, .load = load, .load_slopes = {}, .is_last = true});
-  // The point that came to the entry last sticks if it is in the contact and its neighbours do.
-  const Index n = x_.size();
-  const double now = std::max(0.0, state_.phase(spacing_));
+  const bool stays = target_ == state_.scale;
+  roll({.length = 0, .load = load});
   RememberedState& state = next_.state;
-  if (now < 1 - edge_.offset || !sticks(state.zones, n - 1)) {
-    state.points[n] = now * state.nodes[n - 1] + (1 - now) * state.nodes[n];
-  }
+  if (state.scale.carries()) state.admit_entry(nodes_, edge_.offset);
   const auto* distance = std::get_if<PrescribedCreepage>(&load);
   sum_.creepage = distance != nullptr ? distance->value : next_.shift;
   sum_.zones = state.zones;
   sum_.traction = state.traction;
-  const VectorXd slip = displacement(state.traction - before.traction).array() + sum_.creepage;
-  return fill_shift(before.distance, before.traction, sum_, slip, bound_, bound_, after);
+  const VectorXd slip =
+      stays ? VectorXd(displaced_by(state.traction - state_.traction).array() + sum_.creepage)
+            : sum_.slip;
+  Shift shift = fill_shift(before.distance, state_.traction, sum_, slip, next_.conditions.bound,
+                           next_.conditions.bound, after);
+  give_tractions(state, after);
+  if (!stays) {
+    shift.work = -next_.work;
+    shift.dissipation = shift.work - (state.stored - state_.stored);
+  }
+  return shift;
 }
 
 void RememberedGrid::begin_step(bool with_slopes) {
@@ -173,216 +247,12 @@ void RememberedGrid::begin_step(bool with_slopes) {
   for (Step& slope : slopes_) {
     slope.shift = slope.mean_force = slope.work = 0;
     slope.state = state_;
-    slope.state.points.setZero();
-    slope.state.nodes.setZero();
+    slope.state.points.set_zero();
+    slope.state.nodes.set_zero();
     slope.state.traction.setZero();
     slope.state.stored = 0;
     slope.state.lead = 0;
   }
-}
-
-void RememberedGrid::solve_step(const TransientState&, double length, const Load& load,
-                                TransientState& after, StepJacobian* jacobian) {
-  begin_step(jacobian != nullptr);
-  const double force = spacing_ * state_.traction.sum();
-  next_.state.distance_error =
-      for_each_part(state_, length, spacing_, [&](double part, double end, double rest) {
-        const double fraction = 1 - rest / length;
-        const bool is_last = rest == 0;
-        roll_part({.length = part,
-                   .end = end,
-                   .load = load_within(load, force, part, fraction),
-                   .load_slopes = slopes_within(load, force, part, fraction, length, is_last),
-                   .is_last = is_last});
-      });
-
-  const RememberedState& state = next_.state;
-  sum_.creepage = next_.shift;
-  sum_.zones = state.zones;
-  fill_state(state.distance, sum_, length, bound_, bound_, after);
-  after.traction = state.traction;
-  after.force = weights_.dot(state.traction);
-  after.mean_force = next_.mean_force / length;
-  after.dissipation = -(next_.work + state.stored - state_.stored) / length;
-  if (jacobian == nullptr) return;
-  jacobian->by_load = slopes_of_step(slopes_[0], after, length, 0);
-  jacobian->by_length = slopes_of_step(slopes_[1], after, length, 1);
-}
-void RememberedGrid::accept_step() { std::swap(state_, next_.state); }
-
-void RememberedGrid::move_to(double distance) { state_.move_to(distance); }
-
-/// The displacement with which the material has come to a node, or its derivative by the way.
-/// \param value  interpolated_at or slope_at
-template <class Interpolation>
-double RememberedGrid::remembered_at(const RememberedState& state, Index i, double phase,
-                                     double travelled, const Interpolation& value) const {
-  const bool as_if_stuck = i >= state.kept && i < state.stuck;
-  if (!sticks(state.zones, i) && !as_if_stuck) return value(state.nodes, i, travelled, 0);
-  return value(state.points, i, phase, i >= state.kept ? state.kept : 0);
-}
-
-/// \param phase      at the end of the part
-/// \param travelled  since the part began  [dx]
-void RememberedGrid::recall(Step& step, double phase, double travelled) const {
-  for (Index i = 0; i < x_.size(); ++i) {
-    step.conditions.offset[i] = -remembered_at(step.state, i, phase, travelled, interpolated_at);
-  }
-}
-
-/// Points next to the stick-slip point have slipped as they did: they stick again.
-void RememberedGrid::admit_slip(RememberedState& state) const {
-  const double now = std::max(0.0, state.phase(spacing_));
-  for (Index i = state.kept; i < std::min(state.stuck, x_.size()); ++i) {
-    state.points[i] =
-        i == 0 ? state.nodes[0] : now * state.nodes[i - 1] + (1 - now) * state.nodes[i];
-  }
-  state.kept = state.stuck;
-}
-
-/// Remembers the displacements at the end of the part.
-void RememberedGrid::remember(RememberedState& state, double phase, bool stuck_again) const {
-  const Index n = x_.size();
-  state.stuck = first_stuck(state.zones);
-  state.kept = stuck_again ? state.stuck : std::max<Index>(0, state.stuck - kept_behind);
-  const auto has_slipped = [&](Index i) {
-    return i < n && !sticks(state.zones, i) && (i < state.kept || i > state.stuck);
-  };
-  if (phase >= 1) {
-    std::shift_left(state.points.begin(), state.points.end(), 1);
-    state.points[n] = state.nodes[n];
-    for (Index i = 0; i < n; ++i) {
-      if (has_slipped(i)) state.points[i] = state.nodes[i];
-    }
-    return;
-  }
-  if (phase == 0 && has_slipped(0)) state.points[0] = state.nodes[0];
-  for (Index i = 1; i < n; ++i) {
-    if (!has_slipped(i) || (phase > 0 && sticks(state.zones, i - 1))) continue;
-    state.points[i] = phase * state.nodes[i - 1] + (1 - phase) * state.nodes[i];
-  }
-}
-
-/// Adds the slip of a part. Next to the stick-slip point, slip is counted since a point was in
-/// adhesion, so that what it had slipped before has to be taken away.
-void RememberedGrid::add_slip(double travelled) {
-  const RememberedState& before = next_.state;
-  const ContactState& contact = next_.contact;
-  sum_.slip += contact.slip;
-  for (Index i = before.kept; i < std::min(before.stuck, x_.size()); ++i) {
-    if (sticks(contact.zones, i)) continue;
-    sum_.slip[i] -= interpolated_at(before.nodes, i, travelled, 0) + next_.conditions.offset[i];
-  }
-}
-
-/// The load of the partition, which has the lead to make up for.
-Load RememberedGrid::of_partition(const Load& load, const Step& step) {
-  const auto* creepage = std::get_if<PrescribedCreepage>(&load);
-  return creepage == nullptr ? load : PrescribedCreepage{creepage->value + step.state.lead};
-}
-
-void RememberedGrid::search_partition(const Load& load) {
-  next_.contact.zones = next_.state.zones;
-  active_set_.solve(next_.conditions, of_partition(load, next_), next_.contact);
-  sum_.iterations += next_.contact.iterations;
-}
-
-/// Solves for the derivatives of the contact by the partition that has been found.
-void RememberedGrid::solve_slopes(const Part& part, double phase, double travelled) {
-  for (std::size_t k = 0; k < 2; ++k) {
-    Step& slope = slopes_[k];
-    recall(slope, phase, travelled);
-    if (k == 1 && part.is_last) {
-      for (Index i = 0; i < x_.size(); ++i) {
-        slope.conditions.offset[i] -=
-            remembered_at(next_.state, i, phase, travelled, slope_at) / spacing_;
-      }
-    }
-    active_set_.solve_partition(slope.conditions, of_partition(part.load_slopes[k], slope),
-                                next_.contact.zones, slope.contact);
-  }
-}
-
-/// The displacements that the partition leads to.
-void RememberedGrid::displace(Step& step) const {
-  step.moved = step.contact.creepage;
-  step.state.points.array() -= step.moved;
-  step.displacement = (step.contact.slip - step.conditions.offset).array() - step.moved;
-  step.state.nodes.head(x_.size()) = step.displacement;
-}
-
-/// Moves to the end of a part, with the mean over partitions.
-void RememberedGrid::finish_part(Step& step, const Part& part, double phase,
-                                 bool stuck_again) const {
-  RememberedState& state = step.state;
-  const ContactState& contact = step.contact;
-  step.part_force = spacing_ * (state.traction.sum() + contact.traction.sum()) / 2;
-  step.creepage = contact.creepage - state.lead;
-  step.shift += step.creepage;
-  state.lead = contact.creepage - step.moved;
-  state.nodes[x_.size()] = displacement_at_entry(contact.traction) + state.lead;
-  state.traction = contact.traction;
-  state.zones = contact.zones;
-  remember(state, phase, stuck_again);
-  state.distance = part.end;
-  if (phase >= 1) state.entered += 1;
-}
-
-/// Rolls up to where an element has been travelled at most.
-void RememberedGrid::roll_part(const Part& part) {
-  const RememberedState& before = next_.state;
-  const double now = part.end / spacing_ - before.entered;
-  const double phase = now >= 1 - MaterialWindow::rounding ? 1 : now;
-  const double travelled = std::min(1.0, phase - std::max(0.0, before.phase(spacing_)));
-
-  recall(next_, phase, travelled);
-  search_partition(part.load);
-  const bool stuck_again = first_stuck(next_.contact.zones) < before.stuck - 1;
-  const std::size_t slopes = has_slopes_ ? 2 : 0;
-  if (stuck_again) {
-    admit_slip(next_.state);
-    for (std::size_t k = 0; k < slopes; ++k) admit_slip(slopes_[k].state);
-    recall(next_, phase, travelled);
-    search_partition(part.load);
-  }
-  if (has_slopes_) solve_slopes(part, phase, travelled);
-  double& residual = sum_.residuals.equations;
-  residual = std::max(residual, next_.contact.residuals.equations);
-  add_slip(travelled);
-  sum_.traction = next_.contact.traction;
-
-  displace(next_);
-  for (std::size_t k = 0; k < slopes; ++k) displace(slopes_[k]);
-  const std::array<RolledContact*, 2> sloped{&slopes_[0], &slopes_[1]};
-  stick_slip_point_.average(active_set_, next_.conditions, part.load, next_,
-                            std::span(sloped).first(slopes));
-  finish_part(next_, part, phase, stuck_again);
-  const VectorXd& p = next_.state.traction;
-  next_.state.stored = spacing_ * p.dot(next_.displacement) / 2;
-  next_.mean_force += next_.part_force * part.length;
-  next_.work += next_.part_force * next_.creepage;
-  for (std::size_t k = 0; k < slopes; ++k) {
-    Step& slope = slopes_[k];
-    finish_part(slope, part, phase, stuck_again);
-    slope.state.stored =
-        spacing_ * (slope.state.traction.dot(next_.displacement) + p.dot(slope.displacement)) / 2;
-    slope.mean_force += slope.part_force * part.length;
-    if (k == 1 && part.is_last) slope.mean_force += next_.part_force;
-    slope.work += slope.part_force * next_.creepage + next_.part_force * slope.creepage;
-  }
-}
-
-/// \param length     of the step  [mm]
-/// \param by_length  its derivative
-StepSlopes RememberedGrid::slopes_of_step(const Step& slope, const TransientState& after,
-                                          double length, double by_length) const {
-  const auto per_length = [&](double of_sum, double value) {
-    return (of_sum - value * by_length) / length;
-  };
-  return {.force = spacing_ * slope.state.traction.sum(),
-          .mean_force = per_length(slope.mean_force, after.mean_force),
-          .creepage = per_length(slope.shift, after.creepage),
-          .dissipation = per_length(-slope.work - slope.state.stored, after.dissipation)};
 }
 
 }  // namespace microslip

@@ -6,34 +6,16 @@
 #include <memory>
 #include <vector>
 
-#include "element_travel.hpp"
 #include "microslip/friction/active_set.hpp"
 #include "microslip/friction/traction_bound.hpp"
 #include "microslip/halfspace/grid.hpp"
+#include "microslip/rolling/contact_scale.hpp"
 #include "microslip/spectrum/leading_edge.hpp"
+#include "remembered_state.hpp"
 #include "rolling_grid.hpp"
 #include "stick_slip_point.hpp"
 
 namespace microslip {
-
-/// The displacements that the material remembers, and the state from which a step starts.
-///
-/// A displacement is that of a material point by the tractions when it came, less the rigid shift
-/// since: the displacement that it has now if it has stuck. There are N + 1 of them: one for each
-/// node, and one for the entry, which is one element ahead of the last node.
-struct RememberedState : ElementTravel {
-  /// At the points of the material that were at nodes and entry when the last whole element had
-  /// been travelled, as if points next to the stick-slip point had not slipped  [mm]
-  Eigen::VectorXd points;
-  Eigen::VectorXd nodes;  ///< at the nodes and the entry now  [mm]
-
-  Eigen::VectorXd traction;  ///< N, the mean over partitions  [N/mm^2]
-  std::vector<Zone> zones;   ///< of the partition that meets the conditions
-  Eigen::Index stuck = 0;    ///< the first node in adhesion; N if there is none
-  double stored = 0;         ///< energy of the bodies  [N]
-  Eigen::Index kept = 0;     ///< points from here on are as if they had not slipped
-  double lead = 0;           ///< shift of the mean over partitions before that of `zones`  [mm]
-};
 
 /// Nodes that stand in the contact, constant functions. The material remembers the displacement
 /// with which it came: s = W + A p - m, where m is the displacement that it would have without
@@ -48,6 +30,10 @@ struct RememberedState : ElementTravel {
 ///   point moves evenly through the elements.
 /// - Where the leading edge sticks, a shift without rolling is singular there, and of first order,
 ///   except for the start: it has an element at the entry besides.
+/// - On a contact that changes its size, nodes keep their places over its half-width. Whatever
+///   travels an element first, the leading edge or the trailing one, points are renewed: they are
+///   where nodes are then. In plane strain the half-width shifts the whole contact in proportion to
+///   the force, and is a common compliance of the same response; a strip needs a new one.
 ///
 /// Cost: a step is a solve of ActiveSet for each part that ends where an element has been travelled
 /// or with the step, and where the partition changes, a solve for each of four neighbours of the
@@ -68,6 +54,8 @@ class RememberedGrid final : public RollingGrid {
                   TransientState& after, StepJacobian* jacobian) override;
   void accept_step() override;
   void move_to(double distance) override;
+  void set_contact(const ContactScale& scale) override;
+  Eigen::VectorXd displacement(const Eigen::VectorXd& traction) override;
 
  private:
   RememberedGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge);
@@ -91,44 +79,59 @@ class RememberedGrid final : public RollingGrid {
   };
 
   /// A part of a step.
-  struct Part {
+  struct Part : PartEnd {
     double length;                    ///< [mm]
-    double end;                       ///< the distance at its end  [mm]
     Load load;                        ///< its creepage is the shift  [mm]
     std::array<Load, 2> load_slopes;  ///< by load and length of the step
     bool is_last;
   };
 
+  /// A step, or with no length a shift without rolling.
+  struct Way {
+    double length;  ///< [mm]
+    Load load;      ///< of a shift: its creepage is the shift  [mm]
+  };
+
+  void set_response(double half_width);
+  void set_bound(const ContactScale& scale);
+  RememberedState start_of(const Eigen::VectorXd& traction, const ContactScale& scale) const;
   void begin(const Eigen::VectorXd& traction, TransientState& state);
-  void remember_all(RememberedState& state) const;
-  double displacement_at_entry(const Eigen::VectorXd& traction) const;
+  void displace_ends(RememberedPoints& nodes, const Eigen::VectorXd& traction) const;
+  Eigen::VectorXd displaced_by(const Eigen::VectorXd& traction) const;
+  void give_tractions(const RememberedState& now, TransientState& state) const;
+  void place_nodes();
 
   void begin_step(bool with_slopes);
+  void roll(const Way& way);
+  void roll_part_to(const Way& way, double length, double end, const NextPart& next);
+  void change_contact(const Way& way);
   void roll_part(const Part& part);
-  template <class Interpolation>
-  double remembered_at(const RememberedState& state, Eigen::Index i, double phase, double travelled,
-                       const Interpolation& value) const;
-  void recall(Step& step, double phase, double travelled) const;
+  void recall(Step& step, const Part& part) const;
   static Load of_partition(const Load& load, const Step& step);
   void search_partition(const Load& load);
-  void solve_slopes(const Part& part, double phase, double travelled);
-  void admit_slip(RememberedState& state) const;
-  void add_slip(double travelled);
+  void solve_slopes(const Part& part);
+  void add_slip(const Part& part);
   void displace(Step& step) const;
-  void finish_part(Step& step, const Part& part, double phase, bool stuck_again) const;
-  void remember(RememberedState& state, double phase, bool stuck_again) const;
+  void finish_part(Step& step, const Part& part, bool stuck_again) const;
   StepSlopes slopes_of_step(const Step& slope, const TransientState& after, double length,
                             double by_length) const;
 
   TractionBound traction_bound_;
   Eigen::VectorXd problem_nodes_;  ///< [mm]
-  double spacing_;                 ///< [mm]
+  Eigen::VectorXd problem_x_;      ///< of the nodes on the problem's contact  [mm]
+  double reach_;                   ///< of its elements from the centre  [mm]
+  Eigen::VectorXd problem_bound_;  ///< its means over elements of the problem's contact  [N/mm^2]
+  ReferenceNodes nodes_;
   LeadingEdgeConstants edge_;
-  Eigen::VectorXd entry_influence_;  ///< displacement at the entry by each node  [mm^3/N]
   Kernel kernel_;
   Solver solver_;
+  double response_to_ = 1;           ///< half-width, over the problem's, of the response
+  Eigen::VectorXd entry_influence_;  ///< displacement at the entry by each node  [mm^3/N]
+  double common_ = 0;                ///< displacement everywhere by the force  [mm^2/N]
   StickSlipPoint stick_slip_point_;
 
+  double bound_scale_ = 1;  ///< of bound_
+  ContactScale target_;     ///< the contact at the end of the next step
   RememberedState state_;
   Step next_;                   ///< that was solved last
   std::array<Step, 2> slopes_;  ///< of it, by its load and by its length

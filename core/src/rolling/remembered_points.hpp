@@ -3,21 +3,63 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 
 namespace microslip {
 
 /// The interpolation between points is cubic.
 inline constexpr Eigen::Index fewest_points = 4;
 
-/// The value at index i + shift of values at whole indices, cubic.
-/// \param shift  in [0, 1]
-/// \param from   the values used have this index at least
-inline double interpolated_at(const Eigen::VectorXd& values, Eigen::Index i, double shift,
-                              Eigen::Index from) {
-  if (shift <= 0) return values[i];
-  if (shift >= 1) return values[i + 1];
+/// Where nodes stand among those of another time, on the same material: node i is i + of(i)
+/// elements from the first node of then.
+struct NodeShift {
+  double first = 0;    ///< of node 0
+  double stretch = 0;  ///< the ratio of the elements' lengths, now over then, less 1
+
+  double of(Eigen::Index i) const { return first + stretch * static_cast<double>(i); }
+};
+
+/// Displacements at the nodes, at the entry, which is one element ahead of the last node, and at
+/// the exit, one behind the first; or those of points of the material that were there.
+struct RememberedPoints {
+  Eigen::VectorXd at;  ///< N + 1  [mm]
+  double exit = 0;     ///< [mm]
+
+  void set_zero() {
+    at.setZero();
+    exit = 0;
+  }
+  void subtract(double shift) {
+    at.array() -= shift;
+    exit -= shift;
+  }
+};
+
+/// The first of the values that a cubic at index i takes.
+inline Eigen::Index first_of_cubic(const Eigen::VectorXd& values, Eigen::Index i,
+                                   Eigen::Index from) {
   const Eigen::Index last = values.size() - fewest_points;
-  const Eigen::Index a = std::clamp(i - 1, std::min(from, last), last);
+  return std::clamp(i - 1, std::min(from, last), last);
+}
+
+/// Moves whole elements of a shift to the index, so that it is within [0, 1].
+inline void take_whole_elements(Eigen::Index& i, double& shift) {
+  if (shift >= 0 && shift <= 1) return;
+  const double whole = std::floor(shift);
+  i += static_cast<Eigen::Index>(whole);
+  shift -= whole;
+}
+
+/// The value at index i + shift of values at whole indices, cubic; linear to the exit.
+/// \param from  the values used have this index at least
+inline double interpolated_at(const RememberedPoints& points, Eigen::Index i, double shift,
+                              Eigen::Index from) {
+  const Eigen::VectorXd& values = points.at;
+  take_whole_elements(i, shift);
+  if (i < 0) return i == -1 ? std::lerp(points.exit, values[0], shift) : points.exit;
+  if (shift == 0 && i < values.size()) return values[i];
+  if (shift == 1 && i + 1 < values.size()) return values[i + 1];
+  const Eigen::Index a = first_of_cubic(values, i, from);
   const double z = static_cast<double>(i - a) + shift;
   const auto factor = [z](Eigen::Index k) { return z - static_cast<double>(k); };
   return -factor(1) * factor(2) * factor(3) / 6 * values[a] +
@@ -27,10 +69,12 @@ inline double interpolated_at(const Eigen::VectorXd& values, Eigen::Index i, dou
 }
 
 /// Its derivative by the shift.
-inline double slope_at(const Eigen::VectorXd& values, Eigen::Index i, double shift,
+inline double slope_at(const RememberedPoints& points, Eigen::Index i, double shift,
                        Eigen::Index from) {
-  const Eigen::Index last = values.size() - fewest_points;
-  const Eigen::Index a = std::clamp(i - 1, std::min(from, last), last);
+  const Eigen::VectorXd& values = points.at;
+  take_whole_elements(i, shift);
+  if (i < 0) return i == -1 ? values[0] - points.exit : 0;
+  const Eigen::Index a = first_of_cubic(values, i, from);
   const double z = static_cast<double>(i - a) + shift;
   const double z2 = z * z;
   return (-(3 * z2 - 12 * z + 11) / 6) * values[a] + (3 * z2 - 10 * z + 6) / 2 * values[a + 1] -

@@ -41,6 +41,12 @@ void RollingGrid::fill_state(double distance, const ContactState& contact, doubl
   }
 }
 
+void RollingGrid::set_contact(const ContactScale& scale) {
+  if (scale == ContactScale{}) return;
+  throw std::invalid_argument(
+      "scheme: expected 'remembered', which alone rolls on a contact that changes");
+}
+
 double RollingGrid::start_from_shift(const PrescribedForce& force, TransientState& state) {
   const TransientState rest = state;
   const Shift shift = solve_shift(rest, force, state);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
+#include "microslip/rolling/contact_scale.hpp"
 #include "microslip/rolling/shift.hpp"
 #include "microslip/rolling/step_jacobian.hpp"
 #include "microslip/rolling/transient_problem.hpp"
@@ -21,15 +22,15 @@ class RollingGrid {
   /// An independent grid that goes on like this one.
   virtual std::unique_ptr<RollingGrid> clone() const = 0;
 
-  const Eigen::VectorXd& x() const { return x_; }              ///< in the contact's frame  [mm]
-  const Eigen::VectorXd& bound() const { return bound_; }      ///< that tractions keep  [N/mm^2]
-  const Eigen::VectorXd& weights() const { return weights_; }  ///< of tractions, in a force  [mm]
+  const Eigen::VectorXd& x() const { return x_; }                ///< in the contact's frame  [mm]
+  const Eigen::VectorXd& bound() const { return bound_; }        ///< that tractions keep  [N/mm^2]
+  Eigen::VectorXd weights() const { return scale_ * weights_; }  ///< of tractions, in a force  [mm]
 
   /// Tractions as values at the nodes, where those of the state are coefficients  [N/mm^2]
   virtual Eigen::VectorXd traction_at_nodes(const TransientState& state) const = 0;
 
   /// A times tractions at the nodes  [mm]
-  Eigen::VectorXd displacement(const Eigen::VectorXd& traction) const {
+  virtual Eigen::VectorXd displacement(const Eigen::VectorXd& traction) {
     return active_set_.response() * traction;
   }
 
@@ -46,6 +47,10 @@ class RollingGrid {
   /// \return the shift  [mm]
   /// \throws as solve_shift
   virtual double start_from_shift(const PrescribedForce& force, TransientState& state);
+
+  /// The contact at the end of the next step or shift, and of a start.
+  /// \throws std::invalid_argument if the scheme keeps the contact as it is
+  virtual void set_contact(const ContactScale& scale);
 
   /// Solves a shift without rolling, and stays where it is.
   /// \param before  the state now
@@ -78,10 +83,10 @@ class RollingGrid {
   RollingGrid(SquareMatrix influence, const Eigen::VectorXd& weights, const Solver& solver)
       : weights_(weights), active_set_(std::move(influence), weights, solver) {}
 
-  /// Fills a state from a solved contact. Dissipation and mean force are those at the end, and the
-  /// creepage over an element is that of the step.
-  /// \param contact  with slip and creepage as displacements over the length  [mm]
-  /// \param bound    that its tractions kept, and its means over elements  [N/mm^2]
+  /// Fills a state from a solved contact, on the problem's contact. Dissipation and mean force are
+  /// those at the end, and the creepage over an element is that of the step. \param contact  with
+  /// slip and creepage as displacements over the length  [mm] \param bound    that its tractions
+  /// kept, and its means over elements  [N/mm^2]
   void fill_state(double distance, const ContactState& contact, double length,
                   const Eigen::VectorXd& bound, const Eigen::VectorXd& mean_bound,
                   TransientState& state) const;
@@ -94,7 +99,9 @@ class RollingGrid {
                    const Eigen::VectorXd& slip, const Eigen::VectorXd& bound,
                    const Eigen::VectorXd& mean_bound, TransientState& state) const;
 
-  Eigen::VectorXd x_, bound_, weights_;
+  Eigen::VectorXd x_, bound_;
+  Eigen::VectorXd weights_;  ///< of the problem's contact  [mm]
+  double scale_ = 1;         ///< of x_, in the problem's lengths
   ActiveSet active_set_;
 };
 

@@ -204,11 +204,13 @@ void StickSlipPoint::average(ActiveSet& active_set, const SlipConditions& condit
   if (stuck + fewest >= n) return;
   const auto begin = contact.zones.begin() + stuck;
   if (std::any_of(begin, begin + fewest, [](Zone z) { return z != Zone::adhesion; })) return;
-  if (contact.zones != zones_ || load.index() != load_.index()) {
+  const bool is_force = std::holds_alternative<PrescribedForce>(load);
+  const bool is_as_common = is_force || unit_.common == conditions.common;
+  if (contact.zones != zones_ || load.index() != load_.index() || !is_as_common) {
     zones_ = contact.zones;
+    unit_.common = conditions.common;
     stuck_ = stuck;
-    load_ = std::holds_alternative<PrescribedForce>(load) ? Load(PrescribedForce{0})
-                                                          : Load(PrescribedCreepage{0});
+    load_ = is_force ? Load(PrescribedForce{0}) : Load(PrescribedCreepage{0});
     for (Response& r : responses_) r.known = false;
   }
   direction_ = contact.traction[0] < 0 ? -1 : 1;

@@ -73,8 +73,11 @@ class Schedule {
 }  // namespace
 
 void require_definite(const TransientProblem& problem) {
-  const double reach = problem.grid.half_width() + problem.grid.spacing();
-  const double definite = definite_half_length(problem.kernel);
+  require_definite(problem.kernel, problem.grid.half_width() + problem.grid.spacing());
+}
+
+void require_definite(const Kernel& kernel, double reach) {
+  const double definite = definite_half_length(kernel);
   if (definite > reach) return;
   require(false, "kernel.length", definite / 2, [&] {
     return "more than (half_width + dx)/2 = " + format_short(reach / 2) +
@@ -91,10 +94,12 @@ void require_within_bound(const VectorXd& x, const VectorXd& bound, const Vector
   }
 }
 
-TransientRolling::TransientRolling(const TransientProblem& problem, const Start& start)
+TransientRolling::TransientRolling(const TransientProblem& problem, const Start& start,
+                                   const ContactScale& contact)
     : problem_(problem), creep_(problem.grid.spacing()) {
   require_definite(problem);
   grid_ = rolling_grid(problem);
+  set_contact(contact);
   if (const auto* shift = std::get_if<CattaneoShift>(&start)) {
     start_from_shift({shift->force});
   } else {
@@ -109,6 +114,7 @@ TransientRolling::TransientRolling(const TransientRolling& other)
       state_(other.state_),
       next_(other.next_),
       solved_(other.solved_),
+      contact_(other.contact_),
       creep_(other.creep_) {}
 
 TransientRolling& TransientRolling::operator=(const TransientRolling& other) {
@@ -123,7 +129,11 @@ const VectorXd& TransientRolling::x() const { return grid_->x(); }
 const VectorXd& TransientRolling::bound() const { return grid_->bound(); }
 
 VectorXd TransientRolling::traction_at_nodes() const { return grid_->traction_at_nodes(state_); }
-VectorXd TransientRolling::bound_at_nodes() const { return bound_at(problem_.bound, grid_->x()); }
+VectorXd TransientRolling::bound_at_nodes() const {
+  const auto& [half_width, bound] = state_.scale;
+  if (half_width == 0) return VectorXd::Zero(grid_->x().size());
+  return bound * bound_at(problem_.bound, grid_->x() / half_width);
+}
 VectorXd TransientRolling::displacement() const { return grid_->displacement(state_.traction); }
 
 double TransientRolling::elastic_energy() const {
@@ -156,9 +166,11 @@ Shift TransientRolling::shift(const ShiftLoad& load) {
                                            : Load(std::get<PrescribedForce>(load));
   const auto zeros = [&]() -> VectorXd { return VectorXd::Zero(state_.traction.size()); };
   const double rounding = same_force * grid_->weights().dot(grid_->bound());
-  if (prescribed != nullptr
+  const bool is_none =
+      prescribed != nullptr
           ? prescribed->value == 0
-          : std::abs(std::get<PrescribedForce>(load).value - state_.force) <= rounding) {
+          : std::abs(std::get<PrescribedForce>(load).value - state_.force) <= rounding;
+  if (is_none && contact_ == state_.scale) {
     return {.slip = zeros()};
   }
   solved_.reset();
@@ -167,6 +179,12 @@ Shift TransientRolling::shift(const ShiftLoad& load) {
   creep_.start();
   grid_->accept_step();
   return result;
+}
+
+void TransientRolling::set_contact(const ContactScale& scale) {
+  grid_->set_contact(scale);
+  if (scale != contact_) solved_.reset();
+  contact_ = scale;
 }
 
 void TransientRolling::solve_step(double length, const Load& load, StepJacobian* jacobian) {
@@ -206,6 +224,7 @@ void TransientRolling::roll(double distance, const std::vector<double>& lengths,
   const Schedule schedule(distance, lengths);
   const double start = state_.distance;
   for (std::size_t k = 0;; ++k) {
+    if (loads.changes_contact()) set_contact(loads.contact_at(schedule.end(k)));
     step(schedule.length(k), loads.between(schedule.begin(k), schedule.end(k)));
     state_.distance = start + schedule.end(k);  // the same place, with fewer rounding errors
     grid_->move_to(state_.distance);

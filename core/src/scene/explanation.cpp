@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iomanip>
 #include <iterator>
+#include <limits>
 #include <sstream>
 
 #include "microslip/rolling/schemes.hpp"
@@ -87,6 +88,23 @@ std::vector<std::string> shifted(const TransientScene& scene) {
                     : "by at most " + number(most) + " mm")};
 }
 
+/// The sizes of a contact that changes.
+std::vector<std::string> changed(const TransientScene& scene) {
+  if (!scene.loads.changes_contact()) return {};
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const double distance : scene.loads.distances()) {
+    const double ratio = scene.loads.contact_at(distance).half_width;
+    least = std::min(least, ratio);
+    most = std::max(most, ratio);
+  }
+  const double a = scene.problem.grid.half_width();
+  return {"the contact changes on the way, its half-width from " + number(least * a) + " to " +
+          number(most * a) + " mm" + (least == 0 ? "; where it is 0, bodies do not touch" : "")};
+}
+
+const std::string normal_changes =
+    "the normal contact: bound and edges are given, from row to row; they do not depend on "
+    "tractions";
 const std::string normal = "the normal contact: bound and edges are given and stay as they are";
 const std::string details =
     "lateral creepage, spin, bodies of different material, friction that depends on slip, heat, "
@@ -106,6 +124,7 @@ struct Explain {
   }
   Explanation operator()(const TransientScene& scene) const {
     std::vector<std::string> consequences = {loaded(scene), elements_of(scene.problem.grid)};
+    std::ranges::copy(changed(scene), std::back_inserter(consequences));
     std::ranges::copy(shifted(scene), std::back_inserter(consequences));
     consequences.push_back(rolled(scene, scene.distance, scene.problem.grid));
     consequences.push_back(method_of(scene.problem.scheme));
@@ -113,7 +132,8 @@ struct Explain {
     return {"transient rolling under " +
                 (scene.loads.distances().empty() ? kind : kind + " that changes"),
             consequences,
-            {normal, "inertia of the bodies, which problem cylinder has", details}};
+            {scene.loads.changes_contact() ? normal_changes : normal,
+             "inertia of the bodies, which problem cylinder has", details}};
   }
   Explanation operator()(const CylinderScene& scene) const {
     const double velocity = scene.cylinder.velocity;

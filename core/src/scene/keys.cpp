@@ -159,8 +159,9 @@ constexpr auto keys = std::to_array<Key>({
      .role = "problem steady or transient"},
     {.name = "load.file",
      .type = file,
-     .meaning = "a run, linear between its rows: columns q, or t and v; and creepage, force or "
-                "omega, with units behind them, t [s]",
+     .meaning = "a run, linear between its rows: columns q, or t and v; creepage, force or omega; "
+                "and of the contact normal_load, half_width, peak_traction, friction; with units "
+                "behind them, t [s]",
      .note = "a file; instead of load.creepage",
      .role = "problem transient"},
     {.name = "load.radius",

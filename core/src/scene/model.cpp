@@ -202,7 +202,7 @@ void require_few_steps(double distance, double length) {
 LoadHistory read_loads(Scene& scene, const TransientProblem& problem) {
   const std::string given = scene.one_of(
       {"load.creepage", "load.force", "load.force_ratio", "load.stick_ratio", "load.file"});
-  if (given == "load.file") return read_run(scene, problem.bound);
+  if (given == "load.file") return read_run(scene, problem);
   return read_load(scene, problem.kernel, problem.bound);
 }
 
@@ -241,7 +241,8 @@ std::vector<double> read_start_forces(Scene& scene, const Load& load) {
   return {scene.number("start.force", of_load->value)};
 }
 
-Beginning read_shifts(Scene& scene, const TransientProblem& problem, const Load& load) {
+/// \param most  full sliding at the start  [N/mm]
+Beginning read_shifts(Scene& scene, double most, const Load& load) {
   Beginning beginning;
   const std::string given = scene.at_most_one_of({"start.force", "start.shift"});
   if (given == "start.shift") {
@@ -251,7 +252,6 @@ Beginning read_shifts(Scene& scene, const TransientProblem& problem, const Load&
     return beginning;
   }
   const std::string key = given.empty() ? "load.force" : given;
-  const double most = full_sliding_force(problem.bound);
   for (const double force : read_start_forces(scene, load)) {
     require(std::abs(force) < most, key, force,
             [&] { return "an absolute value below full sliding, " + format_short(most); });
@@ -261,10 +261,14 @@ Beginning read_shifts(Scene& scene, const TransientProblem& problem, const Load&
   return {.start = CattaneoShift{std::get<PrescribedForce>(beginning.shifts.front()).value}};
 }
 
-Beginning read_beginning(Scene& scene, const TransientProblem& problem, const Load& load) {
+Beginning read_beginning(Scene& scene, const TransientProblem& problem, const Load& load,
+                         const ContactScale& contact) {
   const std::string type = known_word(scene, "start.type");
   if (type == "rest") return {};
-  if (type == "cattaneo") return read_shifts(scene, problem, load);
+  if (type == "cattaneo") {
+    const double full = full_sliding_force(problem.bound);
+    return read_shifts(scene, full * contact.half_width * contact.bound, load);
+  }
   const std::vector<FileColumn> wanted = {{"x", "mm"}, {"traction", "N/mm^2"}};
   return {.start = scene.from_columns("start.file", wanted, [&](const auto& columns) {
     return traction_at_nodes(*columns[0], *columns[1], problem);
@@ -339,7 +343,7 @@ TransientScene read_transient(Scene& scene) {
   if (std::holds_alternative<PrescribedForce>(load)) {
     for (const double ratio : judged) warn_of_noise(scene, problem, ratio);
   }
-  const Beginning beginning = read_beginning(scene, problem, load);
+  const Beginning beginning = read_beginning(scene, problem, load, loads.contact_at(0));
   return {.problem = problem,
           .start = beginning.start,
           .shifts = beginning.shifts,

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_file.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 
@@ -11,33 +14,80 @@ namespace microslip {
 
 namespace {
 
-void require_below_full_sliding(const Eigen::VectorXd& forces, const TractionBound& bound) {
-  const double most = full_sliding_force(bound);
+/// Forces are below full sliding of the contact of their row, or 0 where there is none.
+void require_below_full_sliding(const Eigen::VectorXd& forces, const LoadHistory& loads,
+                                const TractionBound& bound) {
+  const double full = full_sliding_force(bound);
   for (Eigen::Index i = 0; i < forces.size(); ++i) {
-    if (std::abs(forces[i]) < most) continue;
+    const ContactScale contact = loads.contact_at(loads.distances()[static_cast<std::size_t>(i)]);
+    const double most = full * contact.half_width * contact.bound;
+    if (std::abs(forces[i]) < most || (forces[i] == 0 && !contact.carries())) continue;
     require(false, "row " + std::to_string(i + 1) + ": force", forces[i],
-            "an absolute value below full sliding, " + format_short(most));
+            contact.carries() ? "an absolute value below full sliding, " + format_short(most)
+                              : "0 where bodies do not touch");
   }
+}
+
+/// A column over the value that the scene has of it.
+void divide(Scene& scene, std::optional<Eigen::VectorXd>& column, const std::string& name,
+            const std::string& key) {
+  if (!column) return;
+  if (!scene.has(key)) {
+    throw std::invalid_argument("column '" + name + "': expected " + key +
+                                " to be given, of the contact that it changes");
+  }
+  *column /= scene.positive(key);
+}
+
+void require_contacts(const LoadHistory& loads, const TransientProblem& problem) {
+  if (!loads.changes_contact()) return;
+  if (!std::holds_alternative<Remembered>(problem.scheme)) {
+    reject("step.scheme", name_of(problem.scheme),
+           "remembered, which alone rolls on a contact that changes, as columns of load.file have "
+           "it");
+  }
+  double widest = 0;
+  for (const double distance : loads.distances()) {
+    widest = std::max(widest, loads.contact_at(distance).half_width);
+  }
+  require_definite(problem.kernel, widest * (problem.grid.half_width() + problem.grid.spacing()));
 }
 
 }  // namespace
 
-LoadHistory read_run(Scene& scene, const TractionBound& bound) {
-  const std::vector<FileColumn> wanted = {{"q", "mm", false},       {"t", "s", false},
-                                          {"v", "mm/s", false},     {"creepage", "1", false},
-                                          {"force", "N/mm", false}, {"omega", "1/s", false}};
+LoadHistory read_run(Scene& scene, const TransientProblem& problem) {
+  const std::vector<FileColumn> wanted = {{"q", "mm", false},
+                                          {"t", "s", false},
+                                          {"v", "mm/s", false},
+                                          {"creepage", "1", false},
+                                          {"force", "N/mm", false},
+                                          {"omega", "1/s", false},
+                                          {"normal_load", "N/mm", false},
+                                          {"half_width", "mm", false},
+                                          {"peak_traction", "N/mm^2", false},
+                                          {"friction", "1", false}};
   RunRows rows = scene.from_columns("load.file", wanted, [](const auto& columns) {
     return RunRows{.distance = columns[0],
                    .time = columns[1],
                    .velocity = columns[2],
                    .creepage = columns[3],
                    .force = columns[4],
-                   .angular_velocity = columns[5]};
+                   .angular_velocity = columns[5],
+                   .normal_load = columns[6],
+                   .half_width = columns[7],
+                   .peak_traction = columns[8],
+                   .friction = columns[9]};
   });
   if (rows.angular_velocity) rows.radius = scene.positive("load.radius");
   return scene.with_file("load.file", [&] {
-    if (rows.force) require_below_full_sliding(*rows.force, bound);
-    return LoadHistory(rows);
+    divide(scene, rows.normal_load, "normal_load", "contact.normal_load");
+    divide(scene, rows.half_width, "half_width", "contact.half_width");
+    divide(scene, rows.peak_traction, "peak_traction", "contact.peak_traction");
+    divide(scene, rows.friction, "friction", "contact.friction");
+    const LoadHistory loads(rows);
+    require_contacts(loads, problem);
+    if (rows.force) require_below_full_sliding(*rows.force, loads, problem.bound);
+    return loads;
   });
 }
 

@@ -37,13 +37,14 @@ struct CompliantElement {
 };
 
 /// The equation of the slip at n traction coefficients p, and the bound that they keep:
-/// s = w + offset + (response + springs) (p - reference), |p_i| <= bound_i. Where the bound is
-/// zero, so is p, whatever the slip.
+/// s = w + offset + (response + springs) (p - reference) + common (F - reference force),
+/// |p_i| <= bound_i. Where the bound is zero, so is p, whatever the slip.
 struct SlipConditions {
   Eigen::VectorXd bound;      ///< n, >= 0  [N/mm^2]
   Eigen::VectorXd offset;     ///< n, in the unit of the slip
   Eigen::VectorXd reference;  ///< n  [N/mm^2]
   std::vector<CompliantElement> compliant = {};
+  double common = 0;  ///< compliance by which the force shifts all elements alike  [slip mm/N]
 };
 
 /// How exactly slip conditions are met.
@@ -86,7 +87,8 @@ struct ContactState {
 /// Cost of a dense response: n^2 numbers, and O(n^3) for the first factors. They are kept from
 /// solve to solve: a round with few exchanges costs O(n^2), as does a solve whose partition stays.
 /// Cost of a Toeplitz response: O(n) numbers, and O(n log n) a round, about 14 transforms of 2n
-/// numbers where the partition stays. Compliances may change from solve to solve at no cost.
+/// numbers where the partition stays. Compliances may change from solve to solve at no cost; with a
+/// common one, a creepage takes two solves instead of one.
 class ActiveSet {
  public:
   /// \param response  n x n, of the slip to the traction

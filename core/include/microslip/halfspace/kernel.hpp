@@ -40,6 +40,7 @@ class StripKernel {
   double integral(double z) const;         ///< of K, from 0; odd in z
   double double_integral(double z) const;  ///< of that, from 0; even in z
   double clear_distance() const { return half_width_; }
+  double width() const { return 2 * half_width_; }
   const Material& material() const { return material_; }
 
  private:
@@ -87,6 +88,11 @@ double log_factor(const Kernel& kernel);
 /// which falls and is convex. In plane strain it is 2 L0, where the logarithmic capacity of the
 /// interval, half its half-length, is L0  [mm]
 double definite_half_length(const Kernel& kernel);
+
+/// The kernel of which lengths, the strip's width or L0, are divided by that of lengths: K(length z)
+/// as a function of z.
+/// \param length  in (0, inf)  [1]
+Kernel in_units_of(const Kernel& kernel, double length);
 
 /// Distance of the nearest singularity of the regular parts from the real axis  [mm]
 double clear_distance(const Kernel& kernel);

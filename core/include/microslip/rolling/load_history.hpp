@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
+#include "microslip/rolling/contact_scale.hpp"
 
 namespace microslip {
 
@@ -20,10 +21,18 @@ struct RunRows {
   std::optional<Eigen::VectorXd> force;             ///< F  [N/mm]
   std::optional<Eigen::VectorXd> angular_velocity;  ///< omega, with v and a radius  [1/s]
   double radius = 0;                                ///< R > 0, with omega  [mm]
+
+  // The contact, over that of the problem: by Hertz's theory under a normal load, or by its
+  // half-width and the peak of its bound; friction goes with either, except for the peak.
+  std::optional<Eigen::VectorXd> normal_load;    ///< P/P_0 >= 0
+  std::optional<Eigen::VectorXd> half_width;     ///< a/a_0 >= 0
+  std::optional<Eigen::VectorXd> peak_traction;  ///< >= 0
+  std::optional<Eigen::VectorXd> friction;       ///< mu/mu_0 >= 0
 };
 
-/// A load that changes on the way: velocities, creepage and force are linear between rows, in
-/// distance or in time as the rows have it. With omega the creepage is w = (v - omega R)/v.
+/// A load that changes on the way: velocities, creepage, force, and what there is of the contact,
+/// are linear between rows, in distance or in time as the rows have it. With omega the creepage is
+/// w = (v - omega R)/v.
 class LoadHistory {
  public:
   /// One load for good.
@@ -45,6 +54,12 @@ class LoadHistory {
   /// \param distance  in [0, distance()]  [mm]
   Load at(double distance) const;
 
+  /// Whether the rows have a contact.
+  bool changes_contact() const { return !(size_.empty() && load_.empty() && bound_.empty()); }
+
+  /// The contact at a distance within the rows; that of the problem if they have none.
+  ContactScale contact_at(double distance) const;
+
   /// The time at a distance, if the rows have times  [s]
   std::optional<double> time_at(double distance) const;
 
@@ -61,6 +76,8 @@ class LoadHistory {
   };
 
   Place place_of(double distance) const;
+  double between_rows(const std::vector<double>& column, const Place& at) const;
+  void take_contact(const RunRows& rows);
   double force_at(double distance) const;
   double shift_within(std::size_t row, double from, double to) const;
 
@@ -70,6 +87,9 @@ class LoadHistory {
   std::vector<double> lengths_;    ///< from a row to the next, in distance or time
   std::vector<double> speed_;      ///< of the distance: v, or 1
   std::vector<double> force_;
+  std::vector<double> load_;                ///< normal, over that of the problem's contact
+  std::vector<double> size_;                ///< half-width likewise
+  std::vector<double> bound_;               ///< peak, or friction coefficient, likewise
   std::vector<Eigen::Array3d> shift_rate_;  ///< coefficients of its polynomial from each row on
 };
 

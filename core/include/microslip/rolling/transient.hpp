@@ -37,9 +37,11 @@ class RollingGrid;
 /// resizing failed must not even be destroyed.
 class TransientRolling {
  public:
-  /// \throws as require_definite; as start_from_shift, if that is how it starts; as
+  /// \param contact  at the start
+  /// \throws as require_definite and set_contact; as start_from_shift, if that is how it starts; as
   ///         require_within_bound for tractions
-  explicit TransientRolling(const TransientProblem& problem, const Start& start = Rest{});
+  explicit TransientRolling(const TransientProblem& problem, const Start& start = Rest{},
+                            const ContactScale& contact = {});
 
   TransientRolling(const TransientRolling& other);
   TransientRolling(TransientRolling&& other) noexcept;
@@ -79,6 +81,14 @@ class TransientRolling {
   /// \throws as ActiveSet::solve
   double start_from_shift(const PrescribedForce& force);
 
+  /// The contact at the end of the next step or shift, to which it changes linearly on the way; it
+  /// stays so. A start takes it, too. Scheme Remembered; others keep the contact of the problem.
+  /// Where bodies do not touch at the end of a step there are no tractions then, and nothing is
+  /// remembered; contact that returns begins at the end of its step, at rest or with the force.
+  /// Edges that grow faster than they roll, or shrink, are felt up to half an element off.
+  /// \throws std::invalid_argument for numbers < 0, for another scheme, and as require_definite
+  void set_contact(const ContactScale& scale);
+
   /// Shifts the bodies without rolling, from the tractions now. The state has them afterwards with
   /// the same distance; its slip, creepages and dissipation are 0, as those are about rolling, and
   /// the energies of its evidence are those of the shift  [N].
@@ -105,6 +115,7 @@ class TransientRolling {
   TransientState attempt(double length, const Load& load, StepJacobian& jacobian);
 
   /// Rolls a distance in steps of the given lengths, in turn; the last is shortened to end there.
+  /// If the loads change the contact, each step ends with that of its end.
   /// \param distance    (0, inf), at most that of the loads  [mm]
   /// \param lengths     dq, at least one, each as for step()  [mm]
   /// \param loads       of the distance from here on
@@ -121,6 +132,7 @@ class TransientRolling {
   TransientState state_{};
   TransientState next_{};                          ///< after a step that is tried
   std::optional<std::pair<double, Load>> solved_;  ///< length and load of the step to next_
+  ContactScale contact_;                           ///< at its end
   RecentCreep creep_;
 };
 

@@ -12,6 +12,7 @@
 #include "microslip/halfspace/kernel.hpp"
 #include "microslip/linalg/solver.hpp"
 #include "microslip/rolling/advection.hpp"
+#include "microslip/rolling/contact_scale.hpp"
 #include "microslip/rolling/evidence.hpp"
 
 namespace microslip {
@@ -33,6 +34,10 @@ struct TransientProblem {
 /// \throws std::invalid_argument unless definite_half_length() is above a + dx
 void require_definite(const TransientProblem& problem);
 
+/// The same for a contact.
+/// \param reach  a + dx  [mm]
+void require_definite(const Kernel& kernel, double reach);
+
 /// No tractions.
 struct Rest {};
 
@@ -53,6 +58,7 @@ void require_within_bound(const Eigen::VectorXd& x, const Eigen::VectorXd& bound
 /// shift, and what follows from them. A positive creepage gives negative tractions.
 struct TransientState {
   double distance;           ///< q rolled so far  [mm]
+  ContactScale scale = {};   ///< of the contact, over that of the problem
   Eigen::VectorXd traction;  ///< coefficients of the basis  [N/mm^2]
   Eigen::VectorXd slip;      ///< relative slip s of the step; zero at standstill  [1]
   std::vector<Zone> zones;

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remembered_state.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rolling_grid.hpp"
+#include "stick_slip_point.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Points that have slipped so many elements ago, or fewer, are kept as if they had not: the
+/// partitions whose mean is taken include their nodes in adhesion.
+constexpr Index kept_behind = 3;
+
+/// A part of an element below this is none.
+constexpr double rounding = MaterialWindow::rounding;
+
+/// Nodes of a contact among those of another one.
+/// \param travelled  by the contact's centre, in elements of the other contact
+/// \param ratio      of half-widths, now over then
+NodeShift shift_of(const ReferenceNodes& nodes, double travelled, double ratio) {
+  return {.first = travelled + (ratio - 1) * nodes.first, .stretch = ratio - 1};
+}
+
+/// The node at a point that is remembered, or the next one.
+Index node_ahead(Index point, const NodeShift& shift) {
+  return shift.of(point) < 0 ? point + 1 : point;
+}
+
+}  // namespace
+
+NodeShift RememberedState::among_points(const ReferenceNodes& nodes) const {
+  const double travelled = std::max(0.0, phase(nodes.spacing * counted_by));
+  return shift_of(nodes, travelled, scale.half_width / counted_by);
+}
+
+PartEnd RememberedState::end_of_part(const ReferenceNodes& nodes, double length, double end,
+                                     const ContactScale& scale_at_end) const {
+  const double element = nodes.spacing * counted_by;
+  const double now = (end - origin) / element - entered;
+  const double width = scale_at_end.half_width;
+  PartEnd part{
+      .distance = end, .scale = scale_at_end, .on_points = {}, .on_nodes = {}, .is_whole = false};
+  if (width == counted_by && width == scale.half_width) {
+    part.is_whole = now >= 1 - rounding;
+    part.on_points.first = part.is_whole ? 1 : now;
+    part.on_nodes.first = std::min(1.0, part.on_points.first - std::max(0.0, phase(element)));
+    return part;
+  }
+  part.on_points = shift_of(nodes, now, width / counted_by);
+  part.on_nodes =
+      shift_of(nodes, length / (nodes.spacing * scale.half_width), width / scale.half_width);
+  const double travelled =
+      std::max(std::abs(part.on_points.first), std::abs(part.on_points.of(nodes.size)));
+  part.is_whole = travelled >= 1 - rounding;
+  return part;
+}
+
+double RememberedState::remembered_at(Index i, const PartEnd& end) const {
+  const bool as_if_stuck = i >= kept && i < stuck;
+  if (!sticks(zones, i) && !as_if_stuck) return interpolated_at(nodes, i, end.on_nodes.of(i), 0);
+  return interpolated_at(points, i, end.on_points.of(i), i >= kept ? kept : 0);
+}
+
+double RememberedState::slope_at_node(const ReferenceNodes& reference, Index i,
+                                      const PartEnd& end) const {
+  const bool as_if_stuck = i >= kept && i < stuck;
+  if (!sticks(zones, i) && !as_if_stuck) {
+    return slope_at(nodes, i, end.on_nodes.of(i), 0) / (reference.spacing * scale.half_width);
+  }
+  return slope_at(points, i, end.on_points.of(i), i >= kept ? kept : 0) /
+         (reference.spacing * counted_by);
+}
+
+void RememberedState::remember_all() {
+  points = nodes;
+  stuck = first_stuck(zones);
+  kept = stuck;
+}
+
+/// The displacement now at a point that is remembered: linear between the nodes on either side.
+/// \param point  at most N; behind the first node, the displacement there
+double RememberedState::between_nodes(Index point, const NodeShift& shift) const {
+  const Index ahead = node_ahead(point, shift);
+  if (ahead == 0) return nodes.at[0];
+  if (ahead == nodes.at.size()) return nodes.at[ahead - 1];
+  const auto from_point = [&](Index node) { return static_cast<double>(node - point); };
+  const double of_behind = (from_point(ahead) + shift.of(ahead)) / (1 + shift.stretch);
+  const double of_ahead = -(from_point(ahead - 1) + shift.of(ahead - 1)) / (1 + shift.stretch);
+  return of_behind * nodes.at[ahead - 1] + of_ahead * nodes.at[ahead];
+}
+
+void RememberedState::admit_slip(const ReferenceNodes& reference) {
+  const NodeShift now = among_points(reference);
+  for (Index i = kept; i < std::min(stuck, reference.size); ++i) {
+    points.at[i] = between_nodes(i, now);
+  }
+  kept = stuck;
+}
+
+void RememberedState::admit_entry(const ReferenceNodes& reference, double offset) {
+  const Index n = reference.size;
+  const NodeShift now = among_points(reference);
+  if (now.of(n) < 1 - offset || !sticks(zones, n - 1)) points.at[n] = between_nodes(n, now);
+}
+
+/// Points are those at nodes, entry and exit now.
+/// \param from  points behind it have slipped
+void RememberedState::renew_points(const PartEnd& end, Index from) {
+  const auto n = static_cast<Index>(zones.size());
+  if (end.on_points.stretch == 0) {
+    std::shift_left(points.at.begin(), points.at.end(), 1);
+    entered += 1;
+  } else {
+    const RememberedPoints before = points;
+    for (Index i = 0; i < n; ++i) {
+      points.at[i] = interpolated_at(before, i, end.on_points.of(i), i >= from ? from : 0);
+    }
+    origin = end.distance;
+    entered = 0;
+    counted_by = end.scale.half_width;
+  }
+  points.at[n] = nodes.at[n];
+  points.exit = nodes.exit;
+}
+
+void RememberedState::remember(const ReferenceNodes& reference, const PartEnd& end,
+                               bool stuck_again) {
+  const Index n = reference.size;
+  const Index kept_before = kept;
+  stuck = first_stuck(zones);
+  kept = stuck_again ? stuck : std::max<Index>(0, stuck - kept_behind);
+  const auto has_slipped = [&](Index i) {
+    return i < n && !sticks(zones, i) && (i < kept || i > stuck);
+  };
+  if (end.is_whole) {
+    renew_points(end, kept_before);
+    for (Index i = 0; i < n; ++i) {
+      if (has_slipped(i)) points.at[i] = nodes.at[i];
+    }
+    return;
+  }
+  const NodeShift& shift = end.on_points;
+  for (Index i = 0; i < n; ++i) {
+    const Index ahead = node_ahead(i, shift);
+    const bool between = shift.of(i) != 0;
+    if (!has_slipped(ahead) || (between && (ahead == 0 || sticks(zones, ahead - 1)))) continue;
+    points.at[i] = between_nodes(i, shift);
+  }
+}
+
+NextPart next_part(const RememberedState& state, const ReferenceNodes& nodes, double fraction,
+                   double start, double length, const ContactScale& from, const ContactScale& to) {
+  const double element = nodes.spacing * state.counted_by;
+  const auto travel_at = [&](double part, double place) {
+    const double ratio = between(from, to, part).half_width / state.counted_by;
+    const double centre = (start + part * length - state.origin) / element - state.entered;
+    return centre + (ratio - 1) * place;
+  };
+  NextPart next{.end = 1, .is_whole = false};
+  for (const double place : {nodes.first, nodes.entry()}) {
+    const double now = travel_at(fraction, place);
+    const double change = travel_at(1, place) - now;
+    const double left = (change > 0 ? 1 : -1) - now;
+    if (std::abs(left) > std::abs(change)) continue;
+    const double end = fraction + std::max(0.0, left / change) * (1 - fraction);
+    next = {.end = std::min(next.end, end), .is_whole = true};
+  }
+  if (next.end > 1 - rounding) next.end = 1;
+  return next;
+}
+
+}  // namespace microslip

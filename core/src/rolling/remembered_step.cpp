@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <utility>
+#include <variant>
+
+#include "load_of_part.hpp"
+#include "microslip/support/require.hpp"
+#include "remembered_grid.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+void RememberedGrid::solve_step(const TransientState&, double length, const Load& load,
+                                TransientState& after, StepJacobian* jacobian) {
+  begin_step(jacobian != nullptr);
+  roll({.length = length, .load = load});
+  const RememberedState& state = next_.state;
+  sum_.creepage = next_.shift;
+  sum_.zones = state.zones;
+  fill_state(state.distance, sum_, length, next_.conditions.bound, next_.conditions.bound, after);
+  give_tractions(state, after);
+  after.mean_force = next_.mean_force / length;
+  after.dissipation = -(next_.work + state.stored - state_.stored) / length;
+  if (jacobian == nullptr) return;
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  jacobian->by_load = slopes_of_step(slopes_[0], after, length, 0);
+  jacobian->by_length = target_ == state_.scale ? slopes_of_step(slopes_[1], after, length, 1)
+                                                : StepSlopes{unknown, unknown, unknown, unknown};
+}
+
+void RememberedGrid::accept_step() {
+  std::swap(state_, next_.state);
+  place_nodes();
+}
+
+void RememberedGrid::move_to(double distance) { state_.move_to(distance); }
+
+/// Rolls all the way in parts, each of which ends where an element has been travelled. Of a contact
+/// that changes, either end may be the first to do so.
+void RememberedGrid::roll(const Way& way) {
+  const RememberedState& from = state_;
+  if (!from.scale.carries() || !target_.carries()) return change_contact(way);
+  const double width = from.scale.half_width;
+  const bool keeps_width = target_.half_width == width;
+  if (way.length > 0 && keeps_width && from.counted_by == width) {
+    next_.state.distance_error = for_each_part(
+        state_, way.length, nodes_.spacing * width, [&](double part, double end, double rest) {
+          roll_part_to(way, part, end, {rest == 0 ? 1 : 1 - rest / way.length, false});
+        });
+    return;
+  }
+  if (way.length > 0) require_step(way.length / (nodes_.spacing * width));
+  const double added = way.length - from.distance_error;
+  const double end = from.distance + added;
+  const bool stands = keeps_width && way.length == 0;
+  for (double fraction = 0; fraction < 1;) {
+    const NextPart next = stands ? NextPart{1, false}
+                                 : next_part(next_.state, nodes_, fraction, from.distance,
+                                             way.length, from.scale, target_);
+    roll_part_to(way, (next.end - fraction) * way.length,
+                 next.end == 1 ? end : from.distance + next.end * way.length, next);
+    fraction = next.end;
+  }
+  next_.state.distance_error = (end - from.distance) - added;
+}
+
+/// Rolls a part of the way.
+/// \param length    of the part  [mm]
+/// \param end       distance at its end  [mm]
+void RememberedGrid::roll_part_to(const Way& way, double length, double end, const NextPart& next) {
+  const double fraction = next.end;
+  const ContactScale scale = fraction == 1 ? target_ : between(state_.scale, target_, fraction);
+  const bool is_last = fraction == 1;
+  const double force = nodes_.spacing * state_.traction.sum();
+  Load load = load_within(way.load, force, length, fraction);
+  std::array<Load, 2> slopes =
+      slopes_within(way.load, force, length, fraction, way.length, is_last);
+  PartEnd part = next_.state.end_of_part(nodes_, length, end, scale);
+  part.is_whole = part.is_whole || next.is_whole;
+  roll_part({part, length, load, slopes, is_last});
+}
+
+/// Loses the contact, or begins one at the end of the way, at rest or with the force.
+void RememberedGrid::change_contact(const Way& way) {
+  const double end = state_.distance + way.length;
+  const auto* force = std::get_if<PrescribedForce>(&way.load);
+  if (target_.carries()) {
+    set_response(target_.half_width);
+  } else if (force != nullptr) {
+    require(force->value == 0, "load.force", force->value, "0 where bodies do not touch");
+  }
+  set_bound(target_);
+  next_.mean_force = nodes_.spacing * state_.traction.sum() / 2 * way.length;
+  next_.state = start_of(VectorXd::Zero(nodes_.size), target_);
+  next_.state.distance = next_.state.origin = end;
+  sum_.traction = next_.state.traction;
+  if (target_.carries() && force != nullptr && force->value != 0) {
+    roll_part({next_.state.end_of_part(nodes_, 0, end, target_), 0, way.load, {}, true});
+  }
+}
+
+/// The displacements with which the material has come to the nodes.
+void RememberedGrid::recall(Step& step, const Part& part) const {
+  for (Index i = 0; i < nodes_.size; ++i) {
+    step.conditions.offset[i] = -step.state.remembered_at(i, part);
+  }
+}
+
+/// Adds the slip of a part. Next to the stick-slip point, slip is counted since a point was in
+/// adhesion, so that what it had slipped before has to be taken away.
+void RememberedGrid::add_slip(const Part& part) {
+  const RememberedState& before = next_.state;
+  const ContactState& contact = next_.contact;
+  sum_.slip += contact.slip;
+  for (Index i = before.kept; i < std::min(before.stuck, nodes_.size); ++i) {
+    if (sticks(contact.zones, i)) continue;
+    sum_.slip[i] -=
+        interpolated_at(before.nodes, i, part.on_nodes.of(i), 0) + next_.conditions.offset[i];
+  }
+}
+
+/// The load of the partition, which has the lead to make up for.
+Load RememberedGrid::of_partition(const Load& load, const Step& step) {
+  const auto* creepage = std::get_if<PrescribedCreepage>(&load);
+  return creepage == nullptr ? load : PrescribedCreepage{creepage->value + step.state.lead};
+}
+
+void RememberedGrid::search_partition(const Load& load) {
+  next_.contact.zones = next_.state.zones;
+  active_set_.solve(next_.conditions, of_partition(load, next_), next_.contact);
+  sum_.iterations += next_.contact.iterations;
+}
+
+/// Solves for the derivatives of the contact by the partition that has been found.
+void RememberedGrid::solve_slopes(const Part& part) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    Step& slope = slopes_[k];
+    recall(slope, part);
+    if (k == 1 && part.is_last) {
+      for (Index i = 0; i < nodes_.size; ++i) {
+        slope.conditions.offset[i] -= next_.state.slope_at_node(nodes_, i, part);
+      }
+    }
+    active_set_.solve_partition(slope.conditions, of_partition(part.load_slopes[k], slope),
+                                next_.contact.zones, slope.contact);
+  }
+}
+
+/// The displacements that the partition leads to.
+void RememberedGrid::displace(Step& step) const {
+  step.moved = step.contact.creepage;
+  step.state.points.subtract(step.moved);
+  step.displacement = (step.contact.slip - step.conditions.offset).array() - step.moved;
+  step.state.nodes.at.head(nodes_.size) = step.displacement;
+}
+
+/// Moves to the end of a part, with the mean over partitions.
+void RememberedGrid::finish_part(Step& step, const Part& part, bool stuck_again) const {
+  RememberedState& state = step.state;
+  const ContactState& contact = step.contact;
+  step.part_force = nodes_.spacing * (state.traction.sum() + contact.traction.sum()) / 2;
+  step.creepage = contact.creepage - state.lead;
+  step.shift += step.creepage;
+  state.lead = contact.creepage - step.moved;
+  displace_ends(state.nodes, contact.traction);
+  state.nodes.at[nodes_.size] += state.lead;
+  state.nodes.exit += state.lead;
+  state.traction = contact.traction;
+  state.zones = contact.zones;
+  state.scale = part.scale;
+  state.remember(nodes_, part, stuck_again);
+  state.distance = part.distance;
+}
+
+/// Rolls up to where an element has been travelled at most.
+void RememberedGrid::roll_part(const Part& part) {
+  const RememberedState& before = next_.state;
+  set_response(part.scale.half_width);
+  set_bound(part.scale);
+  recall(next_, part);
+  search_partition(part.load);
+  const bool stuck_again = first_stuck(next_.contact.zones) < before.stuck - 1;
+  const std::size_t slopes = has_slopes_ ? 2 : 0;
+  if (stuck_again) {
+    next_.state.admit_slip(nodes_);
+    for (std::size_t k = 0; k < slopes; ++k) slopes_[k].state.admit_slip(nodes_);
+    recall(next_, part);
+    search_partition(part.load);
+  }
+  if (has_slopes_) solve_slopes(part);
+  double& residual = sum_.residuals.equations;
+  residual = std::max(residual, next_.contact.residuals.equations);
+  add_slip(part);
+  sum_.traction = next_.contact.traction;
+
+  displace(next_);
+  for (std::size_t k = 0; k < slopes; ++k) displace(slopes_[k]);
+  const std::array<RolledContact*, 2> sloped{&slopes_[0], &slopes_[1]};
+  stick_slip_point_.average(active_set_, next_.conditions, part.load, next_,
+                            std::span(sloped).first(slopes));
+  finish_part(next_, part, stuck_again);
+  const VectorXd& p = next_.state.traction;
+  next_.state.stored = nodes_.spacing * p.dot(next_.displacement) / 2;
+  next_.mean_force += next_.part_force * part.length;
+  next_.work += next_.part_force * next_.creepage;
+  for (std::size_t k = 0; k < slopes; ++k) {
+    Step& slope = slopes_[k];
+    finish_part(slope, part, stuck_again);
+    slope.state.stored =
+        nodes_.spacing *
+        (slope.state.traction.dot(next_.displacement) + p.dot(slope.displacement)) / 2;
+    slope.mean_force += slope.part_force * part.length;
+    if (k == 1 && part.is_last) slope.mean_force += next_.part_force;
+    slope.work += slope.part_force * next_.creepage + next_.part_force * slope.creepage;
+  }
+}
+
+/// \param length     of the step  [mm]
+/// \param by_length  its derivative
+StepSlopes RememberedGrid::slopes_of_step(const Step& slope, const TransientState& after,
+                                          double length, double by_length) const {
+  const auto per_length = [&](double of_sum, double value) {
+    return (of_sum - value * by_length) / length;
+  };
+  return {.force = nodes_.spacing * slope.state.traction.sum(),
+          .mean_force = per_length(slope.mean_force, after.mean_force),
+          .creepage = per_length(slope.shift, after.creepage),
+          .dissipation = per_length(-slope.work - slope.state.stored, after.dissipation)};
+}
+
+}  // namespace microslip
