@@ -425,6 +425,7 @@ void ActiveSet::solve_partition(const SlipConditions& conditions, const Load& lo
 
 double ActiveSet::condition() { return search_->condition(); }
 
+const Eigen::VectorXd& ActiveSet::weights() const { return search_->system().weights(); }
 const SquareMatrix& ActiveSet::response() const { return search_->system().response(); }
 
 }  // namespace microslip

@@ -96,28 +96,54 @@ StickSlipPoint::Place<Scalar> StickSlipPoint::place_of(const Root<Scalar>& root,
 /// The response of the partition to a change of a neighbour of its end: to unit traction of the
 /// slipping nodes before it, -2 and -1, and to unit slip of the first nodes in adhesion, 0 and 1.
 const StickSlipPoint::Response& StickSlipPoint::response(ActiveSet& active_set, Index neighbour) {
-  Response& found = responses_[static_cast<std::size_t>(neighbour + 2)];
-  if (found.known) return found;
-  const auto n = static_cast<Index>(zones_.size());
-  const Index node = stuck_ + neighbour;
-  const bool in_adhesion = neighbour >= 0;
-  unit_.reference.setZero(n);
-  unit_.bound.setZero(n);
-  unit_.offset.setZero(n);
-  double sign = 1;
-  if (in_adhesion) {
-    unit_.offset[node] = -1;
-  } else {
-    unit_.bound[node] = 1;
-    sign = static_cast<double>(zones_[static_cast<std::size_t>(node)]);
+  const auto k = static_cast<std::size_t>(neighbour + 2);
+  Response& found = responses_[k];
+  if (!found.known) {
+    clear_unit();
+    const Index node = stuck_ + neighbour;
+    double sign = 1;
+    if (neighbour >= 0) {
+      unit_.offset[node] = -1;
+    } else {
+      unit_.bound[node] = 1;
+      sign = static_cast<double>(zones_[static_cast<std::size_t>(node)]);
+    }
+    solve_unit(active_set, load_, sign, found);
+    if (neighbour >= 0) found.slip[node] = 1;
   }
-  active_set.solve_partition(unit_, load_, zones_, answer_);
+  if (common_ == 0) return found;
+  if (!shifted_[k].known) add_common_shift(active_set, found, shifted_[k]);
+  return shifted_[k];
+}
+
+void StickSlipPoint::clear_unit() {
+  const auto n = static_cast<Index>(zones_.size());
+  for (VectorXd* of : {&unit_.bound, &unit_.offset, &unit_.reference}) of->setZero(n);
+}
+
+/// \param sign  of the answer
+void StickSlipPoint::solve_unit(ActiveSet& active_set, const Load& load, double sign,
+                                Response& found) {
+  active_set.solve_partition(unit_, load, zones_, answer_);
   found.traction = sign * answer_.traction;
   found.slip = sign * answer_.slip;
   found.creepage = sign * answer_.creepage;
-  if (in_adhesion) found.slip[node] = 1;
+  found.force = active_set.weights().dot(found.traction);
   found.known = true;
-  return found;
+}
+
+/// The force of a response shifts all elements, which changes the force.
+void StickSlipPoint::add_common_shift(ActiveSet& active_set, const Response& found,
+                                      Response& shifted) {
+  if (!by_creepage_.known) {
+    clear_unit();
+    solve_unit(active_set, PrescribedCreepage{1}, 1, by_creepage_);
+  }
+  const double shift = common_ * found.force / (1 - common_ * by_creepage_.force);
+  shifted.traction = found.traction + shift * by_creepage_.traction;
+  shifted.slip = found.slip + shift * by_creepage_.slip;
+  shifted.creepage = 0;
+  shifted.known = true;
 }
 
 /// The changes of the neighbours nearest to the end, and next to them, with which adhesion begins
@@ -188,7 +214,7 @@ void StickSlipPoint::add(RolledContact& rolled, const std::array<double, 4>& cha
   for (std::size_t k = 0; k < 4; ++k) {
     const double by = change[k];
     if (by == 0) continue;
-    const Response& r = responses_[k];
+    const Response& r = common_ == 0 ? responses_[k] : shifted_[k];
     rolled.contact.traction += by * r.traction;
     rolled.contact.creepage += by * r.creepage;
     rolled.displacement += by * (r.slip.array() - r.creepage).matrix();
@@ -205,13 +231,18 @@ void StickSlipPoint::average(ActiveSet& active_set, const SlipConditions& condit
   const auto begin = contact.zones.begin() + stuck;
   if (std::any_of(begin, begin + fewest, [](Zone z) { return z != Zone::adhesion; })) return;
   const bool is_force = std::holds_alternative<PrescribedForce>(load);
-  const bool is_as_common = is_force || unit_.common == conditions.common;
-  if (contact.zones != zones_ || load.index() != load_.index() || !is_as_common) {
+  if (contact.zones != zones_ || load.index() != load_.index()) {
     zones_ = contact.zones;
-    unit_.common = conditions.common;
     stuck_ = stuck;
     load_ = is_force ? Load(PrescribedForce{0}) : Load(PrescribedCreepage{0});
     for (Response& r : responses_) r.known = false;
+    for (Response& r : shifted_) r.known = false;
+    by_creepage_.known = false;
+  }
+  const double common = is_force ? 0 : conditions.common;
+  if (common != common_) {
+    for (Response& r : shifted_) r.known = false;
+    common_ = common;
   }
   direction_ = contact.traction[0] < 0 ? -1 : 1;
   if (stuck > 0) {

@@ -49,12 +49,14 @@ class StickSlipPoint {
     Scalar fraction;         ///< of an element from there, in [0, 1]
   };
 
-  /// A change of one neighbour of the end: unit slip of one in adhesion, unit traction of another.
+  /// A change of one neighbour of the end: unit slip of one in adhesion, unit traction of another;
+  /// or of the creepage, by 1.
   struct Response {
     bool known = false;
     Eigen::VectorXd traction;
     Eigen::VectorXd slip;  ///< W + A p; n
     double creepage = 0;
+    double force = 0;  ///< [N/mm]
   };
 
   /// What is left at the neighbours of the end, two before it and two behind: by how much slip is
@@ -84,6 +86,9 @@ class StickSlipPoint {
   template <class Scalar>
   std::array<Scalar, 4> change(ActiveSet& active_set, const Left<Scalar>& left, double bound);
   const Response& response(ActiveSet& active_set, Eigen::Index neighbour);
+  void clear_unit();
+  void solve_unit(ActiveSet& active_set, const Load& load, double sign, Response& found);
+  void add_common_shift(ActiveSet& active_set, const Response& found, Response& shifted);
   void add(RolledContact& rolled, const std::array<double, 4>& change) const;
 
   double second_;  ///< the second node's traction over the first's, of the singular square root
@@ -94,6 +99,11 @@ class StickSlipPoint {
   Eigen::Index stuck_ = 0;
   double direction_ = 1;               ///< of the traction that slips before the end
   std::array<Response, 4> responses_;  ///< of nodes stuck_ - 2 ... stuck_ + 1
+
+  // Under a creepage a common compliance shifts them, which may be another each time.
+  double common_ = 0;
+  Response by_creepage_;             ///< by a unit creepage
+  std::array<Response, 4> shifted_;  ///< the responses with the common compliance
   SlipConditions unit_;
   ContactState answer_;
 };

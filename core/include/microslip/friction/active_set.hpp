@@ -128,6 +128,7 @@ class ActiveSet {
   double condition();
 
   const SquareMatrix& response() const;
+  const Eigen::VectorXd& weights() const;
 
  private:
   std::unique_ptr<class ContactSearch> search_;
