@@ -11,7 +11,7 @@ BenchParameters read_bench(Scene& scene) {
   static constexpr auto keys = std::to_array<Key>(
       {{"load.force_ratio", number, "1", "force over full sliding, where a force is prescribed",
         inner_fraction},
-       {"solve.tolerance", number, "1", "of GMRES alone", {1e-15, 1}},
+       {"solve.tolerance", number, "1", "of GMRES alone", range(1e-15, 1)},
        {"sizes.parts", wholes, "1", "N of the parts of a computation", sizes},
        {"sizes.steady", wholes, "1", "N of steady rolling", sizes},
        {"sizes.unknowns", wholes, "1", "of the Chebyshev collocation", sizes},
@@ -24,8 +24,8 @@ BenchParameters read_bench(Scene& scene) {
        {"dense.step", whole, "1", "of one step", sizes},
        {"dense.rolling", whole, "1", "of a transient", sizes},
        {"timing.least_time", number, "s", "a repetition takes so long or longer", above_zero},
-       {"timing.repetitions", whole, "1", "the median of these counts", {1, 100}},
-       {"timing.once_from", whole, "1", "N from which there is one repetition", {0, 1e9}}});
+       {"timing.repetitions", whole, "1", "the median of these counts", range(1, 100)},
+       {"timing.once_from", whole, "1", "N from which there is one repetition", range(0, 1e9)}});
   scene.declare(keys);
   const Material material = read_material(scene);
   const HertzBound bound = read_hertz_bound(scene);

@@ -39,11 +39,7 @@ struct Errors {
 BasisConvergenceParameters read_basis_convergence(Scene& scene) {
   using enum Key::Type;
   static constexpr auto keys = std::to_array<Key>(
-      {{"grid.sizes",
-        wholes,
-        "1",
-        "numbers N of nodes",
-        {3, 10000},
+      {{"grid.sizes", wholes, "1", "numbers N of nodes", range(3, 10000),
         "two or more, odd, so that a node lies at the centre"},
        {"load.stick_ratio", number, "1", "part a' of the contact that sticks", inner_fraction}});
   scene.declare(keys);

@@ -87,8 +87,9 @@ Table claims_of(const Table& summary, const Table& accuracy) {
 CarterParameters read_carter(Scene& scene) {
   using enum Key::Type;
   static constexpr auto keys = std::to_array<Key>(
-      {{"step.ratios", list, "1", "c of the tractions shown", {min_step_ratio}},
-       {"accuracy.step_ratios", list, "1", "c of the errors of the force", {min_step_ratio}}});
+      {{"step.ratios", list, "1", "c of the tractions shown", range_from(min_step_ratio)},
+       {"accuracy.step_ratios", list, "1", "c of the errors of the force",
+        range_from(min_step_ratio)}});
   scene.declare(keys);
 
   if (scene.has("contact.bound_file")) {

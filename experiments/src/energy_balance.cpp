@@ -343,32 +343,20 @@ Table claims_of(const Tables& tables, const Parameters& p, double period) {
 EnergyBalanceParameters read_energy_balance(Scene& scene) {
   using enum Key::Type;
   static constexpr auto keys = std::to_array<Key>(
-      {{"snapshots.positions", list, "mm", "of the tractions shown", {0}, "in rising order"},
-       {"error.sizes",
-        wholes,
-        "1",
-        "numbers N of nodes, for the errors of the energy",
-        {2, Grid::max_elements},
-        "three or more"},
+      {{"snapshots.positions", list, "mm", "of the tractions shown", range_from(0),
+        "in rising order"},
+       {"error.sizes", wholes, "1", "numbers N of nodes, for the errors of the energy",
+        range(2, Grid::max_elements), "three or more"},
        {"error.distance", number, "mm", "distance after which errors are taken", above_zero},
-       {"motion.sizes",
-        wholes,
-        "1",
-        "numbers N of nodes, for the errors of the motion",
-        {2, Grid::max_elements},
-        "three or more"},
-       {"motion.refinement",
-        whole,
-        "1",
+       {"motion.sizes", wholes, "1", "numbers N of nodes, for the errors of the motion",
+        range(2, Grid::max_elements), "three or more"},
+       {"motion.refinement", whole, "1",
         "elements of the grid taken as exact for each one of the last of motion.sizes",
-        {2, 1000}},
+        range(2, 1000)},
        {"control.step_ratios", list, "1", "c of equal steps that a tolerance is held against",
         above_zero, "in falling order"},
-       {"control.tolerances",
-        list,
-        "1",
-        "motion.tolerance, with the first of control.step_ratios",
-        {0, 1, true}}});
+       {"control.tolerances", list, "1", "motion.tolerance, with the first of control.step_ratios",
+        range_above(0, 1)}});
   scene.declare(keys);
 
   const auto sizes = [&](const char* key) {

@@ -189,9 +189,11 @@ FourierInverseParameters read_fourier_inverse(Scene& scene) {
         .words = {"both", "constant", "linear"},
         .first_is_default = true},
        {"grid.spacing", number, "mm", "dx", above_zero},
-       {"grid.elements", whole, "1", "size of the matrices shown", {4, 10000}},
-       {"grid.sizes", wholes, "1", "sizes of the matrices whose errors are measured", {4, 10000}},
-       {"step.ratios", list, "1", "c, the first large, the last small", {min_step_ratio}}});
+       {"grid.elements", whole, "1", "size of the matrices shown", range(4, 10000)},
+       {"grid.sizes", wholes, "1", "sizes of the matrices whose errors are measured",
+        range(4, 10000)},
+       {"step.ratios", list, "1", "c, the first large, the last small",
+        range_from(min_step_ratio)}});
   scene.declare(keys);
 
   return {.kernel = read_kernel(scene, read_material(scene)),

@@ -323,32 +323,26 @@ Table claims_of(const Parameters& p, const Table& loops, const Errors& errors, c
 FrettingParameters read_fretting(Scene& scene) {
   using enum Key::Type;
   static constexpr auto keys = std::to_array<Key>(
-      {{"grid.sizes", wholes, "1", "numbers N of nodes", {8, 2000}, "two or more, in rising order"},
+      {{"grid.sizes", wholes, "1", "numbers N of nodes", range(8, 2000),
+        "two or more, in rising order"},
        {"cycle.force_ratios", list, "1", "amplitudes of the loops, over full sliding",
         inner_fraction, "in rising order"},
-       {"cycle.points", whole, "1", "of a loop, on each way", {2, 1000}},
+       {"cycle.points", whole, "1", "of a loop, on each way", range(2, 1000)},
        {"cycle.error_force_ratios", list, "1",
         "amplitudes over which errors are taken, over full sliding", inner_fraction,
         "in rising order"},
        {"cycle.all_force_ratios", list, "1",
         "amplitudes of the curve of dissipation, over full sliding", inner_fraction,
         "in rising order"},
-       {"cycle.lengths", list, "1", "L0, in half-widths", {1, 1e9}},
-       {"run.elements", whole, "1", "N of the run, and of other L0", {8, 2000}},
-       {"run.force_ratio",
-        number,
-        "1",
-        "force under which the bodies roll, over full sliding",
-        {-1, 1, true, true},
-        "not 0"},
+       {"cycle.lengths", list, "1", "L0, in half-widths", range(1, 1e9)},
+       {"run.elements", whole, "1", "N of the run, and of other L0", range(8, 2000)},
+       {"run.force_ratio", number, "1", "force under which the bodies roll, over full sliding",
+        range_inside(-1, 1), "not 0"},
        {"run.swing", number, "1", "amplitude about it at standstill, over full sliding", above_zero,
         "less than 1 together with the size of run.force_ratio"},
-       {"run.elements_rolled",
-        number,
-        "1",
-        "distance rolled each time, in elements",
-        {0, 1e4, true}},
-       {"run.step_ratio", number, "1", "c of the run", {1e-3, 5}}});
+       {"run.elements_rolled", number, "1", "distance rolled each time, in elements",
+        range_above(0, 1e4)},
+       {"run.step_ratio", number, "1", "c of the run", range(1e-3, 5)}});
   scene.declare(keys);
 
   FrettingParameters p{.material = read_material(scene),

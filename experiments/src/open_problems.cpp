@@ -118,29 +118,22 @@ CattaneoToCarter read_motion(Scene& scene, const PolynomialBound& bound, const K
 OpenProblemsParameters read_open_problems(Scene& scene) {
   using enum Key::Type;
   static constexpr auto keys = std::to_array<Key>(
-      {{"grid.sizes",
-        wholes,
-        "1",
-        "numbers N of nodes",
-        {3, 2000},
+      {{"grid.sizes", wholes, "1", "numbers N of nodes", range(3, 2000),
         "two or more, each twice the one before"},
-       {"cases.number",
-        whole,
-        "1",
-        "of random parts of adhesion and alignments of the grid",
-        {1, 1000}},
+       {"cases.number", whole, "1", "of random parts of adhesion and alignments of the grid",
+        range(1, 1000)},
        {"cases.stick_ratios", list, "1", "least and largest a' of the cases", inner_fraction,
         "two, in rising order"},
-       {"steady.elements", whole, "1", "N of the case for all steps", {1, Grid::max_elements}},
+       {"steady.elements", whole, "1", "N of the case for all steps", range(1, Grid::max_elements)},
        {"steady.stick_ratio", number, "1", "a' of that", inner_fraction},
-       {"steady.step_ratios", list, "1", "c of that", {min_step_ratio}},
-       {"motion.elements", whole, "1", "N of the transient", {1, Grid::max_elements}},
-       {"motion.elements_rolled", whole, "1", "distance, in elements", {1, 1000}},
-       {"motion.refinement", whole, "1", "elements of the reference for each one", {2, 32}},
-       {"motion.step_ratios", list, "1", "c of the transient", {1e-4, 5}},
-       {"curve.widths", list, "1", "of strips, in half-widths", {1}},
-       {"curve.points", whole, "1", "of a curve of creepage and force", {2, 10000}},
-       {"curve.unknowns", wholes, "1", "of the Chebyshev collocation", {1, 63}}});
+       {"steady.step_ratios", list, "1", "c of that", range_from(min_step_ratio)},
+       {"motion.elements", whole, "1", "N of the transient", range(1, Grid::max_elements)},
+       {"motion.elements_rolled", whole, "1", "distance, in elements", range(1, 1000)},
+       {"motion.refinement", whole, "1", "elements of the reference for each one", range(2, 32)},
+       {"motion.step_ratios", list, "1", "c of the transient", range(1e-4, 5)},
+       {"curve.widths", list, "1", "of strips, in half-widths", range_from(1)},
+       {"curve.points", whole, "1", "of a curve of creepage and force", range(2, 10000)},
+       {"curve.unknowns", wholes, "1", "of the Chebyshev collocation", range(1, 63)}});
   scene.declare(keys);
 
   const Material material = read_material(scene);

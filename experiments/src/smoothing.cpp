@@ -192,16 +192,13 @@ Table claims_of(const Parameters& p, const Table& summary) {
 SmoothingParameters read_smoothing(Scene& scene) {
   using enum Key::Type;
   static constexpr auto keys = std::to_array<Key>(
-      {{"step.ratios", list, "1", "c; the first is a whole number", {min_step_ratio}},
+      {{"step.ratios", list, "1", "c; the first is a whole number", range_from(min_step_ratio)},
        {"motion.elements_rolled", number, "1", "distance, in elements", above_zero},
-       {"pulse.elements",
-        whole,
-        "1",
-        "N of the pulse, which starts in the middle",
-        {3, 2001},
+       {"pulse.elements", whole, "1", "N of the pulse, which starts in the middle", range(3, 2001),
         "odd"},
-       {"spectrum.frequencies", whole, "1", "of the amplification factor", {8, 1000}},
-       {"reference.refinement", whole, "1", "elements of the reference for each one", {2, 1000}}});
+       {"spectrum.frequencies", whole, "1", "of the amplification factor", range(8, 1000)},
+       {"reference.refinement", whole, "1", "elements of the reference for each one",
+        range(2, 1000)}});
   scene.declare(keys);
 
   SmoothingParameters p{.rolling = read_cattaneo_to_carter(scene),

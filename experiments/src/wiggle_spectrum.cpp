@@ -238,20 +238,14 @@ WiggleSpectrumParameters read_wiggle_spectrum(Scene& scene) {
   using enum Key::Type;
   static constexpr auto keys = std::to_array<Key>(
       {{"grid.spacing", number, "mm", "dx", above_zero},
-       {"grid.elements",
-        whole,
-        "1",
-        "size of the matrices; of the spectra also one more",
-        {3, 1000}},
-       {"step.ratios", list, "1", "c of the matrices shown", {min_step_ratio}},
-       {"step.samples", whole, "1", "of the diagonals, c = 1/samples ... 1", {1, 100000}},
+       {"grid.elements", whole, "1", "size of the matrices; of the spectra also one more",
+        range(3, 1000)},
+       {"step.ratios", list, "1", "c of the matrices shown", range_from(min_step_ratio)},
+       {"step.samples", whole, "1", "of the diagonals, c = 1/samples ... 1", range(1, 100000)},
        {"functions.shift", number, "1", "of the functions shown, in elements", inner_fraction},
-       {"spectrum.smallest_step_ratio",
-        number,
-        "1",
-        "c that spectra begin with",
-        {.least = min_step_ratio, .most = 1, .below = true}},
-       {"spectrum.per_decade", whole, "1", "spectra a decade of c", {1, 100}},
+       {"spectrum.smallest_step_ratio", number, "1", "c that spectra begin with",
+        range_below(min_step_ratio, 1)},
+       {"spectrum.per_decade", whole, "1", "spectra a decade of c", range(1, 100)},
        {"crossing.strip_widths", list, "1",
         "Dy/dx of strips whose crossing B11 = B21 is sought, too", above_zero}});
   scene.declare(keys);

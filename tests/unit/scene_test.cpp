@@ -27,10 +27,10 @@ TEST(Scene, HoldsValuesToTheKeysThatAReaderDeclares) {
   static constexpr auto own = std::to_array<Key>(
       {{"error.distance", number, "mm", "", above_zero},
        {"part", number, "1", "", inner_fraction},
-       {"step.ratios", list, "1", "", {0, 4, true}},
-       {"positions", list, "mm", "", {.least = 0}},
-       {"grid.elements", whole, "1", "", {3, 2000}, "odd"},
-       {"grid.sizes", wholes, "1", "", {3, 2000}},
+       {"step.ratios", list, "1", "", range_above(0, 4)},
+       {"positions", list, "mm", "", range_from(0)},
+       {"grid.elements", whole, "1", "", range(3, 2000), "odd"},
+       {"grid.sizes", wholes, "1", "", range(3, 2000)},
        {.name = "basis", .type = word, .words = {"both", "linear"}, .first_is_default = true}});
   const auto said = [](const char* key, const std::string& text, auto read) {
     return message([&] {

@@ -315,11 +315,12 @@ void Scene::reject_unread() const {
   for (const auto& [key, value] : values_) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const Key* elsewhere = find_key(key);
-    throw BadParameter(
-        key, (elsewhere != nullptr
-                  ? "key '" + key + "' has no role here: it is for " + std::string(elsewhere->role)
-                  : "unknown key '" + shown(key) + "'" + question(meant(key, known))) +
-                 "; known to this model: " + joined(known, ", "));
+    throw BadParameter(key,
+                       (elsewhere != nullptr
+                            ? "key '" + key + "' has no role here: it is for " +
+                                  std::string(elsewhere->role.empty() ? "scenes" : elsewhere->role)
+                            : "unknown key '" + shown(key) + "'" + question(meant(key, known))) +
+                           "; known to this model: " + joined(known, ", "));
   }
 }
 

@@ -22,9 +22,15 @@ struct Range {
   }
 };
 
+/// With both ends; with the one there is; without the least, without the most, and without both.
+constexpr Range range(double least, double most) { return {.least = least, .most = most}; }
+constexpr Range range_from(double least) { return {.least = least}; }
+constexpr Range range_above(double least, double most) { return {least, most, true}; }
+constexpr Range range_below(double least, double most) { return {least, most, false, true}; }
+constexpr Range range_inside(double least, double most) { return {least, most, true, true}; }
 inline constexpr Range above_zero{.least = 0, .open = true};
-inline constexpr Range fraction{.least = 0, .most = 1};
-inline constexpr Range inner_fraction{.least = 0, .most = 1, .open = true, .below = true};
+inline constexpr Range fraction = range(0, 1);
+inline constexpr Range inner_fraction = range_inside(0, 1);
 
 /// A key of a scene or of a study. Words, units and defaults of scenes have their only definition
 /// in keys_of_scenes(); the ranges there repeat those of the model's parts, which a test compares
