@@ -12,7 +12,7 @@ inline void read_models(const Scene& scene) {
     accepts_or_rejects([&] {
       Scene copy = scene;
       with_places(copy, [&] {
-        if (copy.has("problem")) copy.word("problem", {"steady", "transient", "cylinder"});
+        if (copy.has("problem")) copy.word("problem");
         read(copy);
         copy.reject_unread();
       });

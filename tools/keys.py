@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes the lists of keys in the documentation, as `microslip keys` prints them.
+"""Writes the lists of keys in the documentation, as `microslip keys` and the studies' --print-keys print them.
 
 usage: tools/keys.py MICROSLIP [--check]     with --check, only says which are not up to date
 """
@@ -9,21 +9,41 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+STUDIES = sorted(scene.parent.name for scene in ROOT.glob("studies/*/study.info"))
+
+
+def printed(*command):
+    return subprocess.run(command, check=True, capture_output=True).stdout.decode()
+
+
+def of_scenes(program):
+    return printed(program, "keys", "--format", "markdown")
+
+
+def of_scenes_in_man(program):
+    return printed(program, "keys", "--format", "man")
+
+
+def of_studies(program):
+    return "".join(f"\n## [{study}](studies.md#{study})\n\n" +
+                   printed(pathlib.Path(program).parent / study, "--print-keys=markdown") for study in STUDIES)
+
+
 LISTS = [
-    ("docs/scenes.md", "markdown", "<!-- microslip keys -->\n", "<!-- end of keys -->\n"),
-    ("packaging/man/microslip-scene.5", "man", '.\\" microslip keys\n', '.\\" end of keys\n'),
+    ("docs/scenes.md", of_scenes, "<!-- microslip keys -->\n", "<!-- end of keys -->\n"),
+    ("docs/study_keys.md", of_studies, "<!-- keys of studies -->\n", "<!-- end of keys -->\n"),
+    ("packaging/man/microslip-scene.5", of_scenes_in_man, '.\\" microslip keys\n', '.\\" end of keys\n'),
 ]
 
 
 def main(program, check):
     stale = []
-    for name, form, begin, end in LISTS:
+    for name, keys, begin, end in LISTS:
         file = ROOT / name
         old = file.read_text(encoding="utf-8")
         before, rest = old.split(begin)
         _, after = rest.split(end)
-        keys = subprocess.run([program, "keys", "--format", form], check=True, capture_output=True)
-        new = before + begin + keys.stdout.decode() + end + after
+        new = before + begin + keys(program) + end + after
         if new == old:
             continue
         stale.append(name)

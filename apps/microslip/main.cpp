@@ -15,19 +15,17 @@ namespace {
 using namespace microslip;
 
 /// In a case of a sweep, its section has been taken out.
-/// \param section  that of another command of the same name
-/// \param wanted   what that makes
-void reject_section(const Scene& scene, const std::string& section, const std::string& wanted) {
+void reject_sweep(const Scene& scene) {
   for (const std::string& key : scene.keys()) {
-    if (!key.starts_with(section + ".")) continue;
-    throw BadParameter(key, "key '" + key + "': expected a scene without a " + section + "; for " +
-                                wanted + " see 'microslip " + section + " --help'");
+    if (!key.starts_with("sweep.")) continue;
+    throw BadParameter(key, "key '" + key +
+                                "': expected a scene without a sweep; for many see "
+                                "'microslip sweep --help'");
   }
 }
 
 program::Work prepare(Scene& scene) {
-  reject_section(scene, "sweep", "many");
-  reject_section(scene, "response", "that");
+  reject_sweep(scene);
   const Model model = read_model(scene);
   program::require_memory("grid.elements", elements_of(model), memory_needed(model));
   return [model](const Progress& progress) {
@@ -37,14 +35,13 @@ program::Work prepare(Scene& scene) {
 }
 
 program::Work prepare_response(Scene& scene) {
-  reject_section(scene, "sweep", "many");
+  reject_sweep(scene);
   return [read = experiments::read_response(scene)](const Progress& progress) {
     return experiments::response_tables(read, progress);
   };
 }
 
 program::Preview preview(Scene& scene) {
-  reject_section(scene, "response", "that");
   const Model model = read_model(scene);
   return {explain(model), work_needed(model), memory_needed(model)};
 }

@@ -7,7 +7,7 @@
 #include "microslip/experiments/claims.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/convergence.hpp"
-#include "microslip/support/require.hpp"
+#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
@@ -37,24 +37,25 @@ struct Errors {
 }  // namespace
 
 BasisConvergenceParameters read_basis_convergence(Scene& scene) {
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>(
+      {{"grid.sizes", wholes, "1", "numbers N of nodes", range(3, 10000),
+        "two or more, odd, so that a node lies at the centre"},
+       {"load.stick_ratio", number, "1", "part a' of the contact that sticks", inner_fraction}});
+  scene.declare(keys);
+
   const Material material = read_material(scene);
   const HertzBound bound = read_hertz_bound(scene);
   BasisConvergenceParameters parameters{.material = material,
                                         .length = scene.number("kernel.length"),
                                         .bound = bound,
-                                        .sizes = scene.wholes("grid.sizes", 3, 10000),
-                                        .leading_offset = scene.number("grid.leading_offset", 1),
-                                        .trailing_offset = scene.number("grid.trailing_offset", 1),
-                                        .step_ratio = scene.number("step.ratio", 1),
+                                        .sizes = scene.wholes("grid.sizes"),
+                                        .leading_offset = scene.number("grid.leading_offset"),
+                                        .trailing_offset = scene.number("grid.trailing_offset"),
+                                        .step_ratio = scene.number("step.ratio"),
                                         .stick_ratio = scene.number("load.stick_ratio")};
-  for (const Eigen::Index size : parameters.sizes) {
-    require(size % 2 == 1, "grid.sizes", static_cast<double>(size),
-            "odd numbers, so that a node lies at the centre");
-  }
-  require(parameters.sizes.size() > 1, "grid.sizes", static_cast<double>(parameters.sizes.size()),
-          "at least two sizes");
-  require(parameters.stick_ratio > 0 && parameters.stick_ratio < 1, "load.stick_ratio",
-          parameters.stick_ratio, "a number in (0, 1)");
+  demand_odd(scene, "grid.sizes", parameters.sizes);
+  demand_count(scene, "grid.sizes", parameters.sizes, 2);
   return parameters;
 }
 

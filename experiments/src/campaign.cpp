@@ -15,6 +15,11 @@ namespace microslip::experiments {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+HertzBound hertz_like(const PolynomialBound& bound) {
+  const double a = bound.half_width();
+  return {a, bound.total() / full_sliding_force(HertzBound(a, 1))};
+}
+
 Truth truth_of(const Carter& carter) {
   return {carter.creepage(), carter.force(), [carter](double x) { return carter.traction(x); }};
 }

@@ -4,10 +4,12 @@
 #include "microslip/experiments/claims.hpp"
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/profile.hpp"
+#include "microslip/halfspace/influence.hpp"
 #include "microslip/reference/carter.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
+#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
@@ -83,6 +85,13 @@ Table claims_of(const Table& summary, const Table& accuracy) {
 }  // namespace
 
 CarterParameters read_carter(Scene& scene) {
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>(
+      {{"step.ratios", list, "1", "c of the tractions shown", range_from(min_step_ratio)},
+       {"accuracy.step_ratios", list, "1", "c of the errors of the force",
+        range_from(min_step_ratio)}});
+  scene.declare(keys);
+
   if (scene.has("contact.bound_file")) {
     throw BadParameter("contact.bound_file",
                        "contact.bound_file: Carter's solution is for a Hertzian bound; expected "

@@ -2,6 +2,7 @@
 #include "microslip/experiments/cattaneo_to_carter.hpp"
 
 #include "microslip/scene/model.hpp"
+#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
@@ -29,11 +30,19 @@ TransientRolling CattaneoToCarter::refined(double elements, Eigen::Index refinem
 }
 
 CattaneoToCarter read_cattaneo_to_carter(Scene& scene) {
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>({{.name = "basis",
+                                                    .type = word,
+                                                    .meaning = "traction basis functions",
+                                                    .words = {"constant", "linear"},
+                                                    .first_is_default = true}});
+  scene.declare(keys);
+
   const Material material = read_material(scene);
   const HertzBound bound = read_hertz_bound(scene);
   const Kernel kernel = read_kernel(scene, material);
   const Grid grid({.half_width = bound.half_width(), .elements = scene.whole("grid.elements")});
-  const Basis basis = make_basis(scene.word_or_first("basis", {"constant", "linear"}));
+  const Basis basis = make_basis(scene.word("basis"));
   return {.kernel = kernel,
           .bound = bound,
           .grid = grid,

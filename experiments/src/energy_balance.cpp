@@ -12,7 +12,7 @@
 #include "microslip/experiments/claims.hpp"
 #include "microslip/support/convergence.hpp"
 #include "microslip/support/format.hpp"
-#include "microslip/support/require.hpp"
+#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
@@ -341,28 +341,40 @@ Table claims_of(const Tables& tables, const Parameters& p, double period) {
 }  // namespace
 
 EnergyBalanceParameters read_energy_balance(Scene& scene) {
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>(
+      {{"snapshots.positions", list, "mm", "of the tractions shown", range_from(0),
+        "in rising order"},
+       {"error.sizes", wholes, "1", "numbers N of nodes, for the errors of the energy",
+        range(2, Grid::max_elements), "three or more"},
+       {"error.distance", number, "mm", "distance after which errors are taken", above_zero},
+       {"motion.sizes", wholes, "1", "numbers N of nodes, for the errors of the motion",
+        range(2, Grid::max_elements), "three or more"},
+       {"motion.refinement", whole, "1",
+        "elements of the grid taken as exact for each one of the last of motion.sizes",
+        range(2, 1000)},
+       {"control.step_ratios", list, "1", "c of equal steps that a tolerance is held against",
+        above_zero, "in falling order"},
+       {"control.tolerances", list, "1", "motion.tolerance, with the first of control.step_ratios",
+        range_above(0, 1)}});
+  scene.declare(keys);
+
   const auto sizes = [&](const char* key) {
-    std::vector<Index> all = scene.wholes(key, 2, Grid::max_elements);
-    require(all.size() >= 3, key, static_cast<double>(all.size()), "at least three sizes");
+    std::vector<Index> all = scene.wholes(key);
+    demand_count(scene, key, all, 3);
     return all;
   };
   EnergyBalanceParameters p{.scene = read_cylinder(scene, MaterialFixed{}, Integrator::midpoint),
                             .snapshots = scene.numbers("snapshots.positions"),
                             .sizes = sizes("error.sizes"),
-                            .error_distance = scene.number("error.distance", Unit{"mm"}),
+                            .error_distance = scene.number("error.distance"),
                             .motion_sizes = sizes("motion.sizes"),
                             .refinement = scene.whole("motion.refinement"),
-                            .step_ratios = scene.numbers("control.ratios"),
+                            .step_ratios = scene.numbers("control.step_ratios"),
                             .tolerances = scene.numbers("control.tolerances")};
-  require(std::is_sorted(p.snapshots.begin(), p.snapshots.end()), "snapshots.positions",
-          p.snapshots.back(), "ascending numbers");
-  require_positive("error.distance", p.error_distance);
-  require(p.refinement >= 2, "motion.refinement", static_cast<double>(p.refinement),
-          "a whole number >= 2");
-  for (const double step_ratio : p.step_ratios) require_positive("control.ratios", step_ratio);
-  require(std::ranges::is_sorted(p.step_ratios, std::greater{}), "control.ratios",
-          p.step_ratios.back(), "falling numbers");
-  for (const double tolerance : p.tolerances) require_tolerance(tolerance);
+  demand_rising(scene, "snapshots.positions", p.snapshots);
+  scene.demand("control.step_ratios", p.step_ratios.back(),
+               std::ranges::is_sorted(p.step_ratios, std::greater{}));
   return p;
 }
 

@@ -7,22 +7,13 @@
 #include "extremes_cases.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
-#include "microslip/support/require.hpp"
+#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
 using namespace extremes_study;
 
 namespace {
-
-std::vector<double> numbers_within(Scene& scene, const char* key, double least, double most) {
-  const std::vector<double> numbers = scene.numbers(key);
-  for (const double value : numbers) {
-    require(value >= least && value <= most, key, value,
-            "numbers from " + format_short(least) + " to " + format_short(most));
-  }
-  return numbers;
-}
 
 /// \param steps  its table
 Table claims_of(const Table& steps, const ExtremesParameters& p) {
@@ -48,37 +39,67 @@ Table claims_of(const Table& steps, const ExtremesParameters& p) {
 }  // namespace
 
 ExtremesParameters read_extremes(Scene& scene) {
-  constexpr Eigen::Index most_elements = 1000001;
-  ExtremesParameters p{
-      .material = read_material(scene),
-      .bound = read_hertz_bound(scene),
-      .length = scene.positive("kernel.length"),
-      .elements = scene.whole("grid.elements"),
-      .stick_ratio = scene.number("load.stick_ratio"),
-      .limits = {.error = scene.positive("limits.error"),
-                 .wiggle = scene.positive("limits.wiggle"),
-                 .operations = scene.positive("limits.operations")},
-      .steps = {.ratios = numbers_within(scene, "steps.ratios", 1e-15, 1e6),
-                .sizes = scene.wholes("steps.sizes", 1, most_elements),
-                .ratios_of_large = numbers_within(scene, "steps.ratios_of_large", 1e-2, 1e6),
-                .large = scene.wholes("steps.large", 1, most_elements)},
-      .widths = {.ratios = numbers_within(scene, "widths.ratios", 1e-12, 1e12),
-                 .poisson_ratios = numbers_within(scene, "widths.poisson_ratios", 0, 0.5)},
-      .loads = {.stuck = numbers_within(scene, "loads.stuck", 0, 1),
-                .sliding = numbers_within(scene, "loads.sliding", 0, 1)},
-      .bounds = numbers_within(scene, "bounds", 1e-12, 0.999999),
-      .offsets = numbers_within(scene, "offsets", 0, 1),
-      .transient = {.ratios = numbers_within(scene, "transient.ratios", 1e-15, 1e6),
-                    .sizes = scene.wholes("transient.sizes", 1, most_elements),
-                    .distance = scene.positive("transient.distance"),
-                    .most_steps = scene.whole("transient.most_steps")},
-      .endurance = {.ratios = numbers_within(scene, "endurance.ratios", 1e-15, 1e6),
-                    .states = scene.wholes("endurance.states", 1, 10000000)},
-      .scales = numbers_within(scene, "scales", 1e-100, 1e100)};
-  require(p.elements >= 3 && p.elements % 2 == 1, "grid.elements", static_cast<double>(p.elements),
-          "an odd number from 3 on");
-  require(p.stick_ratio > 0 && p.stick_ratio < 1, "load.stick_ratio", p.stick_ratio,
-          "a number between 0 and 1");
+  constexpr double most_elements = 1000001;
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>(
+      {{"grid.elements", whole, "1", "N of the ordinary case", range(3, most_elements), "odd"},
+       {"load.stick_ratio", number, "1", "a' of the ordinary case", inner_fraction},
+       {"limits.error", number, "1", "of force or creepage, beyond which a result has failed",
+        above_zero},
+       {"limits.wiggle", number, "1", "amplitude over the peak of the bound, likewise", above_zero},
+       {"limits.operations", number, "1", "of a case; one that is expected to take more is not run",
+        above_zero},
+       {"steps.step_ratios", list, "1", "c of steady rolling", range(1e-15, 1e6)},
+       {"steps.sizes", wholes, "1", "N of steady rolling", range(1, most_elements)},
+       {"steps.large_step_ratios", list, "1", "c with large N", range(1e-2, 1e6)},
+       {"steps.large_sizes", wholes, "1", "large N, run whatever they take",
+        range(1, most_elements)},
+       {"widths.strip_widths", list, "1", "Dy/dx", range(1e-12, 1e12)},
+       {"widths.poisson_ratios", list, "1", "Poisson ratios of these", range(0, 0.5)},
+       {"loads.stick_ratios", list, "1", "a', from full sliding up", fraction},
+       {"loads.sliding", list, "1", "1 - a', from full stick up", fraction},
+       {"bounds.force_ratios", list, "1",
+        "forces over full sliding, under bounds that are not smooth", range(1e-12, 0.999999)},
+       {"offsets", list, "1", "alpha and beta", fraction},
+       {"transient.step_ratios", list, "1", "c of a shift that rolls on", range(1e-15, 1e6)},
+       {"transient.sizes", wholes, "1", "N of that", range(1, most_elements)},
+       {"transient.elements_rolled", number, "1",
+        "distance, in elements, or as far as transient.most_steps go", above_zero},
+       {"transient.most_steps", whole, "1", "steps of that", range(1, 1e9)},
+       {"endurance.step_ratios", list, "1", "c of very many steps", range(1e-15, 1e6)},
+       {"endurance.states", wholes, "1", "steps after which the state is taken", range(1, 1e7),
+        "in rising order"},
+       {"scales", list, "1", "factors of G, a and the bound, one at a time and all at once",
+        range(1e-100, 1e100)}});
+  scene.declare(keys);
+
+  ExtremesParameters p{.material = read_material(scene),
+                       .bound = read_hertz_bound(scene),
+                       .length = scene.positive("kernel.length"),
+                       .elements = scene.whole("grid.elements"),
+                       .stick_ratio = scene.number("load.stick_ratio"),
+                       .limits = {.error = scene.number("limits.error"),
+                                  .wiggle = scene.number("limits.wiggle"),
+                                  .operations = scene.number("limits.operations")},
+                       .steps = {.ratios = scene.numbers("steps.step_ratios"),
+                                 .sizes = scene.wholes("steps.sizes"),
+                                 .ratios_of_large = scene.numbers("steps.large_step_ratios"),
+                                 .large = scene.wholes("steps.large_sizes")},
+                       .widths = {.ratios = scene.numbers("widths.strip_widths"),
+                                  .poisson_ratios = scene.numbers("widths.poisson_ratios")},
+                       .loads = {.stuck = scene.numbers("loads.stick_ratios"),
+                                 .sliding = scene.numbers("loads.sliding")},
+                       .bounds = scene.numbers("bounds.force_ratios"),
+                       .offsets = scene.numbers("offsets"),
+                       .transient = {.ratios = scene.numbers("transient.step_ratios"),
+                                     .sizes = scene.wholes("transient.sizes"),
+                                     .distance = scene.number("transient.elements_rolled"),
+                                     .most_steps = scene.whole("transient.most_steps")},
+                       .endurance = {.ratios = scene.numbers("endurance.step_ratios"),
+                                     .states = scene.wholes("endurance.states")},
+                       .scales = scene.numbers("scales")};
+  demand_odd(scene, "grid.elements", {p.elements});
+  demand_rising(scene, "endurance.states", p.endurance.states);
   return p;
 }
 

@@ -8,7 +8,7 @@
 #include "microslip/scene/model.hpp"
 #include "microslip/spectrum/fourier_inverse.hpp"
 #include "microslip/support/format.hpp"
-#include "microslip/support/require.hpp"
+#include "study_keys.hpp"
 #include "unit_difference.hpp"
 
 namespace microslip::experiments {
@@ -181,19 +181,27 @@ Table claims_of(const Parameters& p) {
 }  // namespace
 
 FourierInverseParameters read_fourier_inverse(Scene& scene) {
-  Parameters p{.kernel = read_kernel(scene, read_material(scene)),
-               .basis = scene.word_or_first("basis", {"both", "constant", "linear"}),
-               .spacing = scene.number("grid.spacing", Unit{"mm"}),
-               .elements = scene.whole("grid.elements"),
-               .step_ratios = scene.numbers("step.ratios"),
-               .sizes = scene.wholes("grid.sizes", 4, 10000)};
-  require_positive("grid.spacing", p.spacing);
-  require(p.elements >= 4 && p.elements <= 10000, "grid.elements", static_cast<double>(p.elements),
-          "a whole number from 4 to 10000");
-  for (const double c : p.step_ratios) {
-    require(c >= min_step_ratio, "step.ratios", c, "numbers >= 1e-15");
-  }
-  return p;
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>(
+      {{.name = "basis",
+        .type = word,
+        .meaning = "functions of the tables",
+        .words = {"both", "constant", "linear"},
+        .first_is_default = true},
+       {"grid.spacing", number, "mm", "dx", above_zero},
+       {"grid.elements", whole, "1", "size of the matrices shown", range(4, 10000)},
+       {"grid.sizes", wholes, "1", "sizes of the matrices whose errors are measured",
+        range(4, 10000)},
+       {"step.ratios", list, "1", "c, the first large, the last small",
+        range_from(min_step_ratio)}});
+  scene.declare(keys);
+
+  return {.kernel = read_kernel(scene, read_material(scene)),
+          .basis = scene.word("basis"),
+          .spacing = scene.number("grid.spacing"),
+          .elements = scene.whole("grid.elements"),
+          .step_ratios = scene.numbers("step.ratios"),
+          .sizes = scene.wholes("grid.sizes")};
 }
 
 std::vector<Table> fourier_inverse(const FourierInverseParameters& p, const Progress& progress) {

@@ -12,8 +12,8 @@
 #include "microslip/rolling/fractional_shift.hpp"
 #include "microslip/support/convergence.hpp"
 #include "microslip/support/format.hpp"
-#include "microslip/support/require.hpp"
 #include "rolled_tables.hpp"
+#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
@@ -199,35 +199,41 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const CostTabl
 }  // namespace
 
 FractionalPowerParameters read_fractional_power(Scene& scene) {
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>(
+      {{"grid.elements", whole, "1", "number N of nodes", range(3, Grid::max_elements), "odd"},
+       {"step.ratios", list, "1", "c; the first is a whole number", range_from(1e-6)},
+       {"step.ratio", number, "1",
+        "c of the shapes, of the tractions at the last distance and of the cost", inner_fraction},
+       {"motion.elements_rolled", list, "1", "distances, in elements", above_zero},
+       {"reference.refinement", whole, "1", "elements of the reference for each one",
+        range(2, 1000)},
+       {"shapes.elements", whole, "1", "N of the shapes that travel", range(51, Grid::max_elements),
+        "odd"},
+       {"shapes.steps", wholes, "1", "steps after which they are shown",
+        range(1, Grid::max_elements), "in rising order"},
+       {"cost.sizes", wholes, "1", "numbers N of nodes, for the cost", range(3, Grid::max_elements),
+        "odd"},
+       {"cost.largest_schur", whole, "1", "N up to which the Schur method is tried",
+        range(1, Grid::max_elements), "at least the third of cost.sizes"}});
+  scene.declare(keys);
+
   FractionalPowerParameters p{.rolling = read_cattaneo_to_carter(scene),
                               .step_ratios = scene.numbers("step.ratios"),
-                              .distances = scene.numbers("motion.elements"),
+                              .distances = scene.numbers("motion.elements_rolled"),
                               .step_ratio = scene.number("step.ratio"),
                               .refinement = scene.whole("reference.refinement"),
                               .shape_elements = scene.whole("shapes.elements"),
-                              .steps = scene.wholes("shapes.steps", 1, Grid::max_elements),
-                              .cost_sizes = scene.wholes("cost.sizes", 1, Grid::max_elements),
+                              .steps = scene.wholes("shapes.steps"),
+                              .cost_sizes = scene.wholes("cost.sizes"),
                               .largest_schur = scene.whole("cost.largest_schur")};
-  const auto demand_odd = [](const char* key, Index value, Index least) {
-    require(value % 2 == 1 && value >= least, key, static_cast<double>(value),
-            "odd, and at least " + std::to_string(least));
-  };
-  demand_odd("grid.elements", p.rolling.grid.size(), 3);
-  demand_odd("shapes.elements", p.shape_elements, 51);
-  for (const Index size : p.cost_sizes) demand_odd("cost.sizes", size, 3);
-  for (const double c : p.step_ratios) {
-    require(c >= 1e-6, "step.ratios", c, "numbers >= 1e-6");
-  }
-  require(p.step_ratio > 0 && p.step_ratio < 1, "step.ratio", p.step_ratio, "a number in (0, 1)");
-  for (const double distance : p.distances) require_positive("motion.elements", distance);
-  require(std::is_sorted(p.steps.begin(), p.steps.end()), "shapes.steps",
-          static_cast<double>(p.steps.back()), "ascending numbers");
-  const auto tried = std::count_if(p.cost_sizes.begin(), p.cost_sizes.end(),
-                                   [&](Index size) { return size <= p.largest_schur; });
-  require(tried >= 3, "cost.largest_schur", static_cast<double>(p.largest_schur),
-          "at least the third of cost.sizes, for a fitted exponent");
-  require(p.refinement >= 2, "reference.refinement", static_cast<double>(p.refinement),
-          "a whole number >= 2");
+  demand_odd(scene, "grid.elements", {p.rolling.grid.size()});
+  demand_odd(scene, "shapes.elements", {p.shape_elements});
+  demand_odd(scene, "cost.sizes", p.cost_sizes);
+  demand_rising(scene, "shapes.steps", p.steps);
+  const auto tried =
+      std::ranges::count_if(p.cost_sizes, [&](Index size) { return size <= p.largest_schur; });
+  scene.demand("cost.largest_schur", static_cast<double>(p.largest_schur), tried >= 3);
   return p;
 }
 

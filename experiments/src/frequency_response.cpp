@@ -14,6 +14,7 @@
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
+#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
@@ -140,20 +141,6 @@ Table claims_of(const FrequencyResponseParameters& p, const Table& curves, const
         "frequency_response_steps"}});
 }
 
-std::vector<Eigen::Index> sizes_of(Scene& scene, const std::string& key) {
-  const std::vector<Eigen::Index> sizes = scene.wholes(key, 3, 2000);
-  require(sizes.size() >= 2 && std::ranges::is_sorted(sizes) && sizes.front() < sizes.back(), key,
-          static_cast<double>(sizes.front()), "at least two rising sizes");
-  return sizes;
-}
-
-double bounded(Scene& scene, const std::string& key, double least, double most) {
-  const double value = scene.number(key, Unit{"1"});
-  require(value >= least && value <= most, key, value,
-          [&] { return "a number in [" + format_short(least) + ", " + format_short(most) + "]"; });
-  return value;
-}
-
 }  // namespace
 
 Complex winkler_response(double kappa) {
@@ -163,6 +150,38 @@ Complex winkler_response(double kappa) {
 }
 
 FrequencyResponseParameters read_frequency_response(Scene& scene) {
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>(
+      {{"waves.period", number, "1", "in half-widths, in which all waves return", range(1, 1000)},
+       {"waves.numbers", wholes, "1", "of waves in the period, all at once", range(1, 64)},
+       {"waves.amplitude", number, "1", "of all together, over the creepage of the state",
+        range(1e-6, 0.1)},
+       {"waves.adhesion", number, "1",
+        "the same over the creepage of full sliding, where all adheres", range(1e-10, 1e-3)},
+       {"adhesion.sizes", wholes, "1", "numbers N of nodes where all adheres", range(3, 2000),
+        "two or more, in rising order"},
+       {"states.stick_ratios", list, "1", "parts a' of the contact that stick", range(0.1, 0.99)},
+       {"states.sizes", wholes, "1",
+        "numbers N of nodes of these, with c = 1; the first two with other c", range(3, 2000),
+        "two or more, in rising order"},
+       {"states.alignments", whole, "1", "of the stick-slip point in an element", range(1, 20)},
+       {"step.ratios", list, "1", "c", range(0.01, 1), "the first is 1"},
+       {"motion.sizes", wholes, "1", "numbers N of nodes, for steps of creepage and force",
+        range(3, 2000), "two or more, in rising order"},
+       {"curve.shortest", number, "1", "shortest wavelength over the half-width", range(0.05, 100)},
+       {"curve.longest", number, "1", "longest wavelength over the half-width", range(0.06, 1e6),
+        "more than curve.shortest"},
+       {"curve.points", whole, "1", "wavelengths of a curve", range(2, 10000)},
+       {"limit.operations", number, "1", "of a run; one that is expected to take more is left out",
+        range(1e6, 1e15)}});
+  scene.declare(keys);
+
+  const auto sizes = [&](const char* key) {
+    const std::vector<Eigen::Index> all = scene.wholes(key);
+    demand_count(scene, key, all, 2);
+    demand_rising(scene, key, all);
+    return all;
+  };
   const Material material = read_material(scene);
   const HertzBound bound = read_hertz_bound(scene);
   const double a = bound.half_width();
@@ -170,32 +189,25 @@ FrequencyResponseParameters read_frequency_response(Scene& scene) {
   require(plane.length() >= 0.62 * a, "kernel.length", plane.length(),
           "at least 0.62 half-widths of the contact");
   const StripKernel strip(material, scene.number("kernel.width"));
-  FrequencyResponseParameters p{
-      .bound = bound,
-      .plane = plane,
-      .strip = strip,
-      .period = a * bounded(scene, "waves.period", 1, 1000),
-      .waves = scene.wholes("waves.numbers", 1, 64),
-      .amplitude = bounded(scene, "waves.amplitude", 1e-6, 0.1),
-      .adhesion_amplitude = bounded(scene, "waves.adhesion", 1e-10, 1e-3),
-      .sizes = sizes_of(scene, "adhesion.sizes"),
-      .stick_ratios = scene.numbers("states.stick_ratios"),
-      .state_sizes = sizes_of(scene, "states.sizes"),
-      .alignments = static_cast<int>(bounded(scene, "states.alignments", 1, 20)),
-      .step_ratios = scene.numbers("step.ratios"),
-      .motion_sizes = sizes_of(scene, "motion.sizes"),
-      .shortest = a * bounded(scene, "curve.shortest", 0.05, 100),
-      .longest = a * bounded(scene, "curve.longest", 0.06, 1e6),
-      .points = static_cast<int>(bounded(scene, "curve.points", 2, 10000)),
-      .operations = bounded(scene, "limit.operations", 1e6, 1e15)};
-  require(p.longest > p.shortest, "curve.longest", p.longest / a, "more than curve.shortest");
-  for (const double ratio : p.stick_ratios) {
-    require(ratio >= 0.1 && ratio <= 0.99, "states.stick_ratios", ratio, "numbers in [0.1, 0.99]");
-  }
-  for (const double c : p.step_ratios) {
-    require(c >= 0.01 && c <= 1, "step.ratios", c, "numbers in [0.01, 1]");
-  }
-  require(p.step_ratios.front() == 1, "step.ratios", p.step_ratios.front(), "1 as the first");
+  FrequencyResponseParameters p{.bound = bound,
+                                .plane = plane,
+                                .strip = strip,
+                                .period = a * scene.number("waves.period"),
+                                .waves = scene.wholes("waves.numbers"),
+                                .amplitude = scene.number("waves.amplitude"),
+                                .adhesion_amplitude = scene.number("waves.adhesion"),
+                                .sizes = sizes("adhesion.sizes"),
+                                .stick_ratios = scene.numbers("states.stick_ratios"),
+                                .state_sizes = sizes("states.sizes"),
+                                .alignments = static_cast<int>(scene.whole("states.alignments")),
+                                .step_ratios = scene.numbers("step.ratios"),
+                                .motion_sizes = sizes("motion.sizes"),
+                                .shortest = a * scene.number("curve.shortest"),
+                                .longest = a * scene.number("curve.longest"),
+                                .points = static_cast<int>(scene.whole("curve.points")),
+                                .operations = scene.number("limit.operations")};
+  scene.demand("curve.longest", p.longest / a, p.longest > p.shortest);
+  scene.demand("step.ratios", p.step_ratios.front(), p.step_ratios.front() == 1);
   return p;
 }
 

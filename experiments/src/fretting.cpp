@@ -7,6 +7,7 @@
 #include <numbers>
 #include <span>
 
+#include "campaign.hpp"
 #include "fretting_run.hpp"
 #include "microslip/experiments/claims.hpp"
 #include "microslip/experiments/superposed_shift.hpp"
@@ -17,6 +18,7 @@
 #include "microslip/support/convergence.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
+#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
@@ -33,11 +35,6 @@ constexpr double length_rounding = 1e-9;
 
 /// A slip zone of so many elements counts as resolved.
 constexpr double resolved = 5;
-
-HertzBound hertz_of(const Parameters& p) {
-  const double a = p.bound.half_width();
-  return {a, p.bound.total() / HertzBound(a, 1).total()};
-}
 
 TransientRolling at_rest(const Parameters& p, const TractionBound& bound, const std::string& scheme,
                          Index elements) {
@@ -75,7 +72,7 @@ Table loops_table(const Parameters& p) {
                {"exact", "mm", "by Mindlin"},
                {"adhesion", "mm", "of a contact that sticks everywhere, k F ln(2 L0/a)"},
                {"error", "1", "difference over the displacement at the amplitude"}});
-  const HertzBound bound = hertz_of(p);
+  const HertzBound bound = hertz_like(p.bound);
   const double sticking =
       compliance(p.material) / std::numbers::pi * std::log(2 * p.length / bound.half_width());
   const Index n = p.sizes.back();
@@ -121,7 +118,7 @@ Exact exact_of(const Parameters& p, bool hertz) {
   const SuperposedShift other(p.bound, compliance(p.material), p.length);
   for (const double amplitude : p.error_forces) {
     const double force = amplitude * p.bound.total();
-    const FrettingCycle cycle(p.material, hertz_of(p), force);
+    const FrettingCycle cycle(p.material, hertz_like(p.bound), force);
     exact.shifts.push_back(hertz ? -cycle.shift(force, p.length) : other.shift(force));
     exact.dissipations.push_back(hertz ? cycle.dissipation() : other.dissipation(force));
   }
@@ -158,7 +155,7 @@ Errors errors_of(const Parameters& p, const Progress& progress) {
   std::size_t done = 0;
   for (const std::string bound : {"hertz", "polynomial"}) {
     const bool hertz = bound == "hertz";
-    const TractionBound of = hertz ? TractionBound(hertz_of(p)) : TractionBound(p.bound);
+    const TractionBound of = hertz ? TractionBound(hertz_like(p.bound)) : TractionBound(p.bound);
     const Exact exact = exact_of(p, hertz);
     for (const std::string scheme : {"direct", "material"}) {
       std::vector<double> sizes, lost, shifted;
@@ -196,7 +193,7 @@ Table curve_table(const Parameters& p) {
                 "k = 2 (1 - nu)/(pi G)",
                 1e-13},
                {"cubes", "1", "the same over a third of the cube of the amplitude", 1e-7}});
-  const HertzBound bound = hertz_of(p);
+  const HertzBound bound = hertz_like(p.bound);
   const double unit = compliance(p.material) / std::numbers::pi * bound.total() * bound.total();
   const auto row = [&](const std::string& scheme, double n, double tau, double dissipation) {
     const double slip_zone = n / 2 * tau / (1 + std::sqrt(1 - tau));
@@ -226,7 +223,7 @@ Table lengths_table(const Parameters& p) {
        {"shift", "mm", "to the amplitude, positive with the force"},
        {"dissipation", "N", "of a closed cycle"},
        {"difference", "1", "of the dissipation to that of the first, relative", length_rounding}});
-  const HertzBound bound = hertz_of(p);
+  const HertzBound bound = hertz_like(p.bound);
   for (const std::string scheme : {"direct", "material"}) {
     double first = 0;
     for (const double length : p.lengths) {
@@ -321,62 +318,56 @@ Table claims_of(const Parameters& p, const Table& loops, const Errors& errors, c
         "largest sum of all energies over the work done in all", "fretting_run"}});
 }
 
-void require_amplitudes(const char* key, const std::vector<double>& amplitudes) {
-  for (std::size_t k = 0; k < amplitudes.size(); ++k) {
-    require(amplitudes[k] > (k == 0 ? 0 : amplitudes[k - 1]) && amplitudes[k] < 1, key,
-            amplitudes[k], "rising numbers in (0, 1)");
-  }
-}
-
-PolynomialBound read_polynomial(Scene& scene) {
-  const TractionBound bound = read_bound(scene);
-  const auto* polynomial = std::get_if<PolynomialBound>(&bound);
-  if (polynomial == nullptr) throw std::invalid_argument("missing key 'contact.bound_polynomial'");
-  return *polynomial;
-}
-
 }  // namespace
 
 FrettingParameters read_fretting(Scene& scene) {
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>(
+      {{"grid.sizes", wholes, "1", "numbers N of nodes", range(8, 2000),
+        "two or more, in rising order"},
+       {"cycle.force_ratios", list, "1", "amplitudes of the loops, over full sliding",
+        inner_fraction, "in rising order"},
+       {"cycle.points", whole, "1", "of a loop, on each way", range(2, 1000)},
+       {"cycle.error_force_ratios", list, "1",
+        "amplitudes over which errors are taken, over full sliding", inner_fraction,
+        "in rising order"},
+       {"cycle.all_force_ratios", list, "1",
+        "amplitudes of the curve of dissipation, over full sliding", inner_fraction,
+        "in rising order"},
+       {"cycle.lengths", list, "1", "L0, in half-widths", range(1, 1e9)},
+       {"run.elements", whole, "1", "N of the run, and of other L0", range(8, 2000)},
+       {"run.force_ratio", number, "1", "force under which the bodies roll, over full sliding",
+        range_inside(-1, 1), "not 0"},
+       {"run.swing", number, "1", "amplitude about it at standstill, over full sliding", above_zero,
+        "less than 1 together with the size of run.force_ratio"},
+       {"run.elements_rolled", number, "1", "distance rolled each time, in elements",
+        range_above(0, 1e4)},
+       {"run.step_ratio", number, "1", "c of the run", range(1e-3, 5)}});
+  scene.declare(keys);
+
   FrettingParameters p{.material = read_material(scene),
                        .length = scene.number("kernel.length"),
-                       .bound = read_polynomial(scene),
-                       .sizes = scene.wholes("grid.sizes", 8, 2000),
-                       .forces = scene.numbers("cycle.forces"),
+                       .bound = read_polynomial_bound(scene),
+                       .sizes = scene.wholes("grid.sizes"),
+                       .forces = scene.numbers("cycle.force_ratios"),
                        .points = static_cast<int>(scene.whole("cycle.points")),
-                       .error_forces = scene.numbers("cycle.error_forces"),
-                       .all_forces = scene.numbers("cycle.all_forces"),
+                       .error_forces = scene.numbers("cycle.error_force_ratios"),
+                       .all_forces = scene.numbers("cycle.all_force_ratios"),
                        .lengths = scene.numbers("cycle.lengths"),
                        .run_elements = scene.whole("run.elements"),
-                       .run_force = scene.number("run.force", Unit{"1"}),
-                       .run_swing = scene.number("run.swing", Unit{"1"}),
-                       .run_distance = scene.number("run.distance", Unit{"1"}),
+                       .run_force = scene.number("run.force_ratio"),
+                       .run_swing = scene.number("run.swing"),
+                       .run_distance = scene.number("run.elements_rolled"),
                        .run_step_ratio = scene.number("run.step_ratio")};
-  require(p.sizes.size() >= 2, "grid.sizes", static_cast<double>(p.sizes.size()),
-          "at least two sizes");
-  for (std::size_t k = 1; k < p.sizes.size(); ++k) {
-    require(p.sizes[k] > p.sizes[k - 1], "grid.sizes", static_cast<double>(p.sizes[k]),
-            "rising sizes");
-  }
-  require_amplitudes("cycle.forces", p.forces);
-  require_amplitudes("cycle.error_forces", p.error_forces);
-  require_amplitudes("cycle.all_forces", p.all_forces);
-  require(p.points >= 2 && p.points <= 1000, "cycle.points", p.points, "2 to 1000");
-  for (const double length : p.lengths) {
-    require(length >= 1 && length <= 1e9, "cycle.lengths", length, "numbers in [1, 1e9]");
-  }
+  demand_count(scene, "grid.sizes", p.sizes, 2);
+  demand_rising(scene, "grid.sizes", p.sizes);
+  demand_rising(scene, "cycle.force_ratios", p.forces);
+  demand_rising(scene, "cycle.error_force_ratios", p.error_forces);
+  demand_rising(scene, "cycle.all_force_ratios", p.all_forces);
   require(p.length >= p.bound.half_width(), "kernel.length", p.length,
           [&] { return "at least half_width = " + format_short(p.bound.half_width()) + " mm"; });
-  require(p.run_elements >= 8 && p.run_elements <= 2000, "run.elements",
-          static_cast<double>(p.run_elements), "8 to 2000");
-  require(p.run_force != 0 && std::abs(p.run_force) < 1, "run.force", p.run_force,
-          "a number in (-1, 1), not 0");
-  require(p.run_swing > 0 && std::abs(p.run_force) + p.run_swing < 1, "run.swing", p.run_swing,
-          "a number > 0, less than 1 together with the size of run.force");
-  require(p.run_distance > 0 && p.run_distance <= 1e4, "run.distance", p.run_distance,
-          "a number in (0, 1e4]");
-  require(p.run_step_ratio >= 1e-3 && p.run_step_ratio <= 5, "run.step_ratio", p.run_step_ratio,
-          "a number in [1e-3, 5]");
+  scene.demand("run.force_ratio", p.run_force, p.run_force != 0);
+  scene.demand("run.swing", p.run_swing, std::abs(p.run_force) + p.run_swing < 1);
   return p;
 }
 
@@ -385,7 +376,7 @@ std::vector<Table> fretting(const FrettingParameters& p, const Progress& progres
   const Errors errors = errors_of(p, progress);
   const Table curve = curve_table(p);
   const Table lengths = lengths_table(p);
-  const Table run = run_table(p, at_rest(p, hertz_of(p), "material", p.run_elements));
+  const Table run = run_table(p, at_rest(p, hertz_like(p.bound), "material", p.run_elements));
   return {loops, errors.cycles, errors.errors, errors.orders,
           curve, lengths,       run,           claims_of(p, loops, errors, curve, lengths, run)};
 }

@@ -11,7 +11,7 @@
 #include "microslip/rolling/steady.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
-#include "microslip/support/require.hpp"
+#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
@@ -345,39 +345,37 @@ Table claims_of(const LeadingEdgeParameters& p, const std::vector<Series>& all,
 }  // namespace
 
 LeadingEdgeParameters read_leading_edge(Scene& scene) {
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>(
+      {{"grid.sizes", wholes, "1", "numbers N of nodes", range(3, 10000),
+        "two or more, each twice the one before"},
+       {"grid.leading_offsets", list, "1",
+        "beta: the leading edge lies beta dx beyond the last node", range_above(0, 1)},
+       {"grid.trailing_offsets", list, "1",
+        "alpha: the trailing edge lies alpha dx before the first node", fraction},
+       {"load.stick_ratios", list, "1", "parts a' of the contact that stick", inner_fraction},
+       {"profile.elements", whole, "1", "N of the tractions shown", range(1, Grid::max_elements)},
+       {"profile.stick_ratio", number, "1",
+        "a' of the tractions shown, and of the numbers of the thesis", inner_fraction,
+        "one of load.stick_ratios"},
+       {"profile.leading_offset", number, "1", "beta of the trimmed hat shown", inner_fraction}});
+  scene.declare(keys);
+
   const Material material = read_material(scene);
   const HertzBound bound = read_hertz_bound(scene);
   LeadingEdgeParameters p{.material = material,
                           .length = scene.number("kernel.length"),
                           .bound = bound,
-                          .sizes = scene.wholes("grid.sizes", 3, 10000),
+                          .sizes = scene.wholes("grid.sizes"),
                           .leading_offsets = scene.numbers("grid.leading_offsets"),
                           .trailing_offsets = scene.numbers("grid.trailing_offsets"),
                           .stick_ratios = scene.numbers("load.stick_ratios"),
                           .profile_elements = scene.whole("profile.elements"),
                           .profile_stick_ratio = scene.number("profile.stick_ratio"),
                           .profile_offset = scene.number("profile.leading_offset")};
-  const auto in_open_unit = [](const char* key, double value) {
-    require(value > 0 && value < 1, key, value, "numbers in (0, 1)");
-  };
-  for (std::size_t k = 1; k < p.sizes.size(); ++k) {
-    require(p.sizes[k] == 2 * p.sizes[k - 1], "grid.sizes", static_cast<double>(p.sizes[k]),
-            "sizes that are each twice the one before");
-  }
-  require(p.sizes.size() > 1, "grid.sizes", static_cast<double>(p.sizes.size()),
-          "at least two sizes");
-  for (const double offset : p.leading_offsets) {
-    require(offset > 0 && offset <= 1, "grid.leading_offsets", offset, "numbers in (0, 1]");
-  }
-  for (const double offset : p.trailing_offsets) {
-    require(offset >= 0 && offset <= 1, "grid.trailing_offsets", offset, "numbers in [0, 1]");
-  }
-  for (const double ratio : p.stick_ratios) in_open_unit("load.stick_ratios", ratio);
-  in_open_unit("profile.leading_offset", p.profile_offset);
-  const bool listed =
-      std::count(p.stick_ratios.begin(), p.stick_ratios.end(), p.profile_stick_ratio) == 1;
-  require(listed, "profile.stick_ratio", p.profile_stick_ratio,
-          "one of load.stick_ratios = " + scene.text("load.stick_ratios") + "; add it there");
+  demand_doubling(scene, "grid.sizes", p.sizes);
+  scene.demand("profile.stick_ratio", p.profile_stick_ratio,
+               std::ranges::count(p.stick_ratios, p.profile_stick_ratio) == 1);
   return p;
 }
 

@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "campaign.hpp"
 #include "microslip/experiments/claims.hpp"
+#include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
-#include "microslip/support/require.hpp"
 #include "open_problems_steady.hpp"
 #include "open_problems_steps.hpp"
+#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
@@ -103,63 +105,61 @@ namespace {
 /// Not within the braces of the parameters: what throws behind a nested aggregate there makes GCC
 /// 12 destroy it twice.
 CattaneoToCarter read_motion(Scene& scene, const PolynomialBound& bound, const Kernel& kernel) {
-  const double a = bound.half_width();
-  return {.kernel = kernel,
-          .bound = HertzBound(a, bound.total() / full_sliding_force(HertzBound(a, 1))),
-          .grid = Grid({.half_width = a, .elements = scene.whole("motion.elements")}),
-          .basis = constant_basis(),
-          .force = scene.number("motion.force", Unit{"N/mm"})};
+  return {
+      .kernel = kernel,
+      .bound = hertz_like(bound),
+      .grid = Grid({.half_width = bound.half_width(), .elements = scene.whole("motion.elements")}),
+      .basis = constant_basis(),
+      .force = scene.number("load.force")};
 }
 
 }  // namespace
 
 OpenProblemsParameters read_open_problems(Scene& scene) {
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>(
+      {{"grid.sizes", wholes, "1", "numbers N of nodes", range(3, 2000),
+        "two or more, each twice the one before"},
+       {"cases.number", whole, "1", "of random parts of adhesion and alignments of the grid",
+        range(1, 1000)},
+       {"cases.stick_ratios", list, "1", "least and largest a' of the cases", inner_fraction,
+        "two, in rising order"},
+       {"steady.elements", whole, "1", "N of the case for all steps", range(1, Grid::max_elements)},
+       {"steady.stick_ratio", number, "1", "a' of that", inner_fraction},
+       {"steady.step_ratios", list, "1", "c of that", range_from(min_step_ratio)},
+       {"motion.elements", whole, "1", "N of the transient", range(1, Grid::max_elements)},
+       {"motion.elements_rolled", whole, "1", "distance, in elements", range(1, 1000)},
+       {"motion.refinement", whole, "1", "elements of the reference for each one", range(2, 32)},
+       {"motion.step_ratios", list, "1", "c of the transient", range(1e-4, 5)},
+       {"curve.widths", list, "1", "of strips, in half-widths", range_from(1)},
+       {"curve.points", whole, "1", "of a curve of creepage and force", range(2, 10000)},
+       {"curve.unknowns", wholes, "1", "of the Chebyshev collocation", range(1, 63)}});
+  scene.declare(keys);
+
   const Material material = read_material(scene);
-  const TractionBound bound = read_bound(scene);
-  const auto* polynomial = std::get_if<PolynomialBound>(&bound);
-  if (polynomial == nullptr) throw std::invalid_argument("missing key 'contact.bound_polynomial'");
+  const PolynomialBound bound = read_polynomial_bound(scene);
   const double length = scene.number("kernel.length");
   const std::vector<double> stick_ratios = scene.numbers("cases.stick_ratios");
-  require(stick_ratios.size() == 2, "cases.stick_ratios", static_cast<double>(stick_ratios.size()),
-          "two numbers");
-  require(stick_ratios[0] > 0 && stick_ratios[0] < stick_ratios[1] && stick_ratios[1] < 1,
-          "cases.stick_ratios", stick_ratios[0], "two rising numbers in (0, 1)");
+  demand_rising(scene, "cases.stick_ratios", stick_ratios);
+  scene.demand("cases.stick_ratios", stick_ratios.front(), stick_ratios.size() == 2);
   OpenProblemsParameters p{.material = material,
                            .length = length,
-                           .bound = *polynomial,
-                           .sizes = scene.wholes("grid.sizes", 3, 2000),
+                           .bound = bound,
+                           .sizes = scene.wholes("grid.sizes"),
                            .cases = static_cast<int>(scene.whole("cases.number")),
                            .least_stick_ratio = stick_ratios[0],
                            .most_stick_ratio = stick_ratios[1],
                            .steady_elements = scene.whole("steady.elements"),
                            .steady_stick_ratio = scene.number("steady.stick_ratio"),
                            .steady_ratios = scene.numbers("steady.step_ratios"),
-                           .motion = read_motion(scene, *polynomial, PlaneKernel(material, length)),
-                           .distance = scene.number("motion.distance", Unit{"1"}),
+                           .motion = read_motion(scene, bound, PlaneKernel(material, length)),
+                           .distance = static_cast<double>(scene.whole("motion.elements_rolled")),
                            .refinement = scene.whole("motion.refinement"),
                            .motion_ratios = scene.numbers("motion.step_ratios"),
                            .widths = scene.numbers("curve.widths"),
                            .curve_points = static_cast<int>(scene.whole("curve.points")),
-                           .unknowns = scene.wholes("curve.unknowns", 1, 63)};
-  require(p.sizes.size() >= 2, "grid.sizes", static_cast<double>(p.sizes.size()),
-          "at least two sizes");
-  for (std::size_t k = 1; k < p.sizes.size(); ++k) {
-    require(p.sizes[k] == 2 * p.sizes[k - 1], "grid.sizes", static_cast<double>(p.sizes[k]),
-            "sizes that are each twice the one before");
-  }
-  require(p.cases >= 1 && p.cases <= 1000, "cases.number", p.cases, "1 to 1000");
-  require(p.steady_stick_ratio > 0 && p.steady_stick_ratio < 1, "steady.stick_ratio",
-          p.steady_stick_ratio, "a number in (0, 1)");
-  require(p.curve_points >= 2 && p.curve_points <= 10000, "curve.points", p.curve_points,
-          "2 to 10000");
-  require(p.refinement >= 2 && p.refinement <= 32, "motion.refinement",
-          static_cast<double>(p.refinement), "2 to 32");
-  require(p.distance >= 1 && p.distance <= 1000 && std::floor(p.distance) == p.distance,
-          "motion.distance", p.distance, "a whole number from 1 to 1000");
-  for (const double c : p.motion_ratios) {
-    require(c >= 1e-4 && c <= 5, "motion.step_ratios", c, "numbers in [1e-4, 5]");
-  }
-  for (const double width : p.widths) require(width >= 1, "curve.widths", width, "numbers >= 1");
+                           .unknowns = scene.wholes("curve.unknowns")};
+  demand_doubling(scene, "grid.sizes", p.sizes);
   return p;
 }
 

@@ -23,7 +23,6 @@ namespace {
 
 constexpr double default_shortest = 0.3;  // over the half-length of the stick zone
 constexpr double default_longest = 300;
-constexpr double default_wavelengths = 60;
 
 struct ContactOf {
   SteadyContact operator()(const SteadyProblem& problem) const {
@@ -43,9 +42,7 @@ struct ContactOf {
 
 std::optional<double> wavelength(Scene& scene, const std::string& key) {
   if (!scene.has(key)) return std::nullopt;
-  const double value = scene.number(key, Unit{"mm"});
-  require_positive(key, value);
-  return value;
+  return scene.positive(key);
 }
 
 [[noreturn]] void refuse(const std::string& why) {
@@ -117,7 +114,7 @@ ResponseScene read_response(Scene& scene) {
                      .shortest = wavelength(scene, "response.shortest"),
                      .longest = wavelength(scene, "response.longest"),
                      .wavelengths = 0};
-  const double wavelengths = scene.number("response.wavelengths", default_wavelengths);
+  const double wavelengths = scene.number("response.wavelengths");
   require(wavelengths >= 2 && wavelengths <= 1e5 && std::floor(wavelengths) == wavelengths,
           "response.wavelengths", wavelengths, "a whole number from 2 to 100000");
   read.wavelengths = static_cast<Index>(wavelengths);

@@ -11,8 +11,8 @@
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/spectrum/symbol.hpp"
 #include "microslip/support/format.hpp"
-#include "microslip/support/require.hpp"
 #include "rolled_tables.hpp"
+#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
@@ -190,25 +190,24 @@ Table claims_of(const Parameters& p, const Table& summary) {
 }  // namespace
 
 SmoothingParameters read_smoothing(Scene& scene) {
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>(
+      {{"step.ratios", list, "1", "c; the first is a whole number", range_from(min_step_ratio)},
+       {"motion.elements_rolled", number, "1", "distance, in elements", above_zero},
+       {"pulse.elements", whole, "1", "N of the pulse, which starts in the middle", range(3, 2001),
+        "odd"},
+       {"spectrum.frequencies", whole, "1", "of the amplification factor", range(8, 1000)},
+       {"reference.refinement", whole, "1", "elements of the reference for each one",
+        range(2, 1000)}});
+  scene.declare(keys);
+
   SmoothingParameters p{.rolling = read_cattaneo_to_carter(scene),
                         .step_ratios = scene.numbers("step.ratios"),
-                        .distance = scene.number("motion.elements"),
+                        .distance = scene.number("motion.elements_rolled"),
                         .pulse_elements = scene.whole("pulse.elements"),
                         .frequencies = scene.whole("spectrum.frequencies"),
                         .refinement = scene.whole("reference.refinement")};
-  for (const double c : p.step_ratios) {
-    require(c >= min_step_ratio, "step.ratios", c, "numbers >= 1e-15");
-  }
-  require_positive("motion.elements", p.distance);
-  const auto demand = [](const char* key, Index value, bool holds, const char* accepted) {
-    require(holds, key, static_cast<double>(value), accepted);
-  };
-  demand("pulse.elements", p.pulse_elements,
-         p.pulse_elements % 2 == 1 && p.pulse_elements >= 3 && p.pulse_elements <= 2001,
-         "an odd number in [3, 2001]");
-  demand("spectrum.frequencies", p.frequencies, p.frequencies >= 8 && p.frequencies <= 1000,
-         "a whole number in [8, 1000]");
-  demand("reference.refinement", p.refinement, p.refinement >= 2, "a whole number >= 2");
+  demand_odd(scene, "pulse.elements", {p.pulse_elements});
   return p;
 }
 

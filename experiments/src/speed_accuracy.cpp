@@ -5,11 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "campaign.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
-#include "microslip/support/require.hpp"
 #include "speed_accuracy_fronts.hpp"
 #include "speed_accuracy_problems.hpp"
+#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
@@ -102,52 +103,65 @@ Table claims_of(const std::vector<Run>& runs) {
 }  // namespace
 
 SpeedAccuracyParameters read_speed_accuracy(Scene& scene) {
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>(
+      {{"grid.sizes", wholes, "1", "numbers N of nodes", range(1, 200000),
+        "odd multiples of three, in rising order"},
+       {"timing.repeats", number, "s", "runs are repeated until they took so long together",
+        above_zero},
+       {"steady.operations", number, "1",
+        "of a solution; runs that are expected to take more are only listed", above_zero},
+       {"steady.stick_ratios", list, "1",
+        "a' of steady rolling, of whose errors the largest counts", range_above(0, 0.99)},
+       {"steady.step_ratios", list, "1", "c of steady rolling; the first of them for strips",
+        range_above(0, 4)},
+       {"steady.unknowns", wholes, "1", "of the Chebyshev collocation", range(1, 64)},
+       {"transient.operations", number, "1", "as steady.operations", above_zero},
+       {"transient.force_ratio", number, "1", "force over full sliding", range_above(0, 0.99)},
+       {"transient.step_ratios", list, "1", "c of the transient", range_above(0, 4)},
+       {"transient.reference", whole, "1", "N of the run that is taken as exact",
+        range(1, Grid::max_elements)},
+       {"cylinder.operations", number, "1", "as steady.operations", above_zero},
+       {"cylinder.length", number, "mm", "L0, which sets the stiffness of the contact", above_zero},
+       {"cylinder.distance", number, "mm", "distance from rest", above_zero},
+       {"cylinder.step_ratios", list, "1", "c of the cylinder", range_above(0, 4)},
+       {"cylinder.reference", whole, "1", "N of the run that is taken as exact",
+        range(1, Grid::max_elements)}});
+  scene.declare(keys);
+
   const Material material = read_material(scene);
-  const TractionBound bound = read_bound(scene);
-  const auto* polynomial = std::get_if<PolynomialBound>(&bound);
-  if (polynomial == nullptr) throw std::invalid_argument("missing key 'contact.bound_polynomial'");
-  const double a = polynomial->half_width();
-  const auto within = [&](const char* key, double above, double most) {
-    const std::vector<double> numbers = scene.numbers(key);
-    for (const double value : numbers) {
-      require(value > above && value <= most, key, value,
-              "numbers above " + format_short(above) + ", at most " + format_short(most));
-    }
-    return numbers;
-  };
-  const HertzBound hertz(a, polynomial->total() / full_sliding_force(HertzBound(a, 1)));
+  const PolynomialBound bound = read_polynomial_bound(scene);
+  const HertzBound hertz = hertz_like(bound);
   const double full = full_sliding_force(hertz);
   SpeedAccuracyParameters p{
-      .bound = *polynomial,
+      .bound = bound,
       .material = material,
       .length = scene.number("kernel.length"),
       .width = scene.positive("kernel.width"),
-      .sizes = scene.wholes("grid.sizes", 1, 200000),
-      .repeats = scene.positive("timing.repeats"),
-      .steady = {.limit = {scene.positive("steady.operations")},
-                 .stick_ratios = within("steady.stick_ratios", 0, 0.99),
-                 .step_ratios = within("steady.step_ratios", 0, 4),
-                 .unknowns = scene.wholes("steady.unknowns", 1, 64)},
-      .transient = {.limit = {scene.positive("transient.operations")},
+      .sizes = scene.wholes("grid.sizes"),
+      .repeats = scene.number("timing.repeats"),
+      .steady = {.limit = {scene.number("steady.operations")},
+                 .stick_ratios = scene.numbers("steady.stick_ratios"),
+                 .step_ratios = scene.numbers("steady.step_ratios"),
+                 .unknowns = scene.wholes("steady.unknowns")},
+      .transient = {.limit = {scene.number("transient.operations")},
                     .bound = hertz,
-                    .force = full * within("transient.force_ratio", 0, 0.99).front(),
-                    .step_ratios = within("transient.step_ratios", 0, 4),
+                    .force = full * scene.number("transient.force_ratio"),
+                    .step_ratios = scene.numbers("transient.step_ratios"),
                     .reference = scene.whole("transient.reference")},
-      .rolling = {.limit = {scene.positive("cylinder.operations")},
-                  .cylinder = {.mass = scene.number("cylinder.mass"),
-                               .inertia = scene.number("cylinder.inertia"),
-                               .radius = scene.number("cylinder.radius"),
-                               .slope_force = scene.number("cylinder.slope_force")},
-                  .length = scene.number("cylinder.length", Unit{"mm"}),
-                  .distance = scene.positive("cylinder.distance", Unit{"mm"}),
-                  .step_ratios = within("cylinder.step_ratios", 0, 4),
+      .rolling = {.limit = {scene.number("cylinder.operations")},
+                  .cylinder = {.mass = scene.positive("cylinder.mass"),
+                               .inertia = scene.positive("cylinder.inertia"),
+                               .radius = scene.positive("cylinder.radius"),
+                               .slope_force = scene.positive("cylinder.slope_force")},
+                  .length = scene.number("cylinder.length"),
+                  .distance = scene.number("cylinder.distance"),
+                  .step_ratios = scene.numbers("cylinder.step_ratios"),
                   .reference = scene.whole("cylinder.reference")}};
   for (const Index n : p.sizes) {
-    require(n % 2 == 1 && n % 3 == 0, "grid.sizes", static_cast<double>(n),
-            "odd multiples of three");
+    scene.demand("grid.sizes", static_cast<double>(n), n % 2 == 1 && n % 3 == 0);
   }
-  require(std::ranges::is_sorted(p.sizes), "grid.sizes", static_cast<double>(p.sizes.front()),
-          "ascending numbers");
+  demand_rising(scene, "grid.sizes", p.sizes);
   return p;
 }
 

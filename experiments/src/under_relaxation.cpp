@@ -8,8 +8,8 @@
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/profile.hpp"
 #include "microslip/support/format.hpp"
-#include "microslip/support/require.hpp"
 #include "rolled_tables.hpp"
+#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
@@ -189,31 +189,42 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const Paramete
 }  // namespace
 
 UnderRelaxationParameters read_under_relaxation(Scene& scene) {
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>(
+      {{"step.ratios", list, "1", "c of the tractions shown; the first is c*", range_from(1e-6),
+        "at most step.relaxation"},
+       {"motion.elements_rolled", list, "1", "distances, in elements", above_zero,
+        "in rising order"},
+       {"reference.refinement", whole, "1", "elements of the reference for each one",
+        range(2, 1000)},
+       {"comparison.step_ratio", number, "1",
+        "c at which relaxation of A' and of the tractions are compared", range_from(1e-6),
+        "at most step.relaxation"},
+       {"wiggles.elements", whole, "1", "N of the grid on which wiggles are counted",
+        range(1, Grid::max_elements)},
+       {"wiggles.relaxed_step_ratios", list, "1", "c there, of the relaxed scheme",
+        range_from(1e-6), "at most step.relaxation"},
+       {"wiggles.direct_step_ratios", list, "1", "c there, of the direct scheme", range_from(1e-6),
+        "at most step.relaxation"}});
+  scene.declare(keys);
+
   UnderRelaxationParameters p{.rolling = read_cattaneo_to_carter(scene),
                               .relaxation = scene.number("step.relaxation"),
                               .step_ratios = scene.numbers("step.ratios"),
-                              .distances = scene.numbers("motion.elements"),
+                              .distances = scene.numbers("motion.elements_rolled"),
                               .refinement = scene.whole("reference.refinement"),
                               .compared_step_ratio = scene.number("comparison.step_ratio"),
                               .small_elements = scene.whole("wiggles.elements"),
                               .relaxed_step_ratios = scene.numbers("wiggles.relaxed_step_ratios"),
                               .direct_step_ratios = scene.numbers("wiggles.direct_step_ratios")};
   const auto demand = [&](const char* key, const std::vector<double>& ratios) {
-    for (const double c : ratios) {
-      require(c >= 1e-6 && c <= p.relaxation, key, c,
-              "numbers in [1e-6, step.relaxation = " + format_short(p.relaxation) + "]");
-    }
+    for (const double c : ratios) scene.demand(key, c, c <= p.relaxation);
   };
   demand("step.ratios", p.step_ratios);
   demand("comparison.step_ratio", {p.compared_step_ratio});
   demand("wiggles.relaxed_step_ratios", p.relaxed_step_ratios);
   demand("wiggles.direct_step_ratios", p.direct_step_ratios);
-  for (std::size_t k = 0; k < p.distances.size(); ++k) {
-    require(p.distances[k] > (k == 0 ? 0 : p.distances[k - 1]), "motion.elements", p.distances[k],
-            "ascending numbers > 0");
-  }
-  require(p.refinement >= 2, "reference.refinement", static_cast<double>(p.refinement),
-          "a whole number >= 2");
+  demand_rising(scene, "motion.elements_rolled", p.distances);
   return p;
 }
 

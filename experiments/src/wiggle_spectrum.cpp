@@ -13,7 +13,7 @@
 #include "microslip/scene/model.hpp"
 #include "microslip/spectrum/symbol.hpp"
 #include "microslip/support/format.hpp"
-#include "microslip/support/require.hpp"
+#include "study_keys.hpp"
 #include "unit_difference.hpp"
 
 namespace microslip::experiments {
@@ -235,32 +235,30 @@ double diagonal_crossing(const Kernel& kernel, const ShapeFunction& shape, doubl
 }
 
 WiggleSpectrumParameters read_wiggle_spectrum(Scene& scene) {
-  Parameters p{.kernel = read_kernel(scene, read_material(scene)),
-               .spacing = scene.number("grid.spacing", Unit{"mm"}),
-               .elements = scene.whole("grid.elements"),
-               .step_ratios = scene.numbers("step.ratios"),
-               .shift = scene.number("functions.shift"),
-               .samples = scene.whole("step.samples"),
-               .smallest_step_ratio = scene.number("spectrum.smallest_step_ratio"),
-               .per_decade = scene.whole("spectrum.per_decade"),
-               .strip_widths = scene.numbers("crossing.strip_widths")};
-  const auto require_whole = [](const char* key, Eigen::Index value, Eigen::Index least,
-                                Eigen::Index most) {
-    require(value >= least && value <= most, key, static_cast<double>(value),
-            "a whole number in [" + std::to_string(least) + ", " + std::to_string(most) + "]");
-  };
-  require_positive("grid.spacing", p.spacing);
-  require_whole("grid.elements", p.elements, 3, 1000);
-  for (const double c : p.step_ratios) {
-    require(c >= min_step_ratio, "step.ratios", c, "numbers >= 1e-15");
-  }
-  require(p.shift > 0 && p.shift < 1, "functions.shift", p.shift, "a number in (0, 1)");
-  require_whole("step.samples", p.samples, 1, 100000);
-  require(p.smallest_step_ratio >= min_step_ratio && p.smallest_step_ratio < 1,
-          "spectrum.smallest_step_ratio", p.smallest_step_ratio, "a number in [1e-15, 1)");
-  require_whole("spectrum.per_decade", p.per_decade, 1, 100);
-  for (const double width : p.strip_widths) require_positive("crossing.strip_widths", width);
-  return p;
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>(
+      {{"grid.spacing", number, "mm", "dx", above_zero},
+       {"grid.elements", whole, "1", "size of the matrices; of the spectra also one more",
+        range(3, 1000)},
+       {"step.ratios", list, "1", "c of the matrices shown", range_from(min_step_ratio)},
+       {"step.samples", whole, "1", "of the diagonals, c = 1/samples ... 1", range(1, 100000)},
+       {"functions.shift", number, "1", "of the functions shown, in elements", inner_fraction},
+       {"spectrum.smallest_step_ratio", number, "1", "c that spectra begin with",
+        range_below(min_step_ratio, 1)},
+       {"spectrum.per_decade", whole, "1", "spectra a decade of c", range(1, 100)},
+       {"crossing.strip_widths", list, "1",
+        "Dy/dx of strips whose crossing B11 = B21 is sought, too", above_zero}});
+  scene.declare(keys);
+
+  return {.kernel = read_kernel(scene, read_material(scene)),
+          .spacing = scene.number("grid.spacing"),
+          .elements = scene.whole("grid.elements"),
+          .step_ratios = scene.numbers("step.ratios"),
+          .shift = scene.number("functions.shift"),
+          .samples = scene.whole("step.samples"),
+          .smallest_step_ratio = scene.number("spectrum.smallest_step_ratio"),
+          .per_decade = scene.whole("spectrum.per_decade"),
+          .strip_widths = scene.numbers("crossing.strip_widths")};
 }
 
 std::vector<Table> wiggle_spectrum(const WiggleSpectrumParameters& p, const Progress& progress) {

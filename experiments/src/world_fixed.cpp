@@ -11,7 +11,7 @@
 #include "microslip/experiments/cut_elements.hpp"
 #include "microslip/support/convergence.hpp"
 #include "microslip/support/format.hpp"
-#include "microslip/support/require.hpp"
+#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
@@ -238,53 +238,56 @@ Table claims_of(const Tables& tables, const Parameters& p) {
 }  // namespace
 
 WorldFixedParameters read_world_fixed(Scene& scene) {
+  using enum Key::Type;
+  static constexpr auto keys = std::to_array<Key>(
+      {{"creepage.step_ratio", number, "1", "c of the creepage shown", range(1e-3, 0.5)},
+       {"creepage.elements_rolled", number, "1", "end of the way that is shown, in elements",
+        above_zero, "less than are rolled"},
+       {"creepage.part", number, "1",
+        "of an element by which the contact is longer, so that edges reach elements in turn",
+        range_below(0, 1)},
+       {"noise.distance", number, "1", "rolled before, in half-widths", above_zero,
+        "four elements or more, on every grid"},
+       {"noise.sizes", wholes, "1", "numbers N of nodes, for the noise against N",
+        range(10, Grid::max_elements), "two or more, in rising order"},
+       {"noise.largest_cut", whole, "1",
+        "largest N of elements that are cut, whose steps cost O(N^3)",
+        range(10, Grid::max_elements), "at least the second of noise.sizes"},
+       {"noise.step_ratio", number, "1", "c of the noise against N", range(1e-3, 0.5)},
+       {"noise.elements", whole, "1", "N of the noise against c", range(10, Grid::max_elements)},
+       {"noise.step_ratios", list, "1", "c of the noise against c", range(1e-3, 1),
+        "1 and noise.step_ratio among them"},
+       {"error.step_ratios", list, "1", "c of the errors", range(1e-3, 1)},
+       {"error.elements_rolled", whole, "1", "distance before errors are measured, in elements",
+        range(1, 1000000)},
+       {"error.refinement", whole, "1", "elements of the reference for each one", range(2, 1000)}});
+  scene.declare(keys);
+
   WorldFixedParameters p{.rolling = read_cattaneo_to_carter(scene),
                          .step_ratio = scene.number("creepage.step_ratio"),
-                         .shown = scene.number("creepage.shown"),
+                         .shown = scene.number("creepage.elements_rolled"),
                          .part = scene.number("creepage.part"),
                          .distance = scene.number("noise.distance"),
-                         .elements = scene.numbers("noise.elements"),
+                         .elements = scene.numbers("noise.sizes"),
                          .largest_cut = scene.whole("noise.largest_cut"),
                          .noise_step_ratio = scene.number("noise.step_ratio"),
-                         .noise_elements = scene.whole("noise.fixed_elements"),
+                         .noise_elements = scene.whole("noise.elements"),
                          .step_ratios = scene.numbers("noise.step_ratios"),
                          .error_step_ratios = scene.numbers("error.step_ratios"),
-                         .error_distance = scene.whole("error.elements"),
+                         .error_distance = scene.whole("error.elements_rolled"),
                          .refinement = scene.whole("error.refinement")};
-  const auto demand = [](const char* key, const std::vector<double>& ratios, double largest) {
-    for (const double c : ratios) {
-      require(c >= 1e-3 && c <= largest, key, c,
-              "numbers in [1e-3, " + format_short(largest) + "]");
-    }
-  };
-  demand("creepage.step_ratio", {p.step_ratio}, 0.5);
-  demand("noise.step_ratio", {p.noise_step_ratio}, 0.5);
-  demand("noise.step_ratios", p.step_ratios, 1);
-  demand("error.step_ratios", p.error_step_ratios, 1);
   for (const double c : {1.0, p.noise_step_ratio}) {
-    require(std::count(p.step_ratios.begin(), p.step_ratios.end(), c) > 0, "noise.step_ratios",
-            p.step_ratios.front(), "1 and noise.step_ratio among them");
+    scene.demand("noise.step_ratios", c, std::ranges::count(p.step_ratios, c) > 0);
   }
-  require(p.part >= 0 && p.part < 1, "creepage.part", p.part, "a number in [0, 1)");
-  for (std::size_t i = 0; i < p.elements.size(); ++i) {
-    const double n = p.elements[i];
-    require(n == std::round(n) && n >= (i == 0 ? 10 : p.elements[i - 1] + 1), "noise.elements", n,
-            "ascending whole numbers >= 10");
-  }
+  for (const double n : p.elements) scene.demand("noise.sizes", n, n == std::round(n));
+  demand_rising(scene, "noise.sizes", p.elements);
+  demand_count(scene, "noise.sizes", p.elements, 2);
   const auto largest_cut = static_cast<double>(p.largest_cut);
-  require(p.elements.size() > 1 && largest_cut >= p.elements[1], "noise.largest_cut", largest_cut,
-          "at least the second of noise.elements");
-  require(p.noise_elements >= 10, "noise.fixed_elements", static_cast<double>(p.noise_elements),
-          "a whole number >= 10");
+  scene.demand("noise.largest_cut", largest_cut, largest_cut >= p.elements[1]);
   const auto fewest = std::min<Index>(static_cast<Index>(p.elements.front()), p.noise_elements);
-  require(distance_on(p, fewest) >= 4, "noise.distance", p.distance,
-          "four elements or more, on every grid");
-  require(p.shown > 0 && p.shown < distance_on(p, p.rolling.grid.size()), "creepage.shown", p.shown,
-          "a distance > 0 shorter than the one rolled");
-  require(p.error_distance > 0, "error.elements", static_cast<double>(p.error_distance),
-          "a whole number > 0");
-  require(p.refinement >= 2, "error.refinement", static_cast<double>(p.refinement),
-          "a whole number >= 2");
+  scene.demand("noise.distance", p.distance, distance_on(p, fewest) >= 4);
+  scene.demand("creepage.elements_rolled", p.shown,
+               p.shown < distance_on(p, p.rolling.grid.size()));
   return p;
 }
 

@@ -111,13 +111,17 @@ std::string file_text(const std::string& path, std::size_t most) {
   return plain_text(std::move(text));
 }
 
+Scene built_in_scene(const Program& program) {
+  return parse_text(program.scene, "built-in study.info");
+}
+
 Scene read_scene(const Program& program, const Given& given) {
   if (program.scene.empty() && given.count("scene") == 0) {
     throw std::invalid_argument("missing a scene: expected its file, as in '" + program.name +
                                 " scene.info'; see --help");
   }
   Scene scene = given.count("scene") != 0 ? parse_file(given["scene"].as<std::string>())
-                                          : parse_text(program.scene, "built-in study.info");
+                                          : built_in_scene(program);
   if (given.count("quick") != 0) scene.overlay(parse_text(program.quick, "built-in quick.info"));
   for (const std::string& assignment : given["set"].as<std::vector<std::string>>()) {
     scene.set(assignment);

@@ -28,6 +28,8 @@ Given parse(const Options& options, int argc, const char* const* argv,
 bool answers(const Given& given, const Options& options, const std::string& name,
              const std::string& purpose);
 
+Scene built_in_scene(const Program& program);
+
 /// The scene of --scene, or the built-in one, with what --quick and --set change in it.
 Scene read_scene(const Program& program, const Given& given);
 

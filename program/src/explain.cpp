@@ -119,7 +119,8 @@ Foreseen foresee(const Scene& read, const std::function<Preview(Scene&)>& previe
     if (i == 0) print_scene(scene, seen, is_swept, all.cases);
     all.work += seen.work;
     all.memory = std::max(all.memory, seen.memory);
-    for (const std::string& line : scene.warnings()) {
+    for (const Warning& warning : scene.warnings()) {
+      const std::string line = scene.place_of(warning.key) + warning.line;
       if (std::ranges::find(all.warnings, line) == all.warnings.end()) all.warnings.push_back(line);
     }
   }

@@ -8,6 +8,7 @@
 
 #include "command_line.hpp"
 #include "interrupts.hpp"
+#include "key_list.hpp"
 #include "outputs.hpp"
 #include "process.hpp"
 #include "provenance.hpp"
@@ -16,14 +17,20 @@ namespace microslip::program {
 
 namespace {
 
+namespace options = boost::program_options;
+
 Options options_of(const Program& program) {
-  Options options("Options");
-  add_scene_options(options, program);
-  auto add = options.add_options();
+  Options known("Options");
+  add_scene_options(known, program);
+  auto add = known.add_options();
   if (!program.quick.empty()) add("quick", "a coarser version, in seconds");
-  if (!program.scene.empty()) add("print-scene", "print the default scene and exit");
-  add_common_options(options, program.default_out);
-  return options;
+  if (!program.scene.empty()) {
+    add("print-scene", "print the default scene and exit");
+    add("print-keys", options::value<std::string>()->implicit_value("text"),
+        "print its keys and exit, as text, markdown, man or completion");
+  }
+  add_common_options(known, program.default_out);
+  return known;
 }
 
 /// The doubt that a summary names, if it does.
@@ -60,12 +67,12 @@ void run_scene(const Program& program, Scene& scene, const Given& given, int arg
   files.push_back(provenance_of(
       provenance(program.name, argc, argv, std::chrono::steady_clock::now() - start), files));
   interrupts.last([&] { write_files(out, files); });
-  const auto warn = [&](const std::string& line) {
-    std::cerr << program.name << ": warning: " << line << '\n';
+  const auto warn = [&](const std::string& place, const std::string& line) {
+    std::cerr << program.name << ": " << place << "warning: " << line << '\n';
   };
-  for (const std::string& line : scene.warnings()) warn(line);
+  for (const auto& [key, line] : scene.warnings()) warn(scene.place_of(key), line);
   for (const Table& table : tables) {
-    if (const auto line = warning_of(table)) warn(*line);
+    if (const auto line = warning_of(table)) warn("", *line);
   }
 }
 
@@ -73,13 +80,17 @@ void run_scene(const Program& program, Scene& scene, const Given& given, int arg
 
 int run(const Program& program, int argc, const char* const* argv) {
   return run_process(program.name, [&] {
-    const Options options = options_of(program);
+    const Options known = options_of(program);
     const int word = program.command.empty() ? 0 : 1;
-    const Given given = parse(options, argc - word, argv + word, "scene");
+    const Given given = parse(known, argc - word, argv + word, "scene");
     const std::string name = program.name + (word == 0 ? "" : " " + program.command);
-    if (answers(given, options, name, program.question)) return 0;
+    if (answers(given, known, name, program.question)) return 0;
     if (given.count("print-scene") != 0) {
       std::cout << program.scene;
+      return 0;
+    }
+    if (given.count("print-keys") != 0) {
+      print_keys_of_study(program, given["print-keys"].as<std::string>());
       return 0;
     }
     Scene scene = read_scene(program, given);

@@ -46,14 +46,14 @@ fi
 
 # $1 what is typed; prints what TAB would offer.
 completed() {
-  read -ra COMP_WORDS <<<"$1"
-  [[ $1 == *' ' ]] && COMP_WORDS+=('')
-  COMP_CWORD=$((${#COMP_WORDS[@]} - 1))
-  COMPREPLY=()
-  _microslip
+  COMP_LINE=$1 COMP_POINT=${#1} COMP_WORDS=("${1%% *}") COMP_WORDBREAKS=$' \t\n=:'
+  local by=_microslip
+  [[ ${COMP_WORDS[0]} == microslip ]] || by=_microslip_study
+  $by
   echo "${COMPREPLY[*]}"
 }
-source "$prefix/share/bash-completion/completions/microslip"
+completions="$prefix/share/bash-completion/completions"
+source "$completions/microslip"
 expect() {
   [ "$(completed "$1")" = "$2" ] || fail "'$1' is completed to '$(completed "$1")', not '$2'"
 }
@@ -64,9 +64,26 @@ expect 'microslip explain ' 'steady.info out results'
 expect 'microslip plot o' 'out'
 expect 'microslip steady.info --set contact.h' 'contact.half_width='
 expect 'microslip sweep steady.info --th' '--threads'
+expect 'microslip steady.info --set step.scheme=rel' 'relaxed relaxed_traction'
+expect 'microslip steady.info --set=solver.type=' 'auto dense fft'
+expect 'microslip steady.info --set load.force=' ''
+expect 'microslip steady.info --set contact.bound_file=ste' 'steady.info'
+expect 'microslip sweep steady.info --set sw' 'sweep.'
+expect 'microslip steady.info --set sw' ''
+expect 'microslip sweep steady.info --set sweep.grid.e' 'sweep.grid.elements='
+expect 'microslip sweep steady.info --set sweep.kernel.type=p' 'plane'
+expect 'microslip keys --format comp' 'completion'
+expect 'microslip-fourier_inverse --set grid.s' 'grid.spacing= grid.sizes='
+expect 'microslip-fourier_inverse --quick --set basis=' 'both constant linear'
+expect 'microslip-carter --print-keys=t' 'text'
 # Every option that --help lists is offered.
-for command in '' init explain response plot sweep merge keys; do
-  for option in $(microslip $command --help | grep -oE '^  --[a-z-]+'); do
-    expect "microslip $command $option" "$option"
+for command in 'microslip' microslip\ {init,explain,response,plot,sweep,merge,keys} microslip-carter; do
+  for option in $($command --help | grep -oE '^  --[a-z-]+'); do
+    expect "$command $option" "$option"
   done
+done
+# bash finds the completion of every study.
+for study in "$prefix"/bin/microslip-*; do
+  source "$completions/$(basename "$study")"
+  complete -p "$(basename "$study")" >/dev/null || fail "no completion of $study"
 done

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes that are solved with a line on stderr, which is in the tables, too.
+#include <algorithm>
 #include <string>
 
 #include "robustness/executables.hpp"
@@ -36,6 +37,14 @@ TEST_F(Warnings, TellOfUnsafeValues) {
   expect_warned(good_transient, "--set step.scheme=direct --set step.ratio=0.1",
                 "step.ratio = 0.1: this scheme is safe from 0.5 to 1.3; step.scheme remembered "
                 "is safe for any");
+  // With the place on stderr alone: the tables are the same wherever the scene is.
+  const Outcome of_file = run(good_scene + "leading_edge standard\nstep { ratio 0.1 }\n", "");
+  const auto line = std::ranges::count(good_scene, '\n') + 2;
+  const std::string doubt = "step.ratio = 0.1: this scheme";
+  EXPECT_TRUE(of_file.error.starts_with("microslip: " + scene_file().string() + ':' +
+                                        std::to_string(line) + ": warning: " + doubt))
+      << of_file.error;
+  EXPECT_NE(text_of(out() / "summary.tsv").find("#   warning = " + doubt), std::string::npos);
   const std::string tiny = "--set motion.distance=1e-11 --set step.ratio=";
   expect_warned(
       good_transient, tiny + "1e-12",

@@ -150,7 +150,7 @@ TEST(LineContact, IsWarnedOfWhereItIsNotSmall) {
   };
   EXPECT_TRUE(warnings(10.001).empty());
   ASSERT_EQ(warnings(9.999).size(), 1u);
-  EXPECT_NE(warnings(9.999)[0].find("is more than a tenth of the smaller radius"),
+  EXPECT_NE(warnings(9.999)[0].line.find("is more than a tenth of the smaller radius"),
             std::string::npos);
 }
 

@@ -157,7 +157,10 @@ const std::vector<Role> roles = {
     {"solver.type", "auto", by_elements + transients + cylinders},
     {"solver.tolerance", "1e-10", by_elements + transients + cylinders},
     {"solver.violation", "1e-3", by_elements + transients + cylinders},
-    {"solver.condition", "1e13", by_elements + transients + cylinders}};
+    {"solver.condition", "1e13", by_elements + transients + cylinders},
+    {"response.shortest", "1", ""},
+    {"response.longest", "100", ""},
+    {"response.wavelengths", "60", ""}};
 
 TEST(KeysOfScenes, AreAllInTheTableOfRoles) {
   std::vector<std::string> in_table, in_scenes;
@@ -208,10 +211,12 @@ std::size_t rejecting(const Key& key, double value) {
 TEST(KeysOfScenes, HaveTheRangesThatReadersHoldThemTo) {
   for (const Key& key : keys_of_scenes()) {
     SCOPED_TRACE(key.name);
-    const auto [least, most, open] = key.range;
+    const auto [least, most, open, below] = key.range;
+    ASSERT_FALSE(below);  // in none of scenes, or else this test has to try it
     const double unit = key.type == Key::Type::whole ? 1 : 0;
     const auto role = std::ranges::find(roles, std::string(key.name), &Role::key);
     const std::size_t all_scenes = words(role->scenes).size();
+    if (all_scenes == 0) continue;  // it is for another command
     const auto beside = [&](double value, int side) {
       return unit > 0 || value == 0 ? value + side * std::max(unit, 1e-9)
                                     : value * (1 + side * 1e-9);
@@ -245,7 +250,10 @@ TEST(KeysOfScenes, HaveTheWordsThatReadersTake) {
 }
 
 TEST(KeysOfScenes, SayWhatTheyAccept) {
-  const auto said = [](const char* key) { return accepted_by(*find_key(key)); };
+  const auto said = [](const char* name) {
+    const Key& key = *find_key(name);
+    return accepted_by(key, default_of(key));
+  };
   EXPECT_EQ(said("basis"), "constant, linear, quadratic [constant]; quadratic for odd N");
   EXPECT_EQ(said("kernel.width"), "> 0");
   EXPECT_EQ(said("grid.elements"), "1 ... 4 000 000; 20 000 where matrices are dense");
@@ -254,7 +262,7 @@ TEST(KeysOfScenes, SayWhatTheyAccept) {
   EXPECT_EQ(said("solver.condition"), ">= 1 [1e13]");
   EXPECT_EQ(said("step.relaxation"), "at least step.ratio [1]");
   EXPECT_EQ(said("load.creepage"), "finite");
-  EXPECT_EQ(accepted_by(*find_key("kernel.type"), "`"), "`strip`, `plane`");
+  EXPECT_EQ(accepted_by(*find_key("kernel.type"), "", "`"), "`strip`, `plane`");
 }
 
 TEST(KeysOfScenes, SayWhereTheyHaveARole) {

@@ -51,7 +51,6 @@ TEST(ScenePlaces, AreInFrontOfMessages) {
   const Scene scene = scene_of("a {\n b x\n}\nc 1\n");
   EXPECT_EQ(said(scene, [](Scene& s) { s.number("a.b"); }),
             "test:2: a.b = 'x': expected a finite number");
-  EXPECT_EQ(said(scene, [](Scene& s) { s.word("a.b", {"y"}); }), "test:2: a.b = 'x': expected y");
   EXPECT_EQ(said(scene, [](Scene&) { require_positive("c", -1); }),
             "test:4: c = -1: expected a number > 0");
   EXPECT_EQ(said(scene, [](Scene&) { require(false, "least value of c", 1, "more"); }),

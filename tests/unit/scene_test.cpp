@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "microslip/scene/keys.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/scene/table.hpp"
 #include "scene_text.hpp"
@@ -15,27 +16,71 @@ namespace {
 
 TEST(Scene, ReadsNestedKeys) {
   Scene scene = scene_of("problem steady\ngrid { elements 12 ; comment\n}\nlist \"1 2.5 1e-3\"");
-  EXPECT_EQ(scene.word("problem", {"steady"}), "steady");
+  EXPECT_EQ(scene.word("problem"), "steady");
   EXPECT_EQ(scene.whole("grid.elements"), 12);
   EXPECT_EQ(scene.numbers("list"), (std::vector<double>{1, 2.5, 1e-3}));
   EXPECT_NO_THROW(scene.reject_unread());
 }
 
-// The same key may have another unit in a study: motion.distance in elements.
-TEST(Scene, ConvertsToTheUnitThatAReaderNames) {
-  Scene scene = scene_of("error { distance 2 cm }\nmotion { distance 5 mm\nforce 3 kN/m }");
-  EXPECT_EQ(scene.number("error.distance", Unit{"mm"}), 20);
-  EXPECT_EQ(scene.positive("motion.force", Unit{"N/mm"}), 3);
-  EXPECT_EQ(scene.number("motion.distance"), 5);
-  EXPECT_NE(message([&] { scene.number("motion.distance", Unit{"1"}); }), "");
-  EXPECT_NE(message([&] { scene.number("error.distance"); }), "");
+TEST(Scene, HoldsValuesToTheKeysThatAReaderDeclares) {
+  using enum Key::Type;
+  static constexpr auto own = std::to_array<Key>(
+      {{"error.distance", number, "mm", "", above_zero},
+       {"part", number, "1", "", inner_fraction},
+       {"step.ratios", list, "1", "", range_above(0, 4)},
+       {"positions", list, "mm", "", range_from(0)},
+       {"grid.elements", whole, "1", "", range(3, 2000), "odd"},
+       {"grid.sizes", wholes, "1", "", range(3, 2000)},
+       {.name = "basis", .type = word, .words = {"both", "linear"}, .first_is_default = true}});
+  const auto said = [](const char* key, const std::string& text, auto read) {
+    return message([&] {
+      Scene scene;
+      if (!text.empty()) scene.set(std::string(key) + '=' + text);
+      scene.declare(own);
+      read(scene, key);
+    });
+  };
+  const auto read_number = [](Scene& s, const char* key) { s.number(key); };
+  const auto read_numbers = [](Scene& s, const char* key) { s.numbers(key); };
+  const auto read_whole = [](Scene& s, const char* key) { s.whole(key); };
+  const auto read_wholes = [](Scene& s, const char* key) { s.wholes(key); };
+  const auto read_word = [](Scene& s, const char* key) { s.word(key); };
+  EXPECT_EQ(said("error.distance", "2 cm", read_number), "");
+  EXPECT_EQ(said("error.distance", "0", read_number), "error.distance = 0: expected a number > 0");
+  EXPECT_NE(said("error.distance", "1e-60", read_number).find("1e-50"), std::string::npos);
+  EXPECT_EQ(said("part", "0.999", read_number), "");
+  EXPECT_EQ(said("part", "0", read_number), "part = 0: expected a number above 0, below 1");
+  EXPECT_EQ(said("part", "1", read_number), "part = 1: expected a number above 0, below 1");
+  EXPECT_NE(said("part", "0.5 mm", read_number).find("no unit"), std::string::npos);
+  EXPECT_EQ(said("step.ratios", "4 1", read_numbers), "");
+  EXPECT_EQ(said("step.ratios", "1 0", read_numbers),
+            "step.ratios = 0: expected numbers above 0, at most 4");
+  EXPECT_EQ(said("positions", "1 -2 cm", read_numbers), "positions = -20: expected numbers >= 0");
+  EXPECT_EQ(said("grid.sizes", "3 2e3", read_wholes), "");
+  for (const char* bad : {"2", "2001", "3.5"}) {
+    EXPECT_EQ(said("grid.sizes", bad, read_wholes),
+              std::string("grid.sizes = ") + bad + ": expected whole numbers 3 ... 2 000");
+  }
+  EXPECT_EQ(said("grid.elements", "2", read_whole),
+            "grid.elements = 2: expected a whole number 3 ... 2 000; odd");
+  EXPECT_EQ(said("basis", "linear", read_word), "");
+  EXPECT_EQ(said("basis", "constant", read_word), "basis = 'constant': expected both or linear");
+  EXPECT_EQ(said("basis", "", [](Scene& s, const char* key) { EXPECT_EQ(s.word(key), "both"); }),
+            "");
+  EXPECT_THROW(Scene().word("no.key"), std::logic_error);
+}
+
+TEST(Scene, TakesTheDefaultsOfKnownKeys) {
+  Scene scene = scene_of("a 1");
+  EXPECT_EQ(scene.number("grid.leading_offset"), 0.5);
+  EXPECT_NE(message([&] { scene.number("contact.half_width"); }), "");
 }
 
 TEST(Scene, RecordsDefaultsAmongTheParameters) {
   Scene scene = scene_of("a 1");
   EXPECT_EQ(scene.number("a", 7), 1);
   EXPECT_EQ(scene.number("b", 0.5), 0.5);
-  EXPECT_EQ(scene.word_or_first("basis", {"constant", "linear"}), "constant");
+  EXPECT_EQ(scene.word("basis"), "constant");
   EXPECT_EQ(scene.parameters(), (Parameters{{"a", "1"}, {"b", "0.5"}, {"basis", "constant"}}));
 }
 

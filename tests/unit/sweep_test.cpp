@@ -57,16 +57,17 @@ TEST(SweptValues, NameWhatTheyReject) {
 }
 
 TEST(Sweep, HasAllCombinationsAndTheLastKeyVariesFastest) {
-  const Sweep sweep(scene_of("sweep { z \"1 2\"\n a { b \"x y z\" } }\nz 7\nother 3"));
+  const Sweep sweep(
+      scene_of("sweep { z \"1 2\"\n solver { type \"auto dense fft\" } }\nz 7\nother 3"));
   ASSERT_EQ(sweep.size(), 6U);
   EXPECT_EQ(sweep.keys()[0].key, "z");
-  EXPECT_EQ(sweep.keys()[1].key, "a.b");
-  EXPECT_EQ(sweep.values(0), (Texts{"1", "x"}));
-  EXPECT_EQ(sweep.values(1), (Texts{"1", "y"}));
-  EXPECT_EQ(sweep.values(5), (Texts{"2", "z"}));
+  EXPECT_EQ(sweep.keys()[1].key, "solver.type");
+  EXPECT_EQ(sweep.values(0), (Texts{"1", "auto"}));
+  EXPECT_EQ(sweep.values(1), (Texts{"1", "dense"}));
+  EXPECT_EQ(sweep.values(5), (Texts{"2", "fft"}));
   Scene scene = sweep.scene(4);
   EXPECT_EQ(scene.number("z"), 2);
-  EXPECT_EQ(scene.word("a.b", {"y"}), "y");
+  EXPECT_EQ(scene.word("solver.type"), "dense");
   EXPECT_EQ(scene.number("other"), 3);
   EXPECT_NO_THROW(scene.reject_unread());
 }

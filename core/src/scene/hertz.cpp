@@ -53,9 +53,9 @@ HertzBound read_loaded_contact(Scene& scene, const Material& material) {
            " mm by Hertz, is below the smaller radius, " + format_short(radii.smaller) + " mm";
   });
   if (a > small_contact * radii.smaller) {
-    scene.warn("contact.normal_load = " + format_short(load) + ": the half-width, " +
-               format_roughly(a) +
-               " mm, is more than a tenth of the smaller radius; Hertz's theory is for less");
+    scene.warn("contact.normal_load", load,
+               "the half-width, " + format_roughly(a) +
+                   " mm, is more than a tenth of the smaller radius; Hertz's theory is for less");
   }
   const HertzBound bound(a, friction * contact.peak_pressure());
   scene.derive("contact.half_width", a);

@@ -18,9 +18,6 @@ namespace {
 
 using enum Key::Type;
 
-constexpr Range positive{.least = 0, .open = true};
-constexpr Range fraction{.least = 0, .most = 1};
-
 /// Where nodes and edges have places of their own, or steps a length.
 constexpr std::string_view whole_contact =
     "leading_edge standard, known_edge or trimmed, or problem transient or cylinder";
@@ -28,52 +25,32 @@ constexpr std::string_view whole_contact =
 constexpr std::string_view elements = "scenes without method chebyshev and target_error";
 constexpr std::string_view with_load = "scenes with contact.normal_load";
 constexpr std::string_view rolls = "problem transient or cylinder";
+constexpr std::string_view response = "microslip response";
 
 constexpr auto keys = std::to_array<Key>({
     {.name = "problem",
      .type = word,
      .meaning = "what is solved",
      .words = {"steady", "transient", "cylinder"}},
-    {.name = "material.shear_modulus",
-     .unit = "N/mm^2",
-     .meaning = "combined shear modulus G",
-     .range = positive},
-    {.name = "material.youngs_modulus",
-     .unit = "N/mm^2",
-     .meaning = "Young's modulus E of both bodies, G = E/(2 (1 + nu))",
-     .range = positive,
-     .note = "instead of material.shear_modulus"},
-    {.name = "material.poisson_ratio",
-     .meaning = "combined Poisson ratio nu",
-     .range = {.least = 0, .most = 0.5}},
-    {.name = "contact.half_width",
-     .unit = "mm",
-     .meaning = "half-width a of the contact",
-     .range = positive},
-    {.name = "contact.peak_traction",
-     .unit = "N/mm^2",
-     .meaning = "peak mu p0 of the Hertzian traction bound",
-     .range = positive},
-    {.name = "contact.normal_load",
-     .unit = "N/mm",
-     .meaning = "normal load of two cylinders, from which half-width and peak follow by Hertz",
-     .range = positive,
-     .note = "instead of contact.half_width, contact.peak_traction, contact.bound_polynomial and "
-             "contact.bound_file"},
-    {.name = "contact.radius_1",
-     .unit = "mm",
-     .meaning = "radius of the one body",
-     .range = positive,
-     .role = with_load},
+    {"material.shear_modulus", number, "N/mm^2", "combined shear modulus G", above_zero},
+    {"material.youngs_modulus", number, "N/mm^2",
+     "Young's modulus E of both bodies, G = E/(2 (1 + nu))", above_zero,
+     "instead of material.shear_modulus"},
+    {"material.poisson_ratio", number, "1", "combined Poisson ratio nu", range(0, 0.5)},
+    {"contact.half_width", number, "mm", "half-width a of the contact", above_zero},
+    {"contact.peak_traction", number, "N/mm^2", "peak mu p0 of the Hertzian traction bound",
+     above_zero},
+    {"contact.normal_load", number, "N/mm",
+     "normal load of two cylinders, from which half-width and peak follow by Hertz", above_zero,
+     "instead of contact.half_width, contact.peak_traction, contact.bound_polynomial and "
+     "contact.bound_file"},
+    {"contact.radius_1", number, "mm", "radius of the one body", above_zero, "", with_load},
     {.name = "contact.radius_2",
      .unit = "mm",
      .meaning = "radius of the other body; a plane if it is not given",
      .note = "> 0, or negative for a concave body, then larger in size than contact.radius_1",
      .role = with_load},
-    {.name = "contact.friction",
-     .meaning = "friction coefficient mu",
-     .range = {.least = 0, .most = 10, .open = true},
-     .role = with_load},
+    {"contact.friction", number, "1", "friction coefficient mu", range_above(0, 10), "", with_load},
     {.name = "contact.bound_polynomial",
      .type = list,
      .meaning =
@@ -88,58 +65,46 @@ constexpr auto keys = std::to_array<Key>({
      .type = word,
      .meaning = "half-space loaded over a strip, or plane strain",
      .words = {"strip", "plane"}},
-    {.name = "kernel.width",
-     .unit = "mm",
-     .meaning = "width Dy of the strip",
-     .range = positive,
-     .role = "kernel.type strip"},
-    {.name = "kernel.length",
-     .unit = "mm",
-     .meaning = "plane strain: distance L0 at which the displacement counts as zero",
-     .range = positive,
-     .note = "in transients and cylinders above (a + dx)/2, with step.scheme fractional from 3.8 a "
-             "on",
-     .role = "kernel.type plane"},
-    {.name = "grid.elements",
-     .type = whole,
-     .meaning = "number N of nodes",
-     .range = {.least = 1, .most = Grid::max_elements},
-     .note = "20 000 where matrices are dense",
-     .role = "scenes without target_error"},
+    {"kernel.width", number, "mm", "width Dy of the strip", above_zero, "", "kernel.type strip"},
+    {"kernel.length", number, "mm",
+     "plane strain: distance L0 at which the displacement counts as zero", above_zero,
+     "in transients and cylinders above (a + dx)/2, with step.scheme fractional from 3.8 a "
+     "on",
+     "kernel.type plane"},
+    {"grid.elements", whole, "1", "number N of nodes", range(1, Grid::max_elements),
+     "20 000 where matrices are dense", "scenes without target_error"},
     {.name = "grid.leading_offset",
      .meaning = "beta: the leading edge lies beta dx beyond the last node",
      .range = fraction,
-     .fallback = 0.5,
-     .role = whole_contact},
+     .role = whole_contact,
+     .fallback = 0.5},
     {.name = "grid.trailing_offset",
      .meaning = "alpha: the trailing edge lies alpha dx before the first node",
      .range = fraction,
-     .fallback = 0.5,
-     .role = whole_contact},
+     .role = whole_contact,
+     .fallback = 0.5},
     {.name = "method",
      .type = word,
      .meaning = "how steady rolling is solved",
+     .role = "problem steady without target_error",
      .words = {"collocation", "chebyshev"},
-     .first_is_default = true,
-     .role = "problem steady without target_error"},
+     .first_is_default = true},
     {.name = "leading_edge",
      .type = word,
      .meaning = "how steady collocation treats its edges",
+     .role = "problem steady with method collocation, without target_error",
      .catalogue = &leading_edge_names,
-     .first_is_default = true,
-     .role = "problem steady with method collocation, without target_error"},
+     .first_is_default = true},
     {.name = "basis",
      .type = word,
      .meaning = "traction basis functions",
-     .catalogue = &basis_names,
-     .first_is_default = true,
      .note = "quadratic for odd N",
-     .role = elements},
-    {.name = "target_error",
-     .meaning = "relative error wanted of the force or creepage of steady rolling",
-     .range = {.least = 1e-11, .most = 0.1},
-     .note = "instead of method, basis and grid",
-     .role = "problem steady"},
+     .role = elements,
+     .catalogue = &basis_names,
+     .first_is_default = true},
+    {"target_error", number, "1",
+     "relative error wanted of the force or creepage of steady rolling", range(1e-11, 0.1),
+     "instead of method, basis and grid", "problem steady"},
     {.name = "load.creepage",
      .meaning = "relative rigid slip w",
      .role = "problem steady or transient"},
@@ -164,17 +129,14 @@ constexpr auto keys = std::to_array<Key>({
                 "behind them, t [s]",
      .note = "a file; instead of load.creepage",
      .role = "problem transient"},
-    {.name = "load.radius",
-     .unit = "mm",
-     .meaning = "R of the creepage (v - omega R)/v",
-     .range = positive,
-     .role = "load.file with a column omega"},
+    {"load.radius", number, "mm", "R of the creepage (v - omega R)/v", above_zero, "",
+     "load.file with a column omega"},
     {.name = "start.type",
      .type = word,
      .meaning = "start of a transient: no tractions, those of a shift without rolling, or those of "
                 "a file",
-     .words = {"rest", "cattaneo", "file"},
-     .role = "problem transient"},
+     .role = "problem transient",
+     .words = {"rest", "cattaneo", "file"}},
     {.name = "start.force",
      .type = list,
      .unit = "N/mm",
@@ -199,105 +161,100 @@ constexpr auto keys = std::to_array<Key>({
          "c = dq/dx; of a transient one or more, taken in turn; of a cylinder a step lasts c dx / "
          "v, and near rest the part c dx/a of the period on the contact or less",
      .range = {.least = min_step_ratio},
-     .fallback = 1,
      .note = "no default in a transient, except with load.file, where steps end at its rows",
-     .role = whole_contact},
+     .role = whole_contact,
+     .fallback = 1},
     {.name = "step.scheme",
      .type = word,
      .meaning = "how the previous tractions move with the material",
+     .role = rolls,
      .catalogue = &advection_names,
-     .first_is_default = true,
-     .role = rolls},
+     .first_is_default = true},
     {.name = "step.relaxation",
      .meaning = "c* of the relaxed schemes",
-     .fallback = 1,
      .note = "at least step.ratio",
-     .role = "step.scheme relaxed or relaxed_traction"},
-    {.name = "cylinder.mass",
-     .unit = "N s^2/mm^2",
-     .meaning = "m, per mm of width (1 N s^2/mm = 1000 kg)",
-     .range = positive,
-     .role = "problem cylinder"},
-    {.name = "cylinder.inertia",
-     .unit = "N s^2",
-     .meaning = "I, per mm of width; of a solid cylinder m R^2/2",
-     .range = positive,
-     .role = "problem cylinder"},
-    {.name = "cylinder.radius",
-     .unit = "mm",
-     .meaning = "R",
-     .range = positive,
-     .role = "problem cylinder"},
-    {.name = "cylinder.slope_force",
-     .unit = "N/mm",
-     .meaning = "F_cm, gravity along the slope",
-     .range = positive,
-     .role = "problem cylinder"},
+     .role = "step.scheme relaxed or relaxed_traction",
+     .fallback = 1},
+    {"cylinder.mass", number, "N s^2/mm^2", "m, per mm of width (1 N s^2/mm = 1000 kg)", above_zero,
+     "", "problem cylinder"},
+    {"cylinder.inertia", number, "N s^2", "I, per mm of width; of a solid cylinder m R^2/2",
+     above_zero, "", "problem cylinder"},
+    {"cylinder.radius", number, "mm", "R", above_zero, "", "problem cylinder"},
+    {"cylinder.slope_force", number, "N/mm", "F_cm, gravity along the slope", above_zero, "",
+     "problem cylinder"},
     {.name = "cylinder.velocity",
      .unit = "mm/s",
      .meaning = "v at the start, where it rolls freely",
      .range = {.least = 0},
-     .fallback = 0,
-     .role = "problem cylinder"},
-    {.name = "motion.distance",
-     .unit = "mm",
-     .meaning = "distance rolled; the last step of a transient is shortened to end there",
-     .range = positive,
-     .note = "at most 1e6 steps; with load.file at most its distance, which is the default",
-     .role = rolls},
+     .role = "problem cylinder",
+     .fallback = 0},
+    {"motion.distance", number, "mm",
+     "distance rolled; the last step of a transient is shortened to end there", above_zero,
+     "at most 1e6 steps; with load.file at most its distance, which is the default", rolls},
     {.name = "motion.integrator",
      .type = word,
      .meaning = "how motion and contact go together",
+     .role = "problem cylinder",
      .words = {"midpoint", "verlet", "leapfrog"},
-     .first_is_default = true,
-     .role = "problem cylinder"},
-    {.name = "motion.tolerance",
-     .meaning = "error of v from the length of time steps, relative to (v^2 + 2 a F_cm/m)^1/2: "
-                "steps are shorter than step.ratio asks where it is estimated to be larger",
-     .range = {.least = 0, .most = 1, .open = true},
-     .note = "off without it",
-     .role = "problem cylinder with motion.integrator midpoint"},
+     .first_is_default = true},
+    {"motion.tolerance", number, "1",
+     "error of v from the length of time steps, relative to (v^2 + 2 a F_cm/m)^1/2: "
+     "steps are shorter than step.ratio asks where it is estimated to be larger",
+     range_above(0, 1), "off without it", "problem cylinder with motion.integrator midpoint"},
     {.name = "solver.type",
      .type = word,
      .meaning = "how systems are solved",
+     .role = elements,
      .words = {"auto", "dense", "fft"},
-     .first_is_default = true,
-     .role = elements},
+     .first_is_default = true},
     {.name = "solver.tolerance",
      .meaning = "largest residual of a result, relative to its terms",
      .range = {.least = 1e-12, .most = 1e-3},
-     .fallback = Solver{}.tolerance,
-     .role = elements},
+     .role = elements,
+     .fallback = Solver{}.tolerance},
     {.name = "solver.violation",
      .meaning = "largest violation of the bound and of the direction of slip that is accepted, "
                 "relative to the load",
      .range = {.least = 0, .most = 1, .open = true},
-     .fallback = Solver{}.violation,
-     .role = elements},
+     .role = elements,
+     .fallback = Solver{}.violation},
     {.name = "solver.condition",
      .meaning = "largest condition number that is accepted",
      .range = {.least = 1},
-     .fallback = Solver{}.condition,
-     .role = elements},
+     .role = elements,
+     .fallback = Solver{}.condition},
+    {"response.shortest", number, "mm", "shortest wavelength", above_zero,
+     "0.3 half-lengths of the stick zone without it", response},
+    {"response.longest", number, "mm", "longest wavelength", above_zero,
+     "300 half-lengths without it", response},
+    {.name = "response.wavelengths",
+     .type = whole,
+     .meaning = "how many, evenly spaced in their logarithms",
+     .range = {.least = 2, .most = 1e5},
+     .role = response,
+     .fallback = 60},
 });
 
 /// "1e13", and "4 000 000" of whole numbers.
 std::string written(double value, Key::Type type) {
   std::string text = format_short(value);
-  if (const std::size_t plus = text.find('+'); plus != std::string::npos) text.erase(plus, 1);
-  if (type != whole) return text;
+  if (const std::size_t plus = text.find('+'); plus != std::string::npos) {
+    text.erase(plus, text[plus + 1] == '0' ? 2 : 1);
+  }
+  if (type != whole && type != wholes) return text;
   text = std::to_string(static_cast<long long>(value));
   for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, " ");
   return text;
 }
 
 std::string range_of(const Key& key) {
-  const auto [least, most, open] = key.range;
+  const auto [least, most, open, below] = key.range;
   const std::string from = written(least, key.type);
   if (std::isinf(least)) return "";
   if (std::isinf(most)) return (open ? "> " : ">= ") + from;
   const std::string to = written(most, key.type);
-  return open ? "above " + from + ", at most " + to : from + " ... " + to;
+  if (!open && !below) return from + " ... " + to;
+  return (open ? "above " : "at least ") + from + (below ? ", below " : ", at most ") + to;
 }
 
 }  // namespace
@@ -319,16 +276,27 @@ std::vector<std::string_view> words_of(const Key& key) {
   return {key.words.begin(), std::ranges::find(key.words, "")};
 }
 
-std::string accepted_by(const Key& key, const std::string& quote) {
-  std::string text = range_of(key);
-  if (key.type == word) {
-    text = quote + joined(words_of(key), quote + ", " + quote) + quote;
-    if (key.first_is_default) text += " [" + quote + std::string(words_of(key)[0]) + quote + "]";
-  }
+std::string default_of(const Key& key) {
+  if (key.first_is_default) return std::string(words_of(key)[0]);
+  return std::isnan(key.fallback) ? "" : written(key.fallback, key.type);
+}
+
+std::string accepted_by(const Key& key, const std::string& fallback, const std::string& quote) {
+  const std::string of_words = key.type == word ? quote : "";
+  std::string text = key.type == word ? quote + joined(words_of(key), quote + ", " + quote) + quote
+                                      : range_of(key);
   if (text.empty()) text = key.note.empty() ? "finite" : key.note;
-  if (!std::isnan(key.fallback)) text += " [" + written(key.fallback, key.type) + "]";
   const bool has_note_behind = !key.note.empty() && !text.starts_with(key.note);
+  if (!fallback.empty()) text += " [" + of_words + fallback + of_words + "]";
   return text + (has_note_behind ? "; " + std::string(key.note) : "");
+}
+
+std::string expected_by(const Key& key) {
+  const char* kind = key.type == whole    ? "a whole number "
+                     : key.type == list   ? "numbers "
+                     : key.type == wholes ? "whole numbers "
+                                          : "a number ";
+  return kind + accepted_by(key, "");
 }
 
 }  // namespace microslip

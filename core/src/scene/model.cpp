@@ -5,11 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "hertz.hpp"
-#include "known_keys.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/schemes.hpp"
-#include "microslip/scene/keys.hpp"
 #include "microslip/scene/units.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
@@ -17,131 +14,6 @@
 #include "start_file.hpp"
 
 namespace microslip {
-
-namespace {
-
-/// One set of constants is all that there is a model for.
-void refuse_unlike_bodies(const Scene& scene) {
-  for (const std::string& key : scene.keys()) {
-    const bool is_of_one_body = key.ends_with("_1") || key.ends_with("_2");
-    if (!key.starts_with("material.") || !is_of_one_body) continue;
-    const std::string both = key.substr(0, key.size() - 2);
-    if (find_key(both) == nullptr) continue;
-    throw BadParameter(key, "key '" + key + "': expected '" + both +
-                                "' of both bodies; there is no model of bodies of different "
-                                "material");
-  }
-}
-
-}  // namespace
-
-Material read_material(Scene& scene) {
-  refuse_unlike_bodies(scene);
-  if (scene.one_of({"material.shear_modulus", "material.youngs_modulus"}) ==
-      "material.shear_modulus") {
-    const Material material{.shear_modulus = scene.number("material.shear_modulus"),
-                            .poisson_ratio = scene.number("material.poisson_ratio")};
-    validate(material);
-    return material;
-  }
-  const double youngs_modulus = scene.positive("material.youngs_modulus");
-  const double nu = scene.number("material.poisson_ratio");
-  validate({.shear_modulus = youngs_modulus, .poisson_ratio = nu});  // before nu = -1 divides
-  const Material material{.shear_modulus = youngs_modulus / (2 * (1 + nu)), .poisson_ratio = nu};
-  validate(material);
-  scene.derive("material.shear_modulus", material.shear_modulus);
-  return material;
-}
-
-Kernel read_kernel(Scene& scene, const Material& material) {
-  if (known_word(scene, "kernel.type") == "strip") {
-    return StripKernel(material, scene.number("kernel.width"));
-  }
-  return PlaneKernel(material, scene.number("kernel.length"));
-}
-
-HertzBound read_hertz_bound(Scene& scene) {
-  const double half_width = scene.number("contact.half_width");
-  return {half_width, scene.number("contact.peak_traction")};
-}
-
-TractionBound read_bound(Scene& scene) {
-  if (scene.has("contact.bound_polynomial")) {
-    const double half_width = scene.number("contact.half_width");
-    const std::vector<double> h = scene.numbers("contact.bound_polynomial");
-    return PolynomialBound(
-        half_width, scene.number("contact.peak_traction", 1),
-        Eigen::Map<const Eigen::VectorXd>(h.data(), static_cast<Eigen::Index>(h.size())));
-  }
-  if (scene.one_of({"contact.peak_traction", "contact.bound_file"}) == "contact.peak_traction") {
-    return read_hertz_bound(scene);
-  }
-  const double half_width = scene.number("contact.half_width");
-  const std::vector<FileColumn> wanted = {{"x", "mm"}, {"bound", "N/mm^2"}};
-  return scene.from_columns("contact.bound_file", wanted, [&](const auto& table) {
-    return TabulatedBound(half_width, *table[0], *table[1]);
-  });
-}
-
-TractionBound read_bound(Scene& scene, const Material& material) {
-  if (scene.one_of({"contact.half_width", "contact.normal_load"}) == "contact.half_width") {
-    return read_bound(scene);
-  }
-  return read_loaded_contact(scene, material);
-}
-
-Grid read_grid(Scene& scene, double half_width) {
-  return Grid({.half_width = half_width,
-               .elements = scene.whole("grid.elements"),
-               .leading_offset = known_number(scene, "grid.leading_offset"),
-               .trailing_offset = known_number(scene, "grid.trailing_offset")});
-}
-
-Basis read_basis(Scene& scene, const Grid& grid) {
-  const Basis basis = make_basis(known_word(scene, "basis"));
-  require(basis.name() != "quadratic" || grid.size() % 2 == 1, "grid.elements",
-          static_cast<double>(grid.size()), "an odd number for quadratic functions");
-  return basis;
-}
-
-ShapeFunction read_shape(Scene& scene) {
-  return make_basis(scene.word_or_first("basis", {"constant", "linear"})).shapes().front();
-}
-
-Solver read_solver(Scene& scene) {
-  const std::string type = known_word(scene, "solver.type");
-  const Solver solver{.type = type == "dense" ? Solver::Type::dense
-                              : type == "fft" ? Solver::Type::fft
-                                              : Solver::Type::automatic,
-                      .tolerance = known_number(scene, "solver.tolerance"),
-                      .violation = known_number(scene, "solver.violation"),
-                      .condition = known_number(scene, "solver.condition")};
-  validate(solver);
-  return solver;
-}
-
-Load read_load(Scene& scene, const Kernel& kernel, const TractionBound& bound) {
-  const std::string key =
-      scene.one_of({"load.creepage", "load.force", "load.force_ratio", "load.stick_ratio"});
-  const double value = scene.number(key);
-  if (key == "load.creepage") return PrescribedCreepage{value};
-  if (key == "load.force") return PrescribedForce{value};
-  double ratio = value;
-  if (key == "load.force_ratio") {
-    require(std::abs(value) < 1, key, value, "a number above -1, below 1");
-  } else {
-    require(std::holds_alternative<HertzBound>(bound), key, value,
-            "Hertz's bound, as it is Carter's; for others there is load.force_ratio");
-    require(std::holds_alternative<PlaneKernel>(kernel), key, value,
-            "kernel.type plane, as it is Carter's; for strips there is load.force_ratio");
-    require(value > 0 && value < 1, key, value,
-            "a number above 0, which is full sliding, and below 1, which is no load");
-    ratio = -(1 - value) * (1 + value);  // the sign of a positive creepage
-  }
-  const double force = ratio * full_sliding_force(bound);
-  scene.derive("load.force", force);
-  return PrescribedForce{force};
-}
 
 namespace {
 
@@ -176,21 +48,21 @@ void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, d
                             : std::isfinite(safe.most)
                                 ? "from " + least + " to " + format_short(safe.most)
                                 : "from " + least + " on";
-  scene.warn(key + " = " + format_short(value) + ": this scheme is safe " + range + "; " + instead +
-             " is safe for any");
+  scene.warn(key, value, "this scheme is safe " + range + "; " + instead + " is safe for any");
 }
 
 AdvectionScheme read_scheme(Scene& scene) {
-  const AdvectionEntry& entry = advection_scheme(known_word(scene, "step.scheme"));
-  return entry.scheme(entry.takes_relaxation ? known_number(scene, "step.relaxation") : 1);
+  const AdvectionEntry& entry = advection_scheme(scene.word("step.scheme"));
+  return entry.scheme(entry.takes_relaxation ? scene.number("step.relaxation") : 1);
 }
 
 void warn_of_noise(Scene& scene, const TransientProblem& problem, double step_ratio) {
   const double least = least_step_under_force(problem.scheme, problem.grid.size());
   if (step_ratio >= least) return;
-  scene.warn("step.ratio = " + format_short(step_ratio) +
-             ": under a force, rounding is more than 1 % of the creepage below step.ratio = " +
-             format_short(least) + " with " + std::to_string(problem.grid.size()) + " elements");
+  scene.warn("step.ratio", step_ratio,
+             "under a force, rounding is more than 1 % of the creepage below step.ratio = " +
+                 format_short(least) + " with " + std::to_string(problem.grid.size()) +
+                 " elements");
 }
 
 void require_few_steps(double distance, double length) {
@@ -263,7 +135,7 @@ Beginning read_shifts(Scene& scene, double most, const Load& load) {
 
 Beginning read_beginning(Scene& scene, const TransientProblem& problem, const Load& load,
                          const ContactScale& contact) {
-  const std::string type = known_word(scene, "start.type");
+  const std::string type = scene.word("start.type");
   if (type == "rest") return {};
   if (type == "cattaneo") {
     const double full = full_sliding_force(problem.bound);
@@ -276,15 +148,15 @@ Beginning read_beginning(Scene& scene, const TransientProblem& problem, const Lo
 }
 
 const SteadyEntry& read_steady_scheme(Scene& scene) {
-  const bool chebyshev = known_word(scene, "method") == "chebyshev";
-  return steady_scheme(chebyshev ? "chebyshev" : known_word(scene, "leading_edge"));
+  const bool chebyshev = scene.word("method") == "chebyshev";
+  return steady_scheme(chebyshev ? "chebyshev" : scene.word("leading_edge"));
 }
 
 }  // namespace
 
 SteadyProblem read_steady(Scene& scene) {
   const SteadyEntry& entry = read_steady_scheme(scene);
-  const double step_ratio = entry.safe_steps ? known_number(scene, "step.ratio") : 1;
+  const double step_ratio = entry.safe_steps ? scene.number("step.ratio") : 1;
   require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
   const SteadyProblem problem =
       solved_by(entry, read_steady(scene, entry.method(step_ratio)), step_ratio);
@@ -361,8 +233,7 @@ void warn_of_other_radius(Scene& scene, double radius) {
     const auto given = scene.has(key) ? quantity(scene.text(key), "mm") : std::nullopt;
     if (given == radius) return;
   }
-  scene.warn("cylinder.radius = " + format_short(radius) +
-             ": neither contact.radius_1 nor contact.radius_2 is that");
+  scene.warn("cylinder.radius", radius, "neither contact.radius_1 nor contact.radius_2 is that");
 }
 
 }  // namespace
@@ -380,7 +251,7 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
                                       .radius = scene.positive("cylinder.radius"),
                                       .slope_force = scene.positive("cylinder.slope_force")},
                          .integrator = integrator,
-                         .step_ratio = known_number(scene, "step.ratio"),
+                         .step_ratio = scene.number("step.ratio"),
                          .distance = scene.number("motion.distance")};
   warn_of_other_radius(scene, cylinder.cylinder.radius);
   require_definite(cylinder.contact);
@@ -392,13 +263,13 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
 }
 
 CylinderScene read_cylinder(Scene& scene) {
-  const std::string integrator = known_word(scene, "motion.integrator");
+  const std::string integrator = scene.word("motion.integrator");
   const AdvectionScheme scheme = read_scheme(scene);
   CylinderScene cylinder = read_cylinder(scene, scheme,
                                          integrator == "midpoint" ? Integrator::midpoint
                                          : integrator == "verlet" ? Integrator::verlet
                                                                   : Integrator::leapfrog);
-  const double velocity = known_number(scene, "cylinder.velocity");
+  const double velocity = scene.number("cylinder.velocity");
   require(velocity >= 0, "cylinder.velocity", velocity, "a number >= 0");
   cylinder.cylinder.velocity = velocity;
   constexpr const char* tolerance = "motion.tolerance";
@@ -410,7 +281,7 @@ CylinderScene read_cylinder(Scene& scene) {
 }
 
 Model read_model(Scene& scene) {
-  const std::string problem = known_word(scene, "problem");
+  const std::string problem = scene.word("problem");
   if (problem == "transient") return read_transient(scene);
   if (problem == "cylinder") return read_cylinder(scene);
   if (scene.has("target_error")) return read_steady_target(scene);

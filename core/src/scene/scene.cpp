@@ -5,6 +5,7 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <ranges>
 #include <sstream>
 #include <stdexcept>
 
@@ -177,17 +178,50 @@ std::string Scene::one_of(const std::vector<std::string>& keys) const {
   throw BadParameter(near, "missing key '" + joined(keys, "' or '") + "'" + question(near));
 }
 
-double Scene::number(const std::string& key) { return number(key, Unit{unit_of_key(key)}); }
+const Key* Scene::known(std::string_view key) const {
+  for (const std::span<const Key> keys : declared_ | std::views::reverse) {
+    const auto found = std::ranges::find(keys, key, &Key::name);
+    if (found != keys.end()) return &*found;
+  }
+  return find_key(key);
+}
 
-double Scene::number(const std::string& key, Unit unit) {
-  const std::string name(unit.name);
-  const auto value = quantity(text(key), name);
+std::string Scene::unit_of(const std::string& key) const {
+  const Key* found = known(key);
+  return std::string(found == nullptr ? "1" : found->unit);
+}
+
+const Key& Scene::declared(const std::string& key) const {
+  const Key* found = known(key);
+  if (found == nullptr) throw std::logic_error("no declared key: " + key);
+  return *found;
+}
+
+void Scene::demand(const std::string& key, double value, bool holds) const {
+  require(holds, key, value, [&] { return expected_by(declared(key)); });
+}
+
+void Scene::hold_to_range(const std::string& key, double value) const {
+  const Key* found = known(key);
+  if (found == nullptr || found == find_key(key)) return;
+  demand(key, value, found->range.holds(value));
+  if (found->range.open && found->range.least == 0) require_positive(key, value);
+}
+
+double Scene::number(const std::string& key) {
+  const Key* found = known(key);
+  if (!has(key) && found != nullptr && !std::isnan(found->fallback)) {
+    return number(key, found->fallback);
+  }
+  const std::string unit = unit_of(key);
+  const auto value = quantity(text(key), unit);
   if (!value) {
     reject(key, text(key),
-           has_unit(text(key)) ? "a number in " + accepted_units(name)
+           has_unit(text(key)) ? "a number in " + accepted_units(unit)
                                : "a finite number" + advice(text(key)));
   }
   parameters_.emplace_back(key, format_short(*value));
+  hold_to_range(key, *value);
   return *value;
 }
 
@@ -197,16 +231,14 @@ double Scene::number(const std::string& key, double fallback) {
   return fallback;
 }
 
-double Scene::positive(const std::string& key) { return positive(key, Unit{unit_of_key(key)}); }
-
-double Scene::positive(const std::string& key, Unit unit) {
-  const double value = number(key, unit);
+double Scene::positive(const std::string& key) {
+  const double value = number(key);
   require_positive(key, value);
   return value;
 }
 
 std::vector<double> Scene::numbers(const std::string& key) {
-  const std::string unit = unit_of_key(key);
+  const std::string unit = unit_of(key);
   const bool takes_units = unit != "1";
   std::vector<double> values;
   std::istringstream words(text(key));
@@ -225,11 +257,12 @@ std::vector<double> Scene::numbers(const std::string& key) {
       reject(key, text(key),
              "numbers with a unit behind the last or behind each, " + accepted_units(unit));
     }
-    parameters_.emplace_back(key, joined_numbers(*with_units));
-    return *with_units;
+    values = *with_units;
+    break;
   }
   if (values.empty()) reject(key, text(key), "at least one number");
   parameters_.emplace_back(key, takes_units ? joined_numbers(values) : text(key));
+  for (const double value : values) hold_to_range(key, value);
   return values;
 }
 
@@ -237,17 +270,14 @@ Eigen::Index Scene::whole(const std::string& key) {
   const auto value = whole_number(text(key));
   if (!value) reject(key, text(key), "a whole number");
   parameters_.emplace_back(key, std::to_string(*value));
+  hold_to_range(key, static_cast<double>(*value));
   return *value;
 }
 
-std::vector<Eigen::Index> Scene::wholes(const std::string& key, Eigen::Index least,
-                                        Eigen::Index most) {
+std::vector<Eigen::Index> Scene::wholes(const std::string& key) {
   std::vector<Eigen::Index> values;
   for (const double value : numbers(key)) {
-    require(value >= static_cast<double>(least) && value <= static_cast<double>(most) &&
-                value == std::floor(value),
-            key, value,
-            "whole numbers from " + std::to_string(least) + " to " + std::to_string(most));
+    demand(key, value, value == std::floor(value));
     values.push_back(static_cast<Eigen::Index>(value));
   }
   return values;
@@ -263,19 +293,17 @@ std::vector<std::optional<Eigen::VectorXd>> Scene::columns(const std::string& ke
   return read_columns(in, wanted);
 }
 
-std::string Scene::word(const std::string& key, const std::vector<std::string_view>& accepted) {
-  const std::string& value = text(key);
-  if (std::find(accepted.begin(), accepted.end(), value) == accepted.end()) {
-    reject(key, value, joined(accepted, " or "));
+std::string Scene::word(const std::string& key) {
+  const Key& found = declared(key);
+  const std::vector<std::string_view> accepted = words_of(found);
+  if (!has(key) && found.first_is_default) {
+    parameters_.emplace_back(key, accepted.front());
+  } else {
+    if (std::ranges::find(accepted, text(key)) == accepted.end()) {
+      reject(key, text(key), joined(accepted, " or "));
+    }
+    parameters_.emplace_back(key, text(key));
   }
-  parameters_.emplace_back(key, value);
-  return value;
-}
-
-std::string Scene::word_or_first(const std::string& key,
-                                 const std::vector<std::string_view>& accepted) {
-  if (has(key)) return word(key, accepted);
-  parameters_.emplace_back(key, accepted.front());
   return parameters_.back().second;
 }
 
@@ -287,11 +315,12 @@ void Scene::reject_unread() const {
   for (const auto& [key, value] : values_) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const Key* elsewhere = find_key(key);
-    throw BadParameter(
-        key, (elsewhere != nullptr
-                  ? "key '" + key + "' has no role here: it is for " + std::string(elsewhere->role)
-                  : "unknown key '" + shown(key) + "'" + question(meant(key, known))) +
-                 "; known to this model: " + joined(known, ", "));
+    throw BadParameter(key,
+                       (elsewhere != nullptr
+                            ? "key '" + key + "' has no role here: it is for " +
+                                  std::string(elsewhere->role.empty() ? "scenes" : elsewhere->role)
+                            : "unknown key '" + shown(key) + "'" + question(meant(key, known))) +
+                           "; known to this model: " + joined(known, ", "));
   }
 }
 
@@ -299,14 +328,15 @@ void Scene::derive(const std::string& key, double value) {
   parameters_.emplace_back("derived " + key, format_short(value));
 }
 
-void Scene::warn(const std::string& line) {
-  const bool is_new = std::find(warnings_.begin(), warnings_.end(), line) == warnings_.end();
-  if (is_new) warnings_.push_back(line);
+void Scene::warn(const std::string& key, double value, const std::string& doubt) {
+  const std::string line = key + " = " + format_short(value) + ": " + doubt;
+  const bool is_new = std::ranges::find(warnings_, line, &Warning::line) == warnings_.end();
+  if (is_new) warnings_.push_back({key, line});
 }
 
 Parameters Scene::origin() const {
   Parameters origin = parameters_;
-  for (const std::string& line : warnings_) origin.emplace_back("warning", line);
+  for (const Warning& warning : warnings_) origin.emplace_back("warning", warning.line);
   return origin;
 }
 

@@ -25,8 +25,10 @@ Kernel read_kernel(Scene& scene, const Material& material);
 /// contact.half_width, contact.peak_traction
 HertzBound read_hertz_bound(Scene& scene);
 
-/// contact.half_width, and contact.peak_traction, with contact.bound_polynomial if it is not
-/// Hertzian (then the peak is 1 by default), or contact.bound_file (columns x bound)
+/// contact.half_width, contact.bound_polynomial, contact.peak_traction (1)
+PolynomialBound read_polynomial_bound(Scene& scene);
+
+/// Either of these, or contact.half_width and contact.bound_file (columns x bound)
 TractionBound read_bound(Scene& scene);
 
 /// The same, or instead of all that contact.normal_load, contact.radius_1, contact.radius_2 (none
@@ -38,9 +40,6 @@ Grid read_grid(Scene& scene, double half_width);
 
 /// basis constant|linear|quadratic (constant); the last for an odd number of elements
 Basis read_basis(Scene& scene, const Grid& grid);
-
-/// basis constant|linear (constant), for what needs one function for all nodes
-ShapeFunction read_shape(Scene& scene);
 
 /// solver.type auto|dense|fft (auto), solver.tolerance (1e-10), solver.violation (1e-3),
 /// solver.condition (1e13)

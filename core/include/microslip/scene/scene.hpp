@@ -6,6 +6,7 @@
 #include <iosfwd>
 #include <map>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -20,9 +21,12 @@ namespace microslip {
 /// Keys and values in the order in which a program resolved them, defaults included.
 using Parameters = std::vector<std::pair<std::string, std::string>>;
 
-/// The unit of a key that is none of a scene's, or that has another unit than in a scene.
-struct Unit {
-  std::string_view name;  ///< "1" of a pure number
+struct Key;
+
+/// A doubt about a value.
+struct Warning {
+  std::string key;
+  std::string line;  ///< "<key> = <value>: ..."
 };
 
 /// A column of a table file.
@@ -52,6 +56,14 @@ class Scene {
   /// \param name    of the source, for messages
   /// \param folder  to which relative file names in it refer; ends in '/' unless empty
   static Scene parse(std::istream& in, const std::string& name, const std::string& folder = "");
+
+  /// Keys of a reader's own, besides those of scenes, and in front of these where names are the
+  /// same. Readers below hold values to their ranges; those of scenes are the models' matter.
+  /// \param keys  that live as long as the scene and its copies
+  void declare(std::span<const Key> keys) { declared_.push_back(keys); }
+
+  /// A key that was declared last, or else is one of scenes; null if it is neither.
+  const Key* known(std::string_view key) const;
 
   /// Without one, no key may name a file.
   void read_files_by(FileReader reader) { read_file_ = std::move(reader); }
@@ -90,14 +102,12 @@ class Scene {
 
   /// A finite decimal number, with a point in any locale: 1.5, .5, +5, -1e-3. One that is too small
   /// for a double, 1e-400, is rejected like one that is too large. After it may stand a unit, which
-  /// is converted to that of the key (unit_of_key): "2 cm" of a length is 20.
+  /// is converted to that of the key: "2 cm" of a length is 20. Not given, it is the key's default.
   double number(const std::string& key);
   double number(const std::string& key, double fallback);
-  double number(const std::string& key, Unit unit);
 
   /// A number above zero.
   double positive(const std::string& key);
-  double positive(const std::string& key, Unit unit);
 
   /// A list of them, separated by blanks; not empty. Of a key with a unit, as quantities() takes
   /// it.
@@ -106,8 +116,12 @@ class Scene {
   /// A whole number, also as 1e5.
   Eigen::Index whole(const std::string& key);
 
-  /// A list of them, separated by blanks; not empty, and all within a range.
-  std::vector<Eigen::Index> wholes(const std::string& key, Eigen::Index least, Eigen::Index most);
+  /// A list of them, separated by blanks; not empty.
+  std::vector<Eigen::Index> wholes(const std::string& key);
+
+  /// Rejects a value of a known key by what that accepts, unless it `holds`.
+  /// \throws std::logic_error if the key is not known; word() likewise
+  void demand(const std::string& key, double value, bool holds) const;
 
   /// What `use` makes of columns of numbers in a table file that the key names: a line of column
   /// names, each perhaps with its unit, "q [mm]" or "q[mm]", then rows, separated by blanks or
@@ -130,9 +144,8 @@ class Scene {
     }
   }
 
-  /// One of the words in `accepted`; the first is the default of the second form.
-  std::string word(const std::string& key, const std::vector<std::string_view>& accepted);
-  std::string word_or_first(const std::string& key, const std::vector<std::string_view>& accepted);
+  /// One of the words of a known key. Not given, it is the key's default.
+  std::string word(const std::string& key);
 
   /// \throws std::invalid_argument if a key was given that nobody read
   void reject_unread() const;
@@ -145,10 +158,11 @@ class Scene {
   const Parameters& parameters() const { return parameters_; }
 
   /// Adds a line, unless it is there, that the program tells its user, and puts into its tables.
-  void warn(const std::string& line);
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  void warn(const std::string& key, double value, const std::string& doubt);
+  const std::vector<Warning>& warnings() const { return warnings_; }
 
-  /// What was read so far, and a "warning" for each: what tables show of their origin.
+  /// What was read so far, and a "warning" for each: what tables show of their origin. No places,
+  /// so that the same scene in another file has the same tables.
   Parameters origin() const;
 
  private:
@@ -168,11 +182,15 @@ class Scene {
   const Value& value(const std::string& key) const;
   void put(const std::string& key, const std::string& text, const Place& place);
   void remove(const std::string& key);
+  const Key& declared(const std::string& key) const;
+  std::string unit_of(const std::string& key) const;
+  void hold_to_range(const std::string& key, double value) const;
 
   std::map<std::string, Value> values_;
   std::size_t next_order_ = 0;
   Parameters parameters_;
-  std::vector<std::string> warnings_;
+  std::vector<Warning> warnings_;
+  std::vector<std::span<const Key>> declared_;
   FileReader read_file_;
 };
 

@@ -25,8 +25,7 @@ struct BasisConvergenceParameters {
   double stick_ratio;               ///< a', in (0, 1)
 };
 
-/// material.*, contact.*, kernel.length, grid.sizes, grid.leading_offset (1),
-/// grid.trailing_offset (1), step.ratio (1), load.stick_ratio
+/// The keys that `basis_convergence --print-keys` lists, each held to what that says it accepts.
 BasisConvergenceParameters read_basis_convergence(Scene& scene);
 
 /// Tables: errors (a row a basis and N), orders (a row a basis and quantity), claims.

@@ -17,7 +17,7 @@ struct CarterParameters {
   std::vector<double> accuracy_step_ratios;  ///< c of the force errors, likewise  [1]
 };
 
-/// The keys of a steady scene, with step.ratios and accuracy.step_ratios in place of step.ratio.
+/// The keys that `carter --print-keys` lists, each held to what that says it accepts.
 CarterParameters read_carter(Scene& scene);
 
 /// Tables: traction (a row a node and step ratio, with the exact solution), exact (a fine line),

@@ -23,9 +23,7 @@ struct EnergyBalanceParameters {
   std::vector<double> tolerances;   ///< motion.tolerance, with the first c  [1]
 };
 
-/// The keys of a cylinder's scene without step.scheme and motion.integrator, and
-/// snapshots.positions, error.sizes, error.distance, motion.sizes, motion.refinement,
-/// control.ratios, control.tolerances
+/// The keys that `energy_balance --print-keys` lists, each held to what that says it accepts.
 EnergyBalanceParameters read_energy_balance(Scene& scene);
 
 /// Tables: motion (v and omega R against X), snapshots, energy (all of them and their sums against

@@ -62,9 +62,7 @@ struct ExtremesParameters {
   std::vector<double> scales;  ///< factors of G, a and mu p0, one at a time and all at once  [1]
 };
 
-/// material.*, contact.*, kernel.length, grid.elements, load.stick_ratio, limits.*, steps.*,
-/// widths.*, loads.*, bounds, offsets, transient.*, endurance.*, scales: see the scene of the
-/// study.
+/// The keys that `extremes --print-keys` lists, each held to what that says it accepts.
 ExtremesParameters read_extremes(Scene& scene);
 
 /// Tables: steps (c and N of steady rolling), widths (strip width and Poisson ratio), loads (from

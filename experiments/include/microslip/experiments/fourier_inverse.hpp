@@ -22,7 +22,7 @@ struct FourierInverseParameters {
   std::vector<Eigen::Index> sizes;  ///< sizes for the errors, each in [4, 10000]
 };
 
-/// material.*, kernel.*, basis (both), grid.spacing, grid.elements, grid.sizes, step.ratios
+/// The keys that `fourier_inverse --print-keys` lists, each held to what that says it accepts.
 FourierInverseParameters read_fourier_inverse(Scene& scene);
 
 /// Tables: coefficients (steps 3 and 4), columns (step 6 and the exact inverse), errors (against

@@ -24,8 +24,7 @@ struct FractionalPowerParameters {
   Eigen::Index largest_schur;            ///< N up to which the Schur method is tried, >= 3 of them
 };
 
-/// The keys of a CattaneoToCarter, step.ratios, step.ratio, motion.elements, reference.refinement,
-/// shapes.elements, shapes.steps, cost.sizes, cost.largest_schur
+/// The keys that `fractional_power --print-keys` lists, each held to what that says it accepts.
 FractionalPowerParameters read_fractional_power(Scene& scene);
 
 /// Tables: shapes and shapes_summary (Figs. 8.1 and 8.2), traction, reference and summary

@@ -34,8 +34,7 @@ struct FrequencyResponseParameters {
   double operations;                       ///< a run that is expected to take more is left out
 };
 
-/// material.*, contact.*, kernel.length, kernel.width, waves.*, adhesion.sizes, states.*,
-/// step.ratios, motion.sizes, curve.*, limit.operations: see the scene of the study.
+/// The keys that `frequency_response --print-keys` lists, each held to what that says it accepts.
 FrequencyResponseParameters read_frequency_response(Scene& scene);
 
 /// The ratio of dF/dw of a foundation of springs to its value for an infinite wavelength,

@@ -32,7 +32,7 @@ struct FrettingParameters {
   double run_step_ratio;             ///< c, in [1e-3, 5]
 };
 
-/// material.*, kernel.length, contact.*, grid.sizes, cycle.*, run.*: see the scene of the study.
+/// The keys that `fretting --print-keys` lists, each held to what that says it accepts.
 FrettingParameters read_fretting(Scene& scene);
 
 /// Tables: loops (force and displacement), cycles (each with its errors), errors (against N),

@@ -27,8 +27,7 @@ struct LeadingEdgeParameters {
   double profile_offset;                 ///< beta of the trimmed hat shown, thesis Fig. 10.3
 };
 
-/// material.*, contact.*, kernel.length, grid.sizes, grid.leading_offsets, grid.trailing_offsets,
-/// load.stick_ratios, profile.elements, profile.stick_ratio, profile.leading_offset
+/// The keys that `leading_edge --print-keys` lists, each held to what that says it accepts.
 LeadingEdgeParameters read_leading_edge(Scene& scene);
 
 /// Tables: errors (a row a scheme, offset, stick ratio and N), reductions (the factors per

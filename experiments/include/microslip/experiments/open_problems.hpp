@@ -32,8 +32,7 @@ struct OpenProblemsParameters {
   std::vector<Eigen::Index> unknowns;  ///< of the Chebyshev collocation, each 1 to 63
 };
 
-/// material.*, kernel.length, contact.*, grid.sizes, cases.*, steady.*, motion.*, curve.*: see the
-/// scene of the study.
+/// The keys that `open_problems --print-keys` lists, each held to what that says it accepts.
 OpenProblemsParameters read_open_problems(Scene& scene);
 
 /// Tables: cases (every error), errors (their spread against N), orders, steady_steps (error

@@ -21,8 +21,7 @@ struct SmoothingParameters {
   Eigen::Index refinement;          ///< elements of the reference for each one, >= 2
 };
 
-/// The keys of a CattaneoToCarter, step.ratios, motion.elements, pulse.elements,
-/// spectrum.frequencies, reference.refinement
+/// The keys that `smoothing --print-keys` lists, each held to what that says it accepts.
 SmoothingParameters read_smoothing(Scene& scene);
 
 /// Tables: pulse (A^-1 A' on a unit pulse after one step and after the distance, Figs. 4.1, 4.2),

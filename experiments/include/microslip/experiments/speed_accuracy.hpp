@@ -53,8 +53,7 @@ struct SpeedAccuracyParameters {
   } rolling;
 };
 
-/// material.*, contact.*, kernel.*, grid.sizes, timing.repeats, steady.*, transient.*, cylinder.*:
-/// see the scene of the study.
+/// The keys that `speed_accuracy --print-keys` lists, each held to what that says it accepts.
 SpeedAccuracyParameters read_speed_accuracy(Scene& scene);
 
 /// Tables: runs (errors and work of all, failures included), fronts (runs that no other beats in

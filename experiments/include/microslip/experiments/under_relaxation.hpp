@@ -24,9 +24,7 @@ struct UnderRelaxationParameters {
   std::vector<double> direct_step_ratios;   ///< likewise, of the direct scheme
 };
 
-/// The keys of a CattaneoToCarter, step.relaxation, step.ratios, motion.elements,
-/// reference.refinement, comparison.step_ratio, wiggles.elements, wiggles.relaxed_step_ratios,
-/// wiggles.direct_step_ratios
+/// The keys that `under_relaxation --print-keys` lists, each held to what that says it accepts.
 UnderRelaxationParameters read_under_relaxation(Scene& scene);
 
 /// Tables: traction and reference (Figs. 7.1 and 7.2), summary (errors), wiggles (local extrema

@@ -26,8 +26,7 @@ struct WiggleSpectrumParameters {
   std::vector<double> strip_widths;  ///< Dy/dx of further crossings, each in (0, inf)  [1]
 };
 
-/// material.*, kernel.*, grid.spacing, grid.elements, step.ratios, step.samples, functions.shift,
-/// spectrum.smallest_step_ratio, spectrum.per_decade, crossing.strip_widths
+/// The keys that `wiggle_spectrum --print-keys` lists, each held to what that says it accepts.
 WiggleSpectrumParameters read_wiggle_spectrum(Scene& scene);
 
 /// Tables: functions (Fig. 5.1), matrix (every entry of B and its inverse for each step ratio),

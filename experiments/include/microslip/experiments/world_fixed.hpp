@@ -29,9 +29,7 @@ struct WorldFixedParameters {
   Eigen::Index refinement;                ///< elements of their reference for each one, >= 2
 };
 
-/// The keys of a CattaneoToCarter without the basis, creepage.step_ratio, creepage.shown,
-/// creepage.part, noise.distance, noise.elements, noise.largest_cut, noise.step_ratio,
-/// noise.fixed_elements, noise.step_ratios, error.step_ratios, error.elements, error.refinement
+/// The keys that `world_fixed --print-keys` lists, each held to what that says it accepts.
 WorldFixedParameters read_world_fixed(Scene& scene);
 
 /// Tables: creepage (step by step), events (its jumps, by what happens in the step), noise (against

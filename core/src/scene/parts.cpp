@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What steady rolling, transients and cylinders are made of.
+#include <cmath>
+
+#include "hertz.hpp"
+#include "microslip/scene/keys.hpp"
+#include "microslip/scene/model.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip {
+
+namespace {
+
+/// One set of constants is all that there is a model for.
+void refuse_unlike_bodies(const Scene& scene) {
+  for (const std::string& key : scene.keys()) {
+    const bool is_of_one_body = key.ends_with("_1") || key.ends_with("_2");
+    if (!key.starts_with("material.") || !is_of_one_body) continue;
+    const std::string both = key.substr(0, key.size() - 2);
+    if (find_key(both) == nullptr) continue;
+    throw BadParameter(key, "key '" + key + "': expected '" + both +
+                                "' of both bodies; there is no model of bodies of different "
+                                "material");
+  }
+}
+
+}  // namespace
+
+Material read_material(Scene& scene) {
+  refuse_unlike_bodies(scene);
+  if (scene.one_of({"material.shear_modulus", "material.youngs_modulus"}) ==
+      "material.shear_modulus") {
+    const Material material{.shear_modulus = scene.number("material.shear_modulus"),
+                            .poisson_ratio = scene.number("material.poisson_ratio")};
+    validate(material);
+    return material;
+  }
+  const double youngs_modulus = scene.positive("material.youngs_modulus");
+  const double nu = scene.number("material.poisson_ratio");
+  validate({.shear_modulus = youngs_modulus, .poisson_ratio = nu});  // before nu = -1 divides
+  const Material material{.shear_modulus = youngs_modulus / (2 * (1 + nu)), .poisson_ratio = nu};
+  validate(material);
+  scene.derive("material.shear_modulus", material.shear_modulus);
+  return material;
+}
+
+Kernel read_kernel(Scene& scene, const Material& material) {
+  if (scene.word("kernel.type") == "strip") {
+    return StripKernel(material, scene.number("kernel.width"));
+  }
+  return PlaneKernel(material, scene.number("kernel.length"));
+}
+
+HertzBound read_hertz_bound(Scene& scene) {
+  const double half_width = scene.number("contact.half_width");
+  return {half_width, scene.number("contact.peak_traction")};
+}
+
+PolynomialBound read_polynomial_bound(Scene& scene) {
+  const double half_width = scene.number("contact.half_width");
+  const std::vector<double> h = scene.numbers("contact.bound_polynomial");
+  return {half_width, scene.number("contact.peak_traction", 1),
+          Eigen::Map<const Eigen::VectorXd>(h.data(), static_cast<Eigen::Index>(h.size()))};
+}
+
+TractionBound read_bound(Scene& scene) {
+  if (scene.has("contact.bound_polynomial")) return read_polynomial_bound(scene);
+  if (scene.one_of({"contact.peak_traction", "contact.bound_file"}) == "contact.peak_traction") {
+    return read_hertz_bound(scene);
+  }
+  const double half_width = scene.number("contact.half_width");
+  const std::vector<FileColumn> wanted = {{"x", "mm"}, {"bound", "N/mm^2"}};
+  return scene.from_columns("contact.bound_file", wanted, [&](const auto& table) {
+    return TabulatedBound(half_width, *table[0], *table[1]);
+  });
+}
+
+TractionBound read_bound(Scene& scene, const Material& material) {
+  if (scene.one_of({"contact.half_width", "contact.normal_load"}) == "contact.half_width") {
+    return read_bound(scene);
+  }
+  return read_loaded_contact(scene, material);
+}
+
+Grid read_grid(Scene& scene, double half_width) {
+  return Grid({.half_width = half_width,
+               .elements = scene.whole("grid.elements"),
+               .leading_offset = scene.number("grid.leading_offset"),
+               .trailing_offset = scene.number("grid.trailing_offset")});
+}
+
+Basis read_basis(Scene& scene, const Grid& grid) {
+  const Basis basis = make_basis(scene.word("basis"));
+  require(basis.name() != "quadratic" || grid.size() % 2 == 1, "grid.elements",
+          static_cast<double>(grid.size()), "an odd number for quadratic functions");
+  return basis;
+}
+
+Solver read_solver(Scene& scene) {
+  const std::string type = scene.word("solver.type");
+  const Solver solver{.type = type == "dense" ? Solver::Type::dense
+                              : type == "fft" ? Solver::Type::fft
+                                              : Solver::Type::automatic,
+                      .tolerance = scene.number("solver.tolerance"),
+                      .violation = scene.number("solver.violation"),
+                      .condition = scene.number("solver.condition")};
+  validate(solver);
+  return solver;
+}
+
+Load read_load(Scene& scene, const Kernel& kernel, const TractionBound& bound) {
+  const std::string key =
+      scene.one_of({"load.creepage", "load.force", "load.force_ratio", "load.stick_ratio"});
+  const double value = scene.number(key);
+  if (key == "load.creepage") return PrescribedCreepage{value};
+  if (key == "load.force") return PrescribedForce{value};
+  double ratio = value;
+  if (key == "load.force_ratio") {
+    require(std::abs(value) < 1, key, value, "a number above -1, below 1");
+  } else {
+    require(std::holds_alternative<HertzBound>(bound), key, value,
+            "Hertz's bound, as it is Carter's; for others there is load.force_ratio");
+    require(std::holds_alternative<PlaneKernel>(kernel), key, value,
+            "kernel.type plane, as it is Carter's; for strips there is load.force_ratio");
+    require(value > 0 && value < 1, key, value,
+            "a number above 0, which is full sliding, and below 1, which is no load");
+    ratio = -(1 - value) * (1 + value);  // the sign of a positive creepage
+  }
+  const double force = ratio * full_sliding_force(bound);
+  scene.derive("load.force", force);
+  return PrescribedForce{force};
+}
+
+}  // namespace microslip
