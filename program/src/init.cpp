@@ -48,14 +48,20 @@ int init(const std::string& name, const std::vector<Template>& templates, int ar
       std::cout << scene.text;
       return 0;
     }
-    if (fs::exists(out)) {
-      throw std::invalid_argument("--out '" + shown(out) +
+    const fs::path parent = fs::path(out).parent_path();
+    const fs::path folder = parent.empty() ? "." : parent;
+    std::vector<OutputFile> files{{fs::path(out).filename(), scene.text}};
+    if (!scene.table.empty()) files.push_back({scene.name + ".tsv", scene.table});
+    for (const OutputFile& file : files) {
+      const fs::path path = parent / file.name;
+      if (!fs::exists(path)) continue;
+      throw std::invalid_argument("--out '" + shown(path.string()) +
                                   "': expected a file that is not there yet");
     }
-    const fs::path folder = fs::path(out).parent_path();
-    write_files(folder.empty() ? "." : folder, {{fs::path(out).filename(), scene.text}});
+    write_files(folder, files);
     const std::string command = scene.name == "sweep" ? name + " sweep " : name + " ";
-    std::cout << "wrote " << out << "; solve it with: " << command << out << '\n';
+    const std::string table = scene.table.empty() ? "" : " and " + (parent / files[1].name).string();
+    std::cout << "wrote " << out << table << "; solve it with: " << command << out << '\n';
     return 0;
   });
 }

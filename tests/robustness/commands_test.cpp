@@ -47,10 +47,11 @@ TEST_F(Commands, AWordThatIsNone) {
 }
 
 TEST_F(Commands, EachSceneToStartFromIsSolvedAndDrawn) {
-  for (const std::string kind : {"steady", "wheel", "transient", "cylinder"}) {
+  for (const std::string kind : {"steady", "wheel", "transient", "run", "cylinder"}) {
     const std::string scene = kind + ".info";
+    const std::string table = kind == "run" ? " and run.tsv" : "";
     EXPECT_EQ(run_in_folder("init " + kind).output,
-              "wrote " + scene + "; solve it with: microslip " + scene + "\n");
+              "wrote " + scene + table + "; solve it with: microslip " + scene + "\n");
     expect_error("init " + kind, "--out '" + scene + "': expected a file that is not there yet");
     EXPECT_EQ(run_in_folder("init " + kind + " --out -").output, text_of(folder_ / scene));
     EXPECT_EQ(run_in_folder("explain " + scene).status, 0);

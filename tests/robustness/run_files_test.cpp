@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <numbers>
 #include <sstream>
 #include <string>
 
@@ -122,6 +123,71 @@ TEST_F(RunFiles, OutsideTheRangeOfASchemeAreWarnedOfByTheirExtremes) {
   const std::size_t second = outcome.error.find(line, first + 1);
   ASSERT_NE(second, std::string::npos) << outcome.error;
   EXPECT_EQ(outcome.error.find(line, second + 1), std::string::npos) << outcome.error;
+}
+
+const std::string under_load = "normal_load 4\n radius_1 100\n friction 0.3";
+
+std::string rolling_on(const std::string& contact, const std::filesystem::path& file) {
+  return "problem transient\nmaterial { youngs_modulus 200\n poisson_ratio 0.28 }\ncontact { " +
+         contact + " }\nkernel { type plane\n length 20 }\ngrid { elements 40 }\n" +
+         "start { type rest }\nload { file \"" + file.string() + "\" }\n";
+}
+
+// Of the load, or of half-width and peak that follow from it.
+TEST_F(RunFiles, OfAContactThatChangesFollowIt) {
+  const std::string text = rolling_on(under_load, folder_ / "run.tsv");
+  const auto size = [](double part) { return 1 + 0.3 * std::sin(5 * part); };
+  write("q creepage normal_load [kN/m]", 301, [&](double part) {
+    return text_of_numbers({12 * part, 0.002, 4 * size(part) * size(part)});
+  });
+  const double force = end_of(text, "force");
+  EXPECT_NEAR(summary_value("full_sliding_force"), 0.3 * 4 * std::pow(size(1), 2), 1e-12);
+  const WrittenTable history = read_table("history", text_of(out() / "history.tsv"));
+  const auto value = [&](const std::string& column) {
+    return std::stod(std::get<std::string>(history.table.at(300, column)));
+  };
+  const double a = value("half_width");
+  EXPECT_NEAR(value("full_sliding"), 0.3 * 4 * std::pow(size(1), 2), 1e-12);
+  EXPECT_LT(force, 0);
+
+  const double start = a / size(1);
+  const double peak = 0.3 * 2 * 4 / (std::numbers::pi * start);
+  write("q creepage half_width peak_traction", 301, [&](double part) {
+    return text_of_numbers({12 * part, 0.002, start * size(part), peak * size(part)});
+  });
+  const std::string by_size = rolling_on(
+      "half_width " + text_of_numbers({start}) + "\n peak_traction " + text_of_numbers({peak}),
+      folder_ / "run.tsv");
+  EXPECT_NEAR(end_of(by_size, "force") / force, 1, 1e-3);  // linear in a instead of a^2
+}
+
+// A wheel that leaves the rail and comes back.
+TEST_F(RunFiles, OfAContactThatIsLostGoOn) {
+  const std::string text = rolling_on(under_load, folder_ / "run.tsv");
+  write("q creepage normal_load\n0 0.002 4\n2 0.002 0\n3 0.002 0\n4 0.002 4\n9 0.002 4\n");
+  EXPECT_LT(end_of(text, "force"), -0.1);
+  EXPECT_LT(end_of(text + "step { ratio 0.7 }\n", "force"), -0.1);
+  write("q force normal_load\n0 0 4\n2 -0.5 4\n3 0 0\n4 0 0\n5 -0.5 4\n");
+  EXPECT_NEAR(end_of(text, "force"), -0.5, 1e-12);
+}
+
+TEST_F(RunFiles, OfContactsThatAreWrongAreRefused) {
+  const std::string text = rolling_on(under_load, folder_ / "run.tsv");
+  const auto refused = [&](const std::string& table, const std::string& named,
+                           const std::string& options = "") {
+    write(table);
+    expect_rejected(text, options, named);
+  };
+  refused("q creepage normal_load\n0 0 4\n1 0 -1\n", "row 2: normal_load = -1: expected a number");
+  refused("q force normal_load\n0 1 4\n1 1 3\n",
+          "row 2: force = 1: expected an absolute value below full sliding, 0.9");
+  refused("q force normal_load\n0 1 4\n1 1 0\n",
+          "row 2: force = 1: expected 0 where bodies do not");
+  refused("q creepage normal_load\n0 0 4\n1 0 400000\n", "kernel.length = 20: expected more than");
+  refused("q creepage half_width\n0 0 4\n1 0 4\n", "column 'half_width': expected contact.half");
+  refused("q creepage normal_load half_width\n0 0 4 1\n1 0 4 1\n", "column 'half_width': expected");
+  refused("q creepage normal_load\n0 0 4\n1 0 5\n", "expected remembered, which alone",
+          "--set step.scheme=direct --set step.ratio=1");
 }
 
 TEST_F(RunFiles, ThatAreWrongAreRefusedWithRowAndColumn) {

@@ -36,6 +36,10 @@ void divide(Scene& scene, std::optional<Eigen::VectorXd>& column, const std::str
     throw std::invalid_argument("column '" + name + "': expected " + key +
                                 " to be given, of the contact that it changes");
   }
+  for (Eigen::Index i = 0; i < column->size(); ++i) {
+    if ((*column)[i] >= 0) continue;
+    require(false, "row " + std::to_string(i + 1) + ": " + name, (*column)[i], "a number >= 0");
+  }
   *column /= scene.positive(key);
 }
 

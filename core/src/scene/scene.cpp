@@ -220,14 +220,14 @@ double Scene::number(const std::string& key) {
            has_unit(text(key)) ? "a number in " + accepted_units(unit)
                                : "a finite number" + advice(text(key)));
   }
-  parameters_.emplace_back(key, format_short(*value));
+  record(key, format_short(*value));
   hold_to_range(key, *value);
   return *value;
 }
 
 double Scene::number(const std::string& key, double fallback) {
   if (has(key)) return number(key);
-  parameters_.emplace_back(key, format_short(fallback));
+  record(key, format_short(fallback));
   return fallback;
 }
 
@@ -261,7 +261,7 @@ std::vector<double> Scene::numbers(const std::string& key) {
     break;
   }
   if (values.empty()) reject(key, text(key), "at least one number");
-  parameters_.emplace_back(key, takes_units ? joined_numbers(values) : text(key));
+  record(key, takes_units ? joined_numbers(values) : text(key));
   for (const double value : values) hold_to_range(key, value);
   return values;
 }
@@ -269,7 +269,7 @@ std::vector<double> Scene::numbers(const std::string& key) {
 Eigen::Index Scene::whole(const std::string& key) {
   const auto value = whole_number(text(key));
   if (!value) reject(key, text(key), "a whole number");
-  parameters_.emplace_back(key, std::to_string(*value));
+  record(key, std::to_string(*value));
   hold_to_range(key, static_cast<double>(*value));
   return *value;
 }
@@ -289,22 +289,27 @@ std::vector<std::optional<Eigen::VectorXd>> Scene::columns(const std::string& ke
   const std::string& path = file.text;
   if (!read_file_) throw std::invalid_argument("expected no file here");
   std::istringstream in(read_file_(path.starts_with('/') ? path : file.place.folder + path));
-  parameters_.emplace_back(key, path);
+  record(key, path);
   return read_columns(in, wanted);
 }
 
 std::string Scene::word(const std::string& key) {
   const Key& found = declared(key);
   const std::vector<std::string_view> accepted = words_of(found);
-  if (!has(key) && found.first_is_default) {
-    parameters_.emplace_back(key, accepted.front());
-  } else {
-    if (std::ranges::find(accepted, text(key)) == accepted.end()) {
-      reject(key, text(key), joined(accepted, " or "));
-    }
-    parameters_.emplace_back(key, text(key));
+  const bool is_default = !has(key) && found.first_is_default;
+  const std::string chosen = is_default ? std::string(accepted.front()) : text(key);
+  if (std::ranges::find(accepted, chosen) == accepted.end()) {
+    reject(key, chosen, joined(accepted, " or "));
   }
-  return parameters_.back().second;
+  record(key, chosen);
+  return chosen;
+}
+
+/// A parameter, which may be read more than once.
+void Scene::record(const std::string& key, const std::string& value) {
+  const bool is_new =
+      std::ranges::find(parameters_, key, &Parameters::value_type::first) == parameters_.end();
+  if (is_new) parameters_.emplace_back(key, value);
 }
 
 void Scene::reject_unread() const {
@@ -325,7 +330,7 @@ void Scene::reject_unread() const {
 }
 
 void Scene::derive(const std::string& key, double value) {
-  parameters_.emplace_back("derived " + key, format_short(value));
+  record("derived " + key, format_short(value));
 }
 
 void Scene::warn(const std::string& key, double value, const std::string& doubt) {

@@ -185,6 +185,7 @@ class Scene {
   const Key& declared(const std::string& key) const;
   std::string unit_of(const std::string& key) const;
   void hold_to_range(const std::string& key, double value) const;
+  void record(const std::string& key, const std::string& value);
 
   std::map<std::string, Value> values_;
   std::size_t next_order_ = 0;

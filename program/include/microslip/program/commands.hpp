@@ -29,10 +29,11 @@ int dispatch(const Program& program, const std::vector<Command>& commands, int a
 struct Template {
   std::string name;
   std::string text;
+  std::string table = "";  ///< that it reads, as NAME.tsv beside it; empty if it reads none
 };
 
-/// Writes one of them as a file, which must not be there before, or to standard output with --out
-/// -. Returns the exit status: 0; 1 for bad input or a failed write.
+/// Writes one of them as a file, with its table beside it, which must not be there before; or the
+/// scene to standard output with --out -. Returns the exit status: 0; 1 for bad input or a failed write.
 int init(const std::string& name, const std::vector<Template>& templates, int argc,
          const char* const* argv);
 
