@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "microslip/friction/traction_bound.hpp"
+#include "microslip/halfspace/material.hpp"
+#include "microslip/scene/scene.hpp"
+#include "microslip/scene/table.hpp"
+#include "microslip/support/progress.hpp"
+
+namespace microslip::experiments {
+
+/// A wheel under a constant creepage, the normal load of which oscillates: P = P0 (1 + amplitude
+/// sin(2 pi q/L)), with Hertz's half-width and bound of each moment, in plane strain.
+struct VaryingLoadParameters {
+  Material material;
+  HertzBound bound;                  ///< under the mean load P0
+  double length;                     ///< L0  [mm]
+  std::vector<double> stick_ratios;  ///< a'/a of Carter's solution under the mean load
+  std::vector<double> wavelengths;   ///< L/a, at which small waves are rolled, rising
+  double amplitude;                  ///< of small waves
+  std::vector<Eigen::Index> sizes;   ///< N, rising
+  std::vector<double> step_ratios;   ///< c; the first is 1
+  double large_amplitude;            ///< of large waves, below 1
+  double large_stick_ratio;          ///< a'/a of the state about which they are
+  std::vector<double> shown;         ///< L/a of the large waves of which the force is shown
+  double shortest, longest;          ///< of curves, L/a
+  int points;                        ///< of curves
+};
+
+/// The keys that `varying_load --print-keys` lists, each held to what that says it accepts.
+VaryingLoadParameters read_varying_load(Scene& scene);
+
+/// Tables: curves (exact answer to small waves, Carter's solution of each moment, springs),
+/// measured (small waves by the scheme), orders, waves (the force along a large wave), means (over
+/// large waves, against their length), claims.
+std::vector<Table> varying_load(const VaryingLoadParameters& parameters, const Progress& progress);
+
+}  // namespace microslip::experiments
