@@ -49,7 +49,8 @@ void RememberedGrid::roll(const Way& way) {
   if (way.length > 0 && keeps_width && from.counted_by == width) {
     next_.state.distance_error = for_each_part(
         state_, way.length, nodes_.spacing * width, [&](double part, double end, double rest) {
-          roll_part_to(way, part, end, {rest == 0 ? 1 : 1 - rest / way.length, false});
+          const double begin = 1 - (part + rest) / way.length;
+          roll_part_to(way, begin, part, end, {rest == 0 ? 1 : 1 - rest / way.length, false});
         });
     return;
   }
@@ -61,7 +62,7 @@ void RememberedGrid::roll(const Way& way) {
     const NextPart next = stands ? NextPart{1, false}
                                  : next_part(next_.state, nodes_, fraction, from.distance,
                                              way.length, from.scale, target_);
-    roll_part_to(way, (next.end - fraction) * way.length,
+    roll_part_to(way, fraction, (next.end - fraction) * way.length,
                  next.end == 1 ? end : from.distance + next.end * way.length, next);
     fraction = next.end;
   }
@@ -69,14 +70,18 @@ void RememberedGrid::roll(const Way& way) {
 }
 
 /// Rolls a part of the way.
+/// \param begin     of the part, as a fraction of the way
 /// \param length    of the part  [mm]
 /// \param end       distance at its end  [mm]
-void RememberedGrid::roll_part_to(const Way& way, double length, double end, const NextPart& next) {
+void RememberedGrid::roll_part_to(const Way& way, double begin, double length, double end,
+                                  const NextPart& next) {
   const double fraction = next.end;
   const ContactScale scale = fraction == 1 ? target_ : between(state_.scale, target_, fraction);
   const bool is_last = fraction == 1;
   const double force = nodes_.spacing * state_.traction.sum();
-  Load load = load_within(way.load, force, length, fraction);
+  // A shift has no length, and its parts are fractions of it.
+  const double share = way.length > 0 ? length : fraction - begin;
+  const Load load = load_within(way.load, force, share, fraction);
   std::array<Load, 2> slopes =
       slopes_within(way.load, force, length, fraction, way.length, is_last);
   PartEnd part = next_.state.end_of_part(nodes_, length, end, scale);
