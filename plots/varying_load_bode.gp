@@ -14,8 +14,8 @@ set logscale x
 set xrange [0.4:250]
 set format x ""
 set ylabel "|dF / {/Symbol m}dP| [1]"
-set yrange [0:0.85]
-set key top left
+set yrange [0:1.15]
+set key top left maxrows 3
 plot for [k=1:3] curves using (of("exact", k)):"size" with lines linetype k title "a' = ".word(states, k)." a", \
      for [k=1:3] measured using (at(k)):"size" with points linetype k pointtype 7 pointsize 0.5 notitle, \
      for [k=1:3] curves using (of("quasi_steady", k)):"size" with lines linetype k dashtype 3 notitle, \

@@ -68,7 +68,7 @@ TEST_F(Commands, EachSceneToStartFromIsSolvedAndDrawn) {
       run_in_folder("explain its/own/many.info").output.find("78 cases, the first is: steady"),
       std::string::npos);
   expect_error("init stedy",
-               "no scene 'stedy' (did you mean 'steady'?); expected steady, wheel, transient, "
+               "no scene 'stedy' (did you mean 'steady'?); expected steady, wheel, transient, run, "
                "cylinder, sweep");
 }
 
