@@ -308,8 +308,8 @@ Table claims_of(const VaryingLoadParameters& p, const SmallWaves& small, const L
         "least order over wavelengths, step ratios and states of which the slip zone has five "
         "elements or more",
         "varying_load_error"},
-       {"within 1e-3 of the linear theory, down to waves of half a half-width", "none", not_given,
-        finest, "1", ours_if({below(1e-3)}),
+       {"it is at most a thousandth off the linear theory, down to waves of half a half-width",
+        "none", not_given, finest, "1", ours_if({below(1e-3)}),
         "largest relative error over states, wavelengths and step ratios, at the largest N",
         "varying_load_error"},
        {"Carter's solution of each moment is not what the force does, even for waves of 10 contact "
