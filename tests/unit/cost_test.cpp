@@ -84,6 +84,30 @@ TEST(Cost, OfLongStepsIsForeseenWithinAFactorOfThree) {
   }
 }
 
+TEST(Cost, OfContactsThatChangeIsForeseenWithinAFactorOfThree) {
+  const Eigen::Vector3d q(0, 4, 8);
+  RunRows rows;
+  rows.distance = q;
+  rows.creepage = Eigen::Vector3d::Constant(0.3);
+  rows.half_width = Eigen::Vector3d(0.8, 1.2, 0.9);
+  const LoadHistory loads(rows);
+  for (const bool plane : {false, true}) {
+    for (const int n : {51, 101, 401}) {
+      const std::string text =
+          "problem transient\nload { creepage 0.3 }\nmotion { distance 8 }\n"
+          "start { type rest }\nstep { ratio 5 }\n";
+      Scene scene = scene_of(good_contact + text);
+      scene.set("grid.elements=" + std::to_string(n));
+      TransientScene model = std::get<TransientScene>(read_model(scene));
+      if (plane) model.problem.kernel = PlaneKernel({1, 0.28}, 40);
+      model.loads = loads;
+      const double ratio = work_of(model) / work_needed(model);
+      EXPECT_LT(ratio, 3) << plane << n;
+      EXPECT_GT(ratio, 1 / 3.0) << plane << n;
+    }
+  }
+}
+
 // How far a search goes along the path, and how often, is not foreseen.
 TEST(Cost, OfShiftsIsForeseenWithinAFactorOfEight) {
   for (const std::string forces : {"1.4 -1.4 1.4", "0.7 -0.7 0.7 -0.7", "0.2 -0.2 0.2 -0.2"}) {

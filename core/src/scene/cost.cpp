@@ -113,7 +113,8 @@ struct WorkOf {
     const double steps = steps_needed(scene);
     const double elements = scene.distance / scene.problem.grid.spacing() / steps;
     return steps * solves_of_step(scene.problem.scheme, elements) *
-               of_step(scene.problem, std::ranges::all_of(scene.step_ratios, is_whole)) +
+               (of_step(scene.problem, std::ranges::all_of(scene.step_ratios, is_whole)) +
+                (scene.loads.changes_contact() ? of_change(scene.problem) : 0)) +
            steps_of_exchange * exchanges_of_shifts(scene) * of_step(scene.problem, true);
   }
   double operator()(const CylinderScene& scene) const {
@@ -126,6 +127,12 @@ struct WorkOf {
     const bool in_parts =
         std::holds_alternative<MaterialFixed>(scheme) || std::holds_alternative<Remembered>(scheme);
     return in_parts ? std::max(1.0, elements) : 1;
+  }
+  /// Of the half-width: in plane strain one more solve, on a strip a new response.
+  static double of_change(const TransientProblem& problem) {
+    if (std::holds_alternative<PlaneKernel>(problem.kernel)) return of_step(problem, true);
+    const auto n = static_cast<double>(problem.grid.size());
+    return kernel_work * n + (by_fft(problem) ? 600 * n * log2_of(n) : 0.7 * n * n * n);
   }
   static bool is_whole(double step_ratio) { return step_ratio == std::floor(step_ratio); }
   static double of_step(const TransientProblem& problem, bool by_whole_elements) {
