@@ -153,8 +153,8 @@ MICROSLIP_API void microslip_destroy(microslip_rolling* rolling);
 /** Of the last call that failed, empty if none has; valid until the next call. */
 MICROSLIP_API const char* microslip_message(microslip_rolling* rolling);
 
-/** The scheme that rolls this contact, as scenes name it: "material" or "direct"; "" of no handle.
- */
+/** The scheme that rolls this contact, as scenes name it: "material", "direct" or "remembered"; ""
+ * of no handle. */
 MICROSLIP_API const char* microslip_method(const microslip_rolling* rolling);
 
 /** What steps are made under, until set again. One of the two is needed before the first.
@@ -200,8 +200,9 @@ MICROSLIP_API enum microslip_status microslip_shift_by_distance(microslip_rollin
                                                                 double distance,
                                                                 struct microslip_shift* shift);
 
-/** Rolls on by dq, from 1e-15 to 1e6 elements of the larger contact of the step  [mm]. Under a force, rounding is more than 1 % of
- * the creepage below 1e-13 N elements, with MICROSLIP_MATERIAL below 1e-12 N or 1e-9. */
+/** Rolls on by dq, from 1e-15 to 1e6 elements of the larger contact of the step  [mm]. Under a
+ * force, rounding is more than 1 % of the creepage below 1e-13 N elements, with MICROSLIP_MATERIAL
+ * below 1e-12 N or 1e-9. */
 MICROSLIP_API enum microslip_status microslip_advance(microslip_rolling* rolling, double dq);
 
 /** The state to which that step would lead, without rolling. If microslip_advance() makes the same

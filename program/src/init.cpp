@@ -60,7 +60,8 @@ int init(const std::string& name, const std::vector<Template>& templates, int ar
     }
     write_files(folder, files);
     const std::string command = scene.name == "sweep" ? name + " sweep " : name + " ";
-    const std::string table = scene.table.empty() ? "" : " and " + (parent / files[1].name).string();
+    const std::string table =
+        scene.table.empty() ? "" : " and " + (parent / files[1].name).string();
     std::cout << "wrote " << out << table << "; solve it with: " << command << out << '\n';
     return 0;
   });

@@ -144,13 +144,15 @@ TEST(ChangingContact, ThatIsLostCarriesNothingAndReturnsAtRest) {
   TransientRolling rolling(problem_with(plane, 30));
   rolling.roll(1, {0.1}, PrescribedCreepage{0.3}, [](const TransientState&) {});
   const TransientState before = rolling.state();
+  const double stored = rolling.elastic_energy();
   rolling.set_contact({0, 0});
   rolling.step(0.1, PrescribedCreepage{0.3});
   EXPECT_EQ(rolling.state().force, 0);
   EXPECT_EQ(rolling.state().traction.norm(), 0);
   EXPECT_EQ(rolling.state().adhesion_elements + rolling.state().slip_elements, 0);
   EXPECT_NEAR(rolling.state().mean_force, before.force / 2, 1e-15);
-  EXPECT_TRUE(std::isfinite(rolling.state().dissipation));
+  EXPECT_EQ(rolling.state().creepage, 0.3);
+  EXPECT_NEAR(rolling.state().dissipation * 0.1, stored - before.force / 2 * 0.3 * 0.1, 1e-15);
   EXPECT_EQ(rolling.displacement().norm(), 0);
   rolling.step(5, PrescribedForce{0});
   EXPECT_THROW(rolling.step(0.1, PrescribedForce{-0.1}), std::invalid_argument);

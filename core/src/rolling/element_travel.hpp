@@ -48,7 +48,8 @@ double for_each_part(const ElementTravel& start, double length, double spacing, 
   const double end = start.distance + added;
   double from = start.distance;
   double rest = length;
-  for (double next = start.entered + 1; (end - start.origin) / spacing - next > MaterialWindow::rounding; ++next) {
+  for (double next = start.entered + 1;
+       (end - start.origin) / spacing - next > MaterialWindow::rounding; ++next) {
     const double to = start.origin + next * spacing;
     rest -= to - from;
     part(to - from, to, rest);

@@ -103,8 +103,7 @@ class RememberedGrid final : public RollingGrid {
 
   void begin_step(bool with_slopes);
   void roll(const Way& way);
-  void roll_part_to(const Way& way, double begin, double length, double end,
-                    const NextPart& next);
+  void roll_part_to(const Way& way, double begin, double length, double end, const NextPart& next);
   void change_contact(const Way& way);
   void roll_part(const Part& part);
   void recall(Step& step, const Part& part) const;

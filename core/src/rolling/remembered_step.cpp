@@ -99,7 +99,13 @@ void RememberedGrid::change_contact(const Way& way) {
     require(force->value == 0, "load.force", force->value, "0 where bodies do not touch");
   }
   set_bound(target_);
-  next_.mean_force = nodes_.spacing * state_.traction.sum() / 2 * way.length;
+  const double mean_force = nodes_.spacing * state_.traction.sum() / 2;
+  next_.mean_force = mean_force * way.length;
+  if (force == nullptr) {
+    const double rate = std::get<PrescribedCreepage>(way.load).value;
+    next_.shift = way.length > 0 ? rate * way.length : rate;
+    next_.work = mean_force * next_.shift;
+  }
   next_.state = start_of(VectorXd::Zero(nodes_.size), target_);
   next_.state.distance = next_.state.origin = end;
   sum_.traction = next_.state.traction;

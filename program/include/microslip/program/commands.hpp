@@ -33,7 +33,8 @@ struct Template {
 };
 
 /// Writes one of them as a file, with its table beside it, which must not be there before; or the
-/// scene to standard output with --out -. Returns the exit status: 0; 1 for bad input or a failed write.
+/// scene to standard output with --out -. Returns the exit status: 0; 1 for bad input or a failed
+/// write.
 int init(const std::string& name, const std::vector<Template>& templates, int argc,
          const char* const* argv);
 
