@@ -171,6 +171,16 @@ TEST_F(RunFiles, OfAContactThatIsLostGoOn) {
   EXPECT_NEAR(end_of(text, "force"), -0.5, 1e-12);
 }
 
+TEST_F(RunFiles, ThatStepsAreTooLongForAreWarnedOf) {
+  const std::string text = rolling_on(under_load, folder_ / "run.tsv");
+  write("q creepage normal_load\n0 0.002 4\n2 0.002 0\n3 0.002 4\n9 0.002 4\n");
+  const Outcome long_steps = run(text + "step { ratio 100 }\n", "");
+  EXPECT_EQ(long_steps.status, 0);
+  EXPECT_NE(long_steps.error.find("longer than rows of load.file"), std::string::npos);
+  EXPECT_EQ(run(text + "step { ratio 1 }\n", "").error, "");
+  EXPECT_EQ(run(text, "").error, "");
+}
+
 TEST_F(RunFiles, OfContactsThatAreWrongAreRefused) {
   const std::string text = rolling_on(under_load, folder_ / "run.tsv");
   const auto refused = [&](const std::string& table, const std::string& named,

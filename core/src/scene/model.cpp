@@ -190,6 +190,18 @@ SteadyProblem read_steady(Scene& scene, const SteadyMethod& method) {
           .solver = elements ? read_solver(scene) : Solver{}};
 }
 
+/// A step knows the contact at its ends only.
+void warn_of_missed_rows(Scene& scene, const LoadHistory& loads,
+                         const std::vector<double>& step_ratios, double spacing) {
+  if (!loads.changes_contact() || !scene.has("step.ratio")) return;
+  const double longest = std::ranges::max(step_ratios);
+  const std::vector<double> rows = row_ratios(loads, spacing);
+  if (longest <= std::ranges::min(rows)) return;
+  scene.warn("step.ratio", longest,
+             "longer than rows of load.file, so that it misses how the contact changes between its "
+             "ends; without step.ratio, steps end at the rows");
+}
+
 TransientScene read_transient(Scene& scene) {
   const ContactModel model = read_contact(scene);
   const TransientProblem problem{.kernel = model.kernel,
@@ -207,6 +219,7 @@ TransientScene read_transient(Scene& scene) {
     warn_outside(scene, entry_of(problem.scheme).safe_steps, "step.ratio", ratio,
                  "step.scheme remembered");
   }
+  warn_of_missed_rows(scene, loads, step_ratios, problem.grid.spacing());
   const double distance = read_distance(scene, loads);
   const double mean = std::accumulate(step_ratios.begin(), step_ratios.end(), 0.0) /
                       static_cast<double>(step_ratios.size());
