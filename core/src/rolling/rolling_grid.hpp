@@ -84,9 +84,9 @@ class RollingGrid {
       : weights_(weights), active_set_(std::move(influence), weights, solver) {}
 
   /// Fills a state from a solved contact, on the problem's contact. Dissipation and mean force are
-  /// those at the end, and the creepage over an element is that of the step. \param contact  with
-  /// slip and creepage as displacements over the length  [mm] \param bound    that its tractions
-  /// kept, and its means over elements  [N/mm^2]
+  /// those at the end, and the creepage over an element is that of the step.
+  /// \param contact  with slip and creepage as displacements over the length  [mm]
+  /// \param bound    that its tractions kept, and its means over elements  [N/mm^2]
   void fill_state(double distance, const ContactState& contact, double length,
                   const Eigen::VectorXd& bound, const Eigen::VectorXd& mean_bound,
                   TransientState& state) const;

@@ -46,8 +46,8 @@ void add_panels(double clear, std::vector<double>& heights, std::vector<double>&
 }
 
 /// (A - A')/(c dx) at a complex distance from the node: the kernel's decay, integrated with the
-/// shape and its mean over the step. All lengths are in units of dx. \param direction  1 ahead of
-/// the node, -1 behind it
+/// shape and its mean over the step. All lengths are in units of dx.
+/// \param direction  1 ahead of the node, -1 behind it
 template <class K>
 Complex continued(const K& kernel, const ShapeFunction& shape, double spacing, double step_ratio,
                   Complex distance, double direction) {

@@ -89,8 +89,9 @@ double log_factor(const Kernel& kernel);
 /// interval, half its half-length, is L0  [mm]
 double definite_half_length(const Kernel& kernel);
 
-/// The kernel of which lengths, the strip's width or L0, are divided by that of lengths: K(length
-/// z) as a function of z. \param length  in (0, inf)  [1]
+/// K(length z) as a function of z: the kernel with its own length, the strip's width or L0, divided
+/// by this one.
+/// \param length  in (0, inf)  [1]
 Kernel in_units_of(const Kernel& kernel, double length);
 
 /// Distance of the nearest singularity of the regular parts from the real axis  [mm]

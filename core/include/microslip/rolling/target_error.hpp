@@ -44,7 +44,8 @@ EstimatedSteady solve_steady_to(const SteadyContact& contact, double target);
 /// Constant elements over the whole contact, the number of which grows until the estimate is below
 /// the target. It has two parts: the difference to solutions by fewer elements, and the cost of
 /// violations of the contact conditions. tests/property/generated_contacts_test.cpp counts how
-/// often it holds. \throws as solve_steady_to
+/// often it holds.
+/// \throws as solve_steady_to
 EstimatedSteady estimate_by_elements(const SteadyContact& contact, double target);
 
 }  // namespace microslip

@@ -25,8 +25,9 @@ struct LeadingEdgeConstants {
   std::array<double, 8> layer;
 
   /// The same after a fraction of the next element has been travelled: the mean of the solutions
-  /// with and without its node, over sqrt(j + offset + fraction); j = -1 for that node. \param
-  /// fraction  in [0, 1) \return 1 from j = 7 on
+  /// with and without its node, over sqrt(j + offset + fraction); j = -1 for that node.
+  /// \param fraction  in [0, 1)
+  /// \return          1 from j = 7 on
   double value(Eigen::Index j, double fraction) const;
 };
 

@@ -22,7 +22,8 @@ CarterParameters read_carter(Scene& scene);
 
 /// Tables: traction (a row a node and step ratio, with the exact solution), exact (a fine line),
 /// summary (a row a step ratio: errors and the count of wiggles), accuracy (the force error against
-/// c) and claims. \throws NotConverged as solve_steady
+/// c) and claims.
+/// \throws NotConverged as solve_steady
 std::vector<Table> carter(const CarterParameters& parameters, const Progress& progress);
 
 }  // namespace microslip::experiments

@@ -75,7 +75,8 @@ Rule not_comparable(std::string reason);
 std::string verdict(const Rule& rule, double measured_value);
 
 /// The rule as one clause, with its numbers: "reproduced if the measured value is above 5;
-/// otherwise refuted". \throws std::logic_error for a rule that says nothing
+/// otherwise refuted".
+/// \throws std::logic_error for a rule that says nothing
 std::string sentence(const Rule& rule);
 
 /// Half the width of the range that the first condition accepts, in the unit of the claim;
