@@ -41,7 +41,6 @@ struct microslip_rolling {
   std::string method;                         ///< name of its scheme
   double spacing;                             ///< dx  [mm]
   double full_sliding;                        ///< as the elements have it  [N/mm]
-  microslip::ContactScale scale = {};         ///< of the contact that is set
   std::optional<Load> load;
   char message[512] = "";  ///< of the last call that failed
 };
@@ -73,11 +72,11 @@ microslip_status roll_with(microslip_rolling* handle, const Work& work) noexcept
 }
 
 double full_sliding_of(const microslip_rolling& handle) {
-  return handle.full_sliding * handle.scale.half_width * handle.scale.bound;
+  return handle.full_sliding * handle.contact->contact().full_sliding();
 }
 
 void require_force(const microslip_rolling& handle, double force) {
-  if (!handle.scale.carries()) {
+  if (!handle.contact->contact().carries()) {
     microslip::require(force == 0, "force", force, "0 where bodies do not touch");
     return;
   }
@@ -90,7 +89,7 @@ void require_force(const microslip_rolling& handle, double force) {
 /// \return the load of a step
 const Load& require_step(const microslip_rolling& handle, double dq) {
   const double now = handle.contact->state().scale.half_width;
-  const double larger = std::max(now, handle.scale.half_width);
+  const double larger = std::max(now, handle.contact->contact().half_width);
   const double spacing = handle.spacing * (larger > 0 ? larger : 1);
   const double elements = dq / spacing;
   microslip::require(elements >= microslip::min_step_ratio && elements <= most_elements, "dq", dq,
@@ -211,7 +210,6 @@ microslip_status microslip_set_contact(microslip_rolling* rolling, double half_w
                                        double bound) {
   return with(rolling, [&](microslip_rolling& of) {
     of.contact->set_contact({.half_width = half_width, .bound = bound});
-    of.scale = {.half_width = half_width, .bound = bound};
   });
 }
 

@@ -13,14 +13,8 @@ namespace microslip::experiments {
 
 namespace {
 
-std::vector<double> lengths_of(const TransientScene& scene) {
-  std::vector<double> lengths = scene.step_ratios;
-  for (double& length : lengths) length *= scene.problem.grid.spacing();
-  return lengths;
-}
-
 double full_sliding_of(const TransientScene& scene, const TransientState& state) {
-  return full_sliding_force(scene.problem.bound) * state.scale.half_width * state.scale.bound;
+  return full_sliding_force(scene.problem.bound) * state.scale.full_sliding();
 }
 
 Table empty_history(const LoadHistory& loads) {
@@ -130,7 +124,7 @@ std::optional<std::string> doubt_of(double noise) {
 }  // namespace
 
 std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress) {
-  const std::vector<double> lengths = lengths_of(scene);
+  const std::vector<double> lengths = scene.step_lengths();
   const std::size_t steps = number_of_steps(scene.distance, lengths);
   TransientRolling rolling(scene.problem, scene.start, scene.loads.contact_at(0));
   std::size_t done = 0;

@@ -59,7 +59,7 @@ expect() {
 }
 expect 'microslip ex' 'explain'
 expect 'microslip st' 'steady.info'
-expect 'microslip init ' 'steady wheel transient cylinder sweep'
+expect 'microslip init ' 'steady wheel transient cylinder run sweep'
 expect 'microslip explain ' 'steady.info out results'
 expect 'microslip plot o' 'out'
 expect 'microslip steady.info --set contact.h' 'contact.half_width='

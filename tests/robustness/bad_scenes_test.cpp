@@ -309,7 +309,7 @@ motion { distance 0.33 }
                   "motion.integrator midpoint");
   expect_rejected(good, "--set motion.integrator=euler", "motion.integrator = 'euler': expected");
   expect_rejected(good, "--set load.force=-1", "key 'load.force' has no role here");
-  expect_rejected(good, "--set step.ratio=-1", "step.ratio = -1: expected a number > 0");
+  expect_rejected(good, "--set step.ratio=-1", "step.ratio = -1: expected a number >= 1e-15");
   expect_rejected(good, "--set basis=linear", "basis = 'linear': expected constant");
   expect_rejected(good, "--set grid.leading_offset=1", "grid.leading_offset = 1: expected 0.5");
   expect_rejected(good, "--set kernel.width= --set kernel.type=plane --set kernel.length=0.4",

@@ -142,7 +142,8 @@ class ContactSearch {
     for (Index i = 0; i < size(); ++i) {
       if (zone(i) == Zone::adhesion) slip[i] = 0;
     }
-    response.creepage = unknowns_.creepage - conditions_->common * change_of_force();
+    response.creepage = unknowns_.creepage;
+    if (conditions_->common != 0) response.creepage -= conditions_->common * change_of_force();
     response.residual = unknowns_.residual;
   }
 

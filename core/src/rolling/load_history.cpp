@@ -67,15 +67,16 @@ std::vector<double> slopes(const std::vector<double>& values, const std::vector<
 
 std::vector<double> in_std(const VectorXd& values) { return {values.begin(), values.end()}; }
 
-/// A column of sizes; none is empty.
+/// A column of sizes over that of the problem's contact; none is empty.
 std::vector<double> sizes(const std::optional<VectorXd>& column, Index rows,
-                          const std::string& name) {
+                          const std::string& name, double of_problem) {
   if (!column) return {};
+  require_positive(name + " of the problem", of_problem);
   require_finite(*column, rows, name);
   for (Index i = 0; i < rows; ++i) {
     if ((*column)[i] < 0) require(false, named(i, name), (*column)[i], "a number >= 0");
   }
-  return in_std(*column);
+  return in_std(*column / of_problem);
 }
 
 }  // namespace
@@ -138,10 +139,11 @@ void LoadHistory::take_contact(const RunRows& rows) {
     throw std::invalid_argument("columns: expected peak_traction or friction, which it includes");
   }
   const auto n = static_cast<Index>(distances_.size());
-  load_ = sizes(rows.normal_load, n, "normal_load");
-  size_ = sizes(rows.half_width, n, "half_width");
-  bound_ = rows.friction ? sizes(rows.friction, n, "friction")
-                         : sizes(rows.peak_traction, n, "peak_traction");
+  const RunRows::Reference& reference = rows.of_problem;
+  load_ = sizes(rows.normal_load, n, "normal_load", reference.normal_load);
+  size_ = sizes(rows.half_width, n, "half_width", reference.half_width);
+  bound_ = rows.friction ? sizes(rows.friction, n, "friction", reference.friction)
+                         : sizes(rows.peak_traction, n, "peak_traction", reference.peak_traction);
 }
 
 double LoadHistory::distance() const {

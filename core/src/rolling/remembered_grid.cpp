@@ -75,7 +75,9 @@ std::unique_ptr<RollingGrid> RememberedGrid::clone() const {
 /// contact: the kernel's lengths are divided by it.
 void RememberedGrid::set_response(double half_width) {
   if (std::holds_alternative<PlaneKernel>(kernel_)) {
-    common_ = -log_factor(kernel_) * std::log(half_width);
+    const double common = -log_factor(kernel_) * std::log(half_width);
+    next_.conditions.common = common;
+    for (Step& slope : slopes_) slope.conditions.common = common;
   } else if (half_width != response_to_) {
     const Kernel kernel = in_units_of(kernel_, half_width);
     active_set_ = ActiveSet(
@@ -85,13 +87,11 @@ void RememberedGrid::set_response(double half_width) {
     stick_slip_point_ = StickSlipPoint(edge_);
   }
   response_to_ = half_width;
-  next_.conditions.common = common_;
-  for (Step& slope : slopes_) slope.conditions.common = common_;
 }
 
 /// The bound of tractions on the problem's contact.
 void RememberedGrid::set_bound(const ContactScale& scale) {
-  next_.conditions.bound = scale.half_width * scale.bound * problem_bound_;
+  next_.conditions.bound = scale.full_sliding() * problem_bound_;
 }
 
 VectorXd RememberedGrid::traction_at_nodes(const TransientState& state) const {
@@ -115,12 +115,13 @@ VectorXd RememberedGrid::displacement(const VectorXd& traction) {
 
 /// \param traction  on the problem's contact
 VectorXd RememberedGrid::displaced_by(const VectorXd& traction) const {
-  return (active_set_.response() * traction).array() + common_ * weights_.dot(traction);
+  return (active_set_.response() * traction).array() +
+         next_.conditions.common * weights_.dot(traction);
 }
 
 /// At entry and exit.
 void RememberedGrid::displace_ends(RememberedPoints& nodes, const VectorXd& traction) const {
-  const double common = common_ * weights_.dot(traction);
+  const double common = next_.conditions.common * weights_.dot(traction);
   nodes.at[nodes_.size] = entry_influence_.dot(traction) + common;
   nodes.exit = entry_influence_.reverse().dot(traction) + common;
 }
@@ -168,11 +169,10 @@ void RememberedGrid::give_tractions(const RememberedState& now, TransientState& 
 
 /// Takes nodes and bound to where they are after a step.
 void RememberedGrid::place_nodes() {
-  if (scale_ == state_.scale.half_width && bound_scale_ == state_.scale.bound) return;
-  scale_ = state_.scale.half_width;
-  bound_scale_ = state_.scale.bound;
-  x_ = scale_ * problem_x_;
-  bound_ = bound_scale_ * problem_bound_;
+  if (placed_ == state_.scale) return;
+  placed_ = state_.scale;
+  x_ = placed_.half_width * problem_x_;
+  bound_ = placed_.bound * problem_bound_;
 }
 
 /// Takes the ratio of tractions to the bound to the nodes of this grid.

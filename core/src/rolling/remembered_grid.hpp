@@ -127,11 +127,8 @@ class RememberedGrid final : public RollingGrid {
   Solver solver_;
   double response_to_ = 1;           ///< half-width, over the problem's, of the response
   Eigen::VectorXd entry_influence_;  ///< displacement at the entry by each node  [mm^3/N]
-  double common_ = 0;                ///< displacement everywhere by the force  [mm^2/N]
   StickSlipPoint stick_slip_point_;
 
-  double bound_scale_ = 1;  ///< of bound_
-  ContactScale target_;     ///< the contact at the end of the next step
   RememberedState state_;
   Step next_;                   ///< that was solved last
   std::array<Step, 2> slopes_;  ///< of it, by its load and by its length

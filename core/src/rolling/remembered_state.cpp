@@ -62,20 +62,31 @@ PartEnd RememberedState::end_of_part(const ReferenceNodes& nodes, double length,
   return part;
 }
 
-double RememberedState::remembered_at(Index i, const PartEnd& end) const {
+/// Of a node that has slipped, the nodes when the part began; else the points.
+RememberedState::Source RememberedState::source_of(Index i, const PartEnd& end) const {
   const bool as_if_stuck = i >= kept && i < stuck;
-  if (!sticks(zones, i) && !as_if_stuck) return interpolated_at(nodes, i, end.on_nodes.of(i), 0);
-  return interpolated_at(points, i, end.on_points.of(i), i >= kept ? kept : 0);
+  if (!sticks(zones, i) && !as_if_stuck) {
+    return {.displacements = nodes,
+            .shift = end.on_nodes.of(i),
+            .from = 0,
+            .half_width = scale.half_width};
+  }
+  return {.displacements = points,
+          .shift = end.on_points.of(i),
+          .from = i >= kept ? kept : 0,
+          .half_width = counted_by};
+}
+
+double RememberedState::remembered_at(Index i, const PartEnd& end) const {
+  const Source source = source_of(i, end);
+  return interpolated_at(source.displacements, i, source.shift, source.from);
 }
 
 double RememberedState::slope_at_node(const ReferenceNodes& reference, Index i,
                                       const PartEnd& end) const {
-  const bool as_if_stuck = i >= kept && i < stuck;
-  if (!sticks(zones, i) && !as_if_stuck) {
-    return slope_at(nodes, i, end.on_nodes.of(i), 0) / (reference.spacing * scale.half_width);
-  }
-  return slope_at(points, i, end.on_points.of(i), i >= kept ? kept : 0) /
-         (reference.spacing * counted_by);
+  const Source source = source_of(i, end);
+  return slope_at(source.displacements, i, source.shift, source.from) /
+         (reference.spacing * source.half_width);
 }
 
 void RememberedState::remember_all() {

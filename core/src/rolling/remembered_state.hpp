@@ -78,6 +78,15 @@ struct RememberedState : ElementTravel {
   void admit_entry(const ReferenceNodes& nodes, double offset);
 
  private:
+  /// Where the displacement of a node is looked up.
+  struct Source {
+    const RememberedPoints& displacements;
+    double shift;       ///< of the node among them
+    Eigen::Index from;  ///< the values used have this index at least
+    double half_width;  ///< over the problem's, of their contact
+  };
+
+  Source source_of(Eigen::Index i, const PartEnd& end) const;
   NodeShift among_points(const ReferenceNodes& nodes) const;
   double between_nodes(Eigen::Index point, const NodeShift& shift) const;
   void renew_points(const PartEnd& end, Eigen::Index from);

@@ -22,9 +22,11 @@ class RollingGrid {
   /// An independent grid that goes on like this one.
   virtual std::unique_ptr<RollingGrid> clone() const = 0;
 
-  const Eigen::VectorXd& x() const { return x_; }                ///< in the contact's frame  [mm]
-  const Eigen::VectorXd& bound() const { return bound_; }        ///< that tractions keep  [N/mm^2]
-  Eigen::VectorXd weights() const { return scale_ * weights_; }  ///< of tractions, in a force  [mm]
+  const Eigen::VectorXd& x() const { return x_; }          ///< in the contact's frame  [mm]
+  const Eigen::VectorXd& bound() const { return bound_; }  ///< that tractions keep  [N/mm^2]
+  Eigen::VectorXd weights() const {
+    return placed_.half_width * weights_;
+  }  ///< of tractions, in a force  [mm]
 
   /// Tractions as values at the nodes, where those of the state are coefficients  [N/mm^2]
   virtual Eigen::VectorXd traction_at_nodes(const TransientState& state) const = 0;
@@ -51,6 +53,7 @@ class RollingGrid {
   /// The contact at the end of the next step or shift, and of a start.
   /// \throws std::invalid_argument if the scheme keeps the contact as it is
   virtual void set_contact(const ContactScale& scale);
+  const ContactScale& contact() const { return target_; }
 
   /// Solves a shift without rolling, and stays where it is.
   /// \param before  the state now
@@ -101,7 +104,8 @@ class RollingGrid {
 
   Eigen::VectorXd x_, bound_;
   Eigen::VectorXd weights_;  ///< of the problem's contact  [mm]
-  double scale_ = 1;         ///< of x_, in the problem's lengths
+  ContactScale placed_;      ///< the contact of x_ and bound_
+  ContactScale target_;      ///< that at the end of the next step
   ActiveSet active_set_;
 };
 

@@ -114,7 +114,6 @@ TransientRolling::TransientRolling(const TransientRolling& other)
       state_(other.state_),
       next_(other.next_),
       solved_(other.solved_),
-      contact_(other.contact_),
       creep_(other.creep_) {}
 
 TransientRolling& TransientRolling::operator=(const TransientRolling& other) {
@@ -127,6 +126,8 @@ TransientRolling::~TransientRolling() = default;
 
 const VectorXd& TransientRolling::x() const { return grid_->x(); }
 const VectorXd& TransientRolling::bound() const { return grid_->bound(); }
+
+const ContactScale& TransientRolling::contact() const { return grid_->contact(); }
 
 VectorXd TransientRolling::traction_at_nodes() const { return grid_->traction_at_nodes(state_); }
 VectorXd TransientRolling::bound_at_nodes() const {
@@ -170,7 +171,7 @@ Shift TransientRolling::shift(const ShiftLoad& load) {
       prescribed != nullptr
           ? prescribed->value == 0
           : std::abs(std::get<PrescribedForce>(load).value - state_.force) <= rounding;
-  if (is_none && contact_ == state_.scale) {
+  if (is_none && contact() == state_.scale) {
     return {.slip = zeros()};
   }
   solved_.reset();
@@ -182,9 +183,9 @@ Shift TransientRolling::shift(const ShiftLoad& load) {
 }
 
 void TransientRolling::set_contact(const ContactScale& scale) {
+  const bool is_another = scale != contact();
   grid_->set_contact(scale);
-  if (scale != contact_) solved_.reset();
-  contact_ = scale;
+  if (is_another) solved_.reset();
 }
 
 void TransientRolling::solve_step(double length, const Load& load, StepJacobian* jacobian) {

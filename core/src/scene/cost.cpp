@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/rolling/transient.hpp"
 #include "microslip/support/work.hpp"
 
 namespace microslip {
@@ -71,12 +71,11 @@ struct StepsOf {
   double operator()(const SteadyProblem&) const { return 0; }
   double operator()(const SteadyTarget&) const { return 0; }
   double operator()(const TransientScene& scene) const {
-    const double mean = std::accumulate(scene.step_ratios.begin(), scene.step_ratios.end(), 0.0) /
-                        static_cast<double>(scene.step_ratios.size());
-    return std::ceil(scene.distance / (mean * scene.problem.grid.spacing()));
+    return static_cast<double>(number_of_steps(scene.distance, scene.step_lengths()));
   }
   double operator()(const CylinderScene& scene) const {
-    return std::ceil(scene.distance / (scene.step_ratio * scene.contact.grid.spacing()));
+    const double length = scene.step_ratio * scene.contact.grid.spacing();
+    return static_cast<double>(number_of_steps(scene.distance, {length}));
   }
 };
 

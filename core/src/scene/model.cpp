@@ -92,6 +92,18 @@ std::vector<double> judged_steps(const Scene& scene, const std::vector<double>& 
   return {least, most};
 }
 
+/// A step knows the contact at its ends only.
+void warn_of_missed_rows(Scene& scene, const LoadHistory& loads,
+                         const std::vector<double>& step_ratios, double spacing) {
+  if (!loads.changes_contact() || !scene.has("step.ratio")) return;
+  const double longest = std::ranges::max(step_ratios);
+  const std::vector<double> rows = row_ratios(loads, spacing);
+  if (longest <= std::ranges::min(rows)) return;
+  scene.warn("step.ratio", longest,
+             "longer than rows of load.file, so that it misses how the contact changes between its "
+             "ends; without step.ratio, steps end at the rows");
+}
+
 double read_distance(Scene& scene, const LoadHistory& loads) {
   if (loads.distances().empty()) return scene.positive("motion.distance");
   const double distance = scene.number("motion.distance", loads.distance());
@@ -139,7 +151,7 @@ Beginning read_beginning(Scene& scene, const TransientProblem& problem, const Lo
   if (type == "rest") return {};
   if (type == "cattaneo") {
     const double full = full_sliding_force(problem.bound);
-    return read_shifts(scene, full * contact.half_width * contact.bound, load);
+    return read_shifts(scene, full * contact.full_sliding(), load);
   }
   const std::vector<FileColumn> wanted = {{"x", "mm"}, {"traction", "N/mm^2"}};
   return {.start = scene.from_columns("start.file", wanted, [&](const auto& columns) {
@@ -190,16 +202,10 @@ SteadyProblem read_steady(Scene& scene, const SteadyMethod& method) {
           .solver = elements ? read_solver(scene) : Solver{}};
 }
 
-/// A step knows the contact at its ends only.
-void warn_of_missed_rows(Scene& scene, const LoadHistory& loads,
-                         const std::vector<double>& step_ratios, double spacing) {
-  if (!loads.changes_contact() || !scene.has("step.ratio")) return;
-  const double longest = std::ranges::max(step_ratios);
-  const std::vector<double> rows = row_ratios(loads, spacing);
-  if (longest <= std::ranges::min(rows)) return;
-  scene.warn("step.ratio", longest,
-             "longer than rows of load.file, so that it misses how the contact changes between its "
-             "ends; without step.ratio, steps end at the rows");
+std::vector<double> TransientScene::step_lengths() const {
+  std::vector<double> lengths = step_ratios;
+  for (double& length : lengths) length *= problem.grid.spacing();
+  return lengths;
 }
 
 TransientScene read_transient(Scene& scene) {
@@ -269,6 +275,8 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
   warn_of_other_radius(scene, cylinder.cylinder.radius);
   require_definite(cylinder.contact);
   require_positive("motion.distance", cylinder.distance);
+  require(cylinder.step_ratio >= min_step_ratio, "step.ratio", cylinder.step_ratio,
+          "a number >= 1e-15");
   require_few_steps(cylinder.distance, cylinder.step_ratio * model.grid.spacing());
   warn_outside(scene, entry_of(scheme).safe_steps, "step.ratio", cylinder.step_ratio,
                "step.scheme remembered");

@@ -20,7 +20,7 @@ void require_below_full_sliding(const Eigen::VectorXd& forces, const LoadHistory
   const double full = full_sliding_force(bound);
   for (Eigen::Index i = 0; i < forces.size(); ++i) {
     const ContactScale contact = loads.contact_at(loads.distances()[static_cast<std::size_t>(i)]);
-    const double most = full * contact.half_width * contact.bound;
+    const double most = full * contact.full_sliding();
     if (std::abs(forces[i]) < most || (forces[i] == 0 && !contact.carries())) continue;
     require(false, "row " + std::to_string(i + 1) + ": force", forces[i],
             contact.carries() ? "an absolute value below full sliding, " + format_short(most)
@@ -28,19 +28,14 @@ void require_below_full_sliding(const Eigen::VectorXd& forces, const LoadHistory
   }
 }
 
-/// A column over the value that the scene has of it.
-void divide(Scene& scene, std::optional<Eigen::VectorXd>& column, const std::string& name,
-            const std::string& key) {
-  if (!column) return;
-  if (!scene.has(key)) {
-    throw std::invalid_argument("column '" + name + "': expected " + key +
-                                " to be given, of the contact that it changes");
-  }
-  for (Eigen::Index i = 0; i < column->size(); ++i) {
-    if ((*column)[i] >= 0) continue;
-    require(false, "row " + std::to_string(i + 1) + ": " + name, (*column)[i], "a number >= 0");
-  }
-  *column /= scene.positive(key);
+/// What the scene has of a column of the contact; 1 without the column.
+double of_problem(Scene& scene, const std::optional<Eigen::VectorXd>& column,
+                  const std::string& name) {
+  if (!column) return 1;
+  const std::string key = "contact." + name;
+  if (scene.has(key)) return scene.positive(key);
+  throw std::invalid_argument("column '" + name + "': expected " + key +
+                              " to be given, of the contact that it changes");
 }
 
 void require_contacts(const LoadHistory& loads, const TransientProblem& problem) {
@@ -84,10 +79,10 @@ LoadHistory read_run(Scene& scene, const TransientProblem& problem) {
   });
   if (rows.angular_velocity) rows.radius = scene.positive("load.radius");
   return scene.with_file("load.file", [&] {
-    divide(scene, rows.normal_load, "normal_load", "contact.normal_load");
-    divide(scene, rows.half_width, "half_width", "contact.half_width");
-    divide(scene, rows.peak_traction, "peak_traction", "contact.peak_traction");
-    divide(scene, rows.friction, "friction", "contact.friction");
+    rows.of_problem = {.normal_load = of_problem(scene, rows.normal_load, "normal_load"),
+                       .half_width = of_problem(scene, rows.half_width, "half_width"),
+                       .peak_traction = of_problem(scene, rows.peak_traction, "peak_traction"),
+                       .friction = of_problem(scene, rows.friction, "friction")};
     const LoadHistory loads(rows);
     require_contacts(loads, problem);
     if (rows.force) require_below_full_sliding(*rows.force, loads, problem.bound);

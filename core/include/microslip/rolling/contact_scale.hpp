@@ -11,6 +11,9 @@ struct ContactScale {
 
   bool operator==(const ContactScale&) const = default;
 
+  /// The force of full sliding, over that of the problem's contact.
+  double full_sliding() const { return half_width * bound; }
+
   /// Without, the bodies do not touch, or slide without friction: no tractions.
   bool carries() const { return half_width > 0 && bound > 0; }
 };

@@ -22,12 +22,20 @@ struct RunRows {
   std::optional<Eigen::VectorXd> angular_velocity;  ///< omega, with v and a radius  [1/s]
   double radius = 0;                                ///< R > 0, with omega  [mm]
 
-  // The contact, over that of the problem: by Hertz's theory under a normal load, or by its
-  // half-width and the peak of its bound; friction goes with either, except for the peak.
-  std::optional<Eigen::VectorXd> normal_load;    ///< P/P_0 >= 0
-  std::optional<Eigen::VectorXd> half_width;     ///< a/a_0 >= 0
-  std::optional<Eigen::VectorXd> peak_traction;  ///< >= 0
-  std::optional<Eigen::VectorXd> friction;       ///< mu/mu_0 >= 0
+  // The contact: by Hertz's theory under a normal load, or by its half-width and the peak of its
+  // bound; friction goes with either, except for the peak.
+  std::optional<Eigen::VectorXd> normal_load;    ///< P >= 0  [N/mm]
+  std::optional<Eigen::VectorXd> half_width;     ///< a >= 0  [mm]
+  std::optional<Eigen::VectorXd> peak_traction;  ///< >= 0  [N/mm^2]
+  std::optional<Eigen::VectorXd> friction;       ///< mu >= 0  [1]
+
+  /// These of the problem's contact, each > 0; what has no column does not matter.
+  struct Reference {
+    double normal_load = 1;
+    double half_width = 1;
+    double peak_traction = 1;
+    double friction = 1;
+  } of_problem = {};
 };
 
 /// A load that changes on the way: velocities, creepage, force, and what there is of the contact,

@@ -89,6 +89,9 @@ class TransientRolling {
   /// \throws std::invalid_argument for numbers < 0, for another scheme, and as require_definite
   void set_contact(const ContactScale& scale);
 
+  /// That was set last.
+  const ContactScale& contact() const;
+
   /// Shifts the bodies without rolling, from the tractions now. The state has them afterwards with
   /// the same distance; its slip, creepages and dissipation are 0, as those are about rolling, and
   /// the energies of its evidence are those of the shift  [N].
@@ -132,7 +135,6 @@ class TransientRolling {
   TransientState state_{};
   TransientState next_{};                          ///< after a step that is tried
   std::optional<std::pair<double, Load>> solved_;  ///< length and load of the step to next_
-  ContactScale contact_;                           ///< at its end
   RecentCreep creep_;
 };
 

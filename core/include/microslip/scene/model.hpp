@@ -80,14 +80,17 @@ struct TransientScene {
   double distance;                  ///< rolled after them, (0, inf)  [mm]
   std::vector<double> step_ratios;  ///< dq/dx, taken in turn, each (0, inf)  [1]
   LoadHistory loads;
+
+  std::vector<double> step_lengths() const;  ///< dq, taken in turn  [mm]
 };
 
-/// All of a steady scene but step.ratio, and: step.ratio (one or more numbers), step.scheme
-/// material|direct|relaxed|relaxed_traction|fractional (material), step.relaxation (1) of the third
-/// and fourth, motion.distance, start.type rest|cattaneo|file; start.force (load.force) or
-/// start.shift of the second; start.file of the third: columns x traction, at the nodes, or at any
-/// positions for `material`. One start.force makes a CattaneoShift; several, or any start.shift,
-/// are shifts from rest.
+/// All of a steady scene except for leading_edge, with load.file as another load, and:
+/// step.ratio (one or more numbers; with load.file, its rows), step.scheme
+/// remembered|material|direct|relaxed|relaxed_traction|fractional (remembered), step.relaxation (1)
+/// of the relaxed ones, motion.distance (that of load.file), start.type rest|cattaneo|file;
+/// start.force (load.force) or start.shift of cattaneo; start.file of file: columns x traction, at
+/// the nodes, or at any positions for remembered and material. One start.force makes a
+/// CattaneoShift; several, or any start.shift, are shifts from rest.
 TransientScene read_transient(Scene& scene);
 
 /// A cylinder that rolls down a slope, from rest or from free rolling.
