@@ -15,6 +15,7 @@
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 #include "study_keys.hpp"
+#include "table_values.hpp"
 
 namespace microslip::experiments {
 
@@ -37,8 +38,7 @@ Table curves_table(const FrequencyResponseParameters& p) {
   const double a = p.bound.half_width();
   const auto add = [&](const char* name, double stick_ratio, const auto& response) {
     for (int i = 0; i < p.points; ++i) {
-      const double length =
-          p.shortest * std::pow(p.longest / p.shortest, static_cast<double>(i) / (p.points - 1));
+      const double length = log_spaced(p.shortest, p.longest, i, p.points);
       const Complex h = response(length);
       const Complex springs = winkler_response(2 * pi * stick_ratio * a / length);
       table.add({name, stick_ratio, length / a, std::abs(h), std::arg(h), std::abs(h - springs)});
@@ -58,18 +58,6 @@ Table curves_table(const FrequencyResponseParameters& p) {
 
 std::string text(const Table& table, std::size_t row, const char* column) {
   return std::get<std::string>(table.at(row, column));
-}
-
-/// Of a column in the rows that are wanted; `least` or the largest.
-template <class Wanted>
-double extreme(const Table& table, const char* column, bool least, const Wanted& wanted) {
-  double found = not_given;
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (!wanted(i)) continue;
-    const double value = table.number(i, column);
-    found = least ? std::fmin(found, value) : std::fmax(found, value);
-  }
-  return found;
 }
 
 Table claims_of(const FrequencyResponseParameters& p, const Table& curves, const WaveTables& waves,

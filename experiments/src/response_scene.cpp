@@ -14,6 +14,7 @@
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
+#include "table_values.hpp"
 
 namespace microslip::experiments {
 
@@ -135,9 +136,7 @@ std::vector<Table> response_tables(const ResponseScene& scene, const Progress& p
   // A short zone next to full sliding is a difference of its ends.
   double error = 2 * std::numeric_limits<double>::epsilon() * half_width / half_length;
   for (Index i = 0; i < scene.wavelengths; ++i) {
-    const double part = static_cast<double>(i) / static_cast<double>(scene.wavelengths - 1);
-    const double length =
-        std::clamp(shortest * std::pow(longest / shortest, part), shortest, longest);
+    const double length = log_spaced(shortest, longest, i, scene.wavelengths);
     const auto slope = response.slope(length);
     error = std::max(error, response.estimated_error(length));
     table.add({length, length / half_width, slope.real(), slope.imag(), std::abs(slope / steady),

@@ -15,7 +15,7 @@ namespace microslip {
 /// \param stick_ratio  alpha = a'/a, in (0, 1]
 /// \param length       L0/a, in (1/2, inf)  [1]
 /// \throws std::invalid_argument outside the ranges
-/// Accuracy: 1e-13, tests/unit/load_response_test.cpp
+/// Accuracy: 1e-10, tests/unit/load_response_test.cpp
 std::complex<double> force_by_normal_load(double wave, double stick_ratio, double length);
 
 }  // namespace microslip

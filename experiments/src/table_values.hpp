@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "microslip/experiments/rule.hpp"
+#include "microslip/scene/table.hpp"
+
+namespace microslip::experiments {
+
+/// Number `i` of `count`, from the first to the last in equal ratios.
+/// \param count  >= 2
+template <class Number>
+double log_spaced(double first, double last, Number i, Number count) {
+  const double part = static_cast<double>(i) / static_cast<double>(count - 1);
+  return std::clamp(first * std::pow(last / first, part), first, last);
+}
+
+/// The least or the largest number of a column, in the rows that are wanted.
+/// \param wanted  of the index of a row
+/// \return        not_given if there is none
+template <class Wanted>
+double extreme(const Table& table, const char* column, bool least, const Wanted& wanted) {
+  double found = not_given;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (!wanted(i)) continue;
+    const double value = table.number(i, column);
+    found = least ? std::fmin(found, value) : std::fmax(found, value);
+  }
+  return found;
+}
+
+}  // namespace microslip::experiments
