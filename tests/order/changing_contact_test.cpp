@@ -76,7 +76,9 @@ TEST(ChangingContact, ResponseIsThatOfTheLinearTheory) {
       const auto error = [&](Eigen::Index n) {
         return std::abs(response(n, wavelength, step_ratio) - exact) / std::abs(exact);
       };
-      const double coarse = error(25), fine = error(100);
+      // The stick-slip point lies anywhere within an element.
+      const double coarse = std::max({error(25), error(26), error(27)});
+      const double fine = std::max({error(100), error(101), error(102)});
       EXPECT_LE(fine, 4e-4);
       EXPECT_GE(std::log2(coarse / fine) / 2, 1.7) << step_ratio << ' ' << wavelength;
     }

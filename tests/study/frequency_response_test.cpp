@@ -74,7 +74,7 @@ TEST(FrequencyResponseStudy, WhereAllAdheresTheOrderIsTwoByMaterialAndRemembered
 
 // Over the places of the stick-slip point within an element.
 TEST(FrequencyResponseStudy, AboutAStateWithSlipRememberedIsSecondOrderAndOthersFirst) {
-  EXPECT_NEAR(order("plane", 0.6, "remembered", 1), 2, 0.4);
+  EXPECT_GT(order("plane", 0.6, "remembered", 1), 1.7);
   EXPECT_LT(error("plane", 0.6, "remembered", 1), 1e-4);
   for (const char* scheme : {"material", "direct"}) {
     EXPECT_NEAR(order("plane", 0.6, scheme, 1), 1, 0.35) << scheme;

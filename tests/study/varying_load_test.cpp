@@ -23,6 +23,7 @@ VaryingLoadParameters parameters() {
           .stick_ratios = {0.6},
           .wavelengths = {5, 30},
           .amplitude = 1e-3,
+          .alignments = 3,
           .sizes = {25, 50},
           .step_ratios = {1},
           .large_amplitude = 0.4,
@@ -52,7 +53,7 @@ TEST(VaryingLoadStudy, LongWavesAreCartersSolutionOfEachMoment) {
 
 TEST(VaryingLoadStudy, SmallWavesAreOfSecondOrder) {
   const Table& orders = table_named(tables(), "orders");
-  for (std::size_t i = 0; i < orders.rows(); ++i) EXPECT_NEAR(orders.number(i, "order"), 2, 0.3);
+  for (std::size_t i = 0; i < orders.rows(); ++i) EXPECT_GT(orders.number(i, "order"), 1.7);
   const Table& measured = table_named(tables(), "measured");
   for (std::size_t i = 0; i < measured.rows(); ++i) EXPECT_LE(measured.number(i, "error"), 2e-3);
 }

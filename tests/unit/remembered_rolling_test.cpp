@@ -122,12 +122,42 @@ TEST(Remembered, TurnsToCarter) {
   }
 }
 
+// The place of the stick-slip point, and with it the creepage, goes on evenly while the first
+// element begins to slip.
+TEST(Remembered, TheFirstElementBeginsToSlipEvenly) {
+  for (const Index n : {30, 60, 100}) {
+    TransientRolling rolling(problem(n));
+    const double dx = spacing_of(rolling);
+    constexpr int steps = 400;
+    const double most = 0.04 * full_sliding * 60 / static_cast<double>(n);
+    std::vector<double> creepages;
+    for (int k = 1; k <= steps; ++k) {
+      rolling.step(0.1 * dx, PrescribedForce{-most * k / steps});
+      creepages.push_back(rolling.state().creepage);
+    }
+    EXPECT_LT(rolling.state().adhesion_elements, n);
+    // An element is travelled in ten steps: what was slack at the start is over after 60.
+    for (std::size_t k = 100; k < creepages.size(); ++k) {
+      const double bend = creepages[k] - 2 * creepages[k - 1] + creepages[k - 2];
+      EXPECT_LT(std::abs(bend), 1e-3 * creepages[k]) << n << ", " << k;
+    }
+  }
+}
+
+TEST(Remembered, StepsOfWholeElementsAreNotDivided) {
+  TransientRolling rolling(problem(50));
+  EXPECT_NEAR(spacing_of(rolling), 2.0 / 50, 1e-15);
+  rolling.roll(10, {2.0 / 50}, PrescribedForce{-0.5 * full_sliding}, [](const TransientState&) {});
+  rolling.step(2.0 / 50, PrescribedForce{-0.5 * full_sliding});
+  EXPECT_EQ(rolling.state().iterations, 1);
+}
+
 // The slip at nodes loses what the balance of energy says, to first order: its zone ends between
 // nodes.
 TEST(Remembered, SlipLosesTheEnergyOfSteadyRolling) {
   for (const double ratio : {0.64, 0.9}) {
     const double force = -ratio * full_sliding;
-    for (const auto& [n, error] : {std::pair<Index, double>{50, 0.03}, {200, 0.0075}}) {
+    for (const auto& [n, error] : {std::pair<Index, double>{50, 0.05}, {200, 0.0125}}) {
       for (const double c : {1.0, 0.3}) {
         TransientRolling rolling(problem(n));
         rolling.roll(60, {c * 2 / static_cast<double>(n)}, PrescribedForce{force},

@@ -22,6 +22,19 @@ namespace {
 /// the mean of the solutions with and without it.
 constexpr double entry_in_shift = 0.5;
 
+/// The part of the first element that is in the contact, from where the scheme would feel the
+/// trailing edge without it. Nodes are 2 a/N apart, so that steps of whole elements are not divided,
+/// and the last one is where the scheme feels the leading edge. The trailing edge is then 0.15
+/// elements ahead of where the first node would feel it.
+double exit_share(const LeadingEdgeConstants& edge) { return 2.5 - 2 * edge.offset; }
+
+/// Of an element that is the mean of the solutions with it, of this weight, and without it
+/// [mm^3/N]
+double spring_of_mean(const LeadingEdgeConstants& edge, const Kernel& kernel, double spacing,
+                      double weight) {
+  return edge.compliance * compliance(material_of(kernel)) * spacing * (1 - weight) / weight;
+}
+
 /// Displacement at the entry by each node, by the kernel on the problem's contact  [mm^3/N]
 VectorXd influence_at_entry(const Kernel& kernel, const ReferenceNodes& nodes) {
   return VectorXd::NullaryExpr(nodes.size, [&](Index j) {
@@ -39,7 +52,7 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
                      Grid({.half_width = problem.grid.half_width(),
                            .elements = problem.grid.size(),
                            .leading_offset = edge.offset,
-                           .trailing_offset = edge.offset - 0.5})) {}
+                           .trailing_offset = 1 - edge.offset})) {}
 
 RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge,
                                const Grid& grid)
@@ -65,6 +78,9 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
   for (Step& slope : slopes_)
     slope.conditions = {.bound = zeros, .offset = zeros, .reference = zeros};
   entry_influence_ = influence_at_entry(kernel_, nodes_);
+  exit_ = {0, spring_of_mean(edge_, kernel_, nodes_.spacing, exit_share(edge_))};
+  next_.conditions.compliant = {exit_};
+  for (Step& slope : slopes_) slope.conditions.compliant = {exit_};
 }
 
 std::unique_ptr<RollingGrid> RememberedGrid::clone() const {
@@ -115,8 +131,10 @@ VectorXd RememberedGrid::displacement(const VectorXd& traction) {
 
 /// \param traction  on the problem's contact
 VectorXd RememberedGrid::displaced_by(const VectorXd& traction) const {
-  return (active_set_.response() * traction).array() +
-         next_.conditions.common * weights_.dot(traction);
+  VectorXd displacement = (active_set_.response() * traction).array() +
+                          next_.conditions.common * weights_.dot(traction);
+  displacement[0] += exit_.compliance * traction[0];
+  return displacement;
 }
 
 /// At entry and exit.
@@ -193,19 +211,20 @@ double RememberedGrid::start_from_shift(const PrescribedForce& force, TransientS
 
   VectorXd bound(n + 1);
   bound << next_.conditions.bound, next_.conditions.bound[n - 1];
-  const double spring = edge_.compliance * compliance(material_of(kernel_)) * nodes_.spacing *
-                        (1 - entry_in_shift) / entry_in_shift;
+  const double spring = spring_of_mean(edge_, kernel_, nodes_.spacing, entry_in_shift);
   ActiveSet with_entry(influence_operator(in_units_of(kernel_, target_.half_width),
                                           constant_basis(), nodes_.spacing, n + 1, solver_),
                        VectorXd::Constant(n + 1, nodes_.spacing), solver_);
   const VectorXd zeros = VectorXd::Zero(n + 1);
   const ContactState longer = with_entry.solve(
-      {.bound = bound, .offset = zeros, .reference = zeros, .compliant = {{n, spring}}}, force);
+      {.bound = bound, .offset = zeros, .reference = zeros, .compliant = {exit_, {n, spring}}},
+      force);
   VectorXd traction = longer.traction.head(n);
   traction[n - 1] += longer.traction[n];
   begin(traction, state);
   state_.zones.assign(longer.zones.begin(), longer.zones.end() - 1);
   state_.nodes.at = with_entry.response() * longer.traction;
+  state_.nodes.at[0] += exit_.compliance * longer.traction[0];
   state_.remember_all();
   state.zones = state_.zones;
   return longer.creepage;

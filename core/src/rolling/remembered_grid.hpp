@@ -21,8 +21,9 @@ namespace microslip {
 /// with which it came: s = W + A p - m, where m is the displacement that it would have without
 /// slip, cubic between points one element apart.
 ///
-/// - Both edges of the contact lie where the scheme feels them: LeadingEdgeConstants::offset
-///   elements before the last node and half an element less behind the first.
+/// - Both edges of the contact lie where the scheme feels them: the leading edge
+///   LeadingEdgeConstants::offset elements before the last node. The trailing edge is so near to
+///   the first node that its element is on a spring.
 /// - A displacement is remembered where a point enters, one element before the last node, once per
 ///   element. Steps in between have no part in what is remembered of adhesion, so that results do
 ///   not depend on the step.
@@ -127,6 +128,7 @@ class RememberedGrid final : public RollingGrid {
   Solver solver_;
   double response_to_ = 1;           ///< half-width, over the problem's, of the response
   Eigen::VectorXd entry_influence_;  ///< displacement at the entry by each node  [mm^3/N]
+  CompliantElement exit_;            ///< the first element
   StickSlipPoint stick_slip_point_;
 
   RememberedState state_;

@@ -26,21 +26,27 @@ Scalar clamped(const Scalar& x, double low, double high) {
   return x;
 }
 
-/// Weights of the partitions before the one behind the point, of that one, and of the next two.
+/// Weights of the partition before the one behind the point, of that one, and of the next two. They
+/// are cubic in y, add up to 1, and the mean of the squared distances to the point is 0.
+/// \param y       place of the point between the two natural ends next to it, [0, 1]
+/// \param before  from the natural end before to that behind the point  [dx]
 template <class Scalar>
-std::array<Scalar, 4> convolution(const Scalar& y) {
-  const Scalar y2 = y * y;
-  const Scalar y3 = y2 * y;
-  return {-y / 2 + y2 - y3 / 2, 1 - 2.5 * y2 + 1.5 * y3, y / 2 + 2 * y2 - 1.5 * y3, (y3 - y2) / 2};
+std::array<Scalar, 4> convolution(const Scalar& y, double before) {
+  const double e = 1 / (before + 1);
+  const Scalar first = -(e / before) * y * (1 - y) * (1 - y);
+  const Scalar third = y * (1 - e + (1 + 2 * e) * y - (1 + e) * y * y);
+  const Scalar last = -y * y * (1 - y) / 2;
+  return {first, 1 - first - third - last, third, last};
 }
 
 /// The same where adhesion has no partition before: that of the whole contact is exact for the
 /// smallest loads, and the others come in with the square of the slip zone.
+/// \param length  from the edge of the contact to the next natural end  [dx]
 template <class Scalar>
-std::array<Scalar, 4> convolution_at_edge(const Scalar& y) {
-  const Scalar y2 = y * y;
-  const Scalar y3 = y2 * y;
-  return {Scalar(0), 1 - 2 * y2 + y3, 3 * y2 - 2 * y3, y3 - y2};
+std::array<Scalar, 4> convolution_at_edge(const Scalar& y, double length) {
+  const Scalar next = y * y * (2 * length + 1 - 2 * length * y);
+  const Scalar last = -2 * length * length / (length + 1) * y * y * (1 - y);
+  return {Scalar(0), 1 - next - last, next, last};
 }
 
 }  // namespace
@@ -55,7 +61,8 @@ Index first_stuck(const std::vector<Zone>& zones) {
 StickSlipPoint::StickSlipPoint(const LeadingEdgeConstants& edge)
     : second_(edge.layer[1] * std::sqrt(1 + edge.offset) /
                   (edge.layer[0] * std::sqrt(edge.offset)) -
-              1) {}
+              1),
+      first_length_(2.5 - 2 * edge.offset) {}
 
 /// Of a derivative, bounds are 0.
 double StickSlipPoint::left(const SlipConditions* conditions, const ContactState& contact,
@@ -68,29 +75,42 @@ double StickSlipPoint::left(const SlipConditions* conditions, const ContactState
 }
 
 template <class Scalar>
-StickSlipPoint::Root<Scalar> StickSlipPoint::root_of(const Left<Scalar>& left) const {
+StickSlipPoint::Root<Scalar> StickSlipPoint::root_of(const Scalar& left, const Scalar& next) const {
   constexpr double any = std::numeric_limits<double>::infinity();
-  const Scalar first = clamped(left[2], 0, any);
-  const Scalar next = clamped(left[3], 0, any);
-  return {first, next - second_ * first};
+  const Scalar first = clamped(left, 0, any);
+  return {first, clamped(next, 0, any) - second_ * first};
 }
 
 /// With the coefficients A of the regular square root and B of the singular one, the point is
 /// -B/A elements from where the partition would have it without the singular one, and that is half
 /// an element behind its natural end.
-/// \param bound  of the first node
+/// \return elements from the natural end of the partition whose first nodes these are, [-1/2, 1/2]
 template <class Scalar>
-StickSlipPoint::Place<Scalar> StickSlipPoint::place_of(const Root<Scalar>& root,
-                                                       double bound) const {
-  if (stuck_ == 0) {
-    // All that sticks: the slip zone begins to take a node when its mean traction is at the bound.
-    if (bound <= 0) return {0, Scalar(0)};
-    return {0, clamped<Scalar>((1 - root.first / bound) / 2, 0, 0.5)};
+Scalar StickSlipPoint::beyond(const Root<Scalar>& root) {
+  if (root.regular <= 0) return Scalar(-0.5);
+  return clamped<Scalar>(1 - root.first / root.regular, 0, 1) - 0.5;
+}
+
+/// Where all sticks, the slip zone grows with the load, and takes the first node when its mean
+/// traction is at the bound. The point is then where the next partition, whose tractions are the
+/// same, sees it.
+template <class Scalar>
+StickSlipPoint::Place<Scalar> StickSlipPoint::place_of(const Left<Scalar>& left,
+                                                       const Bounds& bound) const {
+  if (stuck_ > 0) {
+    const Scalar behind = beyond(root_of(left[2], left[3]));
+    if (behind >= 0) return {stuck_, behind};
+    if (stuck_ > 1) return {stuck_ - 1, 1 + behind};
+    return {0, 1 + behind / first_length_};
   }
-  Scalar beyond(0);
-  if (root.regular > 0) beyond = clamped<Scalar>(1 - root.first / root.regular, 0, 1);
-  if (beyond >= 0.5) return {stuck_, beyond - 0.5};
-  return {stuck_ - 1, beyond + 0.5};
+  if (bound[0] <= 0) return {0, Scalar(0)};
+  const Scalar load = clamped<Scalar>(1 - left[2] / bound[0], 0, 1);
+  if (load <= 0) return {0, Scalar(0)};
+  const auto at_the_bound = [&](std::size_t node) {
+    return bound[node] - (bound[node] - left[2 + node]) / load;
+  };
+  const Scalar behind = beyond(root_of<Scalar>(at_the_bound(1), at_the_bound(2)));
+  return {0, load * (1 + clamped<Scalar>(behind, -0.5, 0) / first_length_)};
 }
 
 /// The response of the partition to a change of a neighbour of its end: to unit traction of the
@@ -176,9 +196,9 @@ std::array<Scalar, 2> StickSlipPoint::changes(ActiveSet& active_set, const Left<
 /// \return the part of the mean to take: 1 up to a difference of a quarter of A, 0 from three
 ///         quarters on
 template <class Scalar>
-Scalar StickSlipPoint::trust(ActiveSet& active_set, const Left<Scalar>& left,
-                             const Root<Scalar>& root) {
+Scalar StickSlipPoint::trust(ActiveSet& active_set, const Left<Scalar>& left) {
   if (stuck_ == 0) return Scalar(1);
+  const Root<Scalar> root = root_of(left[2], left[3]);
   if (root.regular <= 0) return Scalar(0);
   const Scalar above = direction_ * changes(active_set, left, -1)[0];
   const Scalar expected = root.regular - root.first;
@@ -188,17 +208,17 @@ Scalar StickSlipPoint::trust(ActiveSet& active_set, const Left<Scalar>& left,
 }
 
 /// The changes of the neighbours of the end that lead from the partition to the mean.
-/// \param bound  of the first node
+/// \param bound  of the first nodes of the contact
 template <class Scalar>
 std::array<Scalar, 4> StickSlipPoint::change(ActiveSet& active_set, const Left<Scalar>& left,
-                                             double bound) {
+                                             const Bounds& bound) {
   std::array<Scalar, 4> sum{Scalar(0), Scalar(0), Scalar(0), Scalar(0)};
-  const Root<Scalar> root = root_of(left);
-  const Scalar part = trust(active_set, left, root);
+  const Scalar part = trust(active_set, left);
   if (part == 0) return sum;
-  const Place<Scalar> place = place_of(root, bound);
-  const auto weights =
-      place.partition == 0 ? convolution_at_edge(place.fraction) : convolution(place.fraction);
+  const Place<Scalar> place = place_of(left, bound);
+  const auto weights = place.partition == 0
+                           ? convolution_at_edge(place.fraction, first_length_)
+                           : convolution(place.fraction, place.partition == 1 ? first_length_ : 1);
   for (Index k = 0; k < 4; ++k) {
     const Index moved = place.partition - 1 + k - stuck_;
     if (moved == 0 || stuck_ + moved < 0) continue;
@@ -235,6 +255,7 @@ void StickSlipPoint::average(ActiveSet& active_set, const SlipConditions& condit
     zones_ = contact.zones;
     stuck_ = stuck;
     load_ = is_force ? Load(PrescribedForce{0}) : Load(PrescribedCreepage{0});
+    unit_.compliant = conditions.compliant;
     for (Response& r : responses_) r.known = false;
     for (Response& r : shifted_) r.known = false;
     by_creepage_.known = false;
@@ -249,21 +270,22 @@ void StickSlipPoint::average(ActiveSet& active_set, const SlipConditions& condit
     direction_ = static_cast<double>(contact.zones[static_cast<std::size_t>(stuck) - 1]);
   }
 
+  const Bounds bound{conditions.bound[0], conditions.bound[1], conditions.bound[2]};
   Left<double> left_now;
-  for (Index k = 0; k < 4; ++k) {
+  for (Index k = 0; k < 5; ++k) {
     left_now[static_cast<std::size_t>(k)] = left(&conditions, contact, k - 2);
   }
   if (slopes.empty()) {
-    add(rolled, change(active_set, left_now, conditions.bound[0]));
+    add(rolled, change(active_set, left_now, bound));
     return;
   }
   Left<Sloped> sloped;
-  for (Index k = 0; k < 4; ++k) {
+  for (Index k = 0; k < 5; ++k) {
     const auto at = static_cast<std::size_t>(k);
     sloped[at] = Sloped(left_now[at], {left(nullptr, slopes[0]->contact, k - 2),
                                        left(nullptr, slopes[1]->contact, k - 2)});
   }
-  const std::array<Sloped, 4> sum = change(active_set, sloped, conditions.bound[0]);
+  const std::array<Sloped, 4> sum = change(active_set, sloped, bound);
   add(rolled, {sum[0].value(), sum[1].value(), sum[2].value(), sum[3].value()});
   for (Index i = 0; i < 2; ++i) {
     const auto of = [&](std::size_t k) { return sum[k].derivatives()[i]; };

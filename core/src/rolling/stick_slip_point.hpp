@@ -59,13 +59,16 @@ class StickSlipPoint {
     double force = 0;  ///< [N/mm]
   };
 
-  /// What is left at the neighbours of the end, two before it and two behind: by how much slip is
+  /// What is left at the neighbours of the end, two before it and three behind: by how much slip is
   /// below 0, and traction below the bound.
   template <class Scalar>
-  using Left = std::array<Scalar, 4>;
+  using Left = std::array<Scalar, 5>;
 
-  /// Traction below the bound at the first node in adhesion, and the coefficient A of the regular
-  /// square root [N/mm^2]
+  /// Of the first nodes of the contact  [N/mm^2]
+  using Bounds = std::array<double, 3>;
+
+  /// Traction below the bound at the first node of those in adhesion, and the coefficient A of the
+  /// regular square root [N/mm^2]
   template <class Scalar>
   struct Root {
     Scalar first;
@@ -75,16 +78,19 @@ class StickSlipPoint {
   double left(const SlipConditions* conditions, const ContactState& contact,
               Eigen::Index neighbour) const;
   template <class Scalar>
-  Root<Scalar> root_of(const Left<Scalar>& left) const;
+  Root<Scalar> root_of(const Scalar& left, const Scalar& next) const;
   template <class Scalar>
-  Place<Scalar> place_of(const Root<Scalar>& root, double bound) const;
+  static Scalar beyond(const Root<Scalar>& root);
+  template <class Scalar>
+  Place<Scalar> place_of(const Left<Scalar>& left, const Bounds& bound) const;
   template <class Scalar>
   std::array<Scalar, 2> changes(ActiveSet& active_set, const Left<Scalar>& left,
                                 Eigen::Index moved);
   template <class Scalar>
-  Scalar trust(ActiveSet& active_set, const Left<Scalar>& left, const Root<Scalar>& root);
+  Scalar trust(ActiveSet& active_set, const Left<Scalar>& left);
   template <class Scalar>
-  std::array<Scalar, 4> change(ActiveSet& active_set, const Left<Scalar>& left, double bound);
+  std::array<Scalar, 4> change(ActiveSet& active_set, const Left<Scalar>& left,
+                               const Bounds& bound);
   const Response& response(ActiveSet& active_set, Eigen::Index neighbour);
   void clear_unit();
   void solve_unit(ActiveSet& active_set, const Load& load, double sign, Response& found);
@@ -92,6 +98,10 @@ class StickSlipPoint {
   void add(RolledContact& rolled, const std::array<double, 4>& change) const;
 
   double second_;  ///< the second node's traction over the first's, of the singular square root
+
+  /// From the trailing edge, which is the natural end where all sticks, to that of the next
+  /// partition  [dx]
+  double first_length_;
 
   // Of the partition whose responses are known.
   std::vector<Zone> zones_;

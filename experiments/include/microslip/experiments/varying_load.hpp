@@ -21,6 +21,7 @@ struct VaryingLoadParameters {
   std::vector<double> stick_ratios;  ///< a'/a of Carter's solution under the mean load
   std::vector<double> wavelengths;   ///< L/a, at which small waves are rolled, rising
   double amplitude;                  ///< of small waves
+  int alignments;                    ///< of the stick-slip point in an element, 1 to 20
   std::vector<Eigen::Index> sizes;   ///< N, rising
   std::vector<double> step_ratios;   ///< c; the first is 1
   double large_amplitude;            ///< of large waves, below 1
