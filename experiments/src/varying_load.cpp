@@ -302,11 +302,10 @@ LargeWaves large_waves(const VaryingLoadParameters& p, const Progress& progress)
   return tables;
 }
 
-/// The least order about states of which the slip zone has five elements or more.
+/// The least order of waves of ten elements or more.
 double least_order(const VaryingLoadParameters& p, const Table& orders) {
   return extreme(orders, "order", true, [&](std::size_t i) {
-    const double slips = 1 - orders.number(i, "stick_ratio");
-    return slips * static_cast<double>(p.sizes.front()) >= 5;
+    return orders.number(i, "wavelength_ratio") * static_cast<double>(p.sizes.front()) >= 20;
   });
 }
 
@@ -331,8 +330,7 @@ Table claims_of(const VaryingLoadParameters& p, const SmallWaves& small, const L
   return claims_table(
       {{"the scheme answers small waves of the normal load in second order, for any step", "none",
         2, least_order(p, small.orders), "1", ours_if({above(1.7)}),
-        "least order over wavelengths, step ratios and states of which the slip zone has five "
-        "elements or more",
+        "least order over states, step ratios and waves of ten elements or more",
         "varying_load_error"},
        {"it is at most a thousandth off the linear theory, down to waves of half a half-width",
         "none", not_given, finest, "1", ours_if({below(1e-3)}),

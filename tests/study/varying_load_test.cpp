@@ -24,7 +24,7 @@ VaryingLoadParameters parameters() {
           .wavelengths = {5, 30},
           .amplitude = 1e-3,
           .alignments = 3,
-          .sizes = {25, 50},
+          .sizes = {25, 50, 100},
           .step_ratios = {1},
           .large_amplitude = 0.4,
           .large_stick_ratio = 0.6,
