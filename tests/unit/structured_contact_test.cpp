@@ -85,6 +85,24 @@ TEST(StructuredSteady, NumberOfRoundsDoesNotGrow) {
   }
 }
 
+// Two zones stick. Where blocks of elements go to and fro, single exchanges go on from there: from
+// adhesion everywhere it would be as many as elements slip.
+TEST(StructuredSteady, SeveralStickZonesTakeFewRounds) {
+  for (const Index n : {26, 51, 76, 90, 101, 120, 150, 190, 401, 6401}) {
+    for (const double force : {-0.2, -0.2356, -0.3}) {
+      const SteadySolution solution =
+          solve_steady({.kernel = PlaneKernel(material, 10),
+                        .bound = PolynomialBound(1, 1, Eigen::Vector3d(0.05, 0, 1)),
+                        .grid = Grid({.half_width = 1, .elements = n}),
+                        .basis = constant_basis(),
+                        .method = Inversion{},
+                        .load = PrescribedForce{force}});
+      EXPECT_EQ(solution.scheme, SteadyScheme::calibrated);
+      EXPECT_LE(solution.iterations, 20) << n << ' ' << force;
+    }
+  }
+}
+
 /// The bound has a dent in the middle, where slip begins.
 TransientProblem transient(const Kernel& kernel, Index n, const AdvectionScheme& scheme,
                            const Solver& solver) {

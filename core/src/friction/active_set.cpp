@@ -27,7 +27,9 @@ constexpr double tolerance = 1e-12;
 /// same place of the path.
 constexpr double margin = 0.1;
 
-/// A path from a given partition that takes more exchanges starts again from adhesion.
+/// A path that takes more exchanges starts again. Exchanges of blocks from adhesion everywhere lead
+/// next to the solution, or nowhere.
+constexpr int most_exchanges_from_blocks = 20;
 constexpr int most_exchanges_from_given = 60;
 
 /// Largest violation at the end of a path, relative to the largest bound or slip.
@@ -64,7 +66,7 @@ class ContactSearch {
 
   void run(const SlipConditions& conditions, const Load& load, ContactState& state) {
     begin(conditions, load, state.zones);
-    if (!exchange_blocks() && !follow_path_from(state.zones) && !follow_path_from_adhesion()) {
+    if (!exchange_blocks() && !follow_path_nearby(state.zones) && !follow_path_from_adhesion()) {
       throw NotConverged("active set: no stick/slip partition found", iterations_,
                          largest_violation());
     }
@@ -307,10 +309,9 @@ class ContactSearch {
     return false;
   }
 
-  /// Elements without a bound slip.
+  /// Solves for the partition at hand, except that elements without a bound slip.
   /// \return false if no element is left to carry the load
-  bool start_from(const std::vector<Zone>& first) {
-    zones_ = first;
+  bool start() {
     for (Index i = 0; i < size(); ++i) {
       if (conditions_->bound[i] <= 0 && zone(i) == Zone::adhesion) zone(i) = Zone::slip_positive;
     }
@@ -320,14 +321,25 @@ class ContactSearch {
   }
 
   bool follow_path_from(const std::vector<Zone>& first) {
-    return start_from(first) && follow_path(relieved(), most_exchanges_from_given);
+    zones_ = first;
+    return follow_path_from_here(most_exchanges_from_given);
+  }
+
+  bool follow_path_from_here(Index most_exchanges) {
+    return start() && follow_path(relieved(), most_exchanges);
+  }
+
+  /// Where all sticks in the given partition, it knows nothing.
+  bool follow_path_nearby(const std::vector<Zone>& given) {
+    const bool knows = std::ranges::any_of(given, [](Zone z) { return z != Zone::adhesion; });
+    return (!knows && follow_path_from_here(most_exchanges_from_blocks)) || follow_path_from(given);
   }
 
   bool follow_path_from_adhesion() {
     SlipConditions higher = unchanged();
     higher.bound = (conditions_->bound.array() > 0).cast<double>();
-    return start_from(std::vector<Zone>(zones_.size(), Zone::adhesion)) &&
-           follow_path(higher, 20 * size() + 100);
+    zones_.assign(zones_.size(), Zone::adhesion);
+    return start() && follow_path(higher, 20 * size() + 100);
   }
 
   /// Residuals of the last solution.
