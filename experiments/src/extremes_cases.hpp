@@ -77,6 +77,7 @@ Map bounds_map(const ExtremesParameters& p);
 Map offsets_map(const ExtremesParameters& p);
 Map transient_map(const ExtremesParameters& p);
 Map endurance_map(const ExtremesParameters& p);
+Map cylinder_map(const ExtremesParameters& p);
 
 /// The table of what is left of scale invariance.
 Table scales_table(const ExtremesParameters& p);

@@ -34,6 +34,7 @@ ExtremesParameters parameters() {
                         .distance = 20,
                         .most_steps = 2000},
           .endurance = {.ratios = {1, 0.3}, .states = {1000, 10000}},
+          .cylinder = {.slope_ratios = {0.01, 0.1, 1.5, 10}, .ratios = {0.3, 1, 10}},
           .scales = {1e-12, 1e12}};
 }
 
@@ -66,6 +67,17 @@ class Extremes : public testing::Test {
  private:
   static inline std::vector<Table>* tables_ = nullptr;
 };
+
+TEST_F(Extremes, ACylinderIsSafeOnAnySlope) {
+  for (const char* scheme : {"midpoint", "verlet", "leapfrog"}) {
+    for_rows("cylinder", scheme, [&](const Table& rows, std::size_t i) {
+      EXPECT_EQ(text(rows, i, "verdict"), "ok") << scheme << " row " << i;
+      const double accepted = rows.number(i, "step_ratio") <= 1 ? 0.002 : 0.02;
+      EXPECT_LT(rows.number(i, "error"), accepted) << scheme << " row " << i;
+      EXPECT_LE(rows.number(i, "residual"), 1e-12) << scheme << " row " << i;
+    });
+  }
+}
 
 // Results have residuals of rounding wherever there is one, and no other exception than bad input
 // and no solution comes out.

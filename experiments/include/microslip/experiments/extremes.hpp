@@ -59,6 +59,11 @@ struct ExtremesParameters {
     std::vector<Eigen::Index> states;  ///< steps after which the state is taken, ascending
   } endurance;
 
+  struct {
+    std::vector<double> slope_ratios;  ///< slope force over full sliding  [1]
+    std::vector<double> ratios;        ///< c  [1]
+  } cylinder;
+
   std::vector<double> scales;  ///< factors of G, a and mu p0, one at a time and all at once  [1]
 };
 
@@ -67,7 +72,7 @@ ExtremesParameters read_extremes(Scene& scene);
 
 /// Tables: steps (c and N of steady rolling), widths (strip width and Poisson ratio), loads (from
 /// full stick to full sliding), bounds (that are not smooth), offsets (of both edges), transient (c
-/// and N), endurance (many steps), each with a row a case, failures included; scales (what is left
+/// and N), endurance (many steps), cylinder (slope and c), each with a row a case, failures included; scales (what is left
 /// of scale invariance); ranges (where each scheme is safe) and claims.
 std::vector<Table> extremes(const ExtremesParameters& parameters, const Progress& progress);
 
