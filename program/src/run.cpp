@@ -55,8 +55,8 @@ std::optional<std::string> warning_of(const Table& table) {
 /// Where --save writes: an absolute path, which is no table of the run.
 /// \throws std::invalid_argument or std::runtime_error if nothing can be written there
 fs::path place_to_save(const std::string& name) {
-  const fs::path file = fs::absolute(name);
-  if (name.empty() || !file.has_filename() || fs::is_directory(file)) {
+  const fs::path file = name.empty() ? fs::path() : fs::absolute(name);
+  if (!file.has_filename() || fs::is_directory(file)) {
     throw std::invalid_argument("--save '" + shown(name) + "': expected the name of a file");
   }
   if (file.extension() == ".tsv" || file.filename() == "provenance.txt") {

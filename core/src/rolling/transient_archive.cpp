@@ -96,8 +96,8 @@ void archive_evidence(Archive& archive, Evidence& evidence) {
   archive.number("full_sliding", evidence.full_sliding);
 }
 
+/// All but the distance.
 void archive_state(Archive& archive, TransientState& state, Index size) {
-  archive.number("distance", state.distance);
   archive_contact(archive, state.scale);
   archive.numbers("traction", state.traction, size);
   archive.numbers("slip", state.slip, size);
@@ -129,16 +129,17 @@ void archive_step(Archive& archive, std::pair<double, Load>& step) {
 void TransientRolling::archive(Archive& archive) {
   const Index n = problem_.grid.size();
   archive_problem(archive, problem_);
-  archive_state(archive, state_, n);
-  creep_.archive(archive);
+  archive.number("distance", state_.distance);
   bool is_attempt = solved_.has_value();
   archive.flag("step_is_tried", is_attempt);
-  if (is_attempt) {
-    if (archive.reads()) solved_.emplace(0, PrescribedCreepage{0});
-    archive_step(archive, *solved_);
-    archive_state(archive, next_, n);
-  }
   grid_->archive(archive, is_attempt);
+  archive_state(archive, state_, n);
+  creep_.archive(archive);
+  if (!is_attempt) return;
+  if (archive.reads()) solved_.emplace(0, PrescribedCreepage{0});
+  archive_step(archive, *solved_);
+  archive.number("distance", next_.distance);
+  archive_state(archive, next_, n);
 }
 
 std::string TransientRolling::save() {
