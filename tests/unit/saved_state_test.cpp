@@ -202,10 +202,13 @@ TEST(SavedState, OfEachStepOfARunGoesOnLikeTheRun) {
 
 // From within a step, the first one is what is left of it.
 TEST(SavedState, BetweenStepsGoesOnToTheNextEnd) {
-  TransientRolling rolling = rolled(1.1);
+  TransientRolling rolling = rolled(1.1), stepped = rolling;
+  stepped.step(1.5 - 1.1, PrescribedCreepage{0.002});
   std::vector<double> ends;
-  rolling.roll_to(2.2, {0.5}, load,
-                  [&](const TransientState& state) { ends.push_back(state.distance); });
+  rolling.roll_to(2.2, {0.5}, load, [&](const TransientState& state) {
+    if (ends.empty()) EXPECT_EQ(state.force, stepped.state().force);
+    ends.push_back(state.distance);
+  });
   EXPECT_EQ(ends, (std::vector<double>{1.5, 2, 2.2}));
   EXPECT_EQ(end_of_whole_steps(2.2, {0.5}), 2.2);
   EXPECT_THROW(number_of_steps(1, {0.5}, 1), std::invalid_argument);
