@@ -150,7 +150,7 @@ TEST_P(GeneratedStates, GoOnToTheBit) {
   const Index n = GetParam();
   ContactGenerator generator(seed_of_tests() + 9000);
   std::mt19937 random(seed_of_tests() + static_cast<unsigned>(n));
-  const int cases = n < 100 ? 16 : 6;
+  const int cases = n < 100 ? 12 : 4;
   int changes = 0, errors = 0;
   for (int i = 0; i < cases; ++i) {
     const auto [kind, contact] = generator.next();
