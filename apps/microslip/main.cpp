@@ -34,6 +34,28 @@ program::Work prepare(Scene& scene) {
   };
 }
 
+/// \param state  in which the scene ends, filled by the work
+program::Work prepare_to_save(Scene& scene, std::string& state) {
+  reject_sweep(scene);
+  const Model model = read_model(scene);
+  const auto* transient = std::get_if<TransientScene>(&model);
+  if (transient == nullptr) {
+    throw BadParameter("problem",
+                       "problem = '" + scene.text("problem") + "': expected transient with --save");
+  }
+  if (!std::holds_alternative<Remembered>(transient->problem.scheme)) {
+    reject("step.scheme", scene.text("step.scheme"), "remembered with --save");
+  }
+  program::require_memory("grid.elements", elements_of(model), memory_needed(model));
+  TransientScene whole = *transient;
+  whole.distance = end_of_whole_steps(whole.distance, whole.step_lengths());
+  if (whole.distance > whole.loads.distance()) whole.distance = transient->distance;
+  return [whole, &state](const Progress& progress) {
+    return experiments::scene_tables(whole, progress,
+                                     [&](TransientRolling& rolling) { state = rolling.save(); });
+  };
+}
+
 program::Work prepare_response(Scene& scene) {
   reject_sweep(scene);
   return [read = experiments::read_response(scene)](const Progress& progress) {
@@ -58,7 +80,8 @@ int main(int argc, char** argv) {
       .key_options = {{"target-error", "target_error",
                        "largest relative error of the force or creepage of steady rolling; picks "
                        "method and grid"}},
-      .prepare = prepare};
+      .prepare = prepare,
+      .prepare_to_save = prepare_to_save};
   const program::Program response{
       .name = solver.name,
       .command = "response",

@@ -147,6 +147,16 @@ MICROSLIP_API enum microslip_status microslip_create(const struct microslip_mate
 MICROSLIP_API enum microslip_status microslip_copy(microslip_rolling* rolling,
                                                    microslip_rolling** copy);
 
+/** Writes all that the next calls depend on to a file, a step that was attempted included, but not
+ * the load. Scheme MICROSLIP_REMEMBERED. The file is there whole or not at all; one of that name is
+ * replaced. */
+MICROSLIP_API enum microslip_status microslip_save(microslip_rolling* rolling, const char* path);
+
+/** Goes on from a file of microslip_save() or of `microslip --save`, of the same material, contact,
+ * kernel and grid; the load stays as it was set. On the same machine with the same library the
+ * contact goes on to the bit like the one that was saved. */
+MICROSLIP_API enum microslip_status microslip_restore(microslip_rolling* rolling, const char* path);
+
 /** Null is accepted. */
 MICROSLIP_API void microslip_destroy(microslip_rolling* rolling);
 

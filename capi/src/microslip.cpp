@@ -12,8 +12,10 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
+#include "microslip/support/shown.hpp"
 #include "problem.hpp"
 #include "status.hpp"
+#include "text_file.hpp"
 #include "version.hpp"
 
 using microslip::Load;
@@ -190,6 +192,25 @@ const char* microslip_message(microslip_rolling* rolling) {
 
 const char* microslip_method(const microslip_rolling* rolling) {
   return rolling == nullptr ? "" : rolling->method.c_str();
+}
+
+microslip_status microslip_save(microslip_rolling* rolling, const char* path) {
+  return with(rolling, [&](microslip_rolling& of) {
+    const std::string name = &require_pointer(path, "path");
+    microslip::capi::write_text(name, of.contact->save());
+  });
+}
+
+microslip_status microslip_restore(microslip_rolling* rolling, const char* path) {
+  return with(rolling, [&](microslip_rolling& of) {
+    const std::string name = &require_pointer(path, "path");
+    const microslip::SavedState saved{microslip::capi::read_text(name)};
+    try {
+      of.contact->restore(saved);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("path = '" + microslip::shown(name) + "': " + error.what());
+    }
+  });
 }
 
 microslip_status microslip_set_creepage(microslip_rolling* rolling, double creepage) {

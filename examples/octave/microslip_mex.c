@@ -7,6 +7,7 @@
  *                                           'material' if not given, 'direct' or 'remembered'
  *   microslip_mex('set_creepage', h, w)     likewise set_force, advance
  *   microslip_mex('set_contact', h, a, g)   half-width and bound over those that were created
+ *   microslip_mex('save', h, path)          the state to a file; likewise restore, from a file
  *   microslip_mex('destroy', h)
  *   s = microslip_mex('attempt', h, dq)     a struct as microslip_state
  *   [s, J] = microslip_mex('attempt', h, dq)  and a struct as microslip_jacobian
@@ -144,6 +145,15 @@ static void attempt(microslip_rolling* h, double dq, int outputs, mxArray* out[]
 
 static int is(const char* command, const char* name) { return strcmp(command, name) == 0; }
 
+/* Saves to a file, or restores from it. */
+static void keep(const char* command, microslip_rolling* h, const mxArray* name) {
+  char* path = mxIsChar(name) ? mxArrayToString(name) : NULL;
+  if (!path) mexErrMsgIdAndTxt("microslip:bad_input", "path: expected a text");
+  check(is(command, "save") ? microslip_save(h, path) : microslip_restore(h, path),
+        microslip_message(h));
+  mxFree(path);
+}
+
 static mxArray* answer(const char* command, microslip_rolling* h, double argument) {
   struct microslip_state state;
   struct microslip_shift shift;
@@ -205,6 +215,10 @@ void mexFunction(int outputs, mxArray* out[], int inputs, const mxArray* in[]) {
   if (is(command, "set_contact") && inputs > 3) {
     check(microslip_set_contact(handle, mxGetScalar(in[2]), mxGetScalar(in[3])),
           microslip_message(handle));
+    return;
+  }
+  if ((is(command, "save") || is(command, "restore")) && inputs > 2) {
+    keep(command, handle, in[2]);
     return;
   }
   const double argument = inputs > 2 ? mxGetScalar(in[2]) : mxGetNaN();

@@ -67,6 +67,8 @@ _handle = c.c_void_p
 for _name, *_arguments in (
         ("create", *map(c.POINTER, (Material, Contact, Kernel, Grid, _handle)), c.c_char_p, c.c_size_t),
         ("copy", _handle, c.POINTER(_handle)),
+        ("save", _handle, c.c_char_p),
+        ("restore", _handle, c.c_char_p),
         ("set_creepage", _handle, c.c_double),
         ("set_force", _handle, c.c_double),
         ("set_contact", _handle, c.c_double, c.c_double),
@@ -94,7 +96,7 @@ _library.microslip_size.restype = c.c_size_t
 class Rolling:
     """A contact that rolls. Functions of microslip.h are methods, and what they give, results.
 
-    copy.copy and copy.deepcopy copy the contact as well; it cannot be pickled.
+    copy.copy and copy.deepcopy copy the contact as well; it cannot be pickled, but saved to a file.
     """
 
     _handle = None  # until the library has made one
@@ -142,6 +144,14 @@ class Rolling:
         vars(other).update(attributes, _handle=None)
         other._handle = self._get("copy", _handle())
         return other
+
+    def save(self, path):
+        """Writes the state to a file, without the load."""
+        self._call("save", os.fsencode(path))
+
+    def restore(self, path):
+        """Goes on from the file of a like contact; the load stays as it was set."""
+        self._call("restore", os.fsencode(path))
 
     def set_creepage(self, creepage):
         self._call("set_creepage", creepage)

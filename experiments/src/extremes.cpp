@@ -69,7 +69,7 @@ ExtremesParameters read_extremes(Scene& scene) {
        {"endurance.step_ratios", list, "1", "c of very many steps", range(1e-15, 1e6)},
        {"endurance.states", wholes, "1", "steps after which the state is taken", range(1, 1e7),
         "in rising order"},
-       {"cylinder.slope_ratios", list, "1", "slope force over full sliding", range(1e-12, 1e6)},
+       {"cylinder.force_ratios", list, "1", "slope force over full sliding", range(1e-12, 1e6)},
        {"cylinder.step_ratios", list, "1", "c of a cylinder", range(1e-3, 1e6)},
        {"scales", list, "1", "factors of G, a and the bound, one at a time and all at once",
         range(1e-100, 1e100)}});
@@ -99,7 +99,7 @@ ExtremesParameters read_extremes(Scene& scene) {
                                      .most_steps = scene.whole("transient.most_steps")},
                        .endurance = {.ratios = scene.numbers("endurance.step_ratios"),
                                      .states = scene.wholes("endurance.states")},
-                       .cylinder = {.slope_ratios = scene.numbers("cylinder.slope_ratios"),
+                       .cylinder = {.slope_ratios = scene.numbers("cylinder.force_ratios"),
                                     .ratios = scene.numbers("cylinder.step_ratios")},
                        .scales = scene.numbers("scales")};
   demand_odd(scene, "grid.elements", {p.elements});

@@ -124,8 +124,13 @@ std::optional<std::string> doubt_of(double noise) {
 }  // namespace
 
 std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress) {
+  return scene_tables(scene, progress, [](TransientRolling&) {});
+}
+
+std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress,
+                                const std::function<void(TransientRolling&)>& at_end) {
   const std::vector<double> lengths = scene.step_lengths();
-  const std::size_t steps = number_of_steps(scene.distance, lengths);
+  const std::size_t steps = number_of_steps(scene.distance, lengths, scene.from);
   TransientRolling rolling(scene.problem, scene.start, scene.loads.contact_at(0));
   std::size_t done = 0;
   const auto count = [&] { progress(++done, scene.shifts.size() + steps); };
@@ -133,14 +138,14 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   const auto shift_doubt = doubt_of(shifts, scene.problem.solver);
   Table history = empty_history(scene.loads);
   TransientState start = rolling.state();
-  start.iterations = 0;  // it is no step
+  if (scene.from == 0) start.iterations = 0;  // it is no step
   add(history, start, scene);
   double cumulative_creep = 0;
   double dissipated = 0;
-  double before = 0;
+  double before = start.distance;
   WorstOfSteps worst;
   StepNoise noise(scene.problem.grid.spacing());
-  rolling.roll(scene.distance, lengths, scene.loads, [&](const TransientState& state) {
+  rolling.roll_to(scene.distance, lengths, scene.loads, [&](const TransientState& state) {
     add(history, state, scene);
     cumulative_creep += state.creepage * (state.distance - before);
     dissipated += state.dissipation * (state.distance - before);
@@ -149,6 +154,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
     worst.include(state);
     count();
   });
+  at_end(rolling);  // before the condition, for which factors are made anew
 
   const TransientState& last = rolling.state();
   const double full_sliding = full_sliding_of(scene, last);

@@ -2,6 +2,7 @@
 #include "microslip/program/run.hpp"
 
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <sstream>
@@ -9,6 +10,7 @@
 #include "command_line.hpp"
 #include "interrupts.hpp"
 #include "key_list.hpp"
+#include "microslip/support/shown.hpp"
 #include "outputs.hpp"
 #include "process.hpp"
 #include "provenance.hpp"
@@ -17,6 +19,7 @@ namespace microslip::program {
 
 namespace {
 
+namespace fs = std::filesystem;
 namespace options = boost::program_options;
 
 Options options_of(const Program& program) {
@@ -28,6 +31,10 @@ Options options_of(const Program& program) {
     add("print-scene", "print the default scene and exit");
     add("print-keys", options::value<std::string>()->implicit_value("text"),
         "print its keys and exit, as text, markdown, man or completion");
+  }
+  if (program.prepare_to_save) {
+    add("save", options::value<std::string>(),
+        "file for the state of a transient at its end, from which start.state goes on");
   }
   add_common_options(known, program.default_out);
   return known;
@@ -45,6 +52,24 @@ std::optional<std::string> warning_of(const Table& table) {
   return std::nullopt;
 }
 
+/// Where --save writes: an absolute path, which is no table of the run.
+/// \throws std::invalid_argument or std::runtime_error if nothing can be written there
+fs::path place_to_save(const std::string& name) {
+  const fs::path file = name.empty() ? fs::path() : fs::absolute(name);
+  if (!file.has_filename() || fs::is_directory(file)) {
+    throw std::invalid_argument("--save '" + shown(name) + "': expected the name of a file");
+  }
+  if (file.extension() == ".tsv" || file.filename() == "provenance.txt") {
+    throw std::invalid_argument("--save '" + shown(name) +
+                                "': expected another name than that of a table");
+  }
+  if (!fs::is_directory(file.parent_path())) {
+    throw std::invalid_argument("--save '" + shown(name) + "': expected a folder that is there");
+  }
+  require_writable(file.parent_path());
+  return file;
+}
+
 /// A run is written when all of it is done: the longest study takes a minute, and tables of half a
 /// study would need parameters of their own. Many cases that must not be lost are a sweep.
 void run_scene(const Program& program, Scene& scene, const Given& given, int argc,
@@ -52,12 +77,15 @@ void run_scene(const Program& program, Scene& scene, const Given& given, int arg
   const auto start = std::chrono::steady_clock::now();
   Interrupts interrupts(program.name + ": interrupted, nothing is written");
   const std::string out = given["out"].as<std::string>();
+  std::string state;
+  const bool saves = given.count("save") != 0;
   const auto work = with_places(scene, [&] {
-    Work prepared = program.prepare(scene);
+    Work prepared = saves ? program.prepare_to_save(scene, state) : program.prepare(scene);
     scene.reject_unread();
     return prepared;
   });
   require_writable(out);
+  const fs::path saved = saves ? place_to_save(given["save"].as<std::string>()) : fs::path();
   const std::vector<Table> tables = with_places(
       scene, [&] { return work(progress_on_terminal(program.name, given.count("quiet") != 0)); });
   std::vector<OutputFile> files;
@@ -66,6 +94,7 @@ void run_scene(const Program& program, Scene& scene, const Given& given, int arg
   }
   files.push_back(provenance_of(
       provenance(program.name, argc, argv, std::chrono::steady_clock::now() - start), files));
+  if (saves) files.insert(files.begin(), {saved, state});
   interrupts.last([&] { write_files(out, files); });
   const auto warn = [&](const std::string& place, const std::string& line) {
     std::cerr << program.name << ": " << place << "warning: " << line << '\n';

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "checksum.hpp"
 #include "command_line.hpp"
+#include "microslip/support/checksum.hpp"
 #include "sweep_plan.hpp"
 
 namespace microslip::program {

@@ -5,10 +5,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "checksum.hpp"
 #include "command_line.hpp"
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/sweep.hpp"
+#include "microslip/support/checksum.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/shown.hpp"
 

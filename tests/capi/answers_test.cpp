@@ -2,6 +2,7 @@
 // What the C interface answers is what TransientRolling does, to the bit.
 #include <gtest/gtest.h>
 
+#include <cstdio>
 #include <thread>
 
 #include "c99.h"
@@ -117,6 +118,28 @@ TEST_P(EveryCase, IsThatOfTheLibraryToTheBit) {
     expect_same(answers(handle), library_answers(rolling));
   }
   EXPECT_GT(state_of(handle).slip_elements, 0);
+}
+
+// A step that was tried is part of it; the load is not.
+TEST(CAnswers, GoOnFromAFileToTheBit) {
+  const std::string file = testing::TempDir() + "microslip_answers.state";
+  const Parts parts{.grid = {50, MICROSLIP_REMEMBERED}};
+  const Handle handle = created(parts), other = created(parts);
+  roll(handle, 37, 0.04);
+  microslip_state tried{};
+  ASSERT_EQ(microslip_attempt(handle.get(), 0.013, &tried), MICROSLIP_OK);
+  ASSERT_EQ(microslip_save(handle.get(), file.c_str()), MICROSLIP_OK);
+  ASSERT_EQ(microslip_restore(other.get(), file.c_str()), MICROSLIP_OK)
+      << microslip_message(other.get());
+  expect_same(answers(other), answers(handle));
+  EXPECT_EQ(microslip_advance(other.get(), 0.013), MICROSLIP_BAD_INPUT);
+  ASSERT_EQ(microslip_set_creepage(other.get(), std::sin(0.3 * 36)), MICROSLIP_OK);
+  for (const Handle* of : {&handle, &other}) {
+    ASSERT_EQ(microslip_advance(of->get(), 0.013), MICROSLIP_OK);
+    roll(*of, 50, 0.04);
+  }
+  expect_same(answers(other), answers(handle));
+  std::remove(file.c_str());
 }
 
 std::vector<double> numbers_of_shift(const microslip_shift& s) {

@@ -2,6 +2,7 @@
 // What the C interface answers where something is wrong, and that nothing has happened then.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <functional>
 #include <limits>
 
@@ -233,6 +234,45 @@ TEST(CErrors, EveryExceptionBecomesAStatus) {
   EXPECT_STREQ(text, "c");
   EXPECT_EQ(status_of(1), MICROSLIP_INTERNAL);
   EXPECT_STREQ(text, "an exception of unknown type");
+}
+
+TEST(CErrors, OfFilesNameThemAndChangeNothing) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::path(testing::TempDir()) / "microslip_errors";
+  fs::create_directories(folder);
+  const std::string file = folder / "a.state", none = folder / "none" / "a.state";
+  const Parts parts{.grid = {41, MICROSLIP_REMEMBERED}};
+  const Handle handle = created(parts), material = created(), other = created({.grid = {42, 2}});
+  const auto expect_refused = [](const Handle& of, microslip_status status,
+                                 const std::string& message) {
+    EXPECT_EQ(status, MICROSLIP_BAD_INPUT);
+    EXPECT_EQ(std::string(microslip_message(of.get())).substr(0, message.size()), message);
+  };
+  expect_refused(handle, microslip_save(handle.get(), nullptr), "path = null: expected a pointer");
+  expect_refused(handle, microslip_restore(handle.get(), nullptr),
+                 "path = null: expected a pointer");
+  expect_refused(handle, microslip_save(handle.get(), none.c_str()),
+                 "path = '" + none + "': cannot write it: ");
+  expect_refused(handle, microslip_save(handle.get(), folder.c_str()),
+                 "path = '" + folder.string() + "': cannot write it: ");
+  expect_refused(handle, microslip_restore(handle.get(), file.c_str()),
+                 "path = '" + file + "': cannot read it: ");
+  expect_refused(material, microslip_save(material.get(), file.c_str()),
+                 "scheme: expected 'remembered'");
+  EXPECT_TRUE(fs::is_empty(folder));
+  ASSERT_EQ(microslip_save(handle.get(), file.c_str()), MICROSLIP_OK);
+  expect_refused(other, microslip_restore(other.get(), file.c_str()),
+                 "path = '" + file + "': grid.elements = 42: expected 41");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1);
+  roll(handle, 5, 0.04);
+  const std::vector<double> before = answers(handle);
+  fs::resize_file(file, fs::file_size(file) / 2);
+  expect_refused(handle, microslip_restore(handle.get(), file.c_str()),
+                 "path = '" + file + "': expected the whole state");
+  expect_same(answers(handle), before);
+  EXPECT_EQ(microslip_save(nullptr, file.c_str()), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_restore(nullptr, file.c_str()), MICROSLIP_BAD_INPUT);
+  fs::remove_all(folder);
 }
 
 }  // namespace

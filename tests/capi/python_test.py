@@ -3,9 +3,11 @@
 """examples/python/microslip.py: copies are contacts of their own, and a failed constructor raises its own
 error only. Usage: python_test.py, with MICROSLIP_LIBRARY and PYTHONPATH set."""
 import copy
+import pathlib
 import pickle
 import subprocess
 import sys
+import tempfile
 import unittest
 
 import microslip
@@ -56,6 +58,23 @@ class Copies(unittest.TestCase):
     def test_within_one_deepcopy_are_one(self):
         first, second = copy.deepcopy([*[rolling()] * 2])
         self.assertIs(first, second)
+
+    def test_go_on_from_a_file(self):
+        grid = microslip.Grid(20, microslip.Grid.REMEMBERED)
+        original, other = (microslip.Rolling(MATERIAL, CONTACT, STRIP, grid) for _ in range(2))
+        for contact in (original, other):
+            contact.set_creepage(0.002)
+        for step in range(20):
+            original.advance(0.1 + 0.01 * step)
+        with tempfile.TemporaryDirectory() as folder:
+            original.save(pathlib.Path(folder) / "a.state")
+            other.restore(f"{folder}/a.state")
+            self.assertRaises(microslip.Error, other.restore, f"{folder}/none")
+        for step in range(20):
+            for contact in (original, other):
+                contact.advance(0.3)
+            self.assertEqual(list(other.traction), list(original.traction))
+            self.assertEqual(other.state.creepage, original.state.creepage)
 
     def test_by_pickling_are_refused(self):
         with self.assertRaises((ValueError, TypeError)):

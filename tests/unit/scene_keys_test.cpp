@@ -59,19 +59,29 @@ const std::map<std::string, Settings> scenes = {
     {"fractional", with(transient, {"step.scheme=fractional"})},
     {"rest", with(transient, {"start.type=rest"})},
     {"file", with(transient, {"start.type=file", "start.file=traction"})},
+    {"state", with(transient, {"start.type=state", "start.state=state"})},
     {"creepage", with(transient, {"load.force=", "load.creepage=0.1", "start.force=-1"})},
     {"run", with(transient, {"load.force=", "start.type=rest", "load.file=run", "load.radius=460",
                              "step.ratio=", "motion.distance="})},
     {"cylinder", cylinder},
     {"cylinder_relaxed", with(cylinder, {"step.scheme=relaxed", "motion.integrator=verlet"})}};
 
+Scene scene_with(const Settings& settings);
+
+/// Of the transient, before it rolls.
+std::string saved_state() {
+  Scene scene = scene_with(with(transient, {"start.type=rest"}));
+  return TransientRolling(read_transient(scene).problem).save();
+}
+
 Scene scene_with(const Settings& settings) {
   Scene scene = scene_of(good_contact);
   for (const std::string& setting : settings) scene.set(setting);
   scene.read_files_by([](const std::string& path) {
-    return path == "bound" ? "x bound\n0 1\n"
-           : path == "run" ? "t v omega\n0 1 0.002\n1 1 0.002\n"
-                           : "x traction\n-1 0\n-0.5 -0.1\n0 -0.1\n0.5 -0.1\n1 0\n";
+    return path == "bound"   ? "x bound\n0 1\n"
+           : path == "run"   ? "t v omega\n0 1 0.002\n1 1 0.002\n"
+           : path == "state" ? saved_state()
+                             : "x traction\n-1 0\n-0.5 -0.1\n0 -0.1\n0.5 -0.1\n1 0\n";
   });
   return scene;
 }
@@ -101,7 +111,7 @@ const std::string steady_scenes = by_elements + "chebyshev ";
 const std::string with_target = steady_scenes + "target_error ";
 const std::string differences = "standard known_edge trimmed ";
 const std::string transients =
-    "material direct relaxed relaxed_traction fractional rest file creepage run ";
+    "material direct relaxed relaxed_traction fractional rest file state creepage run ";
 const std::string cylinders = "cylinder cylinder_relaxed ";
 const std::string strips =
     "calibrated polynomial table youngs hertz force_ratio chebyshev target_error standard "
@@ -143,6 +153,7 @@ const std::vector<Role> roles = {
     {"start.force", "-1", "material direct relaxed relaxed_traction fractional creepage"},
     {"start.shift", "0.1", "material direct relaxed relaxed_traction fractional creepage"},
     {"start.file", "traction", "file"},
+    {"start.state", "state", "state"},
     {"step.ratio", "1", differences + transients + cylinders},
     {"step.scheme", "material", transients + cylinders},
     {"step.relaxation", "1", "relaxed relaxed_traction cylinder_relaxed"},
@@ -187,8 +198,11 @@ TEST(KeysOfScenes, HaveARoleOrAreRefused) {
       const bool by_choice = said.starts_with("expected only one of") ||
                              (key == "contact.bound_polynomial" && name == "table" &&
                               said.starts_with("key 'contact.bound_file' has no role"));
+      // A state is of one scheme, and of one bound to the bit.
+      const bool does_not_fit = (key == "contact.bound_polynomial" || key == "step.scheme") &&
+                                name == "state" && said.starts_with("start.state = 'state': ");
       if (has_role || by_choice) {
-        EXPECT_TRUE(said.empty() || by_choice) << said;
+        EXPECT_TRUE(said.empty() || by_choice || does_not_fit) << said;
       } else {
         EXPECT_TRUE(said.starts_with("key '" + key + "' has no role here: it is for ")) << said;
       }

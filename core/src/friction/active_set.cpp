@@ -63,6 +63,7 @@ class ContactSearch {
 
   const AdhesionSystem& system() const { return system_; }
   double condition() { return system_.condition(); }
+  void archive(Archive& archive) { system_.archive(archive); }
 
   void run(const SlipConditions& conditions, const Load& load, ContactState& state) {
     begin(conditions, load, state.zones);
@@ -437,6 +438,8 @@ void ActiveSet::solve_partition(const SlipConditions& conditions, const Load& lo
 }
 
 double ActiveSet::condition() { return search_->condition(); }
+
+void ActiveSet::archive(Archive& archive) { search_->archive(archive); }
 
 const Eigen::VectorXd& ActiveSet::weights() const { return search_->system().weights(); }
 const SquareMatrix& ActiveSet::response() const { return search_->system().response(); }

@@ -137,12 +137,17 @@ void AdhesionSystem::factorise() {
     base_.push_back(i);
   }
   factorise_base();
+  make_room();
+  border_is_new_ = true;
+  border(compliant);
+}
+
+/// For the border.
+void AdhesionSystem::make_room() {
   const auto most = static_cast<Index>(most_changes());
   rows_.resize(static_cast<Index>(base_.size()), most);
   columns_.resize(static_cast<Index>(base_.size()), most);
   schur_.resize(most, most);
-  border_is_new_ = true;
-  border(compliant);
 }
 
 void AdhesionSystem::factorise_base() {
@@ -167,21 +172,28 @@ void AdhesionSystem::factorise_base() {
   factors_rcond_ = factors_.rcond();
 }
 
+/// The row of a change, at the elements of the base.
+void AdhesionSystem::place_row(Index change) {
+  const Index i = element(change);
+  if (in_base(i)) {
+    rows_.col(change) = scale_ * VectorXd::Unit(rows_.rows(), position(i));
+    return;
+  }
+  for (Index l = 0; l < rows_.rows(); ++l) rows_(l, change) = entry(i, base_[to_size(l)]);
+}
+
 /// Makes arrivals part of the border.
 void AdhesionSystem::border(const std::vector<Index>& arrivals) {
   const auto before = static_cast<Index>(changes_.size());
   for (const Index i : arrivals) {
     const auto k = static_cast<Index>(changes_.size());
     changes_.push_back({.element = i});
+    place_row(k);
     if (in_base(i)) {
-      rows_.col(k) = scale_ * VectorXd::Unit(rows_.rows(), position(i));
       columns_.col(k) = rows_.col(k);
       continue;
     }
-    for (Index l = 0; l < rows_.rows(); ++l) {
-      rows_(l, k) = entry(i, base_[to_size(l)]);
-      columns_(l, k) = entry(base_[to_size(l)], i);
-    }
+    for (Index l = 0; l < rows_.rows(); ++l) columns_(l, k) = entry(base_[to_size(l)], i);
   }
   const auto after = static_cast<Index>(changes_.size());
   if (by_block_) {

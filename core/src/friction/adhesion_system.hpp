@@ -11,6 +11,8 @@
 
 namespace microslip {
 
+class Archive;
+
 /// The linear equations of the elements in adhesion: response_HH d_H + w = ..., thesis (3.19). The
 /// creepage is one more unknown, and the prescribed force or creepage one more row.
 ///
@@ -58,6 +60,10 @@ class AdhesionSystem {
   /// that the estimate does not depend on the history of updates.
   double condition();
 
+  /// Writes or reads what the next solve depends on to the bit: the base, the border with its
+  /// columns, and what sticks. The factors are made again, which gives the same ones.
+  void archive(Archive& archive);
+
  private:
   using Index = Eigen::Index;
 
@@ -78,6 +84,9 @@ class AdhesionSystem {
 
   void factorise();
   void factorise_base();
+  void factorise_again(const std::vector<Index>& elements);
+  void make_room();
+  void place_row(Index change);
   void border(const std::vector<Index>& arrivals);
   void factorise_schur();
   void forget_those_gone_back();

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "microslip/support/archive.hpp"
+
 namespace microslip {
 
 namespace {
@@ -46,6 +48,17 @@ double RecentCreep::mean_with(double length, double creepage) const {
   const double fraction = (before - nearer->distance) / (from.distance - nearer->distance);
   const double creep = nearer->creep + fraction * (from.creep - nearer->creep);
   return (creep + length * creepage) / element_;
+}
+
+void RecentCreep::archive(Archive& archive) {
+  const auto most = static_cast<Eigen::Index>(points_.capacity());
+  auto count = static_cast<Eigen::Index>(points_.size());
+  archive.whole("creep_points", count, 1, most);
+  points_.resize(static_cast<std::size_t>(count));
+  for (Point& point : points_) {
+    archive.number("creep_distance", point.distance);
+    archive.number("creep", point.creep);
+  }
 }
 
 }  // namespace microslip

@@ -57,6 +57,7 @@ class RememberedGrid final : public RollingGrid {
   void move_to(double distance) override;
   void set_contact(const ContactScale& scale) override;
   Eigen::VectorXd displacement(const Eigen::VectorXd& traction) override;
+  void archive(Archive& archive, bool with_solved) override;
 
  private:
   RememberedGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge);

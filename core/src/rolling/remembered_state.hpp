@@ -11,6 +11,8 @@
 
 namespace microslip {
 
+class Archive;
+
 /// The nodes on the problem's contact. On another they keep their places over its half-width.
 struct ReferenceNodes {
   Eigen::Index size = 0;  ///< N
@@ -76,6 +78,10 @@ struct RememberedState : ElementTravel {
   /// neighbours do.
   /// \param offset  of the leading edge from the last node  [dx]
   void admit_entry(const ReferenceNodes& nodes, double offset);
+
+  /// Writes or reads all members.
+  /// \param size  N
+  void archive(Archive& archive, Eigen::Index size);
 
  private:
   /// Where the displacement of a node is looked up.

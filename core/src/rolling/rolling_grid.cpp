@@ -47,6 +47,10 @@ void RollingGrid::set_contact(const ContactScale& scale) {
       "scheme: expected 'remembered', which alone rolls on a contact that changes");
 }
 
+void RollingGrid::archive(Archive&, bool) {
+  throw std::invalid_argument("scheme: expected 'remembered', the state of which alone is saved");
+}
+
 double RollingGrid::start_from_shift(const PrescribedForce& force, TransientState& state) {
   const TransientState rest = state;
   const Shift shift = solve_shift(rest, force, state);

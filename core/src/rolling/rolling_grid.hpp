@@ -14,6 +14,8 @@
 
 namespace microslip {
 
+class Archive;
+
 /// The nodes of a transient, and a step on them. TransientRolling holds the state.
 class RollingGrid {
  public:
@@ -79,6 +81,11 @@ class RollingGrid {
   /// Takes the same place with fewer rounding errors.
   /// \param distance  rolled  [mm]
   virtual void move_to(double distance) { (void)distance; }
+
+  /// Writes what the next step depends on, to the bit, or reads it into a new grid.
+  /// \param with_solved  whether the step that was solved last belongs to it
+  /// \throws std::invalid_argument if the scheme cannot be saved, and as Archive
+  virtual void archive(Archive& archive, bool with_solved);
 
  protected:
   /// \param influence  A, n x n

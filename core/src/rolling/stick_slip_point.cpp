@@ -6,6 +6,8 @@
 #include <limits>
 #include <unsupported/Eigen/AutoDiff>
 
+#include "microslip/support/archive.hpp"
+
 namespace microslip {
 
 using Eigen::Index;
@@ -291,6 +293,32 @@ void StickSlipPoint::average(ActiveSet& active_set, const SlipConditions& condit
     const auto of = [&](std::size_t k) { return sum[k].derivatives()[i]; };
     add(*slopes[static_cast<std::size_t>(i)], {of(0), of(1), of(2), of(3)});
   }
+}
+
+void StickSlipPoint::Response::archive(Archive& archive, Index size) {
+  archive.flag("response_is_known", known);
+  if (!known) return;
+  archive.numbers("response_traction", traction, size);
+  archive.numbers("response_slip", slip, size);
+  archive.number("response_creepage", creepage);
+  archive.number("response_force", force);
+}
+
+/// With a common compliance, responses are shifted again from those that are known.
+void StickSlipPoint::archive(Archive& archive, Index size) {
+  bool has_partition = !zones_.empty();
+  bool by_force = std::holds_alternative<PrescribedForce>(load_);
+  archive.flag("has_partition", has_partition);
+  if (!has_partition) return;
+  archive_zones(archive, "partition", zones_, size);
+  archive.flag("partition_by_force", by_force);
+  archive.number("common", common_);
+  for (Response& response : responses_) response.archive(archive, size);
+  by_creepage_.archive(archive, size);
+  archive_compliant(archive, unit_.compliant, size);
+  if (!archive.reads()) return;
+  stuck_ = first_stuck(zones_);
+  load_ = by_force ? Load(PrescribedForce{0}) : Load(PrescribedCreepage{0});
 }
 
 }  // namespace microslip

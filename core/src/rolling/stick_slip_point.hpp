@@ -11,6 +11,8 @@
 
 namespace microslip {
 
+class Archive;
+
 /// A contact as a partition has it, and then as the mean over partitions has it; or its derivative.
 struct RolledContact {
   ContactState contact;
@@ -41,6 +43,10 @@ class StickSlipPoint {
   void average(ActiveSet& active_set, const SlipConditions& conditions, const Load& load,
                RolledContact& rolled, std::span<RolledContact* const> slopes = {});
 
+  /// Writes or reads the responses that are known.
+  /// \param size  n
+  void archive(Archive& archive, Eigen::Index size);
+
  private:
   /// The place of the point; a scalar is a number, or a number with two derivatives.
   template <class Scalar>
@@ -57,6 +63,8 @@ class StickSlipPoint {
     Eigen::VectorXd slip;  ///< W + A p; n
     double creepage = 0;
     double force = 0;  ///< [N/mm]
+
+    void archive(Archive& archive, Eigen::Index size);
   };
 
   /// What is left at the neighbours of the end, two before it and three behind: by how much slip is

@@ -26,23 +26,32 @@ constexpr double same_force = 1e-13;
 /// A remainder below this part of a step is rounding of the distance.
 constexpr double negligible = 1e-9;
 
-/// Steps of given lengths, in turn, the last of which ends at a distance.
+}  // namespace
+
+/// Steps of given lengths, in turn, the last of which ends at a distance. They are those from
+/// distance 0; of a start further on, the first one is what is left of one of them.
 class Schedule {
  public:
-  Schedule(double distance, const std::vector<double>& lengths)
-      : distance_(distance), lengths_(lengths), ends_(lengths.size()) {
+  Schedule(double distance, const std::vector<double>& lengths, double start = 0)
+      : distance_(distance), start_(start), lengths_(lengths), ends_(lengths.size()) {
     require_positive("motion.distance", distance);
+    require(distance > start, "motion.distance", distance,
+            [&] { return "more than " + format_short(start) + ", where it starts"; });
     for (const double length : lengths) require_positive("step length", length);
     std::partial_sum(lengths.begin(), lengths.end(), ends_.begin());
+    first_ = step_after(start);
   }
 
-  /// Where step k, from 0, begins.
-  double begin(std::size_t k) const { return k == 0 ? 0 : unlimited_end(k - 1); }
+  std::size_t first() const { return first_; }
+
+  /// Where step k begins.
+  double begin(std::size_t k) const { return k == first_ ? start_ : unlimited_begin(k); }
 
   double end(std::size_t k) const { return is_last(k) ? distance_ : unlimited_end(k); }
 
   double length(std::size_t k) const {
-    const double rest = distance_ - begin(k);
+    const bool is_begun = k == first_ && start_ != unlimited_begin(k);
+    const double rest = (is_begun ? end(k) : distance_) - begin(k);
     return rest < (1 - negligible) * full_length(k) ? rest : full_length(k);
   }
 
@@ -51,13 +60,34 @@ class Schedule {
   }
 
   std::size_t size() const {
-    const double cycles = std::floor((1 - negligible) * distance_ / ends_.back());
-    std::size_t k = static_cast<std::size_t>(cycles) * ends_.size();
+    std::size_t k = std::max(first_, whole_cycles(distance_));
     while (!is_last(k)) ++k;
-    return k + 1;
+    return k - first_ + 1;
+  }
+
+  /// That of the last step, if it is whole but for rounding; else the distance.
+  double unlimited_distance() const {
+    const std::size_t last = first_ + size() - 1;
+    const double end = unlimited_end(last);
+    return std::abs(distance_ - end) <= negligible * full_length(last) ? end : distance_;
   }
 
  private:
+  /// A number of steps that end before a distance.
+  std::size_t whole_cycles(double distance) const {
+    const double cycles = std::floor((1 - negligible) * distance / ends_.back());
+    return static_cast<std::size_t>(cycles) * ends_.size();
+  }
+
+  std::size_t step_after(double start) const {
+    if (start <= 0) return 0;
+    std::size_t k = whole_cycles(start);
+    while (unlimited_end(k) - start <= negligible * full_length(k)) ++k;
+    return k;
+  }
+
+  double unlimited_begin(std::size_t k) const { return k == 0 ? 0 : unlimited_end(k - 1); }
+
   double full_length(std::size_t k) const { return lengths_[k % lengths_.size()]; }
 
   double unlimited_end(std::size_t k) const {
@@ -65,12 +95,11 @@ class Schedule {
     return cycles * ends_.back() + ends_[k % ends_.size()];
   }
 
-  double distance_;
+  double distance_, start_;
   const std::vector<double>& lengths_;
   std::vector<double> ends_;
+  std::size_t first_ = 0;
 };
-
-}  // namespace
 
 void require_definite(const TransientProblem& problem) {
   require_definite(problem.kernel, problem.grid.half_width() + problem.grid.spacing());
@@ -99,6 +128,10 @@ TransientRolling::TransientRolling(const TransientProblem& problem, const Start&
     : problem_(problem), creep_(problem.grid.spacing()) {
   require_definite(problem);
   grid_ = rolling_grid(problem);
+  if (const auto* saved = std::get_if<SavedState>(&start)) {
+    read(*saved);
+    return;
+  }
   set_contact(contact);
   if (const auto* shift = std::get_if<CattaneoShift>(&start)) {
     start_from_shift({shift->force});
@@ -222,20 +255,34 @@ void TransientRolling::step(double length, const Load& load) {
 void TransientRolling::roll(double distance, const std::vector<double>& lengths,
                             const LoadHistory& loads,
                             const std::function<void(const TransientState&)>& after_step) {
-  const Schedule schedule(distance, lengths);
-  const double start = state_.distance;
-  for (std::size_t k = 0;; ++k) {
+  roll(Schedule(distance, lengths), state_.distance, loads, after_step);
+}
+
+void TransientRolling::roll_to(double distance, const std::vector<double>& lengths,
+                               const LoadHistory& loads,
+                               const std::function<void(const TransientState&)>& after_step) {
+  roll(Schedule(distance, lengths, state_.distance), 0, loads, after_step);
+}
+
+/// \param origin  the distance from which the schedule counts  [mm]
+void TransientRolling::roll(const Schedule& schedule, double origin, const LoadHistory& loads,
+                            const std::function<void(const TransientState&)>& after_step) {
+  for (std::size_t k = schedule.first();; ++k) {
     if (loads.changes_contact()) set_contact(loads.contact_at(schedule.end(k)));
     step(schedule.length(k), loads.between(schedule.begin(k), schedule.end(k)));
-    state_.distance = start + schedule.end(k);  // the same place, with fewer rounding errors
+    state_.distance = origin + schedule.end(k);  // the same place, with fewer rounding errors
     grid_->move_to(state_.distance);
     after_step(state_);
     if (schedule.is_last(k)) return;
   }
 }
 
-std::size_t number_of_steps(double distance, const std::vector<double>& lengths) {
-  return Schedule(distance, lengths).size();
+std::size_t number_of_steps(double distance, const std::vector<double>& lengths, double start) {
+  return Schedule(distance, lengths, start).size();
+}
+
+double end_of_whole_steps(double distance, const std::vector<double>& lengths) {
+  return Schedule(distance, lengths).unlimited_distance();
 }
 
 }  // namespace microslip

@@ -71,7 +71,7 @@ struct StepsOf {
   double operator()(const SteadyProblem&) const { return 0; }
   double operator()(const SteadyTarget&) const { return 0; }
   double operator()(const TransientScene& scene) const {
-    return static_cast<double>(number_of_steps(scene.distance, scene.step_lengths()));
+    return static_cast<double>(number_of_steps(scene.distance, scene.step_lengths(), scene.from));
   }
   double operator()(const CylinderScene& scene) const {
     const double length = scene.step_ratio * scene.contact.grid.spacing();
@@ -110,7 +110,7 @@ struct WorkOf {
   double operator()(const SteadyTarget&) const { return std::numeric_limits<double>::quiet_NaN(); }
   double operator()(const TransientScene& scene) const {
     const double steps = steps_needed(scene);
-    const double elements = scene.distance / scene.problem.grid.spacing() / steps;
+    const double elements = (scene.distance - scene.from) / scene.problem.grid.spacing() / steps;
     return steps * solves_of_step(scene.problem.scheme, elements) *
                (of_step(scene.problem, std::ranges::all_of(scene.step_ratios, is_whole)) +
                 (scene.loads.changes_contact() ? of_change(scene.problem) : 0)) +

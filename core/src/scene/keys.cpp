@@ -133,10 +133,10 @@ constexpr auto keys = std::to_array<Key>({
      "load.file with a column omega"},
     {.name = "start.type",
      .type = word,
-     .meaning = "start of a transient: no tractions, those of a shift without rolling, or those of "
-                "a file",
+     .meaning = "start of a transient: no tractions, those of a shift without rolling, those of a "
+                "file, or a state that --save wrote",
      .role = "problem transient",
-     .words = {"rest", "cattaneo", "file"}},
+     .words = {"rest", "cattaneo", "file", "state"}},
     {.name = "start.force",
      .type = list,
      .unit = "N/mm",
@@ -155,6 +155,12 @@ constexpr auto keys = std::to_array<Key>({
      .meaning = "table with columns x and traction, with rows up to the edges of the contact",
      .note = "a file",
      .role = "start.type file"},
+    {.name = "start.state",
+     .type = file,
+     .meaning = "state of a transient that --save wrote, of the same contact, kernel, grid and "
+                "solver; the run goes on from its distance",
+     .note = "a file",
+     .role = "start.type state"},
     {.name = "step.ratio",
      .type = list,
      .meaning =
@@ -190,7 +196,9 @@ constexpr auto keys = std::to_array<Key>({
      .fallback = 0},
     {"motion.distance", number, "mm",
      "distance rolled; the last step of a transient is shortened to end there", above_zero,
-     "at most 1e6 steps; with load.file at most its distance, which is the default", rolls},
+     "at most 1e6 steps; with load.file at most its distance, which is the default; with "
+     "start.state more than its distance, which is included",
+     rolls},
     {.name = "motion.integrator",
      .type = word,
      .meaning = "how motion and contact go together",

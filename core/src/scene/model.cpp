@@ -65,8 +65,8 @@ void warn_of_noise(Scene& scene, const TransientProblem& problem, double step_ra
                  " elements");
 }
 
-void require_few_steps(double distance, double length) {
-  const double steps = std::ceil(distance / length);
+void require_few_steps(double distance, double from, double length) {
+  const double steps = std::ceil((distance - from) / length);
   require(steps <= most_steps, "motion.distance", distance,
           "at most " + format_short(most_steps) + " steps, not " + format_short(steps));
 }
@@ -113,10 +113,19 @@ double read_distance(Scene& scene, const LoadHistory& loads) {
   return distance;
 }
 
+/// \param from  where the run starts
+double read_distance(Scene& scene, const LoadHistory& loads, double from) {
+  const double distance = read_distance(scene, loads);
+  require(distance > from, "motion.distance", distance,
+          [&] { return "more than that of start.state, " + format_short(from); });
+  return distance;
+}
+
 /// How a transient begins, before it rolls.
 struct Beginning {
   Start start = Rest{};
   std::vector<ShiftLoad> shifts = {};
+  double distance = 0;  ///< rolled so far  [mm]
 };
 
 std::vector<double> read_start_forces(Scene& scene, const Load& load) {
@@ -152,6 +161,12 @@ Beginning read_beginning(Scene& scene, const TransientProblem& problem, const Lo
   if (type == "cattaneo") {
     const double full = full_sliding_force(problem.bound);
     return read_shifts(scene, full * contact.full_sliding(), load);
+  }
+  if (type == "state") {
+    return scene.with_file("start.state", [&]() -> Beginning {
+      const SavedState saved{scene.file("start.state")};
+      return {.start = saved, .distance = distance_of(saved, problem)};
+    });
   }
   const std::vector<FileColumn> wanted = {{"x", "mm"}, {"traction", "N/mm^2"}};
   return {.start = scene.from_columns("start.file", wanted, [&](const auto& columns) {
@@ -226,21 +241,22 @@ TransientScene read_transient(Scene& scene) {
                  "step.scheme remembered");
   }
   warn_of_missed_rows(scene, loads, step_ratios, problem.grid.spacing());
-  const double distance = read_distance(scene, loads);
+  const Load load = loads.at(0);
+  const Beginning beginning = read_beginning(scene, problem, load, loads.contact_at(0));
+  const double distance = read_distance(scene, loads, beginning.distance);
   const double mean = std::accumulate(step_ratios.begin(), step_ratios.end(), 0.0) /
                       static_cast<double>(step_ratios.size());
-  require_few_steps(distance, mean * problem.grid.spacing());
-  const Load load = loads.at(0);
+  require_few_steps(distance, beginning.distance, mean * problem.grid.spacing());
   if (std::holds_alternative<PrescribedForce>(load)) {
     for (const double ratio : judged) warn_of_noise(scene, problem, ratio);
   }
-  const Beginning beginning = read_beginning(scene, problem, load, loads.contact_at(0));
   return {.problem = problem,
           .start = beginning.start,
           .shifts = beginning.shifts,
           .distance = distance,
           .step_ratios = step_ratios,
-          .loads = loads};
+          .loads = loads,
+          .from = beginning.distance};
 }
 
 namespace {
@@ -277,7 +293,7 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
   require_positive("motion.distance", cylinder.distance);
   require(cylinder.step_ratio >= min_step_ratio, "step.ratio", cylinder.step_ratio,
           "a number >= 1e-15");
-  require_few_steps(cylinder.distance, cylinder.step_ratio * model.grid.spacing());
+  require_few_steps(cylinder.distance, 0, cylinder.step_ratio * model.grid.spacing());
   warn_outside(scene, entry_of(scheme).safe_steps, "step.ratio", cylinder.step_ratio,
                "step.scheme remembered");
   return cylinder;

@@ -285,12 +285,17 @@ std::vector<Eigen::Index> Scene::wholes(const std::string& key) {
 
 std::vector<std::optional<Eigen::VectorXd>> Scene::columns(const std::string& key,
                                                            const std::vector<FileColumn>& wanted) {
+  std::istringstream in(file(key));
+  return read_columns(in, wanted);
+}
+
+std::string Scene::file(const std::string& key) {
   const Value& file = value(key);
   const std::string& path = file.text;
   if (!read_file_) throw std::invalid_argument("expected no file here");
-  std::istringstream in(read_file_(path.starts_with('/') ? path : file.place.folder + path));
+  std::string text = read_file_(path.starts_with('/') ? path : file.place.folder + path);
   record(key, path);
-  return read_columns(in, wanted);
+  return text;
 }
 
 std::string Scene::word(const std::string& key) {

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -35,6 +36,18 @@ struct CompliantElement {
   Eigen::Index element;
   double compliance;  ///< >= 0, in the unit of the response
 };
+
+class Archive;
+
+/// Writes or reads zones of n elements.
+/// \param size  n
+void archive_zones(Archive& archive, std::string_view name, std::vector<Zone>& zones,
+                   Eigen::Index size);
+
+/// Writes or reads compliant elements of n.
+/// \param size  n
+void archive_compliant(Archive& archive, std::vector<CompliantElement>& compliant,
+                       Eigen::Index size);
 
 /// The equation of the slip at n traction coefficients p, and the bound that they keep:
 /// s = w + offset + (response + springs) (p - reference) + common (F - reference force),
@@ -127,6 +140,10 @@ class ActiveSet {
   /// 1-norm; 1 if nothing sticks. New factors where the last ones are bordered, and some five
   /// solves.
   double condition();
+
+  /// Writes or reads the history of its factors, so that it goes on to the bit alike.
+  /// \throws std::invalid_argument for one that does not fit the response
+  void archive(Archive& archive);
 
   const SquareMatrix& response() const;
   const Eigen::VectorXd& weights() const;

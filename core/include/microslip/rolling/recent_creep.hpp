@@ -22,6 +22,9 @@ class RecentCreep {
   /// taken as linear between points that are an element's thousandth apart, or a step.
   double mean_with(double length, double creepage) const;
 
+  /// Writes or reads the points.
+  void archive(class Archive& archive);
+
  private:
   struct Point {
     double distance;  ///< backwards from now  [mm]

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 
 namespace microslip {
 
+class Archive;
 class RollingGrid;
 
 /// Implicit Euler steps, collocated at the nodes, thesis (3.14)-(3.16):
@@ -37,9 +39,9 @@ class RollingGrid;
 /// resizing failed must not even be destroyed.
 class TransientRolling {
  public:
-  /// \param contact  at the start
+  /// \param contact  at the start; a saved state has its own
   /// \throws as require_definite and set_contact; as start_from_shift, if that is how it starts; as
-  ///         require_within_bound for tractions
+  ///         require_within_bound for tractions, and as restore for a saved state
   explicit TransientRolling(const TransientProblem& problem, const Start& start = Rest{},
                             const ContactScale& contact = {});
 
@@ -126,7 +128,28 @@ class TransientRolling {
   void roll(double distance, const std::vector<double>& lengths, const LoadHistory& loads,
             const std::function<void(const TransientState&)>& after_step);
 
+  /// Goes on with a run from distance 0, in the steps that it would have made from there in one go:
+  /// the first one ends where one of these does.
+  /// \param distance  at the end; more than that now, at most that of the loads  [mm]
+  /// \param loads     of the distance from 0 on
+  void roll_to(double distance, const std::vector<double>& lengths, const LoadHistory& loads,
+               const std::function<void(const TransientState&)>& after_step);
+
+  /// A text of all that the next steps depend on, a step that was attempted included: another
+  /// TransientRolling that starts from it goes on to the bit like this one, on the same machine in
+  /// the same build. Scheme Remembered. Nothing changes.
+  /// \throws std::invalid_argument for another scheme
+  std::string save();
+
+  /// Goes on from a state of the same problem. An error leaves all as it was.
+  /// \throws std::invalid_argument for a text that is none, damaged, of another version or problem
+  void restore(const SavedState& saved);
+
  private:
+  void roll(const class Schedule& schedule, double origin, const LoadHistory& loads,
+            const std::function<void(const TransientState&)>& after_step);
+  void archive(Archive& archive);
+  void read(const SavedState& saved);
   void solve_step(double length, const Load& load, StepJacobian* jacobian);
   bool is_solved(double length, const Load& load) const;
 
@@ -138,7 +161,16 @@ class TransientRolling {
   RecentCreep creep_;
 };
 
-/// How many steps TransientRolling::roll takes.
-std::size_t number_of_steps(double distance, const std::vector<double>& lengths);
+/// How many steps TransientRolling::roll takes, or with a distance at the start roll_to().
+/// \param start  in [0, distance)  [mm]
+std::size_t number_of_steps(double distance, const std::vector<double>& lengths, double start = 0);
+
+/// The end of the step that ends at a distance but for rounding, or else the distance: where a run
+/// has to end for another one to go on with the same bits as one run.
+double end_of_whole_steps(double distance, const std::vector<double>& lengths);
+
+/// The distance that has been rolled in a saved state.
+/// \throws std::invalid_argument as TransientRolling::restore
+double distance_of(const SavedState& saved, const TransientProblem& problem);
 
 }  // namespace microslip

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -46,9 +47,14 @@ struct CattaneoShift {
   double force;  ///< less in absolute value than full sliding  [N/mm]
 };
 
-/// The last are tractions at the N nodes, nowhere above the bound by more than 1e-3 of the largest:
+/// The text of TransientRolling::save().
+struct SavedState {
+  std::string text;
+};
+
+/// Tractions are those at the N nodes, nowhere above the bound by more than 1e-3 of the largest:
 /// they may have been printed with few digits  [N/mm^2]
-using Start = std::variant<Rest, CattaneoShift, Eigen::VectorXd>;
+using Start = std::variant<Rest, CattaneoShift, Eigen::VectorXd, SavedState>;
 
 /// \throws std::invalid_argument if a traction is not finite or above the bound, see Start
 void require_within_bound(const Eigen::VectorXd& x, const Eigen::VectorXd& bound,

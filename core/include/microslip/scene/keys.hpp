@@ -48,7 +48,7 @@ struct Key {
   /// Scenes in which the key has a role, as a noun; empty if it has one in all. Others refuse it.
   std::string_view role = "";
   double fallback = std::numeric_limits<double>::quiet_NaN();  ///< NaN if there is no default
-  std::array<std::string_view, 3> words = {};                  ///< accepted; the last may be empty
+  std::array<std::string_view, 4> words = {};                  ///< accepted; the last may be empty
   /// Gives the accepted words where a catalogue has them.
   std::vector<std::string_view> (*catalogue)() = nullptr;
   bool first_is_default = false;  ///< whether the first word is the default

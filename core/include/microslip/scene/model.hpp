@@ -77,9 +77,10 @@ struct TransientScene {
   TransientProblem problem;
   Start start;
   std::vector<ShiftLoad> shifts;    ///< without rolling, one after the other from the start on
-  double distance;                  ///< rolled after them, (0, inf)  [mm]
+  double distance;                  ///< rolled at the end, above `from`  [mm]
   std::vector<double> step_ratios;  ///< dq/dx, taken in turn, each (0, inf)  [1]
   LoadHistory loads;
+  double from = 0;  ///< distance at the start, 0 except for a saved state  [mm]
 
   std::vector<double> step_lengths() const;  ///< dq, taken in turn  [mm]
 };
@@ -87,10 +88,10 @@ struct TransientScene {
 /// All of a steady scene except for leading_edge, with load.file as another load, and:
 /// step.ratio (one or more numbers; with load.file, its rows), step.scheme
 /// remembered|material|direct|relaxed|relaxed_traction|fractional (remembered), step.relaxation (1)
-/// of the relaxed ones, motion.distance (that of load.file), start.type rest|cattaneo|file;
+/// of the relaxed ones, motion.distance (that of load.file), start.type rest|cattaneo|file|state;
 /// start.force (load.force) or start.shift of cattaneo; start.file of file: columns x traction, at
 /// the nodes, or at any positions for remembered and material. One start.force makes a
-/// CattaneoShift; several, or any start.shift, are shifts from rest.
+/// CattaneoShift; several, or any start.shift, are shifts from rest. start.state of state.
 TransientScene read_transient(Scene& scene);
 
 /// A cylinder that rolls down a slope, from rest or from free rolling.

@@ -134,6 +134,9 @@ class Scene {
     return with_file(key, [&] { return use(columns(key, wanted)); });
   }
 
+  /// The text of the file that the key names.
+  std::string file(const std::string& key);
+
   /// Calls an action; a message of its std::invalid_argument then begins with key and file.
   template <class Action>
   auto with_file(const std::string& key, Action action) const {

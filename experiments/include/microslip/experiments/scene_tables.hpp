@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "microslip/scene/model.hpp"
@@ -18,6 +19,10 @@ namespace microslip::experiments {
 std::vector<Table> scene_tables(const SteadyProblem& problem, const Progress& progress);
 std::vector<Table> scene_tables(const SteadyTarget& target, const Progress& progress);
 std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress);
+
+/// \param at_end  called with the contact after the last step, as that has left it
+std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress,
+                                const std::function<void(TransientRolling&)>& at_end);
 std::vector<Table> scene_tables(const CylinderScene& scene, const Progress& progress);
 
 }  // namespace microslip::experiments

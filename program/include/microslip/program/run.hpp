@@ -30,6 +30,8 @@ struct Program {
   std::vector<KeyOption> key_options = {};
   /// Reads all keys it needs, and returns the work to do once the scene has been accepted.
   std::function<Work(Scene&)> prepare;
+  /// Of a program with --save: the same, and the work fills a text that is saved.
+  std::function<Work(Scene&, std::string&)> prepare_to_save = {};
 };
 
 /// Parses the command line, runs the program and writes its tables, with provenance.txt last.

@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace microslip::program {
+namespace microslip {
 
 /// FNV-1a of 64 bits, in hexadecimal digits.
 std::string checksum(const std::string& text);
 
-}  // namespace microslip::program
+}  // namespace microslip

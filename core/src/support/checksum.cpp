@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "checksum.hpp"
+#include "microslip/support/checksum.hpp"
 
 #include <cstdint>
 #include <iomanip>
 #include <sstream>
 
-namespace microslip::program {
+namespace microslip {
 
 std::string checksum(const std::string& text) {
   constexpr std::uint64_t offset = 0xcbf29ce484222325;
@@ -17,4 +17,4 @@ std::string checksum(const std::string& text) {
   return digits.str();
 }
 
-}  // namespace microslip::program
+}  // namespace microslip

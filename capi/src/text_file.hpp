@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace microslip::capi {
+
+/// Writes a text under a temporary name, which is this process's own, and renames it: on a failure
+/// what was there before stays, and nothing is left behind.
+/// \throws std::invalid_argument that names the path
+void write_text(const std::string& path, const std::string& text);
+
+/// \throws std::invalid_argument that names the path if it cannot be read, or has more than 1 GB
+std::string read_text(const std::string& path);
+
+}  // namespace microslip::capi

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_archive.hpp"
+#include "microslip/support/archive.hpp"
+#include "microslip/support/require.hpp"
+#include "remembered_grid.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+
+namespace {
+
+void archive_points(Archive& archive, RememberedPoints& points, Index size) {
+  archive.numbers("displacements", points.at, size + 1);
+  archive.number("displacement_at_exit", points.exit);
+}
+
+}  // namespace
+
+void RememberedState::archive(Archive& archive, Index size) {
+  archive.number("rolled", distance);
+  archive.number("rolled_error", distance_error);
+  archive.number("origin", origin);
+  archive.number("entered", entered);
+  archive_contact(archive, scale);
+  archive.number("counted_by", counted_by);
+  archive_points(archive, points, size);
+  archive_points(archive, nodes, size);
+  archive.numbers("tractions", traction, size);
+  archive_zones(archive, "zones", zones, size);
+  archive.whole("stuck", stuck, 0, size);
+  archive.number("stored", stored);
+  archive.whole("kept", kept, 0, size);
+  archive.number("lead", lead);
+}
+
+/// A step begins with the state and changes all else.
+void RememberedGrid::archive(Archive& archive, bool with_solved) {
+  ContactScale target = target_;
+  double response_to = response_to_;
+  archive_contact(archive, target);
+  archive.number("response_to", response_to);
+  if (archive.reads()) {
+    set_contact(target);
+    require_positive("response_to", response_to);
+    require_definite(kernel_, response_to * reach_);
+    set_response(response_to);
+  }
+  active_set_.archive(archive);
+  stick_slip_point_.archive(archive, nodes_.size);
+  state_.archive(archive, nodes_.size);
+  if (with_solved) next_.state.archive(archive, nodes_.size);
+  if (archive.reads()) place_nodes();
+}
+
+}  // namespace microslip
