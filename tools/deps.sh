@@ -5,7 +5,7 @@
 set -euo pipefail
 [ "${DEPS:-}" = skip ] && exit 0
 
-# Debian package, and a command or file that shows it is present
+# Debian package, and a command or pattern of files that shows it is present
 needs() {
   case "$1" in
     build) cat <<'LIST'
@@ -13,7 +13,7 @@ g++ g++
 cmake cmake
 libeigen3-dev /usr/include/eigen3/Eigen/Core
 libboost-dev /usr/include/boost/algorithm/string/replace.hpp
-libboost-program-options-dev /usr/include/boost/program_options.hpp
+libboost-program-options-dev /usr/lib/*/cmake/boost_program_options-*
 libgsl-dev /usr/include/gsl/gsl_integration.h
 libfftw3-dev /usr/include/fftw3.h
 libgtest-dev /usr/include/gtest/gtest.h
@@ -47,7 +47,7 @@ for group in "$@"; do
   list=$(needs "$group")
   while read -r package probe; do
     case "$probe" in
-      /*) [ -e "$probe" ] || missing+=("$package") ;;
+      /*) compgen -G "$probe" >/dev/null || missing+=("$package") ;;
       *) command -v "$probe" >/dev/null || missing+=("$package") ;;
     esac
   done <<<"$list"
