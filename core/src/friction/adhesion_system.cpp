@@ -54,7 +54,7 @@ void AdhesionSystem::prescribe_force(bool force) {
 }
 
 void AdhesionSystem::set_compliant(const std::vector<CompliantElement>& compliant) {
-  if (compliant.empty() && compliant_.empty()) return;
+  if (compliant == compliant_) return;
   compliant_ = compliant;
   border_is_new_ = true;
 }

@@ -35,6 +35,8 @@ enum class Zone : signed char { slip_negative = -1, adhesion = 0, slip_positive 
 struct CompliantElement {
   Eigen::Index element;
   double compliance;  ///< >= 0, in the unit of the response
+
+  bool operator==(const CompliantElement&) const = default;
 };
 
 class Archive;
