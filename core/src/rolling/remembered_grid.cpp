@@ -64,7 +64,8 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
       edge_(edge),
       kernel_(problem.kernel),
       solver_(problem.solver),
-      stick_slip_point_(edge) {
+      exit_{0, spring_of_mean(edge, problem.kernel, grid.spacing(), exit_share(edge))},
+      stick_slip_point_(edge, exit_share(edge)) {
   require_filling(problem.grid, fewest_points, "where the material remembers its displacement");
   const Index n = grid.size();
   x_ = grid.nodes();
@@ -74,13 +75,12 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
   problem_bound_ = element_means(problem.bound, x_, weights_);
   bound_ = problem_bound_;
   const VectorXd zeros = VectorXd::Zero(n);
-  next_.conditions = {.bound = bound_, .offset = zeros, .reference = zeros};
-  for (Step& slope : slopes_)
-    slope.conditions = {.bound = zeros, .offset = zeros, .reference = zeros};
+  next_.conditions = {.bound = bound_, .offset = zeros, .reference = zeros, .compliant = {exit_}};
+  for (Step& slope : slopes_) {
+    slope.conditions = next_.conditions;
+    slope.conditions.bound = zeros;
+  }
   entry_influence_ = influence_at_entry(kernel_, nodes_);
-  exit_ = {0, spring_of_mean(edge_, kernel_, nodes_.spacing, exit_share(edge_))};
-  next_.conditions.compliant = {exit_};
-  for (Step& slope : slopes_) slope.conditions.compliant = {exit_};
 }
 
 std::unique_ptr<RollingGrid> RememberedGrid::clone() const {
@@ -100,7 +100,7 @@ void RememberedGrid::set_response(double half_width) {
         influence_operator(kernel, constant_basis(), nodes_.spacing, nodes_.size, solver_),
         weights_, solver_);
     entry_influence_ = influence_at_entry(kernel, nodes_);
-    stick_slip_point_ = StickSlipPoint(edge_);
+    stick_slip_point_ = StickSlipPoint(edge_, exit_share(edge_));
   }
   response_to_ = half_width;
 }

@@ -60,11 +60,11 @@ Index first_stuck(const std::vector<Zone>& zones) {
 /// The generating function of the regular square root's coefficients is (1 - z)^(-3/2)/b+(z), of
 /// the singular one's (1 - z)^(-1/2)/b+(z): the first coefficients are alike, the second ones
 /// differ by the first.
-StickSlipPoint::StickSlipPoint(const LeadingEdgeConstants& edge)
+StickSlipPoint::StickSlipPoint(const LeadingEdgeConstants& edge, double first_length)
     : second_(edge.layer[1] * std::sqrt(1 + edge.offset) /
                   (edge.layer[0] * std::sqrt(edge.offset)) -
               1),
-      first_length_(2.5 - 2 * edge.offset) {}
+      first_length_(first_length) {}
 
 /// Of a derivative, bounds are 0.
 double StickSlipPoint::left(const SlipConditions* conditions, const ContactState& contact,

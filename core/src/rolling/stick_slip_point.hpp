@@ -33,7 +33,9 @@ struct RolledContact {
 /// partition has changed.
 class StickSlipPoint {
  public:
-  explicit StickSlipPoint(const LeadingEdgeConstants& edge);
+  /// \param first_length  from the trailing edge, which is the natural end where all sticks, to that
+  ///                      of the next partition  [dx]
+  StickSlipPoint(const LeadingEdgeConstants& edge, double first_length);
 
   /// Replaces traction, creepage and displacement of a contact by those of the mean; zones and slip
   /// stay. Without five nodes in adhesion at the end, all stays.
@@ -106,10 +108,7 @@ class StickSlipPoint {
   void add(RolledContact& rolled, const std::array<double, 4>& change) const;
 
   double second_;  ///< the second node's traction over the first's, of the singular square root
-
-  /// From the trailing edge, which is the natural end where all sticks, to that of the next
-  /// partition  [dx]
-  double first_length_;
+  double first_length_;  ///< [dx]
 
   // Of the partition whose responses are known.
   std::vector<Zone> zones_;

@@ -26,8 +26,6 @@ constexpr double same_force = 1e-13;
 /// A remainder below this part of a step is rounding of the distance.
 constexpr double negligible = 1e-9;
 
-}  // namespace
-
 /// Steps of given lengths, in turn, the last of which ends at a distance. They are those from
 /// distance 0; of a start further on, the first one is what is left of one of them.
 class Schedule {
@@ -100,6 +98,8 @@ class Schedule {
   std::vector<double> ends_;
   std::size_t first_ = 0;
 };
+
+}  // namespace
 
 void require_definite(const TransientProblem& problem) {
   require_definite(problem.kernel, problem.grid.half_width() + problem.grid.spacing());
@@ -255,18 +255,19 @@ void TransientRolling::step(double length, const Load& load) {
 void TransientRolling::roll(double distance, const std::vector<double>& lengths,
                             const LoadHistory& loads,
                             const std::function<void(const TransientState&)>& after_step) {
-  roll(Schedule(distance, lengths), state_.distance, loads, after_step);
+  roll_on(state_.distance, 0, distance, lengths, loads, after_step);
 }
 
 void TransientRolling::roll_to(double distance, const std::vector<double>& lengths,
                                const LoadHistory& loads,
                                const std::function<void(const TransientState&)>& after_step) {
-  roll(Schedule(distance, lengths, state_.distance), 0, loads, after_step);
+  roll_on(0, state_.distance, distance, lengths, loads, after_step);
 }
 
-/// \param origin  the distance from which the schedule counts  [mm]
-void TransientRolling::roll(const Schedule& schedule, double origin, const LoadHistory& loads,
-                            const std::function<void(const TransientState&)>& after_step) {
+void TransientRolling::roll_on(double origin, double start, double distance,
+                               const std::vector<double>& lengths, const LoadHistory& loads,
+                               const std::function<void(const TransientState&)>& after_step) {
+  const Schedule schedule(distance, lengths, start);
   for (std::size_t k = schedule.first();; ++k) {
     if (loads.changes_contact()) set_contact(loads.contact_at(schedule.end(k)));
     step(schedule.length(k), loads.between(schedule.begin(k), schedule.end(k)));

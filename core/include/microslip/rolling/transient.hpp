@@ -146,8 +146,11 @@ class TransientRolling {
   void restore(const SavedState& saved);
 
  private:
-  void roll(const class Schedule& schedule, double origin, const LoadHistory& loads,
-            const std::function<void(const TransientState&)>& after_step);
+  /// \param origin           from which start, distance and loads count  [mm]
+  /// \param start, distance  of the steps, from the origin  [mm]
+  void roll_on(double origin, double start, double distance, const std::vector<double>& lengths,
+               const LoadHistory& loads,
+               const std::function<void(const TransientState&)>& after_step);
   void archive(Archive& archive);
   void read(const SavedState& saved);
   void solve_step(double length, const Load& load, StepJacobian* jacobian);
