@@ -10,6 +10,7 @@
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/schemes.hpp"
+#include "microslip/scene/text.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 #include "microslip/support/shown.hpp"
@@ -204,9 +205,8 @@ microslip_status microslip_save(microslip_rolling* rolling, const char* path) {
 microslip_status microslip_restore(microslip_rolling* rolling, const char* path) {
   return with(rolling, [&](microslip_rolling& of) {
     const std::string name = &require_pointer(path, "path");
-    const microslip::SavedState saved{microslip::capi::read_text(name)};
     try {
-      of.contact->restore(saved);
+      of.contact->restore({microslip::file_text(name)});
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument("path = '" + microslip::shown(name) + "': " + error.what());
     }

@@ -10,7 +10,4 @@ namespace microslip::capi {
 /// \throws std::invalid_argument that names the path
 void write_text(const std::string& path, const std::string& text);
 
-/// \throws std::invalid_argument that names the path if it cannot be read, or has more than 1 GB
-std::string read_text(const std::string& path);
-
 }  // namespace microslip::capi

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_line.hpp"
 
-#include <array>
-#include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
@@ -91,24 +88,6 @@ bool answers(const Given& given, const Options& options, const std::string& name
     std::cout << version_line(name) << '\n';
   }
   return help || given.count("version") != 0;
-}
-
-std::string file_text(const std::string& path, std::size_t most) {
-  std::ifstream in(path, std::ios::binary);
-  std::string text;
-  for (std::array<char, 1 << 16> part; in.read(part.data(), part.size()) || in.gcount() > 0;) {
-    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
-    if (text.size() > most) {
-      throw std::invalid_argument("expected at most " + std::to_string(most) + " bytes");
-    }
-    if (text.find('\0', text.size() - static_cast<std::size_t>(in.gcount())) != std::string::npos) {
-      break;  // no text, however it goes on
-    }
-  }
-  if (in.bad() || !in.is_open()) {
-    throw std::invalid_argument(std::string("cannot read it: ") + std::strerror(errno));
-  }
-  return plain_text(std::move(text));
 }
 
 Scene built_in_scene(const Program& program) {

@@ -33,11 +33,6 @@ Scene built_in_scene(const Program& program);
 /// The scene of --scene, or the built-in one, with what --quick and --set change in it.
 Scene read_scene(const Program& program, const Given& given);
 
-/// The plain text of a file; what is larger than a table of the finest grid is none of ours.
-/// \param most  of bytes, which also bounds what is read of a device or pipe without an end
-/// \throws std::invalid_argument if it cannot be read, is larger, or is not text
-std::string file_text(const std::string& path, std::size_t most = std::size_t{1} << 30);
-
 /// Shows progress on a terminal after two seconds, with rate and remaining time, unless told to be
 /// quiet. The line ends when the last copy is gone.
 Progress progress_on_terminal(const std::string& name, bool quiet);

@@ -2,9 +2,14 @@
 #include "microslip/scene/text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <boost/algorithm/string/replace.hpp>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace microslip {
 
@@ -22,6 +27,24 @@ std::string plain_text(std::string bytes) {
   if (bytes.starts_with(mark)) bytes.erase(0, mark.size());
   boost::algorithm::replace_all(bytes, "\r\n", "\n");
   return bytes;
+}
+
+std::string file_text(const std::string& path, std::size_t most) {
+  std::ifstream in(path, std::ios::binary);
+  std::string text;
+  for (std::array<char, 1 << 16> part; in.read(part.data(), part.size()) || in.gcount() > 0;) {
+    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
+    if (text.size() > most) {
+      throw std::invalid_argument("expected at most " + std::to_string(most) + " bytes");
+    }
+    if (text.find('\0', text.size() - static_cast<std::size_t>(in.gcount())) != std::string::npos) {
+      break;  // no text, however it goes on
+    }
+  }
+  if (in.bad() || !in.is_open()) {
+    throw std::invalid_argument(std::string("cannot read it: ") + std::strerror(errno));
+  }
+  return plain_text(std::move(text));
 }
 
 }  // namespace microslip
