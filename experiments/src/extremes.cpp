@@ -99,7 +99,7 @@ ExtremesParameters read_extremes(Scene& scene) {
                                      .most_steps = scene.whole("transient.most_steps")},
                        .endurance = {.ratios = scene.numbers("endurance.step_ratios"),
                                      .states = scene.wholes("endurance.states")},
-                       .cylinder = {.slope_ratios = scene.numbers("cylinder.force_ratios"),
+                       .cylinder = {.force_ratios = scene.numbers("cylinder.force_ratios"),
                                     .ratios = scene.numbers("cylinder.step_ratios")},
                        .scales = scene.numbers("scales")};
   demand_odd(scene, "grid.elements", {p.elements});

@@ -112,7 +112,7 @@ Map cylinder_map(const ExtremesParameters& p) {
           {}};
   const auto truth = std::make_shared<CylinderTruth>(p);
   for (const Scheme& scheme : schemes) {
-    for (const double slope_ratio : p.cylinder.slope_ratios) {
+    for (const double slope_ratio : p.cylinder.force_ratios) {
       for (const double c : p.cylinder.ratios) {
         map.cases.push_back(
             {.scheme = scheme.name,

@@ -13,6 +13,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "microslip/support/convergence.hpp"
+#include "table_values.hpp"
 
 namespace microslip::experiments::frequency_response_study {
 
@@ -186,11 +187,8 @@ class Campaign {
   /// States of about that stick ratio, which end at different places of an element.
   std::vector<State> aligned(double stick_ratio, Index n) const {
     std::vector<State> states;
-    for (int j = 0; j < p_.alignments; ++j) {
-      const double moved =
-          stick_ratio + static_cast<double>(j) / p_.alignments / static_cast<double>(n);
-      const Carter carter = Carter::from_stick_ratio(p_.plane.material(), p_.bound,
-                                                     moved < 1 ? moved : 2 * stick_ratio - moved);
+    for (const double moved : aligned_stick_ratios(stick_ratio, p_.alignments, n)) {
+      const Carter carter = Carter::from_stick_ratio(p_.plane.material(), p_.bound, moved);
       states.push_back({.kernel_name = "plane",
                         .kernel = p_.plane,
                         .stick_ratio = stick_ratio,

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "microslip/experiments/rule.hpp"
 #include "microslip/scene/table.hpp"
@@ -16,6 +18,20 @@ template <class Number>
 double log_spaced(double first, double last, Number i, Number count) {
   const double part = static_cast<double>(i) / static_cast<double>(count - 1);
   return std::clamp(first * std::pow(last / first, part), first, last);
+}
+
+/// Stick ratios next to one, so that stick-slip points lie at so many places of an element.
+/// \param elements  N
+/// \return          in (0, 1)
+inline std::vector<double> aligned_stick_ratios(double stick_ratio, int alignments,
+                                                Eigen::Index elements) {
+  std::vector<double> ratios;
+  for (int j = 0; j < alignments; ++j) {
+    const double moved =
+        stick_ratio + static_cast<double>(j) / alignments / static_cast<double>(elements);
+    ratios.push_back(moved < 1 ? moved : 2 * stick_ratio - moved);
+  }
+  return ratios;
 }
 
 /// The least or the largest number of a column, in the rows that are wanted.

@@ -158,9 +158,7 @@ struct SteadyState {
 /// States of about that stick ratio, which end at different places of an element.
 std::vector<SteadyState> aligned(const VaryingLoadParameters& p, double stick_ratio, Index n) {
   std::vector<SteadyState> states;
-  for (int j = 0; j < p.alignments; ++j) {
-    const double ratio =
-        stick_ratio + static_cast<double>(j) / p.alignments / static_cast<double>(n);
+  for (const double ratio : aligned_stick_ratios(stick_ratio, p.alignments, n)) {
     const double creepage = creepage_of(p, ratio);
     states.push_back({ratio, creepage, settled(p, creepage, n)});
   }

@@ -34,7 +34,7 @@ ExtremesParameters parameters() {
                         .distance = 20,
                         .most_steps = 2000},
           .endurance = {.ratios = {1, 0.3}, .states = {1000, 10000}},
-          .cylinder = {.slope_ratios = {0.01, 0.1, 1.5, 10}, .ratios = {0.3, 1, 10}},
+          .cylinder = {.force_ratios = {0.01, 0.1, 1.5, 10}, .ratios = {0.3, 1, 10}},
           .scales = {1e-12, 1e12}};
 }
 

@@ -60,7 +60,7 @@ struct ExtremesParameters {
   } endurance;
 
   struct {
-    std::vector<double> slope_ratios;  ///< slope force over full sliding  [1]
+    std::vector<double> force_ratios;  ///< slope force over full sliding  [1]
     std::vector<double> ratios;        ///< c  [1]
   } cylinder;
 
