@@ -32,6 +32,15 @@ void RememberedState::archive(Archive& archive, Index size) {
   archive.number("stored", stored);
   archive.whole("kept", kept, 0, size);
   archive.number("lead", lead);
+  archive.number("entry", entry);
+  archive.number("at_entry", at_entry);
+  archive.number("entry_slip", entry_slip);
+  archive.whole("leading", leading, 0, size + 1);
+  archive.whole("leading_kept", leading_kept, 0, size + 1);
+  bool is_relieved = relief.size() > 0;
+  archive.flag("is_relieved", is_relieved);
+  if (is_relieved) archive.numbers("relief", relief, size);
+  archive.number("ahead", ahead);
 }
 
 /// A step begins with the state and changes all else.
@@ -48,6 +57,9 @@ void RememberedGrid::archive(Archive& archive, bool with_solved) {
   }
   active_set_.archive(archive);
   stick_slip_point_.archive(archive, nodes_.size);
+  bool has_shifted = standing_.has_value();
+  archive.flag("has_shifted", has_shifted);
+  if (has_shifted) standing().archive(archive, nodes_.size + 1);
   state_.archive(archive, nodes_.size);
   if (with_solved) next_.state.archive(archive, nodes_.size);
   if (archive.reads()) place_nodes();

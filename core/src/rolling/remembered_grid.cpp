@@ -17,32 +17,22 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Without rolling, tractions in adhesion are singular at the leading edge, which the scheme then
-/// feels half an element nearer. So an element at the entry carries traction, on a spring that is
-/// the mean of the solutions with and without it.
-constexpr double entry_in_shift = 0.5;
-
-/// The part of the first element that is in the contact, from where the scheme would feel the
-/// trailing edge without it. Nodes are 2 a/N apart, so that steps of whole elements are not divided,
-/// and the last one is where the scheme feels the leading edge. The trailing edge is then 0.15
-/// elements ahead of where the first node would feel it.
-double exit_share(const LeadingEdgeConstants& edge) { return 2.5 - 2 * edge.offset; }
-
-/// Of an element that is the mean of the solutions with it, of this weight, and without it
-/// [mm^3/N]
-double spring_of_mean(const LeadingEdgeConstants& edge, const Kernel& kernel, double spacing,
-                      double weight) {
-  return edge.compliance * compliance(material_of(kernel)) * spacing * (1 - weight) / weight;
-}
-
-/// Displacement at the entry by each node, by the kernel on the problem's contact  [mm^3/N]
-VectorXd influence_at_entry(const Kernel& kernel, const ReferenceNodes& nodes) {
-  return VectorXd::NullaryExpr(nodes.size, [&](Index j) {
-    return influence(kernel, constant_shape(), nodes.spacing, static_cast<double>(nodes.size - j));
+/// Displacement by an element, against the distance in elements, from the entry to the exit; by the
+/// kernel on the problem's contact  [mm^3/N]
+VectorXd influence_at_distances(const Kernel& kernel, const ReferenceNodes& nodes) {
+  return VectorXd::NullaryExpr(nodes.size + 2, [&](Index distance) {
+    return influence(kernel, constant_shape(), nodes.spacing, static_cast<double>(distance));
   });
 }
 
 }  // namespace
+
+/// Nodes are 2 a/N apart, so that steps of whole elements are not divided, and the last one is where
+/// the scheme feels the leading edge. The trailing edge is then 0.15 elements ahead of where the
+/// first node would feel it.
+double RememberedGrid::exit_share(const LeadingEdgeConstants& edge) {
+  return 2.5 - 2 * edge.offset;
+}
 
 RememberedGrid::RememberedGrid(const TransientProblem& problem)
     : RememberedGrid(problem, leading_edge_constants(constant_basis())) {}
@@ -64,7 +54,8 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
       edge_(edge),
       kernel_(problem.kernel),
       solver_(problem.solver),
-      exit_{0, spring_of_mean(edge, problem.kernel, grid.spacing(), exit_share(edge))},
+      spring_{edge.compliance * compliance(material_of(problem.kernel)) * grid.spacing()},
+      exit_{0, spring_.of_mean(exit_share(edge))},
       stick_slip_point_(edge, exit_share(edge)) {
   require_filling(problem.grid, fewest_points, "where the material remembers its displacement");
   const Index n = grid.size();
@@ -80,7 +71,7 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
     slope.conditions = next_.conditions;
     slope.conditions.bound = zeros;
   }
-  entry_influence_ = influence_at_entry(kernel_, nodes_);
+  influence_ = influence_at_distances(kernel_, nodes_);
 }
 
 std::unique_ptr<RollingGrid> RememberedGrid::clone() const {
@@ -99,8 +90,9 @@ void RememberedGrid::set_response(double half_width) {
     active_set_ = ActiveSet(
         influence_operator(kernel, constant_basis(), nodes_.spacing, nodes_.size, solver_),
         weights_, solver_);
-    entry_influence_ = influence_at_entry(kernel, nodes_);
+    influence_ = influence_at_distances(kernel, nodes_);
     stick_slip_point_ = StickSlipPoint(edge_, exit_share(edge_));
+    standing_.reset();
   }
   response_to_ = half_width;
 }
@@ -137,11 +129,20 @@ VectorXd RememberedGrid::displaced_by(const VectorXd& traction) const {
   return displacement;
 }
 
+/// \param entry  traction of the element there, on the problem's contact
+VectorXd RememberedGrid::displaced_by_entry(double entry) const {
+  return entry * (influence_.segment(1, nodes_.size).reverse().array() +
+                  nodes_.spacing * next_.conditions.common);
+}
+
 /// At entry and exit.
-void RememberedGrid::displace_ends(RememberedPoints& nodes, const VectorXd& traction) const {
-  const double common = next_.conditions.common * weights_.dot(traction);
-  nodes.at[nodes_.size] = entry_influence_.dot(traction) + common;
-  nodes.exit = entry_influence_.reverse().dot(traction) + common;
+/// \param entry  traction of the element there
+void RememberedGrid::displace_ends(RememberedPoints& nodes, const VectorXd& traction,
+                                   double entry) const {
+  const auto from_next = influence_.segment(1, nodes_.size);
+  const double common = next_.conditions.common * (weights_.dot(traction) + nodes_.spacing * entry);
+  nodes.at[nodes_.size] = from_next.reverse().dot(traction) + entry * influence_[0] + common;
+  nodes.exit = from_next.dot(traction) + entry * influence_[nodes_.size + 1] + common;
 }
 
 void RememberedGrid::set_contact(const ContactScale& scale) {
@@ -161,7 +162,7 @@ RememberedState RememberedGrid::start_of(const VectorXd& traction,
   state.zones = zones_at(traction, next_.conditions.bound);
   state.nodes.at.resize(nodes_.size + 1);
   state.nodes.at.head(nodes_.size) = displaced_by(traction);
-  displace_ends(state.nodes, traction);
+  displace_ends(state.nodes, traction, 0);
   state.stored = nodes_.spacing * traction.dot(state.nodes.at.head(nodes_.size)) / 2;
   state.remember_all();
   return state;
@@ -201,63 +202,10 @@ void RememberedGrid::start_from(const VectorXd& traction, TransientState& state)
         state);
 }
 
-double RememberedGrid::start_from_shift(const PrescribedForce& force, TransientState& state) {
-  const Index n = nodes_.size;
-  const double distance = RollingGrid::start_from_shift(force, state);
-  if (!sticks(state.zones, n - 1)) {
-    state_.remember_all();
-    return distance;
-  }
-
-  VectorXd bound(n + 1);
-  bound << next_.conditions.bound, next_.conditions.bound[n - 1];
-  const double spring = spring_of_mean(edge_, kernel_, nodes_.spacing, entry_in_shift);
-  ActiveSet with_entry(influence_operator(in_units_of(kernel_, target_.half_width),
-                                          constant_basis(), nodes_.spacing, n + 1, solver_),
-                       VectorXd::Constant(n + 1, nodes_.spacing), solver_);
-  const VectorXd zeros = VectorXd::Zero(n + 1);
-  const ContactState longer = with_entry.solve(
-      {.bound = bound, .offset = zeros, .reference = zeros, .compliant = {exit_, {n, spring}}},
-      force);
-  VectorXd traction = longer.traction.head(n);
-  traction[n - 1] += longer.traction[n];
-  begin(traction, state);
-  state_.zones.assign(longer.zones.begin(), longer.zones.end() - 1);
-  state_.nodes.at = with_entry.response() * longer.traction;
-  state_.nodes.at[0] += exit_.compliance * longer.traction[0];
-  state_.remember_all();
-  state.zones = state_.zones;
-  return longer.creepage;
-}
-
-/// A step that travels nothing.
-Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load,
-                                  TransientState& after) {
-  begin_step(false);
-  const bool stays = target_ == state_.scale;
-  roll({.length = 0, .load = load});
-  RememberedState& state = next_.state;
-  if (state.scale.carries()) state.admit_entry(nodes_, edge_.offset);
-  const auto* distance = std::get_if<PrescribedCreepage>(&load);
-  sum_.creepage = distance != nullptr ? distance->value : next_.shift;
-  sum_.zones = state.zones;
-  sum_.traction = state.traction;
-  const VectorXd slip =
-      stays ? VectorXd(displaced_by(state.traction - state_.traction).array() + sum_.creepage)
-            : sum_.slip;
-  Shift shift = fill_shift(before.distance, state_.traction, sum_, slip, next_.conditions.bound,
-                           next_.conditions.bound, after);
-  give_tractions(state, after);
-  if (!stays) {
-    shift.work = -next_.work;
-    shift.dissipation = shift.work - (state.stored - state_.stored);
-  }
-  return shift;
-}
-
 void RememberedGrid::begin_step(bool with_slopes) {
   next_.shift = next_.mean_force = next_.work = 0;
   next_.state = state_;
+  next_.entry = 0;
   sum_.slip.setZero(x_.size());
   sum_.iterations = 0;
   sum_.residuals = {};
@@ -270,6 +218,10 @@ void RememberedGrid::begin_step(bool with_slopes) {
     slope.state.nodes.set_zero();
     slope.state.traction.setZero();
     slope.state.stored = 0;
+    slope.state.entry = slope.entry = 0;
+    slope.state.leading = slope.state.leading_kept = 0;
+    slope.state.relief.resize(0);
+    slope.conditions.bound.setZero(nodes_.size);
     slope.state.lead = 0;
   }
 }

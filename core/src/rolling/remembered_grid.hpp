@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
@@ -49,7 +50,6 @@ class RememberedGrid final : public RollingGrid {
   std::unique_ptr<RollingGrid> clone() const override;
   Eigen::VectorXd traction_at_nodes(const TransientState& state) const override;
   void start_from(const Eigen::VectorXd& traction, TransientState& state) override;
-  double start_from_shift(const PrescribedForce& force, TransientState& state) override;
   Shift solve_shift(const TransientState& before, const Load& load, TransientState& after) override;
   void solve_step(const TransientState& before, double length, const Load& load,
                   TransientState& after, StepJacobian* jacobian) override;
@@ -64,6 +64,24 @@ class RememberedGrid final : public RollingGrid {
   RememberedGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge,
                  const Grid& grid);
 
+  /// An element that is the mean of the solutions with it and without it is on a spring.
+  struct MeanSpring {
+    double compliance;  ///< [mm^3/N]
+    /// \param weight  of the solution with it, in (0, 1)
+    double of_mean(double weight) const { return compliance * (1 - weight) / weight; }
+  };
+
+  /// The nodes, and an element at the entry, in a shift without rolling. Adhesion may end anywhere
+  /// within an element at either side.
+  struct StandingContact {
+    Eigen::VectorXd bound;    ///< its means over elements of the problem's contact  [N/mm^2]
+    ActiveSet active_set;     ///< N + 1
+    StickSlipPoint trailing;  ///< stick-slip point
+    StickSlipPoint leading;   ///< of the mirrored contact
+
+    void archive(Archive& archive, Eigen::Index size);
+  };
+
   /// A step on its way through its parts, each of which ends where an element has been travelled or
   /// with the step; or a derivative of it. Given the partition, all is linear except for products
   /// of force and displacement.
@@ -73,6 +91,7 @@ class RememberedGrid final : public RollingGrid {
     double moved = 0;           ///< shift by the partition in the part, with the lead  [mm]
     double creepage = 0;        ///< shift by the mean in the part  [mm]
     double part_force = 0;      ///< mean of the force over the part  [N/mm]
+    double entry = 0;           ///< traction of the element at the entry  [N/mm^2]
 
     // Summed over the parts.
     double shift = 0;       ///< [mm]
@@ -94,13 +113,20 @@ class RememberedGrid final : public RollingGrid {
     Load load;      ///< of a shift: its creepage is the shift  [mm]
   };
 
+  /// The part of the first element that is in the contact, from where the scheme would feel the
+  /// trailing edge without it.
+  static double exit_share(const LeadingEdgeConstants& edge);
+
   void set_response(double half_width);
   void set_bound(const ContactScale& scale);
   RememberedState start_of(const Eigen::VectorXd& traction, const ContactScale& scale) const;
   void begin(const Eigen::VectorXd& traction, TransientState& state);
-  void displace_ends(RememberedPoints& nodes, const Eigen::VectorXd& traction) const;
+  void displace_ends(RememberedPoints& nodes, const Eigen::VectorXd& traction, double entry) const;
+  Eigen::VectorXd displaced_by_entry(double entry) const;
   Eigen::VectorXd displaced_by(const Eigen::VectorXd& traction) const;
   void give_tractions(const RememberedState& now, TransientState& state) const;
+  StandingContact& standing();
+  void shift_standing(const Load& load);
   void place_nodes();
 
   void begin_step(bool with_slopes);
@@ -109,7 +135,9 @@ class RememberedGrid final : public RollingGrid {
   void change_contact(const Way& way);
   void roll_part(const Part& part);
   void recall(Step& step, const Part& part) const;
-  static Load of_partition(const Load& load, const Step& step);
+  Load of_partition(const Load& load, const Step& step) const;
+  void fade_shift(const Part& part);
+  void settle_lead(const Load& load);
   void search_partition(const Load& load);
   void solve_slopes(const Part& part);
   void add_slip(const Part& part);
@@ -127,10 +155,12 @@ class RememberedGrid final : public RollingGrid {
   LeadingEdgeConstants edge_;
   Kernel kernel_;
   Solver solver_;
-  double response_to_ = 1;           ///< half-width, over the problem's, of the response
-  Eigen::VectorXd entry_influence_;  ///< displacement at the entry by each node  [mm^3/N]
-  CompliantElement exit_;            ///< the first element
+  double response_to_ = 1;     ///< half-width, over the problem's, of the response
+  Eigen::VectorXd influence_;  ///< displacement by an element 0 ... N + 1 elements away  [mm^3/N]
+  MeanSpring spring_;
+  CompliantElement exit_;  ///< the first element
   StickSlipPoint stick_slip_point_;
+  std::optional<StandingContact> standing_;  ///< from the first shift on
 
   RememberedState state_;
   Step next_;                   ///< that was solved last

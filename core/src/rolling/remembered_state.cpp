@@ -18,6 +18,9 @@ namespace {
 /// partitions whose mean is taken include their nodes in adhesion.
 constexpr Index kept_behind = 3;
 
+/// Nodes in adhesion so near to its leading end may slip in the mean over partitions.
+constexpr Index averaged = 2;
+
 /// A part of an element below this is none.
 constexpr double rounding = MaterialWindow::rounding;
 
@@ -31,6 +34,18 @@ NodeShift shift_of(const ReferenceNodes& nodes, double travelled, double ratio) 
 /// The node at a point that is remembered, or the next one.
 Index node_ahead(Index point, const NodeShift& shift) {
   return shift.of(point) < 0 ? point + 1 : point;
+}
+
+/// The value now at a point that is remembered: linear between the nodes on either side.
+/// \param values  at the nodes; behind the first and ahead of the last, the value there
+double between_nodes(const VectorXd& values, Index point, const NodeShift& shift) {
+  const Index ahead = node_ahead(point, shift);
+  if (ahead == 0) return values[0];
+  if (ahead >= values.size()) return values[values.size() - 1];
+  const auto from_point = [&](Index node) { return static_cast<double>(node - point); };
+  const double of_behind = (from_point(ahead) + shift.of(ahead)) / (1 + shift.stretch);
+  const double of_ahead = -(from_point(ahead - 1) + shift.of(ahead - 1)) / (1 + shift.stretch);
+  return of_behind * values[ahead - 1] + of_ahead * values[ahead];
 }
 
 }  // namespace
@@ -64,7 +79,7 @@ PartEnd RememberedState::end_of_part(const ReferenceNodes& nodes, double length,
 
 /// Of a node that has slipped, the nodes when the part began; else the points.
 RememberedState::Source RememberedState::source_of(Index i, const PartEnd& end) const {
-  const bool as_if_stuck = i >= kept && i < stuck;
+  const bool as_if_stuck = (i >= kept && i < stuck) || (i >= leading && i < leading_kept);
   if (!sticks(zones, i) && !as_if_stuck) {
     return {.displacements = nodes,
             .shift = end.on_nodes.of(i),
@@ -95,30 +110,92 @@ void RememberedState::remember_all() {
   kept = stuck;
 }
 
-/// The displacement now at a point that is remembered: linear between the nodes on either side.
-/// \param point  at most N; behind the first node, the displacement there
-double RememberedState::between_nodes(Index point, const NodeShift& shift) const {
-  const Index ahead = node_ahead(point, shift);
-  if (ahead == 0) return nodes.at[0];
-  if (ahead == nodes.at.size()) return nodes.at[ahead - 1];
-  const auto from_point = [&](Index node) { return static_cast<double>(node - point); };
-  const double of_behind = (from_point(ahead) + shift.of(ahead)) / (1 + shift.stretch);
-  const double of_ahead = -(from_point(ahead - 1) + shift.of(ahead - 1)) / (1 + shift.stretch);
-  return of_behind * nodes.at[ahead - 1] + of_ahead * nodes.at[ahead];
-}
-
 void RememberedState::admit_slip(const ReferenceNodes& reference) {
   const NodeShift now = among_points(reference);
   for (Index i = kept; i < std::min(stuck, reference.size); ++i) {
-    points.at[i] = between_nodes(i, now);
+    points.at[i] = between_nodes(nodes.at, i, now);
   }
   kept = stuck;
 }
 
-void RememberedState::admit_entry(const ReferenceNodes& reference, double offset) {
+void RememberedState::admit_entry(const ReferenceNodes& reference) {
   const Index n = reference.size;
+  points.at[n] = between_nodes(nodes.at, n, among_points(reference));
+}
+
+bool RememberedState::entry_has_come(const ReferenceNodes& reference, double offset) const {
+  return among_points(reference).of(reference.size) >= 1 - offset;
+}
+
+std::pair<double, double> RememberedState::left_at_entry(const ReferenceNodes& reference,
+                                                         const PartEnd& end) const {
+  const double ahead_of_it = 1 - among_points(reference).of(reference.size);
+  const double left = 1 - end.on_points.of(reference.size);
+  if (end.is_whole || left <= 0 || left > ahead_of_it) return {0, 0};
+  return {left / ahead_of_it, -1 / (ahead_of_it * reference.spacing * counted_by)};
+}
+
+void RememberedState::begin_shifts(double spring) {
+  if (leading_kept > 0) return;
+  at_entry = nodes.at[nodes.at.size() - 1] + spring * entry;
+  entry_slip = 0;
+}
+
+void RememberedState::remember_shift(const ReferenceNodes& reference, const PartEnd& end,
+                                     const std::vector<Zone>& with_entry, double spring,
+                                     bool stuck_again) {
+  const Index n = reference.size;
+  zones.assign(with_entry.begin(), with_entry.end() - 1);
+  leading = past_last_stuck(with_entry);
+  leading_kept = std::min(n, leading + kept_behind) + 1;
+  if (leading_kept <= n) at_entry = nodes.at[n] + spring * entry;
+  remember(reference, end, stuck_again);
+}
+
+/// Points from the leading end of adhesion on, or a few before it, slip with the nodes.
+void RememberedState::add_leading_slip(const ReferenceNodes& reference, Index from) {
   const NodeShift now = among_points(reference);
-  if (now.of(n) < 1 - offset || !sticks(zones, n - 1)) points.at[n] = between_nodes(n, now);
+  const Index end = std::min(leading_kept, reference.size);
+  VectorXd slip = VectorXd::Zero(reference.size);
+  for (Index i = from; i < end; ++i) {
+    slip[i] = nodes.at[i] - interpolated_at(points, i, now.of(i), i >= kept ? kept : 0);
+  }
+  for (Index i = from; i < end; ++i) points.at[i] += between_nodes(slip, i, now);
+}
+
+void RememberedState::admit_leading_slip(const ReferenceNodes& reference, double spring) {
+  add_leading_slip(reference, leading);
+  at_entry = nodes.at[reference.size] + spring * entry;
+  leading_kept = leading;
+}
+
+void RememberedState::end_shifts(const ReferenceNodes& reference, const VectorXd& bound) {
+  if (leading_kept == 0) return;
+  add_leading_slip(reference, std::max(kept, leading - averaged));
+  if (leading > reference.size) {
+    share_slip(reference, entry_slip / (1 - entry_share));
+  } else {
+    admit_entry(reference);
+  }
+  if (leading < reference.size) {
+    relief = VectorXd::Zero(reference.size);
+    const Index slipping = reference.size - leading;
+    relief.tail(slipping) = traction.tail(slipping);
+    relief[reference.size - 1] -= entry;
+    relief.tail(slipping) = bound.tail(slipping) - relief.tail(slipping).cwiseAbs();
+  }
+  leading = leading_kept = 0;
+}
+
+/// The scheme feels the edge of a shift, at which tractions are singular, `offset` - 1/2 elements
+/// ahead of the last point that sticks. So the last point sticks to the part t of one, and the next
+/// one, which is not remembered yet, to the part t - 1.
+/// \param slip  at the entry, of material that is outside  [mm]
+void RememberedState::share_slip(const ReferenceNodes& reference, double slip) {
+  const Index n = reference.size;
+  const double inside = among_points(reference).of(n) + 0.5;
+  points.at[n] += std::max(0.0, 1 - inside) * slip;
+  ahead += std::max(0.0, inside - 1) * slip;
 }
 
 /// Points are those at nodes, entry and exit now.
@@ -137,8 +214,9 @@ void RememberedState::renew_points(const PartEnd& end, Index from) {
     entered = 0;
     counted_by = end.scale.half_width;
   }
-  points.at[n] = nodes.at[n];
+  points.at[n] = nodes.at[n] - ahead;
   points.exit = nodes.exit;
+  ahead = 0;
 }
 
 void RememberedState::remember(const ReferenceNodes& reference, const PartEnd& end,
@@ -148,7 +226,8 @@ void RememberedState::remember(const ReferenceNodes& reference, const PartEnd& e
   stuck = first_stuck(zones);
   kept = stuck_again ? stuck : std::max<Index>(0, stuck - kept_behind);
   const auto has_slipped = [&](Index i) {
-    return i < n && !sticks(zones, i) && (i < kept || i > stuck);
+    return i < n && !sticks(zones, i) && (i < kept || i > stuck) &&
+           (i < leading || i >= leading_kept);
   };
   if (end.is_whole) {
     renew_points(end, kept_before);
@@ -162,7 +241,7 @@ void RememberedState::remember(const ReferenceNodes& reference, const PartEnd& e
     const Index ahead = node_ahead(i, shift);
     const bool between = shift.of(i) != 0;
     if (!has_slipped(ahead) || (between && (ahead == 0 || sticks(zones, ahead - 1)))) continue;
-    points.at[i] = between_nodes(i, shift);
+    points.at[i] = between_nodes(nodes.at, i, shift);
   }
 }
 

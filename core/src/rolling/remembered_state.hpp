@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "element_travel.hpp"
@@ -12,6 +13,12 @@
 namespace microslip {
 
 class Archive;
+
+/// The part of an element at the entry that is in the contact, from where the scheme feels the edge
+/// of a shift without it. Without rolling, tractions in adhesion are singular there, and the edge is
+/// felt half an element nearer. So an element at the entry carries traction, on a spring that is the
+/// mean of the solutions with and without it.
+inline constexpr double entry_share = 0.5;
 
 /// The nodes on the problem's contact. On another they keep their places over its half-width.
 struct ReferenceNodes {
@@ -55,6 +62,20 @@ struct RememberedState : ElementTravel {
   Eigen::Index kept = 0;     ///< points from here on are as if they had not slipped
   double lead = 0;           ///< shift of the mean over partitions before that of `zones`  [mm]
 
+  // Of shifts without rolling, in which an element at the entry carries traction. Its slip is that
+  // of a spring besides.
+  double entry = 0;  ///< its traction, which falls to 0 while an element is travelled; `traction`
+                     ///< gives it to the last node  [N/mm^2]
+  double at_entry = 0;            ///< displacement that it has now if it has stuck  [mm]
+  double entry_slip = 0;          ///< of the material there, by the shifts since rolling  [mm]
+  Eigen::Index leading = 0;       ///< the node ahead of the last in adhesion; 0 after rolling
+  Eigen::Index leading_kept = 0;  ///< points from `leading` to here are as if they had not slipped
+  Eigen::VectorXd relief;  ///< by how much the mean of the last one leaves tractions that slip at
+                           ///< the leading end below the bound; falls as `entry`; N or none
+                           ///< [N/mm^2]
+  double ahead = 0;  ///< what shifts since the last whole element have taken from the slip that
+                     ///< the next point to be remembered shows  [mm]
+
   /// The end of a part that begins here.
   PartEnd end_of_part(const ReferenceNodes& nodes, double length, double end,
                       const ContactScale& scale) const;
@@ -74,10 +95,35 @@ struct RememberedState : ElementTravel {
   /// Points next to the stick-slip point have slipped as they did: they stick again.
   void admit_slip(const ReferenceNodes& nodes);
 
-  /// After a shift, the point that came to the entry last sticks if it is in the contact and its
-  /// neighbours do.
+  /// Shifts begin where the contact has rolled to.
+  /// \param spring  of the element at the entry  [mm^3/N]
+  void begin_shifts(double spring);
+
+  /// Remembers the displacements after a shift.
+  /// \param end     of a part without length
+  /// \param zones   of nodes and entry
+  /// \param spring  of the element at the entry  [mm^3/N]
+  void remember_shift(const ReferenceNodes& nodes, const PartEnd& end,
+                      const std::vector<Zone>& zones, double spring, bool stuck_again);
+
+  /// Points next to the leading end of adhesion have slipped as they did: they stick again.
+  void admit_leading_slip(const ReferenceNodes& nodes, double spring);
+
+  /// Shifts are over: material at the leading end of adhesion has slipped as the mean over
+  /// partitions has it. The points at the entry are between inside and outside.
+  /// \param bound  N, that tractions keep in rolling  [N/mm^2]
+  void end_shifts(const ReferenceNodes& nodes, const Eigen::VectorXd& bound);
+
+  /// The point that came to the entry last has slipped as it did.
+  void admit_entry(const ReferenceNodes& nodes);
+
+  /// Whether that point is in the contact.
   /// \param offset  of the leading edge from the last node  [dx]
-  void admit_entry(const ReferenceNodes& nodes, double offset);
+  bool entry_has_come(const ReferenceNodes& nodes, double offset) const;
+
+  /// The part of the traction at the entry, and of the relief, that is left at the end of a part of a step, and its
+  /// derivative by the length of the part [1/mm]. It falls evenly, and is gone with the element.
+  std::pair<double, double> left_at_entry(const ReferenceNodes& nodes, const PartEnd& end) const;
 
   /// Writes or reads all members.
   /// \param size  N
@@ -94,7 +140,8 @@ struct RememberedState : ElementTravel {
 
   Source source_of(Eigen::Index i, const PartEnd& end) const;
   NodeShift among_points(const ReferenceNodes& nodes) const;
-  double between_nodes(Eigen::Index point, const NodeShift& shift) const;
+  void add_leading_slip(const ReferenceNodes& nodes, Eigen::Index from);
+  void share_slip(const ReferenceNodes& nodes, double slip);
   void renew_points(const PartEnd& end, Eigen::Index from);
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <utility>
@@ -14,6 +15,15 @@ namespace microslip {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+namespace {
+
+/// Slip and shifts below this are rounding of the displacements  [mm]
+double rounding_of(const RememberedState& state) {
+  return 1e-13 * state.nodes.at.cwiseAbs().maxCoeff();
+}
+
+}  // namespace
+
 void RememberedGrid::solve_step(const TransientState&, double length, const Load& load,
                                 TransientState& after, StepJacobian* jacobian) {
   begin_step(jacobian != nullptr);
@@ -21,6 +31,7 @@ void RememberedGrid::solve_step(const TransientState&, double length, const Load
   const RememberedState& state = next_.state;
   sum_.creepage = next_.shift;
   sum_.zones = state.zones;
+  sum_.slip = (sum_.slip.array().abs() > rounding_of(state)).select(sum_.slip, 0);
   fill_state(state.distance, sum_, length, next_.conditions.bound, next_.conditions.bound, after);
   give_tractions(state, after);
   after.mean_force = next_.mean_force / length;
@@ -43,7 +54,10 @@ void RememberedGrid::move_to(double distance) { state_.move_to(distance); }
 /// that changes, either end may be the first to do so.
 void RememberedGrid::roll(const Way& way) {
   const RememberedState& from = state_;
+  set_bound(from.scale);
+  next_.state.end_shifts(nodes_, next_.conditions.bound);
   if (!from.scale.carries() || !target_.carries()) return change_contact(way);
+  if (way.length > 0) settle_lead(way.load);
   const double width = from.scale.half_width;
   const bool keeps_width = target_.half_width == width;
   if (way.length > 0 && keeps_width && from.counted_by == width) {
@@ -67,6 +81,19 @@ void RememberedGrid::roll(const Way& way) {
     fraction = next.end;
   }
   next_.state.distance_error = (end - from.distance) - added;
+}
+
+/// After a force, a creepage moves the partition to where the mean over partitions is, which is no
+/// slip.
+void RememberedGrid::settle_lead(const Load& load) {
+  const RememberedState& state = next_.state;
+  if (std::holds_alternative<PrescribedForce>(load) || std::abs(state.lead) <= rounding_of(state)) {
+    return;
+  }
+  const PrescribedCreepage none{0};
+  roll_part(
+      {state.end_of_part(nodes_, 0, state.distance, state.scale), 0, none, {none, none}, false});
+  sum_.slip.setZero();
 }
 
 /// Rolls a part of the way.
@@ -119,6 +146,7 @@ void RememberedGrid::recall(Step& step, const Part& part) const {
   for (Index i = 0; i < nodes_.size; ++i) {
     step.conditions.offset[i] = -step.state.remembered_at(i, part);
   }
+  if (step.entry != 0) step.conditions.offset += displaced_by_entry(step.entry);
 }
 
 /// Adds the slip of a part. Next to the stick-slip point, slip is counted since a point was in
@@ -130,14 +158,32 @@ void RememberedGrid::add_slip(const Part& part) {
   for (Index i = before.kept; i < std::min(before.stuck, nodes_.size); ++i) {
     if (sticks(contact.zones, i)) continue;
     sum_.slip[i] -=
-        interpolated_at(before.nodes, i, part.on_nodes.of(i), 0) + next_.conditions.offset[i];
+        interpolated_at(before.nodes, i, part.on_nodes.of(i), 0) - before.remembered_at(i, part);
   }
 }
 
-/// The load of the partition, which has the lead to make up for.
-Load RememberedGrid::of_partition(const Load& load, const Step& step) {
+/// The load of the partition, which has the lead to make up for, and no part in the entry.
+Load RememberedGrid::of_partition(const Load& load, const Step& step) const {
   const auto* creepage = std::get_if<PrescribedCreepage>(&load);
-  return creepage == nullptr ? load : PrescribedCreepage{creepage->value + step.state.lead};
+  if (creepage != nullptr) return PrescribedCreepage{creepage->value + step.state.lead};
+  return PrescribedForce{std::get<PrescribedForce>(load).value - nodes_.spacing * step.entry};
+}
+
+/// What is left of the last shift at the leading edge.
+void RememberedGrid::fade_shift(const Part& part) {
+  RememberedState& state = next_.state;
+  const bool is_relieved = state.relief.size() > 0;
+  next_.entry = 0;
+  if (state.entry == 0 && !is_relieved) return;
+  const auto [left, slope] = state.left_at_entry(nodes_, part);
+  const double by_length = has_slopes_ && part.is_last ? slope : 0;
+  next_.entry = left * state.entry;
+  slopes_[1].entry = by_length * state.entry;
+  if (!is_relieved) return;
+  slopes_[1].conditions.bound = -by_length * state.relief;
+  state.relief *= left;
+  next_.conditions.bound -= state.relief;
+  if (left == 0) state.relief.resize(0);
 }
 
 void RememberedGrid::search_partition(const Load& load) {
@@ -167,20 +213,24 @@ void RememberedGrid::displace(Step& step) const {
   step.state.points.subtract(step.moved);
   step.displacement = (step.contact.slip - step.conditions.offset).array() - step.moved;
   step.state.nodes.at.head(nodes_.size) = step.displacement;
+  if (step.entry != 0) step.state.nodes.at.head(nodes_.size) += displaced_by_entry(step.entry);
 }
 
 /// Moves to the end of a part, with the mean over partitions.
 void RememberedGrid::finish_part(Step& step, const Part& part, bool stuck_again) const {
   RememberedState& state = step.state;
   const ContactState& contact = step.contact;
-  step.part_force = nodes_.spacing * (state.traction.sum() + contact.traction.sum()) / 2;
+  step.part_force =
+      nodes_.spacing * (state.traction.sum() + contact.traction.sum() + step.entry) / 2;
   step.creepage = contact.creepage - state.lead;
   step.shift += step.creepage;
   state.lead = contact.creepage - step.moved;
-  displace_ends(state.nodes, contact.traction);
+  displace_ends(state.nodes, contact.traction, step.entry);
   state.nodes.at[nodes_.size] += state.lead;
   state.nodes.exit += state.lead;
   state.traction = contact.traction;
+  state.traction[nodes_.size - 1] += step.entry;
+  state.entry = step.entry;
   state.zones = contact.zones;
   state.scale = part.scale;
   state.remember(nodes_, part, stuck_again);
@@ -192,8 +242,15 @@ void RememberedGrid::roll_part(const Part& part) {
   const RememberedState& before = next_.state;
   set_response(part.scale.half_width);
   set_bound(part.scale);
+  const bool all_stuck = before.relief.size() == 0;
+  fade_shift(part);
   recall(next_, part);
   search_partition(part.load);
+  if (next_.entry != 0 && all_stuck && !sticks(next_.contact.zones, nodes_.size - 1)) {
+    next_.entry = slopes_[1].entry = 0;
+    recall(next_, part);
+    search_partition(part.load);
+  }
   const bool stuck_again = first_stuck(next_.contact.zones) < before.stuck - 1;
   const std::size_t slopes = has_slopes_ ? 2 : 0;
   if (stuck_again) {
@@ -214,13 +271,19 @@ void RememberedGrid::roll_part(const Part& part) {
   stick_slip_point_.average(active_set_, next_.conditions, part.load, next_,
                             std::span(sloped).first(slopes));
   finish_part(next_, part, stuck_again);
+  for (std::size_t k = 0; k < slopes; ++k) finish_part(slopes_[k], part, stuck_again);
   const VectorXd& p = next_.state.traction;
+  if (next_.entry != 0) {
+    next_.displacement = displaced_by(p);
+    for (std::size_t k = 0; k < slopes; ++k) {
+      slopes_[k].displacement = displaced_by(slopes_[k].state.traction);
+    }
+  }
   next_.state.stored = nodes_.spacing * p.dot(next_.displacement) / 2;
   next_.mean_force += next_.part_force * part.length;
   next_.work += next_.part_force * next_.creepage;
   for (std::size_t k = 0; k < slopes; ++k) {
     Step& slope = slopes_[k];
-    finish_part(slope, part, stuck_again);
     slope.state.stored =
         nodes_.spacing *
         (slope.state.traction.dot(next_.displacement) + p.dot(slope.displacement)) / 2;

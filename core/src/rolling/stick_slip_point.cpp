@@ -57,6 +57,10 @@ Index first_stuck(const std::vector<Zone>& zones) {
   return std::find(zones.begin(), zones.end(), Zone::adhesion) - zones.begin();
 }
 
+Index past_last_stuck(const std::vector<Zone>& zones) {
+  return zones.rend() - std::find(zones.rbegin(), zones.rend(), Zone::adhesion);
+}
+
 /// The generating function of the regular square root's coefficients is (1 - z)^(-3/2)/b+(z), of
 /// the singular one's (1 - z)^(-1/2)/b+(z): the first coefficients are alike, the second ones
 /// differ by the first.

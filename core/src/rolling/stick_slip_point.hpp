@@ -128,4 +128,7 @@ class StickSlipPoint {
 /// The first node in adhesion; their number if there is none.
 Eigen::Index first_stuck(const std::vector<Zone>& zones);
 
+/// The node ahead of the last in adhesion; 0 if there is none.
+Eigen::Index past_last_stuck(const std::vector<Zone>& zones);
+
 }  // namespace microslip

@@ -56,8 +56,11 @@ struct MemoryOf {
   }
   double operator()(const SteadyTarget&) const { return 0; }
   double operator()(const TransientScene& scene) const {
-    return memory_by({.element = 1600, .matrices = 4.1}, by_fft(scene.problem),
-                     scene.problem.grid.size()) +
+    const bool shifts = !scene.shifts.empty() || std::holds_alternative<CattaneoShift>(scene.start);
+    const bool twice = shifts && std::holds_alternative<Remembered>(scene.problem.scheme);
+    return memory_by(twice ? Memory{.element = 2200, .matrices = 5.2}
+                           : Memory{.element = 1600, .matrices = 4.1},
+                     by_fft(scene.problem), scene.problem.grid.size()) +
            row_of_history * (steps_needed(scene) + static_cast<double>(scene.shifts.size()));
   }
   double operator()(const CylinderScene& scene) const {

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "microslip/halfspace/influence.hpp"
+#include "remembered_grid.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+SlipConditions mirrored(const SlipConditions& conditions) {
+  SlipConditions mirror = conditions;
+  for (VectorXd* of : {&mirror.bound, &mirror.offset, &mirror.reference}) of->reverseInPlace();
+  for (CompliantElement& one : mirror.compliant) {
+    one.element = conditions.bound.size() - 1 - one.element;
+  }
+  return mirror;
+}
+
+void mirror(RolledContact& rolled) {
+  rolled.displacement.reverseInPlace();
+  rolled.contact.traction.reverseInPlace();
+  rolled.contact.slip.reverseInPlace();
+  std::ranges::reverse(rolled.contact.zones);
+}
+
+}  // namespace
+
+void RememberedGrid::StandingContact::archive(Archive& archive, Index size) {
+  active_set.archive(archive);
+  trailing.archive(archive, size);
+  leading.archive(archive, size);
+}
+
+/// From the edge of the contact to where the scheme feels the end of adhesion without the element at
+/// the entry, it is as far as that element's share.
+RememberedGrid::StandingContact& RememberedGrid::standing() {
+  if (standing_) return *standing_;
+  const Index n = nodes_.size + 1;
+  VectorXd x(n);
+  x << problem_x_, problem_x_[n - 2] + nodes_.spacing;
+  const VectorXd lengths = VectorXd::Constant(n, nodes_.spacing);
+  const Kernel kernel =
+      std::holds_alternative<PlaneKernel>(kernel_) ? kernel_ : in_units_of(kernel_, response_to_);
+  standing_.emplace(
+      element_means(traction_bound_, x, lengths),
+      ActiveSet(influence_operator(kernel, constant_basis(), nodes_.spacing, n, solver_), lengths,
+                solver_),
+      StickSlipPoint(edge_, exit_share(edge_)), StickSlipPoint(edge_, entry_share));
+  return *standing_;
+}
+
+/// A step that travels nothing.
+Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load,
+                                  TransientState& after) {
+  const bool stays = target_ == state_.scale && target_.carries();
+  begin_step(false);
+  RememberedState& state = next_.state;
+  if (stays) {
+    shift_standing(load);
+  } else {
+    roll({.length = 0, .load = load});
+    const bool entered =
+        state.entry_has_come(nodes_, edge_.offset) && sticks(state.zones, nodes_.size - 1);
+    if (target_.carries() && !entered) state.admit_entry(nodes_);
+  }
+  const auto* distance = std::get_if<PrescribedCreepage>(&load);
+  sum_.creepage = distance != nullptr ? distance->value : next_.shift;
+  sum_.zones = state.zones;
+  sum_.traction = state.traction;
+  const VectorXd slip =
+      stays ? VectorXd(displaced_by(state.traction - state_.traction).array() + sum_.creepage)
+            : sum_.slip;
+  Shift shift = fill_shift(before.distance, state_.traction, sum_, slip, next_.conditions.bound,
+                           next_.conditions.bound, after);
+  give_tractions(state, after);
+  if (!stays) {
+    shift.work = -next_.work;
+    shift.dissipation = shift.work - (state.stored - state_.stored);
+  }
+  return shift;
+}
+
+/// A shift of a contact that stays as it is: the nodes and the element at the entry, with the mean
+/// over partitions at either end of adhesion.
+void RememberedGrid::shift_standing(const Load& load) {
+  const Index n = nodes_.size;
+  RememberedState& state = next_.state;
+  const double lead = state.lead;
+  set_response(target_.half_width);
+  set_bound(target_);
+  StandingContact& standing = this->standing();
+  const PartEnd end = state.end_of_part(nodes_, 0, state.distance, state.scale);
+
+  const CompliantElement entry{n, spring_.of_mean(entry_share)};
+  state.begin_shifts(entry.compliance);
+  SlipConditions conditions = {.bound = state.scale.full_sliding() * standing.bound,
+                               .offset = VectorXd(n + 1),
+                               .reference = VectorXd::Zero(n + 1),
+                               .compliant = {exit_, entry},
+                               .common = next_.conditions.common};
+  RolledContact rolled;
+  ContactState& contact = rolled.contact;
+  const auto search = [&] {
+    for (Index i = 0; i < n; ++i) conditions.offset[i] = -state.remembered_at(i, end);
+    conditions.offset[n] = -state.at_entry;
+    contact.zones = state_.zones;
+    contact.zones.push_back(state_.zones.back());
+    standing.active_set.solve(conditions, of_partition(load, next_), contact);
+    sum_.iterations += contact.iterations;
+  };
+  search();
+  const bool stuck_again = first_stuck(contact.zones) < state.stuck - 1;
+  const bool leading_stuck_again =
+      state.leading_kept > 0 && past_last_stuck(contact.zones) > state.leading + 1;
+  if (stuck_again) state.admit_slip(nodes_);
+  if (leading_stuck_again) state.admit_leading_slip(nodes_, entry.compliance);
+  if (stuck_again || leading_stuck_again) search();
+  sum_.residuals.equations = contact.residuals.equations;
+  rolled.displacement = (contact.slip - conditions.offset).array() - contact.creepage;
+
+  mirror(rolled);
+  standing.leading.average(standing.active_set, mirrored(conditions), load, rolled);
+  mirror(rolled);
+  const double moved = contact.creepage;
+  state.points.subtract(moved);
+  state.at_entry -= moved;
+  state.nodes.at.head(n) = rolled.displacement.head(n);
+
+  standing.trailing.average(standing.active_set, conditions, load, rolled);
+  state.entry = contact.traction[n];
+  state.traction = contact.traction.head(n);
+  displace_ends(state.nodes, state.traction, state.entry);
+  state.traction[n - 1] += state.entry;
+  next_.shift = contact.creepage - lead;
+  state.lead = contact.creepage - moved;
+  state.nodes.at[n] += state.lead;
+  state.nodes.exit += state.lead;
+  state.entry_slip += state.nodes.at[n] - state_.nodes.at[n] + moved;
+  state.stored = nodes_.spacing * state.traction.dot(displaced_by(state.traction)) / 2;
+  state.remember_shift(nodes_, end, contact.zones, entry.compliance, stuck_again);
+}
+
+}  // namespace microslip
