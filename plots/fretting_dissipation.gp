@@ -17,8 +17,8 @@ set key top left
 set yrange [1e-10:2]
 plot curve using (of("exact", 0) ? column("amplitude") : NaN):"dissipation" with @exact_line title "exact", \
      x**3/3 with lines linecolor "gray60" dashtype 2 title "cube / 3", \
-     for [i=1:2] curve using (of("material", i == 1 ? n_min : n_max) && column("dissipation") > 0 ? column("amplitude") : NaN):"dissipation" \
-       with points linetype i pointtype 7 pointsize 0.5 title sprintf("material, N = %g", i == 1 ? n_min : n_max), \
+     for [i=1:2] curve using (of("remembered", i == 1 ? n_min : n_max) && column("dissipation") > 0 ? column("amplitude") : NaN):"dissipation" \
+       with points linetype i pointtype 7 pointsize 0.5 title sprintf("remembered, N = %g", i == 1 ? n_min : n_max), \
      for [i=1:2] curve using (of("direct", i == 1 ? n_min : n_max) && column("dissipation") > 0 ? column("amplitude") : NaN):"dissipation" \
        with points linetype i pointtype 6 pointsize 0.8 title sprintf("contact, N = %g", i == 1 ? n_min : n_max)
 unset logscale y
@@ -30,8 +30,8 @@ set ylabel "dissipation / exact [1]"
 set title "where elements see it"
 set key bottom right
 plot 1 with @exact_line notitle, \
-     for [i=1:2] curve using (column("slip_elements")):(ratio("material", i == 1 ? n_min : n_max)) \
-       with linespoints linetype i pointtype 7 pointsize 0.5 title sprintf("material, N = %g", i == 1 ? n_min : n_max), \
+     for [i=1:2] curve using (column("slip_elements")):(ratio("remembered", i == 1 ? n_min : n_max)) \
+       with linespoints linetype i pointtype 7 pointsize 0.5 title sprintf("remembered, N = %g", i == 1 ? n_min : n_max), \
      for [i=1:2] curve using (column("slip_elements")):(ratio("direct", i == 1 ? n_min : n_max)) \
        with linespoints linetype i pointtype 6 pointsize 0.8 dashtype 3 title sprintf("contact, N = %g", i == 1 ? n_min : n_max)
 unset multiplot

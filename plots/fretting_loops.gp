@@ -1,4 +1,4 @@
-# Loops of force and displacement without rolling, by elements on the grid fixed to the material (points) and
+# Loops of force and displacement without rolling, by the remembered scheme (points) and
 # exact: what slip adds to the displacement of a contact that sticks everywhere, and how far the two are apart,
 # up and down as one element after another begins to slip.
 loops = tables."/loops.tsv"

@@ -1,4 +1,4 @@
-# Standstill, rolling and standstill in one run on the grid fixed to the material: the way of force and
+# Standstill, rolling and standstill in one run, by the remembered scheme: the way of force and
 # displacement, and where the work of the force goes.
 run = tables."/run.tsv"
 stage(k) = column("stage") == k ? column("displacement") : NaN

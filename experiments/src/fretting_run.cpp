@@ -27,7 +27,7 @@ struct Energies {
 
 Table run_table(const FrettingParameters& p, TransientRolling rolling) {
   Table table(
-      "run", "standstill, rolling and standstill in one run, Hertz's bound, material",
+      "run", "standstill, rolling and standstill in one run, Hertz's bound, remembered",
       {{"stage", "1", "which, from 1"},
        {"kind", "1", "standstill or rolling"},
        {"distance", "mm", "rolled"},

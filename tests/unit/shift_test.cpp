@@ -225,6 +225,33 @@ TEST(Shift, IsRefused) {
   }
 }
 
+// Mindlin's loop in steps: the way back, by half the change of the force, is twice the way there.
+TEST(Shift, StepsGoAlongMindlinsLoop) {
+  constexpr int steps = 7;
+  for (const int elements : {30, 60, 144}) {
+    for (const double tau : {0.3, 0.8}) {
+      TransientRolling rolling(problem(elements, Remembered{}));
+      const double most = tau * full_sliding;
+      std::vector<double> there{0};
+      for (int i = 1; i <= steps; ++i) {
+        const double distance = rolling.shift(PrescribedForce{most * i / steps}).distance;
+        there.push_back(there.back() + distance);
+      }
+      for (const double sign : {-1.0, 1.0}) {
+        double back = 0;
+        for (int i = 1; i <= steps; ++i) {
+          const double force = sign * most * (2.0 * i / steps - 1);
+          back += rolling.shift(PrescribedForce{force}).distance;
+          const double expected = sign * 2 * there[static_cast<std::size_t>(i)];
+          EXPECT_NEAR(back, expected, 4e-4 * std::abs(there.back()))
+              << elements << ' ' << tau << ' ' << i;
+        }
+        EXPECT_NEAR(back, sign * 2 * there.back(), 1e-12);
+      }
+    }
+  }
+}
+
 // To and fro under the same forces: from the first way back on, each cycle is the same.
 TEST(Shift, CyclesAreClosed) {
   for (const AdvectionScheme& scheme : schemes) {

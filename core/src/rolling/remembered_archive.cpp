@@ -17,6 +17,15 @@ void archive_points(Archive& archive, RememberedPoints& points, Index size) {
 
 }  // namespace
 
+void MeanChange::archive(Archive& archive, Index size) {
+  bool is_known = traction.size() > 0;
+  archive.flag("mean_is_known", is_known);
+  if (!is_known) return;
+  archive.numbers("mean_traction", traction, size);
+  archive.numbers("mean_displacement", displacement, size);
+  archive.number("mean_shift", shift);
+}
+
 void RememberedState::archive(Archive& archive, Index size) {
   archive.number("rolled", distance);
   archive.number("rolled_error", distance_error);
@@ -35,6 +44,12 @@ void RememberedState::archive(Archive& archive, Index size) {
   archive.number("entry", entry);
   archive.number("at_entry", at_entry);
   archive.number("entry_slip", entry_slip);
+  archive.number("way", way);
+  bool has_turned = reversal.size() > 0;
+  archive.flag("has_turned", has_turned);
+  if (has_turned) archive.numbers("reversal", reversal, size + 1);
+  archive.number("entry_by_partition", entry_by_partition);
+  for (MeanChange* one : {&leading_mean, &mean, &before_turn}) one->archive(archive, size + 1);
   archive.whole("leading", leading, 0, size + 1);
   archive.whole("leading_kept", leading_kept, 0, size + 1);
   bool is_relieved = relief.size() > 0;

@@ -91,7 +91,6 @@ Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load
 void RememberedGrid::shift_standing(const Load& load) {
   const Index n = nodes_.size;
   RememberedState& state = next_.state;
-  const double lead = state.lead;
   set_response(target_.half_width);
   set_bound(target_);
   StandingContact& standing = this->standing();
@@ -99,6 +98,15 @@ void RememberedGrid::shift_standing(const Load& load) {
 
   const CompliantElement entry{n, spring_.of_mean(entry_share)};
   state.begin_shifts(entry.compliance);
+  const auto* force = std::get_if<PrescribedForce>(&load);
+  state.go(nodes_, force != nullptr ? nodes_.spacing * state_.traction.sum() - force->value
+                                    : std::get<PrescribedCreepage>(load).value);
+  const double lead = state.lead, entry_before = state.nodes.at[n];
+  const Load of_partition =
+      force != nullptr
+          ? Load(PrescribedForce{force->value - nodes_.spacing * state.before_turn.traction.sum()})
+          : PrescribedCreepage{std::get<PrescribedCreepage>(load).value + lead -
+                               state.before_turn.shift};
   SlipConditions conditions = {.bound = state.scale.full_sliding() * standing.bound,
                                .offset = VectorXd(n + 1),
                                .reference = VectorXd::Zero(n + 1),
@@ -111,7 +119,7 @@ void RememberedGrid::shift_standing(const Load& load) {
     conditions.offset[n] = -state.at_entry;
     contact.zones = state_.zones;
     contact.zones.push_back(state_.zones.back());
-    standing.active_set.solve(conditions, of_partition(load, next_), contact);
+    standing.active_set.solve(conditions, of_partition, contact);
     sum_.iterations += contact.iterations;
   };
   search();
@@ -119,31 +127,53 @@ void RememberedGrid::shift_standing(const Load& load) {
   const bool leading_stuck_again =
       state.leading_kept > 0 && past_last_stuck(contact.zones) > state.leading + 1;
   if (stuck_again) state.admit_slip(nodes_);
-  if (leading_stuck_again) state.admit_leading_slip(nodes_, entry.compliance);
+  if (leading_stuck_again) state.admit_leading_slip(nodes_);
   if (stuck_again || leading_stuck_again) search();
   sum_.residuals.equations = contact.residuals.equations;
-  rolled.displacement = (contact.slip - conditions.offset).array() - contact.creepage;
-
-  mirror(rolled);
-  standing.leading.average(standing.active_set, mirrored(conditions), load, rolled);
-  mirror(rolled);
   const double moved = contact.creepage;
+  rolled.displacement = (contact.slip - conditions.offset).array() - moved;
   state.points.subtract(moved);
   state.at_entry -= moved;
   state.nodes.at.head(n) = rolled.displacement.head(n);
+  state.entry_by_partition = rolled.displacement[n];
 
-  standing.trailing.average(standing.active_set, conditions, load, rolled);
-  state.entry = contact.traction[n];
-  state.traction = contact.traction.head(n);
+  const ContactState partition = contact;
+  const VectorXd displacement = rolled.displacement;
+  const auto mean_change = [&] {
+    MeanChange change{.traction = contact.traction - partition.traction,
+                      .displacement = rolled.displacement - displacement,
+                      .shift = contact.creepage - moved};
+    return change += state.before_turn;
+  };
+  // After a turn, nodes have as far to go to the bound as then, and then as far as from there.
+  const bool has_turned = state.reversal.size() > 0;
+  SlipConditions averaged = conditions;
+  if (has_turned) {
+    const double toward = state.way > 0 ? -1 : 1;
+    averaged.bound += (conditions.bound + toward * state.reversal).cwiseMax(0);
+  }
+  const VectorXd mirrored_reversal = state.reversal.reverse();
+  mirror(rolled);
+  standing.leading.average(standing.active_set, mirrored(averaged), load, rolled, {},
+                           has_turned ? &mirrored_reversal : nullptr);
+  mirror(rolled);
+  state.leading_mean = mean_change();
+  standing.trailing.average(standing.active_set, averaged, load, rolled, {},
+                            has_turned ? &state.reversal : nullptr);
+  state.mean = mean_change();
+
+  const VectorXd traction = partition.traction + state.mean.traction;
+  state.entry = traction[n];
+  state.traction = traction.head(n);
   displace_ends(state.nodes, state.traction, state.entry);
   state.traction[n - 1] += state.entry;
-  next_.shift = contact.creepage - lead;
-  state.lead = contact.creepage - moved;
+  next_.shift = moved + state.mean.shift - lead;
+  state.lead = state.mean.shift;
   state.nodes.at[n] += state.lead;
   state.nodes.exit += state.lead;
-  state.entry_slip += state.nodes.at[n] - state_.nodes.at[n] + moved;
+  state.entry_slip += state.nodes.at[n] - entry_before + moved;
   state.stored = nodes_.spacing * state.traction.dot(displaced_by(state.traction)) / 2;
-  state.remember_shift(nodes_, end, contact.zones, entry.compliance, stuck_again);
+  state.remember_shift(nodes_, end, contact.zones, stuck_again);
 }
 
 }  // namespace microslip

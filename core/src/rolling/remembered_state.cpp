@@ -135,43 +135,71 @@ std::pair<double, double> RememberedState::left_at_entry(const ReferenceNodes& r
   return {left / ahead_of_it, -1 / (ahead_of_it * reference.spacing * counted_by)};
 }
 
+MeanChange& MeanChange::operator+=(const MeanChange& other) {
+  traction += other.traction;
+  displacement += other.displacement;
+  shift += other.shift;
+  return *this;
+}
+
 void RememberedState::begin_shifts(double spring) {
   if (leading_kept > 0) return;
+  const VectorXd none = VectorXd::Zero(nodes.at.size());
+  before_turn = {.traction = none, .displacement = none};
   at_entry = nodes.at[nodes.at.size() - 1] + spring * entry;
   entry_slip = 0;
+  way = 0;
+  reversal.resize(0);
+}
+
+void RememberedState::go(const ReferenceNodes& reference, double toward) {
+  const bool turns = toward * way < 0;
+  if (toward != 0) way = toward;
+  if (!turns) return;
+  const Index n = reference.size;
+  reversal.resize(n + 1);
+  reversal << traction, entry;
+  reversal[n - 1] -= entry;
+  reversal -= mean.traction;
+  admit_slip(reference);
+  admit_leading_slip(reference);
+  before_turn = mean;
 }
 
 void RememberedState::remember_shift(const ReferenceNodes& reference, const PartEnd& end,
-                                     const std::vector<Zone>& with_entry, double spring,
-                                     bool stuck_again) {
+                                     const std::vector<Zone>& with_entry, bool stuck_again) {
   const Index n = reference.size;
   zones.assign(with_entry.begin(), with_entry.end() - 1);
   leading = past_last_stuck(with_entry);
   leading_kept = std::min(n, leading + kept_behind) + 1;
-  if (leading_kept <= n) at_entry = nodes.at[n] + spring * entry;
+  if (leading_kept <= n) at_entry = entry_by_partition;
   remember(reference, end, stuck_again);
 }
 
-/// Points from the leading end of adhesion on, or a few before it, slip with the nodes.
-void RememberedState::add_leading_slip(const ReferenceNodes& reference, Index from) {
+/// Points of these indices have slipped with the nodes.
+void RememberedState::add_slip(const ReferenceNodes& reference, Index from, Index to) {
   const NodeShift now = among_points(reference);
-  const Index end = std::min(leading_kept, reference.size);
   VectorXd slip = VectorXd::Zero(reference.size);
-  for (Index i = from; i < end; ++i) {
+  for (Index i = from; i < to; ++i) {
     slip[i] = nodes.at[i] - interpolated_at(points, i, now.of(i), i >= kept ? kept : 0);
   }
-  for (Index i = from; i < end; ++i) points.at[i] += between_nodes(slip, i, now);
+  for (Index i = from; i < to; ++i) points.at[i] += between_nodes(slip, i, now);
 }
 
-void RememberedState::admit_leading_slip(const ReferenceNodes& reference, double spring) {
-  add_leading_slip(reference, leading);
-  at_entry = nodes.at[reference.size] + spring * entry;
+void RememberedState::admit_leading_slip(const ReferenceNodes& reference) {
+  add_slip(reference, leading, std::min(leading_kept, reference.size));
+  at_entry = entry_by_partition;
   leading_kept = leading;
 }
 
 void RememberedState::end_shifts(const ReferenceNodes& reference, const VectorXd& bound) {
   if (leading_kept == 0) return;
-  add_leading_slip(reference, std::max(kept, leading - averaged));
+  points.subtract(leading_mean.shift);
+  nodes.at.head(reference.size) += leading_mean.displacement.head(reference.size);
+  nodes.at[reference.size] -= leading_mean.shift;
+  nodes.exit -= leading_mean.shift;
+  lead -= leading_mean.shift;
+  add_slip(reference, std::max(kept, leading - averaged), std::min(leading_kept, reference.size));
   if (leading > reference.size) {
     share_slip(reference, entry_slip / (1 - entry_share));
   } else {

@@ -39,6 +39,16 @@ struct PartEnd {
   bool is_whole;        ///< whether either end of the contact has travelled an element
 };
 
+/// What the mean over partitions adds to the solution of one, of nodes and entry.
+struct MeanChange {
+  Eigen::VectorXd traction;      ///< N + 1 or none  [N/mm^2]
+  Eigen::VectorXd displacement;  ///< N + 1 or none  [mm]
+  double shift = 0;              ///< [mm]
+
+  MeanChange& operator+=(const MeanChange& other);
+  void archive(Archive& archive, Eigen::Index size);
+};
+
 /// The displacements that the material remembers, and the state from which a step starts.
 ///
 /// A displacement is that of a material point by the tractions when it came, less the rigid shift
@@ -66,8 +76,18 @@ struct RememberedState : ElementTravel {
   // of a spring besides.
   double entry = 0;  ///< its traction, which falls to 0 while an element is travelled; `traction`
                      ///< gives it to the last node  [N/mm^2]
-  double at_entry = 0;            ///< displacement that it has now if it has stuck  [mm]
-  double entry_slip = 0;          ///< of the material there, by the shifts since rolling  [mm]
+  double at_entry = 0;       ///< displacement that it has now if it has stuck  [mm]
+  double entry_slip = 0;     ///< of the material there, by the shifts since rolling  [mm]
+  Eigen::VectorXd reversal;  ///< tractions of nodes and entry since which shifts have gone one way;
+                             ///< N + 1 or none  [N/mm^2]
+  double way = 0;            ///< of the sign of the last shift
+
+  double entry_by_partition = 0;  ///< displacement of the element at the entry  [mm]
+
+  // Of shifts, `points` and `nodes` are by the partitions that meet the conditions. What the mean adds
+  // at the leading end of adhesion, at both ends, and what it had added when shifts last turned. Of
+  // the solution after a turn it adds twice as much, as slip is twice as large.
+  MeanChange leading_mean, mean, before_turn;
   Eigen::Index leading = 0;       ///< the node ahead of the last in adhesion; 0 after rolling
   Eigen::Index leading_kept = 0;  ///< points from `leading` to here are as if they had not slipped
   Eigen::VectorXd relief;  ///< by how much the mean of the last one leaves tractions that slip at
@@ -99,15 +119,18 @@ struct RememberedState : ElementTravel {
   /// \param spring  of the element at the entry  [mm^3/N]
   void begin_shifts(double spring);
 
+  /// If a shift goes the other way than the one before, all points stick first.
+  /// \param toward  of its sign
+  void go(const ReferenceNodes& nodes, double toward);
+
   /// Remembers the displacements after a shift.
   /// \param end     of a part without length
   /// \param zones   of nodes and entry
-  /// \param spring  of the element at the entry  [mm^3/N]
   void remember_shift(const ReferenceNodes& nodes, const PartEnd& end,
-                      const std::vector<Zone>& zones, double spring, bool stuck_again);
+                      const std::vector<Zone>& zones, bool stuck_again);
 
   /// Points next to the leading end of adhesion have slipped as they did: they stick again.
-  void admit_leading_slip(const ReferenceNodes& nodes, double spring);
+  void admit_leading_slip(const ReferenceNodes& nodes);
 
   /// Shifts are over: material at the leading end of adhesion has slipped as the mean over
   /// partitions has it. The points at the entry are between inside and outside.
@@ -140,7 +163,7 @@ struct RememberedState : ElementTravel {
 
   Source source_of(Eigen::Index i, const PartEnd& end) const;
   NodeShift among_points(const ReferenceNodes& nodes) const;
-  void add_leading_slip(const ReferenceNodes& nodes, Eigen::Index from);
+  void add_slip(const ReferenceNodes& nodes, Eigen::Index from, Eigen::Index to);
   void share_slip(const ReferenceNodes& nodes, double slip);
   void renew_points(const PartEnd& end, Eigen::Index from);
 };

@@ -97,9 +97,9 @@ Scalar StickSlipPoint::beyond(const Root<Scalar>& root) {
   return clamped<Scalar>(1 - root.first / root.regular, 0, 1) - 0.5;
 }
 
-/// Where all sticks, the slip zone grows with the load, and takes the first node when its mean
-/// traction is at the bound. The point is then where the next partition, whose tractions are the
-/// same, sees it.
+/// Where all sticks, the slip zone grows with the change of the load, and takes the first node when
+/// its mean traction is at the bound. The point is then where the next partition, whose tractions are
+/// the same, sees it.
 template <class Scalar>
 StickSlipPoint::Place<Scalar> StickSlipPoint::place_of(const Left<Scalar>& left,
                                                        const Bounds& bound) const {
@@ -109,11 +109,11 @@ StickSlipPoint::Place<Scalar> StickSlipPoint::place_of(const Left<Scalar>& left,
     if (stuck_ > 1) return {stuck_ - 1, 1 + behind};
     return {0, 1 + behind / first_length_};
   }
-  if (bound[0] <= 0) return {0, Scalar(0)};
-  const Scalar load = clamped<Scalar>(1 - left[2] / bound[0], 0, 1);
+  if (bound[0] <= 0 || left_before_[0] <= 0) return {0, Scalar(0)};
+  const Scalar load = clamped<Scalar>(1 - left[2] / left_before_[0], 0, 1);
   if (load <= 0) return {0, Scalar(0)};
   const auto at_the_bound = [&](std::size_t node) {
-    return bound[node] - (bound[node] - left[2 + node]) / load;
+    return left_before_[node] - (left_before_[node] - left[2 + node]) / load;
   };
   const Scalar behind = beyond(root_of<Scalar>(at_the_bound(1), at_the_bound(2)));
   return {0, load * (1 + clamped<Scalar>(behind, -0.5, 0) / first_length_)};
@@ -249,7 +249,7 @@ void StickSlipPoint::add(RolledContact& rolled, const std::array<double, 4>& cha
 
 void StickSlipPoint::average(ActiveSet& active_set, const SlipConditions& conditions,
                              const Load& load, RolledContact& rolled,
-                             std::span<RolledContact* const> slopes) {
+                             std::span<RolledContact* const> slopes, const VectorXd* reversal) {
   const ContactState& contact = rolled.contact;
   const auto n = static_cast<Index>(contact.zones.size());
   const Index stuck = first_stuck(contact.zones);
@@ -277,6 +277,13 @@ void StickSlipPoint::average(ActiveSet& active_set, const SlipConditions& condit
   }
 
   const Bounds bound{conditions.bound[0], conditions.bound[1], conditions.bound[2]};
+  left_before_ = bound;
+  if (stuck == 0 && reversal != nullptr) {
+    direction_ = contact.creepage > 0 ? -1 : 1;
+    for (Index i = 0; i < 3; ++i) {
+      left_before_[static_cast<std::size_t>(i)] -= direction_ * (*reversal)[i];
+    }
+  }
   Left<double> left_now;
   for (Index k = 0; k < 5; ++k) {
     left_now[static_cast<std::size_t>(k)] = left(&conditions, contact, k - 2);

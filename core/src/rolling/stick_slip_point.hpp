@@ -42,8 +42,11 @@ class StickSlipPoint {
   /// \param active_set  that solved the contact, whose response is influence
   /// \param rolled      the solution of the conditions, in and out
   /// \param slopes      its derivatives, in and out: none or two
+  /// \param reversal    of a shift without rolling, the tractions since which it has gone one way;
+  ///                    in rolling, none [N/mm^2]
   void average(ActiveSet& active_set, const SlipConditions& conditions, const Load& load,
-               RolledContact& rolled, std::span<RolledContact* const> slopes = {});
+               RolledContact& rolled, std::span<RolledContact* const> slopes = {},
+               const Eigen::VectorXd* reversal = nullptr);
 
   /// Writes or reads the responses that are known.
   /// \param size  n
@@ -114,7 +117,8 @@ class StickSlipPoint {
   std::vector<Zone> zones_;
   Load load_;  ///< none, of the kind of the load
   Eigen::Index stuck_ = 0;
-  double direction_ = 1;               ///< of the traction that slips before the end
+  double direction_ = 1;  ///< of the traction that slips before the end
+  Bounds left_before_{};  ///< below the bound where the slip zone began to grow  [N/mm^2]
   std::array<Response, 4> responses_;  ///< of nodes stuck_ - 2 ... stuck_ + 1
 
   // Under a creepage a common compliance shifts them, which may be another each time.
