@@ -72,7 +72,7 @@ TEST_F(Memory, TooManyElementsAreRefused) {
       "microslip: case 2 of 2 (grid.elements = 4e6): grid.elements = 4000000: would take about 4 ");
   std::ofstream(scene_file()) << good_transient;
   expect_refused(run_within(400000, "microslip", scene + huge + " --set motion.distance=1e-4"),
-                 "microslip: grid.elements = 4000000: would take about 8.8 GB, and 0.");
+                 "microslip: grid.elements = 4000000: would take about 9.6 GB, and 0.");
   EXPECT_EQ(run_within(400000, "microslip", scene).error, "");
 }
 

@@ -117,9 +117,10 @@ TEST(Shift, BalancesEnergyToRounding) {
 TEST(Shift, InPartsIsTheSame) {
   for (const double part : {0.0, 0.35, 0.8}) {
     for (const double by : {-3.0, -1.0, -0.1, 0.01, 0.1, 1.0, 3.0}) {
-      for (const bool on_material : {false, true}) {
-        const AdvectionScheme scheme =
-            on_material ? AdvectionScheme(MaterialFixed{}) : AdvectionScheme(Direct{});
+      for (const AdvectionScheme& scheme :
+           {AdvectionScheme(Direct{}), AdvectionScheme(MaterialFixed{}),
+            AdvectionScheme(Remembered{})}) {
+        const bool on_material = !std::holds_alternative<Direct>(scheme);
         TransientRolling whole = rolled(scheme, part, 0.2);
         TransientRolling parts = whole;
         const Shift shift = whole.shift(PrescribedShift{by});

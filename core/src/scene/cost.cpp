@@ -58,7 +58,7 @@ struct MemoryOf {
   double operator()(const TransientScene& scene) const {
     const bool shifts = !scene.shifts.empty() || std::holds_alternative<CattaneoShift>(scene.start);
     const bool twice = shifts && std::holds_alternative<Remembered>(scene.problem.scheme);
-    return memory_by(twice ? Memory{.element = 2200, .matrices = 5.2}
+    return memory_by(twice ? Memory{.element = 2400, .matrices = 5.2}
                            : Memory{.element = 1600, .matrices = 4.1},
                      by_fft(scene.problem), scene.problem.grid.size()) +
            row_of_history * (steps_needed(scene) + static_cast<double>(scene.shifts.size()));
