@@ -127,6 +127,9 @@ class RememberedGrid final : public RollingGrid {
   void give_tractions(const RememberedState& now, TransientState& state) const;
   StandingContact& standing();
   void shift_standing(const Load& load);
+  Load of_standing_partition(const Load& load) const;
+  bool search_standing(const Load& load, SlipConditions& conditions, ContactState& contact);
+  void average_standing(const Load& load, SlipConditions conditions, RolledContact rolled);
   void place_nodes();
 
   void begin_step(bool with_slopes);

@@ -86,40 +86,30 @@ Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load
   return shift;
 }
 
-/// A shift of a contact that stays as it is: the nodes and the element at the entry, with the mean
-/// over partitions at either end of adhesion.
-void RememberedGrid::shift_standing(const Load& load) {
+/// The load of the partition. Since shifts turned, the mean has an offset from it.
+Load RememberedGrid::of_standing_partition(const Load& load) const {
+  const RememberedState& state = next_.state;
+  if (const auto* force = std::get_if<PrescribedForce>(&load)) {
+    return PrescribedForce{force->value - nodes_.spacing * state.before_turn.traction.sum()};
+  }
+  return PrescribedCreepage{std::get<PrescribedCreepage>(load).value + state.lead -
+                            state.before_turn.shift};
+}
+
+/// Searches the partition of nodes and entry.
+/// \param conditions  in, and the offsets out
+/// \return whether material at the trailing end has stuck again
+bool RememberedGrid::search_standing(const Load& load, SlipConditions& conditions,
+                                     ContactState& contact) {
   const Index n = nodes_.size;
   RememberedState& state = next_.state;
-  set_response(target_.half_width);
-  set_bound(target_);
-  StandingContact& standing = this->standing();
   const PartEnd end = state.end_of_part(nodes_, 0, state.distance, state.scale);
-
-  const CompliantElement entry{n, spring_.of_mean(entry_share)};
-  state.begin_shifts(entry.compliance);
-  const auto* force = std::get_if<PrescribedForce>(&load);
-  state.go(nodes_, force != nullptr ? nodes_.spacing * state_.traction.sum() - force->value
-                                    : std::get<PrescribedCreepage>(load).value);
-  const double lead = state.lead, entry_before = state.nodes.at[n];
-  const Load of_partition =
-      force != nullptr
-          ? Load(PrescribedForce{force->value - nodes_.spacing * state.before_turn.traction.sum()})
-          : PrescribedCreepage{std::get<PrescribedCreepage>(load).value + lead -
-                               state.before_turn.shift};
-  SlipConditions conditions = {.bound = state.scale.full_sliding() * standing.bound,
-                               .offset = VectorXd(n + 1),
-                               .reference = VectorXd::Zero(n + 1),
-                               .compliant = {exit_, entry},
-                               .common = next_.conditions.common};
-  RolledContact rolled;
-  ContactState& contact = rolled.contact;
   const auto search = [&] {
     for (Index i = 0; i < n; ++i) conditions.offset[i] = -state.remembered_at(i, end);
     conditions.offset[n] = -state.at_entry;
     contact.zones = state_.zones;
     contact.zones.push_back(state_.zones.back());
-    standing.active_set.solve(conditions, of_partition, contact);
+    standing().active_set.solve(conditions, of_standing_partition(load), contact);
     sum_.iterations += contact.iterations;
   };
   search();
@@ -130,50 +120,81 @@ void RememberedGrid::shift_standing(const Load& load) {
   if (leading_stuck_again) state.admit_leading_slip(nodes_);
   if (stuck_again || leading_stuck_again) search();
   sum_.residuals.equations = contact.residuals.equations;
+  return stuck_again;
+}
+
+/// What the mean over partitions adds, at the leading end of adhesion and at both. After a turn,
+/// nodes have as far to go to the bound as they had then, and then as far as from there.
+void RememberedGrid::average_standing(const Load& load, SlipConditions conditions,
+                                      RolledContact rolled) {
+  RememberedState& state = next_.state;
+  const RolledContact partition = rolled;
+  const auto added = [&] {
+    MeanChange change{.traction = rolled.contact.traction - partition.contact.traction,
+                      .displacement = rolled.displacement - partition.displacement,
+                      .shift = rolled.contact.creepage - partition.contact.creepage};
+    return change += state.before_turn;
+  };
+  const bool has_turned = state.reversal.size() > 0;
+  if (has_turned) {
+    const double toward = state.way > 0 ? -1 : 1;
+    conditions.bound += (conditions.bound + toward * state.reversal).cwiseMax(0);
+  }
+  const VectorXd mirrored_reversal = state.reversal.reverse();
+  StandingContact& standing = this->standing();
+  mirror(rolled);
+  standing.leading.average(standing.active_set, mirrored(conditions), load, rolled, {},
+                           has_turned ? &mirrored_reversal : nullptr);
+  mirror(rolled);
+  state.leading_mean = added();
+  standing.trailing.average(standing.active_set, conditions, load, rolled, {},
+                            has_turned ? &state.reversal : nullptr);
+  state.mean = added();
+}
+
+/// A shift of a contact that stays as it is: the nodes and the element at the entry, with the mean
+/// over partitions at either end of adhesion.
+void RememberedGrid::shift_standing(const Load& load) {
+  const Index n = nodes_.size;
+  RememberedState& state = next_.state;
+  set_response(target_.half_width);
+  set_bound(target_);
+  const CompliantElement entry{n, spring_.of_mean(entry_share)};
+  state.begin_shifts(entry.compliance);
+  const auto* force = std::get_if<PrescribedForce>(&load);
+  state.go(nodes_, force != nullptr ? nodes_.spacing * state_.traction.sum() - force->value
+                                    : std::get<PrescribedCreepage>(load).value);
+  const double entry_before = state.nodes.at[n];
+
+  SlipConditions conditions = {.bound = state.scale.full_sliding() * standing().bound,
+                               .offset = VectorXd(n + 1),
+                               .reference = VectorXd::Zero(n + 1),
+                               .compliant = {exit_, entry},
+                               .common = next_.conditions.common};
+  RolledContact rolled;
+  const bool stuck_again = search_standing(load, conditions, rolled.contact);
+  const ContactState& contact = rolled.contact;
   const double moved = contact.creepage;
   rolled.displacement = (contact.slip - conditions.offset).array() - moved;
   state.points.subtract(moved);
   state.at_entry -= moved;
   state.nodes.at.head(n) = rolled.displacement.head(n);
   state.entry_by_partition = rolled.displacement[n];
+  average_standing(load, conditions, rolled);
 
-  const ContactState partition = contact;
-  const VectorXd displacement = rolled.displacement;
-  const auto mean_change = [&] {
-    MeanChange change{.traction = contact.traction - partition.traction,
-                      .displacement = rolled.displacement - displacement,
-                      .shift = contact.creepage - moved};
-    return change += state.before_turn;
-  };
-  // After a turn, nodes have as far to go to the bound as then, and then as far as from there.
-  const bool has_turned = state.reversal.size() > 0;
-  SlipConditions averaged = conditions;
-  if (has_turned) {
-    const double toward = state.way > 0 ? -1 : 1;
-    averaged.bound += (conditions.bound + toward * state.reversal).cwiseMax(0);
-  }
-  const VectorXd mirrored_reversal = state.reversal.reverse();
-  mirror(rolled);
-  standing.leading.average(standing.active_set, mirrored(averaged), load, rolled, {},
-                           has_turned ? &mirrored_reversal : nullptr);
-  mirror(rolled);
-  state.leading_mean = mean_change();
-  standing.trailing.average(standing.active_set, averaged, load, rolled, {},
-                            has_turned ? &state.reversal : nullptr);
-  state.mean = mean_change();
-
-  const VectorXd traction = partition.traction + state.mean.traction;
+  const VectorXd traction = contact.traction + state.mean.traction;
   state.entry = traction[n];
   state.traction = traction.head(n);
   displace_ends(state.nodes, state.traction, state.entry);
   state.traction[n - 1] += state.entry;
-  next_.shift = moved + state.mean.shift - lead;
+  next_.shift = moved + state.mean.shift - state.lead;
   state.lead = state.mean.shift;
   state.nodes.at[n] += state.lead;
   state.nodes.exit += state.lead;
   state.entry_slip += state.nodes.at[n] - entry_before + moved;
   state.stored = nodes_.spacing * state.traction.dot(displaced_by(state.traction)) / 2;
-  state.remember_shift(nodes_, end, contact.zones, stuck_again);
+  state.remember_shift(nodes_, state.end_of_part(nodes_, 0, state.distance, state.scale),
+                       contact.zones, stuck_again);
 }
 
 }  // namespace microslip
