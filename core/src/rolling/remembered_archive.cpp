@@ -18,12 +18,22 @@ void archive_points(Archive& archive, RememberedPoints& points, Index size) {
 }  // namespace
 
 void MeanChange::archive(Archive& archive, Index size) {
-  bool is_known = traction.size() > 0;
-  archive.flag("mean_is_known", is_known);
-  if (!is_known) return;
   archive.numbers("mean_traction", traction, size);
   archive.numbers("mean_displacement", displacement, size);
   archive.number("mean_shift", shift);
+}
+
+void ShiftMemory::archive(Archive& archive, Index size) {
+  archive.number("toward", toward);
+  bool has_turned = reversal.size() > 0;
+  archive.flag("has_turned", has_turned);
+  if (has_turned) archive.numbers("reversal", reversal, size + 1);
+  for (MeanChange* one : {&leading_mean, &mean, &before_turn}) one->archive(archive, size + 1);
+  archive.number("at_entry", at_entry);
+  archive.number("entry_displaced", entry_displaced);
+  archive.number("entry_slip", entry_slip);
+  archive.whole("leading", leading, 0, size + 1);
+  archive.whole("leading_kept", leading_kept, 0, size + 1);
 }
 
 void RememberedState::archive(Archive& archive, Index size) {
@@ -42,16 +52,9 @@ void RememberedState::archive(Archive& archive, Index size) {
   archive.whole("kept", kept, 0, size);
   archive.number("lead", lead);
   archive.number("entry", entry);
-  archive.number("at_entry", at_entry);
-  archive.number("entry_slip", entry_slip);
-  archive.number("way", way);
-  bool has_turned = reversal.size() > 0;
-  archive.flag("has_turned", has_turned);
-  if (has_turned) archive.numbers("reversal", reversal, size + 1);
-  archive.number("entry_by_partition", entry_by_partition);
-  for (MeanChange* one : {&leading_mean, &mean, &before_turn}) one->archive(archive, size + 1);
-  archive.whole("leading", leading, 0, size + 1);
-  archive.whole("leading_kept", leading_kept, 0, size + 1);
+  bool stands = shifts.has_value();
+  archive.flag("stands", stands);
+  if (stands) (archive.reads() ? shifts.emplace() : *shifts).archive(archive, size);
   bool is_relieved = relief.size() > 0;
   archive.flag("is_relieved", is_relieved);
   if (is_relieved) archive.numbers("relief", relief, size);

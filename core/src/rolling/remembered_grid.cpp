@@ -219,7 +219,7 @@ void RememberedGrid::begin_step(bool with_slopes) {
     slope.state.traction.setZero();
     slope.state.stored = 0;
     slope.state.entry = slope.entry = 0;
-    slope.state.leading = slope.state.leading_kept = 0;
+    slope.state.shifts.reset();
     slope.state.relief.resize(0);
     slope.conditions.bound.setZero(nodes_.size);
     slope.state.lead = 0;

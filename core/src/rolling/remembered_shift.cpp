@@ -90,10 +90,11 @@ Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load
 Load RememberedGrid::of_standing_partition(const Load& load) const {
   const RememberedState& state = next_.state;
   if (const auto* force = std::get_if<PrescribedForce>(&load)) {
-    return PrescribedForce{force->value - nodes_.spacing * state.before_turn.traction.sum()};
+    return PrescribedForce{force->value -
+                           nodes_.spacing * state.shifts->before_turn.traction.sum()};
   }
   return PrescribedCreepage{std::get<PrescribedCreepage>(load).value + state.lead -
-                            state.before_turn.shift};
+                            state.shifts->before_turn.shift};
 }
 
 /// Searches the partition of nodes and entry.
@@ -106,7 +107,7 @@ bool RememberedGrid::search_standing(const Load& load, SlipConditions& condition
   const PartEnd end = state.end_of_part(nodes_, 0, state.distance, state.scale);
   const auto search = [&] {
     for (Index i = 0; i < n; ++i) conditions.offset[i] = -state.remembered_at(i, end);
-    conditions.offset[n] = -state.at_entry;
+    conditions.offset[n] = -state.shifts->at_entry;
     contact.zones = state_.zones;
     contact.zones.push_back(state_.zones.back());
     standing().active_set.solve(conditions, of_standing_partition(load), contact);
@@ -115,7 +116,7 @@ bool RememberedGrid::search_standing(const Load& load, SlipConditions& condition
   search();
   const bool stuck_again = first_stuck(contact.zones) < state.stuck - 1;
   const bool leading_stuck_again =
-      state.leading_kept > 0 && past_last_stuck(contact.zones) > state.leading + 1;
+      state.shifts->leading_kept > 0 && past_last_stuck(contact.zones) > state.shifts->leading + 1;
   if (stuck_again) state.admit_slip(nodes_);
   if (leading_stuck_again) state.admit_leading_slip(nodes_);
   if (stuck_again || leading_stuck_again) search();
@@ -133,23 +134,23 @@ void RememberedGrid::average_standing(const Load& load, SlipConditions condition
     MeanChange change{.traction = rolled.contact.traction - partition.contact.traction,
                       .displacement = rolled.displacement - partition.displacement,
                       .shift = rolled.contact.creepage - partition.contact.creepage};
-    return change += state.before_turn;
+    return change += state.shifts->before_turn;
   };
-  const bool has_turned = state.reversal.size() > 0;
+  const bool has_turned = state.shifts->reversal.size() > 0;
   if (has_turned) {
-    const double toward = state.way > 0 ? -1 : 1;
-    conditions.bound += (conditions.bound + toward * state.reversal).cwiseMax(0);
+    const double toward = state.shifts->toward > 0 ? -1 : 1;
+    conditions.bound += (conditions.bound + toward * state.shifts->reversal).cwiseMax(0);
   }
-  const VectorXd mirrored_reversal = state.reversal.reverse();
+  const VectorXd mirrored_reversal = state.shifts->reversal.reverse();
   StandingContact& standing = this->standing();
   mirror(rolled);
   standing.leading.average(standing.active_set, mirrored(conditions), load, rolled, {},
                            has_turned ? &mirrored_reversal : nullptr);
   mirror(rolled);
-  state.leading_mean = added();
+  state.shifts->leading_mean = added();
   standing.trailing.average(standing.active_set, conditions, load, rolled, {},
-                            has_turned ? &state.reversal : nullptr);
-  state.mean = added();
+                            has_turned ? &state.shifts->reversal : nullptr);
+  state.shifts->mean = added();
 }
 
 /// A shift of a contact that stays as it is: the nodes and the element at the entry, with the mean
@@ -177,21 +178,21 @@ void RememberedGrid::shift_standing(const Load& load) {
   const double moved = contact.creepage;
   rolled.displacement = (contact.slip - conditions.offset).array() - moved;
   state.points.subtract(moved);
-  state.at_entry -= moved;
+  state.shifts->at_entry -= moved;
   state.nodes.at.head(n) = rolled.displacement.head(n);
-  state.entry_by_partition = rolled.displacement[n];
+  state.shifts->entry_displaced = rolled.displacement[n];
   average_standing(load, conditions, rolled);
 
-  const VectorXd traction = contact.traction + state.mean.traction;
+  const VectorXd traction = contact.traction + state.shifts->mean.traction;
   state.entry = traction[n];
   state.traction = traction.head(n);
   displace_ends(state.nodes, state.traction, state.entry);
   state.traction[n - 1] += state.entry;
-  next_.shift = moved + state.mean.shift - state.lead;
-  state.lead = state.mean.shift;
+  next_.shift = moved + state.shifts->mean.shift - state.lead;
+  state.lead = state.shifts->mean.shift;
   state.nodes.at[n] += state.lead;
   state.nodes.exit += state.lead;
-  state.entry_slip += state.nodes.at[n] - entry_before + moved;
+  state.shifts->entry_slip += state.nodes.at[n] - entry_before + moved;
   state.stored = nodes_.spacing * state.traction.dot(displaced_by(state.traction)) / 2;
   state.remember_shift(nodes_, state.end_of_part(nodes_, 0, state.distance, state.scale),
                        contact.zones, stuck_again);

@@ -79,7 +79,7 @@ PartEnd RememberedState::end_of_part(const ReferenceNodes& nodes, double length,
 
 /// Of a node that has slipped, the nodes when the part began; else the points.
 RememberedState::Source RememberedState::source_of(Index i, const PartEnd& end) const {
-  const bool as_if_stuck = (i >= kept && i < stuck) || (i >= leading && i < leading_kept);
+  const bool as_if_stuck = (i >= kept && i < stuck) || (shifts && shifts->keeps(i));
   if (!sticks(zones, i) && !as_if_stuck) {
     return {.displacements = nodes,
             .shift = end.on_nodes.of(i),
@@ -127,7 +127,7 @@ bool RememberedState::entry_has_come(const ReferenceNodes& reference, double off
   return among_points(reference).of(reference.size) >= 1 - offset;
 }
 
-std::pair<double, double> RememberedState::left_at_entry(const ReferenceNodes& reference,
+std::pair<double, double> RememberedState::left_of_shift(const ReferenceNodes& reference,
                                                          const PartEnd& end) const {
   const double ahead_of_it = 1 - among_points(reference).of(reference.size);
   const double left = 1 - end.on_points.of(reference.size);
@@ -143,41 +143,40 @@ MeanChange& MeanChange::operator+=(const MeanChange& other) {
 }
 
 void RememberedState::begin_shifts(double spring) {
-  if (leading_kept > 0) return;
+  if (shifts) return;
   const VectorXd none = VectorXd::Zero(nodes.at.size());
-  before_turn = {.traction = none, .displacement = none};
-  at_entry = nodes.at[nodes.at.size() - 1] + spring * entry;
-  entry_slip = 0;
-  way = 0;
-  reversal.resize(0);
+  shifts.emplace();
+  shifts->before_turn = {.traction = none, .displacement = none};
+  shifts->at_entry = nodes.at[nodes.at.size() - 1] + spring * entry;
 }
 
 void RememberedState::go(const ReferenceNodes& reference, double toward) {
-  const bool turns = toward * way < 0;
-  if (toward != 0) way = toward;
+  const bool turns = toward * shifts->toward < 0;
+  if (toward != 0) shifts->toward = toward;
   if (!turns) return;
   const Index n = reference.size;
+  VectorXd& reversal = shifts->reversal;
   reversal.resize(n + 1);
   reversal << traction, entry;
   reversal[n - 1] -= entry;
-  reversal -= mean.traction;
+  reversal -= shifts->mean.traction;
   admit_slip(reference);
   admit_leading_slip(reference);
-  before_turn = mean;
+  shifts->before_turn = shifts->mean;
 }
 
 void RememberedState::remember_shift(const ReferenceNodes& reference, const PartEnd& end,
                                      const std::vector<Zone>& with_entry, bool stuck_again) {
   const Index n = reference.size;
   zones.assign(with_entry.begin(), with_entry.end() - 1);
-  leading = past_last_stuck(with_entry);
-  leading_kept = std::min(n, leading + kept_behind) + 1;
-  if (leading_kept <= n) at_entry = entry_by_partition;
+  shifts->leading = past_last_stuck(with_entry);
+  shifts->leading_kept = std::min(n, shifts->leading + kept_behind) + 1;
+  if (shifts->leading_kept <= n) shifts->at_entry = shifts->entry_displaced;
   remember(reference, end, stuck_again);
 }
 
-/// Points of these indices have slipped with the nodes.
-void RememberedState::add_slip(const ReferenceNodes& reference, Index from, Index to) {
+/// Points of these indices slip with the nodes.
+void RememberedState::slip_points(const ReferenceNodes& reference, Index from, Index to) {
   const NodeShift now = among_points(reference);
   VectorXd slip = VectorXd::Zero(reference.size);
   for (Index i = from; i < to; ++i) {
@@ -187,21 +186,24 @@ void RememberedState::add_slip(const ReferenceNodes& reference, Index from, Inde
 }
 
 void RememberedState::admit_leading_slip(const ReferenceNodes& reference) {
-  add_slip(reference, leading, std::min(leading_kept, reference.size));
-  at_entry = entry_by_partition;
-  leading_kept = leading;
+  slip_points(reference, shifts->leading, std::min(shifts->leading_kept, reference.size));
+  shifts->at_entry = shifts->entry_displaced;
+  shifts->leading_kept = shifts->leading;
 }
 
 void RememberedState::end_shifts(const ReferenceNodes& reference, const VectorXd& bound) {
-  if (leading_kept == 0) return;
-  points.subtract(leading_mean.shift);
-  nodes.at.head(reference.size) += leading_mean.displacement.head(reference.size);
-  nodes.at[reference.size] -= leading_mean.shift;
-  nodes.exit -= leading_mean.shift;
-  lead -= leading_mean.shift;
-  add_slip(reference, std::max(kept, leading - averaged), std::min(leading_kept, reference.size));
+  const VectorXd& displacement = shifts->leading_mean.displacement;
+  const double shift = shifts->leading_mean.shift;
+  const Index leading = shifts->leading;
+  points.subtract(shift);
+  nodes.at.head(reference.size) += displacement.head(reference.size);
+  nodes.at[reference.size] -= shift;
+  nodes.exit -= shift;
+  lead -= shift;
+  slip_points(reference, std::max(kept, leading - averaged),
+              std::min(shifts->leading_kept, reference.size));
   if (leading > reference.size) {
-    share_slip(reference, entry_slip / (1 - entry_share));
+    share_slip(reference, shifts->entry_slip / (1 - entry_share));
   } else {
     admit_entry(reference);
   }
@@ -212,7 +214,7 @@ void RememberedState::end_shifts(const ReferenceNodes& reference, const VectorXd
     relief[reference.size - 1] -= entry;
     relief.tail(slipping) = bound.tail(slipping) - relief.tail(slipping).cwiseAbs();
   }
-  leading = leading_kept = 0;
+  shifts.reset();
 }
 
 /// The scheme feels the edge of a shift, at which tractions are singular, `offset` - 1/2 elements
@@ -254,8 +256,7 @@ void RememberedState::remember(const ReferenceNodes& reference, const PartEnd& e
   stuck = first_stuck(zones);
   kept = stuck_again ? stuck : std::max<Index>(0, stuck - kept_behind);
   const auto has_slipped = [&](Index i) {
-    return i < n && !sticks(zones, i) && (i < kept || i > stuck) &&
-           (i < leading || i >= leading_kept);
+    return i < n && !sticks(zones, i) && (i < kept || i > stuck) && !(shifts && shifts->keeps(i));
   };
   if (end.is_whole) {
     renew_points(end, kept_before);

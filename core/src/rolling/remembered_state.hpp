@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -49,6 +50,29 @@ struct MeanChange {
   void archive(Archive& archive, Eigen::Index size);
 };
 
+/// Of shifts without rolling, one after the other, in which an element at the entry carries traction;
+/// its slip is that of a spring besides. Displacements of points and nodes are then those by the
+/// partitions that meet the conditions.
+struct ShiftMemory {
+  double toward = 0;         ///< of the sign of the last shift
+  Eigen::VectorXd reversal;  ///< tractions of nodes and entry since which shifts have gone one way;
+                             ///< N + 1 or none  [N/mm^2]
+  MeanChange leading_mean;   ///< of the last shift, at the leading end of adhesion
+  MeanChange mean;           ///< at both ends
+  MeanChange before_turn;    ///< when shifts last turned; since then the mean adds twice as much
+  double at_entry = 0;       ///< displacement that the element has now if it has stuck  [mm]
+  double entry_displaced = 0;     ///< and that it has by the partition  [mm]
+  double entry_slip = 0;          ///< of the material at the entry  [mm]
+  Eigen::Index leading = 0;       ///< the node ahead of the last in adhesion
+  Eigen::Index leading_kept = 0;  ///< points from `leading` to here are as if they had not slipped
+
+  /// Whether a point is as if it had not slipped, as it is next to the leading end of adhesion.
+  bool keeps(Eigen::Index i) const { return i >= leading && i < leading_kept; }
+
+  /// \param size  N
+  void archive(Archive& archive, Eigen::Index size);
+};
+
 /// The displacements that the material remembers, and the state from which a step starts.
 ///
 /// A displacement is that of a material point by the tractions when it came, less the rigid shift
@@ -72,27 +96,13 @@ struct RememberedState : ElementTravel {
   Eigen::Index kept = 0;     ///< points from here on are as if they had not slipped
   double lead = 0;           ///< shift of the mean over partitions before that of `zones`  [mm]
 
-  // Of shifts without rolling, in which an element at the entry carries traction. Its slip is that
-  // of a spring besides.
-  double entry = 0;  ///< its traction, which falls to 0 while an element is travelled; `traction`
-                     ///< gives it to the last node  [N/mm^2]
-  double at_entry = 0;       ///< displacement that it has now if it has stuck  [mm]
-  double entry_slip = 0;     ///< of the material there, by the shifts since rolling  [mm]
-  Eigen::VectorXd reversal;  ///< tractions of nodes and entry since which shifts have gone one way;
-                             ///< N + 1 or none  [N/mm^2]
-  double way = 0;            ///< of the sign of the last shift
+  std::optional<ShiftMemory> shifts;  ///< since the contact has stopped; none while it rolls
 
-  double entry_by_partition = 0;  ///< displacement of the element at the entry  [mm]
-
-  // Of shifts, `points` and `nodes` are by the partitions that meet the conditions. What the mean adds
-  // at the leading end of adhesion, at both ends, and what it had added when shifts last turned. Of
-  // the solution after a turn it adds twice as much, as slip is twice as large.
-  MeanChange leading_mean, mean, before_turn;
-  Eigen::Index leading = 0;       ///< the node ahead of the last in adhesion; 0 after rolling
-  Eigen::Index leading_kept = 0;  ///< points from `leading` to here are as if they had not slipped
-  Eigen::VectorXd relief;  ///< by how much the mean of the last one leaves tractions that slip at
-                           ///< the leading end below the bound; falls as `entry`; N or none
-                           ///< [N/mm^2]
+  // What the last of them leaves. It falls evenly to 0 while an element is travelled.
+  double entry = 0;  ///< traction of the element at the entry; `traction` gives it to the last node
+                     ///< [N/mm^2]
+  Eigen::VectorXd relief;  ///< by how much tractions that slip at the leading end are below the
+                           ///< bound in the mean; N or none  [N/mm^2]
   double ahead = 0;  ///< what shifts since the last whole element have taken from the slip that
                      ///< the next point to be remembered shows  [mm]
 
@@ -144,9 +154,9 @@ struct RememberedState : ElementTravel {
   /// \param offset  of the leading edge from the last node  [dx]
   bool entry_has_come(const ReferenceNodes& nodes, double offset) const;
 
-  /// The part of the traction at the entry, and of the relief, that is left at the end of a part of a step, and its
-  /// derivative by the length of the part [1/mm]. It falls evenly, and is gone with the element.
-  std::pair<double, double> left_at_entry(const ReferenceNodes& nodes, const PartEnd& end) const;
+  /// The part of the traction at the entry, and of the relief, that is left at the end of a part of
+  /// a step, and its derivative by the length of the part [1/mm].
+  std::pair<double, double> left_of_shift(const ReferenceNodes& nodes, const PartEnd& end) const;
 
   /// Writes or reads all members.
   /// \param size  N
@@ -163,7 +173,7 @@ struct RememberedState : ElementTravel {
 
   Source source_of(Eigen::Index i, const PartEnd& end) const;
   NodeShift among_points(const ReferenceNodes& nodes) const;
-  void add_slip(const ReferenceNodes& nodes, Eigen::Index from, Eigen::Index to);
+  void slip_points(const ReferenceNodes& nodes, Eigen::Index from, Eigen::Index to);
   void share_slip(const ReferenceNodes& nodes, double slip);
   void renew_points(const PartEnd& end, Eigen::Index from);
 };

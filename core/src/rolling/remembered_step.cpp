@@ -54,8 +54,10 @@ void RememberedGrid::move_to(double distance) { state_.move_to(distance); }
 /// that changes, either end may be the first to do so.
 void RememberedGrid::roll(const Way& way) {
   const RememberedState& from = state_;
-  set_bound(from.scale);
-  next_.state.end_shifts(nodes_, next_.conditions.bound);
+  if (from.shifts) {
+    set_bound(from.scale);
+    next_.state.end_shifts(nodes_, next_.conditions.bound);
+  }
   if (!from.scale.carries() || !target_.carries()) return change_contact(way);
   if (way.length > 0) settle_lead(way.load);
   const double width = from.scale.half_width;
@@ -175,7 +177,7 @@ void RememberedGrid::fade_shift(const Part& part) {
   const bool is_relieved = state.relief.size() > 0;
   next_.entry = 0;
   if (state.entry == 0 && !is_relieved) return;
-  const auto [left, slope] = state.left_at_entry(nodes_, part);
+  const auto [left, slope] = state.left_of_shift(nodes_, part);
   const double by_length = has_slopes_ && part.is_last ? slope : 0;
   next_.entry = left * state.entry;
   slopes_[1].entry = by_length * state.entry;

@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr std::string_view mark = "microslip state ";
-constexpr std::string_view version = "1";
+constexpr std::string_view version = "2";
 constexpr std::string_view sum_mark = "checksum ";
 
 /// First line, members, and a last line with their checksum.
