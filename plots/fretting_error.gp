@@ -23,6 +23,6 @@ do for [what in "dissipation shift"] {
        errors using (of("hertz", "remembered")):what with linespoints linetype 1 pointtype 7 pointsize 0.6 title "Hertz, remembered", \
        errors using (of("polynomial", "remembered")):what with linespoints linetype 1 pointtype 6 dashtype 3 title "polynomial, remembered", \
        1.6*d_max*(n_min/x)**1.5 with lines linecolor "gray60" dashtype 2 title "order 3/2", \
-       0.6*m_max*(n_min/x)**2 with lines linecolor "gray60" dashtype 4 title "order 2"
+       0.6*m_max*(n_min/x)**(what eq "shift" ? 2 : 1) with lines linecolor "gray60" dashtype 4 title "order 1; right, 2"
 }
 unset multiplot

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shifts between two ways of rolling, of contacts that nobody chose, on a grid fixed to the
-// material: against the scheme of the thesis with c = 1, extrapolated. It has another grid, other
-// bounds of its elements, and no springs.
+// Shifts of contacts that nobody chose, against the scheme of the thesis with c = 1, extrapolated: it
+// has another grid, other bounds of its elements, no springs, and no mean over partitions.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <iostream>
 #include <random>
+#include <vector>
 
 #include "microslip/rolling/transient.hpp"
 #include "property/generated_contacts.hpp"
@@ -98,6 +98,56 @@ void expect_right(const AdvectionScheme& scheme) {
 
 TEST(GeneratedShifts, BetweenTwoWaysOfRollingAreRight) { expect_right(MaterialFixed{}); }
 TEST(GeneratedShifts, AreRightWhereTheMaterialRemembers) { expect_right(Remembered{}); }
+
+// To and fro at standstill, after rolling: where the bodies are after each shift. Forces turn at
+// random, by little and by much.
+TEST(GeneratedShifts, AreRightWhereTheyTurn) {
+  ContactGenerator generator(seed_of_tests() + 4000);
+  std::mt19937 random(static_cast<unsigned>(seed_of_tests()) + 1);
+  std::uniform_real_distribution<double> uniform(-0.9, 0.9);
+  double worst = 0;
+  for (int i = 0; i < 16; ++i) {
+    const auto [kind, contact] = generator.next();
+    if (!rolls_transiently(contact)) continue;
+    const double creepage = steady_creepage(contact);
+    const double sliding = full_sliding_force(contact.bound);
+    std::vector<double> forces;
+    for (int k = 0; k < 8; ++k) {
+      const double last = forces.empty() ? 0 : forces.back();
+      forces.push_back(k % 3 == 2 ? 0.9 * last : uniform(random) * sliding);
+    }
+    const auto places = [&](Index elements, const AdvectionScheme& scheme) {
+      TransientRolling rolling({.kernel = contact.kernel,
+                                .bound = contact.bound,
+                                .grid = Grid({.half_width = half_width, .elements = elements}),
+                                .basis = constant_basis(),
+                                .scheme = scheme});
+      rolling.roll(6, {2 * half_width / static_cast<double>(elements)},
+                   PrescribedCreepage{creepage}, [](const TransientState&) {});
+      std::vector<double> shifts;
+      double sum = 0;
+      for (const double force : forces) {
+        sum += rolling.shift(PrescribedForce{force}).distance;
+        shifts.push_back(sum);
+      }
+      return shifts;
+    };
+    const std::vector<double> coarse = places(200, Direct{}), fine = places(400, Direct{});
+    const std::vector<double> other = places(100, Direct{}), ours = places(100, Remembered{});
+    const double scale = std::abs(shift_from_rest(contact, sliding / 2));
+    for (std::size_t k = 0; k < forces.size(); ++k) {
+      const double truth = 2 * fine[k] - coarse[k];
+      const double error = std::abs(ours[k] - truth);
+      worst = std::max(worst, error / scale);
+      EXPECT_LE(error, 1.5 * std::max((kind == "jumps" ? 0.03 : 0.01) * scale,
+                                      std::abs(other[k] - truth)) +
+                           std::abs(fine[k] - coarse[k]))
+          << kind << ", case " << i << ", shift " << k << ": " << error / scale;
+    }
+  }
+  std::cout << "largest error, N = 100: " << worst << " of the shift from rest to half of full "
+            << "sliding\n";
+}
 
 }  // namespace
 }  // namespace microslip
