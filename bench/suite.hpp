@@ -13,7 +13,7 @@ namespace microslip::bench {
 
 /// Schemes that are timed by FFT and with all entries, as the catalogue names them.
 inline constexpr std::array steady_by_elements = {"standard", "calibrated"};
-inline constexpr std::array transients = {"direct", "material"};
+inline constexpr std::array transients = {"direct", "remembered"};
 
 /// What is measured.
 struct Subject {

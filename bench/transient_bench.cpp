@@ -14,7 +14,7 @@ using Eigen::Index;
 
 /// A transient scheme tends to the tractions of this method.
 SteadyMethod steady_of(const AdvectionScheme& scheme) {
-  if (std::holds_alternative<MaterialFixed>(scheme)) return Inversion{};
+  if (std::holds_alternative<Remembered>(scheme)) return Inversion{};
   return Differences{.step_ratio = 1};
 }
 

@@ -12,9 +12,9 @@ do for [quantity in "step rolling_by_force"] {
          title named("direct, dense", quantity, "direct_dense"), \
        times using (of(quantity, "strip", "direct_fft")):"time" with linespoints linetype 2 pointtype 7 pointsize 0.5 \
          title named("direct, FFT", quantity, "direct_fft"), \
-       times using (of(quantity, "strip", "material_dense")):"time" with linespoints linetype 1 dashtype 2 pointtype 6 pointsize 0.5 \
-         title named("material, dense", quantity, "material_dense"), \
-       times using (of(quantity, "strip", "material_fft")):"time" with linespoints linetype 1 pointtype 7 pointsize 0.5 \
-         title named("material, FFT", quantity, "material_fft")
+       times using (of(quantity, "strip", "remembered_dense")):"time" with linespoints linetype 1 dashtype 2 pointtype 6 pointsize 0.5 \
+         title named("remembered, dense", quantity, "remembered_dense"), \
+       times using (of(quantity, "strip", "remembered_fft")):"time" with linespoints linetype 1 pointtype 7 pointsize 0.5 \
+         title named("remembered, FFT", quantity, "remembered_fft")
 }
 unset multiplot

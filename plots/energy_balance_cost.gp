@@ -1,7 +1,7 @@
 # What an error of v(t) costs: on finer grids for each integrator, and in shorter time steps, equal or by a tolerance.
 motion = tables."/motion_error.tsv"
 control = tables."/step_control.tsv"
-of(integrator) = strcol("frame") eq "remembered" && strcol("integrator") eq integrator ? column("contact_steps") : NaN
+of(integrator) = strcol("scheme") eq "remembered" && strcol("integrator") eq integrator ? column("contact_steps") : NaN
 by(steps) = strcol("steps") eq steps ? column("count") : NaN
 
 eval page(860, 400)

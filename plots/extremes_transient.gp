@@ -2,7 +2,7 @@
 map = "transient"
 across = "step_ratio"
 up = "elements"
-names = "remembered material direct relaxed relaxed_traction fractional"
+names = "remembered direct relaxed relaxed_traction fractional"
 label_across = "step ratio c = dq/dx [1]"
 label_up = "number of elements N [1]"
 error = "error of the traction [1]"

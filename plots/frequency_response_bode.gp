@@ -7,11 +7,11 @@ of(name, ratio) = strcol("case") eq name && same(column("stick_ratio"), ratio) ?
 at(kernel, ratio, scheme) = strcol("kernel") eq kernel && same(column("stick_ratio"), ratio) && strcol("scheme") eq scheme \
   && column("step_ratio") == 1 ? column("wavelength_ratio") : NaN
 angle(n) = column("phase") * 180 / pi
-# The schemes: remembered, drawn last and listed first, material and direct.
-names = "remembered material direct"
-colour(k) = k == 1 ? 4 : k == 2 ? 6 : 5
-point(k) = k == 1 ? 7 : k == 2 ? 4 : 6
-size(k) = k == 1 ? 0.45 : k == 2 ? 0.9 : 1.2
+# The schemes: remembered, drawn last and listed first, and direct.
+names = "remembered direct"
+colour(k) = k == 1 ? 4 : 5
+point(k) = k == 1 ? 7 : 6
+size(k) = k == 1 ? 0.45 : 1.2
 kernel(i) = i == 2 ? "strip" : "plane"
 ratio(i) = i == 3 ? slips : 1
 eval page(760, 620)
@@ -26,10 +26,10 @@ plot curves using (of("plane", 1)):"size" with @exact_line title "plane strain, 
      curves using (of("strip", 1)):"size" with lines linetype 1 title "strip, all adheres", \
      curves using (of("plane", slips)):"size" with lines linetype 3 title "plane strain, a' = 0.6", \
      curves using (of("winkler", 1)):"size" with lines linetype 2 dashtype 2 title "springs (FASTSIM)", \
-     measured using (at("plane", 1, "direct")):"size" with points linetype colour(3) pointtype point(3) pointsize size(3) notitle, \
-     for [k=2:1:-1] for [i=1:3] measured using (at(kernel(i), ratio(i), word(names, k))):"size" \
-       with points linetype colour(k) pointtype point(k) pointsize size(k) notitle, \
-     for [k=1:3] keyentry with points linetype colour(k) pointtype point(k) pointsize size(k) title word(names, k)
+     measured using (at("plane", 1, "direct")):"size" with points linetype colour(2) pointtype point(2) pointsize size(2) notitle, \
+     for [i=1:3] measured using (at(kernel(i), ratio(i), "remembered")):"size" \
+       with points linetype colour(1) pointtype point(1) pointsize size(1) notitle, \
+     for [k=1:2] keyentry with points linetype colour(k) pointtype point(k) pointsize size(k) title word(names, k)
 set format x "10^{%T}"
 unset logscale y
 set xlabel "wavelength of the creepage over the half-width, L/a [1]"
@@ -41,7 +41,7 @@ plot curves using (of("plane", 1)):(angle(0)) with @exact_line, \
      curves using (of("strip", 1)):(angle(0)) with lines linetype 1, \
      curves using (of("plane", slips)):(angle(0)) with lines linetype 3, \
      curves using (of("winkler", 1)):(angle(0)) with lines linetype 2 dashtype 2, \
-     measured using (at("plane", 1, "direct")):(angle(0)) with points linetype colour(3) pointtype point(3) pointsize size(3) notitle, \
-     for [k=2:1:-1] for [i=1:3] measured using (at(kernel(i), ratio(i), word(names, k))):(angle(0)) \
-       with points linetype colour(k) pointtype point(k) pointsize size(k) notitle
+     measured using (at("plane", 1, "direct")):(angle(0)) with points linetype colour(2) pointtype point(2) pointsize size(2) notitle, \
+     for [i=1:3] measured using (at(kernel(i), ratio(i), "remembered")):(angle(0)) \
+       with points linetype colour(1) pointtype point(1) pointsize size(1) notitle
 unset multiplot

@@ -7,11 +7,6 @@ of(name, ratio) = strcol("case") eq name && same(column("stick_ratio"), ratio) ?
 at(kernel, ratio, scheme) = strcol("kernel") eq kernel && same(column("stick_ratio"), ratio) && strcol("scheme") eq scheme \
   && column("step_ratio") == 1 ? column("size") * cos(column("phase")) : NaN
 imaginary(n) = column("size") * sin(column("phase"))
-# The schemes: remembered, drawn last and listed first, and material.
-names = "remembered material"
-colour(k) = k == 1 ? 4 : 6
-point(k) = k == 1 ? 7 : 4
-size(k) = k == 1 ? 0.45 : 0.9
 kernel(i) = i == 2 ? "strip" : "plane"
 ratio(i) = i == 3 ? slips : 1
 eval page(640, 460)
@@ -25,6 +20,6 @@ plot curves using (of("plane", 1)):(imaginary(0)) with @exact_line title "plane 
      curves using (of("strip", 1)):(imaginary(0)) with lines linetype 1 title "strip, all adheres", \
      curves using (of("plane", slips)):(imaginary(0)) with lines linetype 3 title "plane strain, a' = 0.6", \
      curves using (of("winkler", 1)):(imaginary(0)) with lines linetype 2 dashtype 2 title "springs (FASTSIM)", \
-     for [k=2:1:-1] for [i=1:3] measured using (at(kernel(i), ratio(i), word(names, k))):(imaginary(0)) \
-       with points linetype colour(k) pointtype point(k) pointsize size(k) notitle, \
-     for [k=1:2] keyentry with points linetype colour(k) pointtype point(k) pointsize size(k) title word(names, k)
+     for [i=1:3] measured using (at(kernel(i), ratio(i), "remembered")):(imaginary(0)) \
+       with points linetype 4 pointtype 7 pointsize 0.45 notitle, \
+     keyentry with points linetype 4 pointtype 7 pointsize 0.45 title "remembered"

@@ -5,8 +5,8 @@ steps = tables."/steps.tsv"
 of(kind, scheme) = strcol("kind") eq kind && strcol("scheme") eq scheme ? column("distance") : NaN
 at_peak = 0.15
 some(kind, scheme, k) = enlarged || int(column(0)) % 9 == 3 * k ? of(kind, scheme) : NaN
-names = "remembered material direct"
-point(k) = k == 1 ? 7 : k == 2 ? 4 : 6
+names = "remembered direct"
+point(k) = k == 1 ? 7 : 6
 size(k) = k == 1 ? 0.45 : 0.65
 eval page(860, 400)
 set multiplot layout 1,2 margins 0.085,0.98,0.14,0.9 spacing 0.1
@@ -32,8 +32,8 @@ do for [panel=1:3] {
   set ylabel (panel < 3 ? kind." over its steady value [1]" : "") offset 0.6,0
   set yrange [panel < 3 ? 0 : 1.1:panel == 1 ? 1.05 : panel == 2 ? 2 : 1.8]
   plot steps using (of(kind, "exact")):"value" with @exact_line title "exact", \
-       for [k=3:1:-1] steps using (some(kind, word(names, k), k - 1)):"value" with points linetype k \
+       for [k=2:1:-1] steps using (some(kind, word(names, k), k - 1)):"value" with points linetype k \
          pointtype point(k) pointsize size(k) notitle, \
-       for [k=1:3] keyentry with points linetype k pointtype point(k) pointsize size(k) title word(names, k)
+       for [k=1:2] keyentry with points linetype k pointtype point(k) pointsize size(k) title word(names, k)
 }
 unset multiplot

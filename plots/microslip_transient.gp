@@ -18,7 +18,7 @@ set y2tics
 set yrange [*<0:0<*]
 set y2range [*<0:0<*]
 set key at graph 0.97,1.06 horizontal
-# The first row is the start, where there is no creepage. Steps shorter than an element have noise.
+# The first row is the start, where there is no creepage.
 plot history using "q":"force" with lines linetype 3 title "force, left", \
-     history using (column("q") > 0 ? column("q") : NaN):"element_creepage" axes x1y2 with lines linetype 2 title "creepage, right"
+     history using (column("q") > 0 ? column("q") : NaN):"creepage" axes x1y2 with lines linetype 2 title "creepage, right"
 unset multiplot

@@ -14,7 +14,7 @@ set title "peak"
 set key bottom right
 plot steps using (of("direct")):"peak" with linespoints linetype 1 pointtype 7 pointsize 0.5 title "direct", \
      steps using (of("relaxed")):"peak" with linespoints linetype 2 pointtype 7 pointsize 0.5 title "relaxed, c* = 1", \
-     steps using (of("material")):"peak" with linespoints linetype 3 pointtype 7 pointsize 0.5 title "material"
+     steps using (of("remembered")):"peak" with linespoints linetype 3 pointtype 7 pointsize 0.5 title "remembered"
 unset logscale x
 set xlabel "x [mm], rolling to the right"
 set ylabel "traction p [N/mm^2]"
@@ -25,5 +25,5 @@ set yrange [0:*]
 plot traction using (at("reference", 1)):"traction" with @exact_line title "reference", \
      traction using (at("direct", small)):"traction" with lines linetype 1 title "direct", \
      traction using (at("relaxed", small)):"traction" with lines linetype 2 title "relaxed", \
-     traction using (at("material", small)):"traction" with linespoints linetype 3 pointtype 7 pointsize 0.3 title "material"
+     traction using (at("remembered", small)):"traction" with linespoints linetype 3 pointtype 7 pointsize 0.3 title "remembered"
 unset multiplot

@@ -21,5 +21,5 @@ set key at graph 0.5, 0.5
 set format x "%g"
 plot steps using (of("direct")):"error" with linespoints linetype 1 pointtype 7 pointsize 0.5 title "direct", \
      steps using (of("relaxed")):"error" with linespoints linetype 2 pointtype 7 pointsize 0.5 title "relaxed, c* = 1", \
-     steps using (of("material")):"error" with linespoints linetype 3 pointtype 7 pointsize 0.5 title "material"
+     steps using (of("remembered")):"error" with linespoints linetype 3 pointtype 7 pointsize 0.5 title "remembered"
 unset multiplot

@@ -67,16 +67,13 @@ struct microslip_kernel {
 };
 
 enum microslip_scheme {
-  MICROSLIP_MATERIAL = 0,  /**< nodes move with the material: right for any dq, balances energy */
-  MICROSLIP_DIRECT = 1,    /**< nodes stand in the contact, as in CONTACT: wiggles where dq is not
-                              about an element */
-  MICROSLIP_REMEMBERED = 2 /**< nodes stand in the contact, and the material remembers its
-                              displacement: right for any dq, smooth, second order for small
-                              changes of the load, too */
+  MICROSLIP_REMEMBERED = 0, /**< the material remembers its displacement: right for any dq, second
+                               order, balances energy */
+  MICROSLIP_DIRECT = 1      /**< as in CONTACT: wiggles where dq is not about an element */
 };
 
 struct microslip_grid {
-  int elements; /**< N elements fill the contact, 1 ... 4 000 000 */
+  int elements; /**< N elements fill the contact, 1 ... 4 000 000; of MICROSLIP_REMEMBERED 4 on */
   int scheme;   /**< of microslip_scheme */
 };
 
@@ -89,9 +86,8 @@ struct microslip_state {
   double creepage;    /**< w of the step  [1] */
   double dissipation; /**< energy lost per mm rolled, with mean tractions of the step. Under a
                          prescribed creepage dissipation dq + mean_force w dq + the change of the
-                         elastic energy is 0: to rounding with all schemes except
-                         MICROSLIP_DIRECT, else to the
-                         order of the scheme  [N/mm] */
+                         elastic energy is 0: to rounding with
+                         MICROSLIP_REMEMBERED, else to the order of the scheme  [N/mm] */
   double residual;    /**< slip left in adhesion, over the largest term of its equations  [1] */
   double violation;   /**< of the bound or of the direction of slip, relative  [1] */
   int adhesion_elements;
@@ -163,7 +159,7 @@ MICROSLIP_API void microslip_destroy(microslip_rolling* rolling);
 /** Of the last call that failed, empty if none has; valid until the next call. */
 MICROSLIP_API const char* microslip_message(microslip_rolling* rolling);
 
-/** The scheme that rolls this contact, as scenes name it: "material", "direct" or "remembered"; ""
+/** The scheme that rolls this contact, as scenes name it: "remembered" or "direct"; ""
  * of no handle. */
 MICROSLIP_API const char* microslip_method(const microslip_rolling* rolling);
 
@@ -211,8 +207,7 @@ MICROSLIP_API enum microslip_status microslip_shift_by_distance(microslip_rollin
                                                                 struct microslip_shift* shift);
 
 /** Rolls on by dq, from 1e-15 to 1e6 elements of the larger contact of the step  [mm]. Under a
- * force, rounding is more than 1 % of the creepage below 1e-13 N elements, with MICROSLIP_MATERIAL
- * below 1e-12 N or 1e-9. */
+ * force, rounding is more than 1 % of the creepage below 1e-13 N elements. */
 MICROSLIP_API enum microslip_status microslip_advance(microslip_rolling* rolling, double dq);
 
 /** The state to which that step would lead, without rolling. If microslip_advance() makes the same
@@ -230,14 +225,6 @@ MICROSLIP_API enum microslip_status microslip_attempt_with_jacobian(
 MICROSLIP_API enum microslip_status microslip_get_state(microslip_rolling* rolling,
                                                         struct microslip_state* state);
 
-/** Mean of the creepage over the last element travelled, or since the start: it lags by half an
- * element. Under a force, a step shorter than an element has noise, because elements begin to slip
- * one by one, except with MICROSLIP_REMEMBERED. The mean has at least 40 times less where an
- * element is a whole number of steps  [1]
- */
-MICROSLIP_API enum microslip_status microslip_get_element_creepage(microslip_rolling* rolling,
-                                                                   double* creepage);
-
 /** Half of p A p  [N]. Costs about as much as a step. */
 MICROSLIP_API enum microslip_status microslip_get_elastic_energy(microslip_rolling* rolling,
                                                                  double* energy);
@@ -249,9 +236,7 @@ MICROSLIP_API enum microslip_status microslip_get_full_sliding(microslip_rolling
 /** Number of nodes, the same for good; 0 if the handle is null or lost. */
 MICROSLIP_API size_t microslip_size(microslip_rolling* rolling);
 
-/** Values at the nodes into arrays with room for `length` of them, at least microslip_size(). With
- * MICROSLIP_MATERIAL a few nodes lie outside the contact, where the bound is zero, and all are at
- * other positions after each step.
+/** Values at the nodes into arrays with room for `length` of them, at least microslip_size().
  *
  * nodes         x in the contact's frame, ascending  [mm]
  * traction      p  [N/mm^2]

@@ -283,12 +283,6 @@ microslip_status microslip_get_state(microslip_rolling* rolling, microslip_state
   });
 }
 
-microslip_status microslip_get_element_creepage(microslip_rolling* rolling, double* creepage) {
-  return with(rolling, [&](const microslip_rolling& of) {
-    require_pointer(creepage, "creepage") = of.contact->state().element_creepage;
-  });
-}
-
 microslip_status microslip_get_elastic_energy(microslip_rolling* rolling, double* energy) {
   return with(rolling, [&](const microslip_rolling& of) {
     require_pointer(energy, "energy") = of.contact->elastic_energy();

@@ -43,10 +43,8 @@ Kernel make_kernel(const Material& material, const microslip_kernel& kernel) {
 }
 
 AdvectionScheme make_scheme(int scheme) {
-  require(
-      scheme == MICROSLIP_MATERIAL || scheme == MICROSLIP_DIRECT || scheme == MICROSLIP_REMEMBERED,
-      "grid.scheme", scheme, "0 for material, 1 for direct or 2 for remembered");
-  if (scheme == MICROSLIP_MATERIAL) return MaterialFixed{};
+  require(scheme == MICROSLIP_REMEMBERED || scheme == MICROSLIP_DIRECT, "grid.scheme", scheme,
+          "0 for remembered or 1 for direct");
   if (scheme == MICROSLIP_DIRECT) return Direct{};
   return Remembered{};
 }

@@ -89,7 +89,7 @@ static double number(const mxArray* problem, const char* name, int needed) {
 
 static mxArray* create(const mxArray* p) {
   const mxArray *x = field(p, "bound_x", 0), *value = field(p, "bound_value", 0);
-  char kernel_name[8] = "", scheme_name[16] = "material", message[512];
+  char kernel_name[8] = "", scheme_name[16] = "remembered", message[512];
   mxGetString(field(p, "kernel", 1), kernel_name, sizeof kernel_name);
   const struct microslip_material material = {number(p, "shear_modulus", 1),
                                               number(p, "poisson_ratio", 1)};
@@ -101,10 +101,9 @@ static mxArray* create(const mxArray* p) {
                                                    : -1;
   const struct microslip_kernel kernel = {type, number(p, "length", 1)};
   if (field(p, "scheme", 0)) mxGetString(field(p, "scheme", 0), scheme_name, sizeof scheme_name);
-  const int scheme = !strcmp(scheme_name, "material")     ? MICROSLIP_MATERIAL
-                     : !strcmp(scheme_name, "direct")     ? MICROSLIP_DIRECT
-                     : !strcmp(scheme_name, "remembered") ? MICROSLIP_REMEMBERED
-                                                          : -1;
+  const int scheme = !strcmp(scheme_name, "remembered") ? MICROSLIP_REMEMBERED
+                     : !strcmp(scheme_name, "direct")   ? MICROSLIP_DIRECT
+                                                        : -1;
   const struct microslip_grid grid = {(int)number(p, "elements", 1), scheme};
   microslip_rolling* rolling;
   if (x && value && mxGetNumberOfElements(x) != mxGetNumberOfElements(value))
@@ -186,8 +185,6 @@ static mxArray* answer(const char* command, microslip_rolling* h, double argumen
   }
   if (is(command, "elastic_energy")) {
     check(microslip_get_elastic_energy(h, &result), microslip_message(h));
-  } else if (is(command, "element_creepage")) {
-    check(microslip_get_element_creepage(h, &result), microslip_message(h));
   } else if (is(command, "full_sliding")) {
     check(microslip_get_full_sliding(h, &result), microslip_message(h));
   } else if (is(command, "start_from_shift")) {

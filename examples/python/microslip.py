@@ -27,7 +27,7 @@ class Kernel(c.Structure):
 
 
 class Grid(c.Structure):
-    MATERIAL, DIRECT, REMEMBERED = 0, 1, 2
+    REMEMBERED, DIRECT = 0, 1
     _fields_ = [("elements", c.c_int), ("scheme", c.c_int)]
 
 
@@ -81,7 +81,6 @@ for _name, *_arguments in (
         ("get_state", _handle, c.POINTER(State)),
         ("get_elastic_energy", _handle, c.POINTER(c.c_double)),
         ("get_full_sliding", _handle, c.POINTER(c.c_double)),
-        ("get_element_creepage", _handle, c.POINTER(c.c_double)),
         *((f"get_{values}", _handle, c.c_void_p, c.c_size_t) for values in (
             "nodes", "traction", "bound", "slip", "displacement", "zones"))):
     getattr(_library, f"microslip_{_name}").argtypes = _arguments
@@ -186,7 +185,6 @@ class Rolling:
 
     state = property(lambda self: self._get("get_state", State()))
     elastic_energy = property(lambda self: self._get("get_elastic_energy", c.c_double()).value)
-    element_creepage = property(lambda self: self._get("get_element_creepage", c.c_double()).value)
     full_sliding = property(lambda self: self._get("get_full_sliding", c.c_double()).value)
     nodes = property(lambda self: self._values("get_nodes"))
     traction = property(lambda self: self._values("get_traction"))

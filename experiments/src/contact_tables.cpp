@@ -37,18 +37,6 @@ void WorstOfSteps::include(const TransientState& state) {
   iterations = std::max(iterations, state.iterations);
 }
 
-void StepNoise::include(double length, double creepage) {
-  length_ += length;
-  sum_ += length * creepage;
-  squares_ += length * creepage * creepage;
-  if (length_ < (1 - 1e-9) * element_) return;
-  signal_ += sum_ * sum_ / length_;
-  noise_ += std::max(0.0, squares_ - sum_ * sum_ / length_);
-  length_ = sum_ = squares_ = 0;
-}
-
-double StepNoise::relative() const { return noise_ > 0 ? std::sqrt(noise_ / signal_) : 0; }
-
 void add_evidence(Table& summary, const Evidence& evidence, const Judged& judged) {
   require_evidence(evidence, judged.condition, judged.iterations, judged.accepted);
   const Rounding rounding{"value", 1e-12};

@@ -51,7 +51,7 @@ Table empty_history(double energy) {
            {"translation", "N", "change of m v^2/2"},
            {"rotation", "N", "change of I omega^2/2"},
            {"elastic", "N", "half the integral of p u"},
-           {"dissipated", "N", "by slip, with mean tractions of material points"},
+           {"dissipated", "N", "by slip"},
            {"total", "N", "sum of the five", relative_rounding * energy}}};
 }
 

@@ -106,7 +106,7 @@ Table scales_table(const ExtremesParameters& p) {
                                     steady("chebyshev", "chebyshev strip", true),
                                     transient("direct"),
                                     transient("fractional"),
-                                    transient("material")};
+                                    transient("remembered")};
   for (const Scheme& scheme : schemes) {
     const VectorXd ordinary = scheme.solve(p, {});
     const auto add = [&](const std::string& what, double factor, const Scale& scale) {

@@ -15,12 +15,14 @@
 #include "microslip/reference/small_motion.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
+#include "microslip/support/interpolation.hpp"
 
 namespace microslip::experiments::frequency_response_study {
 
 namespace {
 
 using Eigen::Index;
+using Eigen::VectorXd;
 using std::numbers::pi;
 
 constexpr double farthest = 5;    // rolled, in half-widths
@@ -68,13 +70,21 @@ class Motions {
     TransientRolling rolling(problem(entry, n), CattaneoShift{force});
     const double steady = -force * log_compliance() / a_;
     const double dx = spacing(n);
-    Answer answer;
+    std::vector<double> distances{0}, creeps{0};
     rolling.roll(distance(c * dx), {c * dx}, PrescribedForce{force},
                  [&](const TransientState& state) {
-                   if (state.distance < (1 - 1e-6) * dx) return;
-                   answer.distance.push_back((state.distance - dx / 2) / a_);
-                   answer.value.push_back(state.element_creepage / steady);
+                   const double length = state.distance - distances.back();
+                   creeps.push_back(creeps.back() + length * state.creepage);
+                   distances.push_back(state.distance);
                  });
+    const VectorXd q = VectorXd::Map(distances.data(), static_cast<Index>(distances.size()));
+    const VectorXd creep = VectorXd::Map(creeps.data(), q.size());
+    Answer answer;
+    for (Index i = 0; i < q.size(); ++i) {
+      if (q[i] < (1 - 1e-6) * dx) continue;
+      answer.distance.push_back((q[i] - dx / 2) / a_);
+      answer.value.push_back((creep[i] - interpolated(q, creep, q[i] - dx)) / (dx * steady));
+    }
     return answer;
   }
 

@@ -64,7 +64,7 @@ Table schemes_table(const OpenProblemsParameters& p, const SteadyTables& steady,
   steady_row("steady, any bound", "calibrated");
   steady_row("steady, as CONTACT", "standard");
   steady_row("steady, as thesis 10.3", "known_edge");
-  transient_row("transient, any step", "material", smallest);
+  transient_row("transient, any step", "remembered", smallest);
   transient_row("transient, small steps as thesis 7.1", "relaxed", smallest);
   transient_row("transient, c = 1, as CONTACT", "direct", 1);
   return table;
@@ -75,8 +75,8 @@ Table claims_of(const OpenProblemsParameters& p, const SteadyTables& steady,
   const double order = steady.orders.latest({{"scheme", "calibrated"}}, "force_order");
   const double gain = steady.errors.latest({{"scheme", "standard"}}, "force_median") /
                       steady.errors.latest({{"scheme", "calibrated"}}, "force_median");
-  const double between = largest_of(steps.steps, "material", "from_unit_step");
-  const double material = largest_of(steps.steps, "material", "error");
+  const double between = largest_of(steps.steps, "remembered", "from_unit_step");
+  const double remembered = largest_of(steps.steps, "remembered", "error");
   const double direct = largest_of(steps.steps, "direct", "error");
   return claims_table(
       {{"second order is expected in theory, but not observed", "11", 2, order, "1",
@@ -92,9 +92,9 @@ Table claims_of(const OpenProblemsParameters& p, const SteadyTables& steady,
        {"further tests show odd behaviour in a world-fixed frame in certain cases", "11", not_given,
         between, "N/mm", corrected_if({below(1e-3)}, "reproduced"),
         "largest integral of the difference to c = 1, over all c", "open_problems_steps", 1e-12},
-       {"smoothing can be stopped in a world-fixed frame", "11", not_given, direct / material, "1",
-        holds_if({above(10)}),
-        "largest error of the direct scheme over that of the material scheme, over all c",
+       {"smoothing can be stopped in a world-fixed frame", "11", not_given, direct / remembered,
+        "1", holds_if({above(10)}),
+        "largest error of the direct scheme over that of the remembered scheme, over all c",
         "open_problems_steps"}});
 }
 

@@ -36,7 +36,7 @@ StepTables step_tables(const OpenProblemsParameters& p, const Progress& progress
   StepTables tables{
       .steps = {"steps",
                 "from a Cattaneo shift to Carter's solution, against the step ratio",
-                {{"scheme", "1", "step.scheme: direct, relaxed (with c* = 1) or material"},
+                {{"scheme", "1", "step.scheme: direct, relaxed (with c* = 1) or remembered"},
                  {"step_ratio", "1", "c = dq/dx"},
                  {"error", "N/mm", "sum of |p - reference| dx over the nodes"},
                  {"from_unit_step", "N/mm", "sum of |p - p(c = 1)| dx over the nodes", 1e-12},
@@ -46,7 +46,7 @@ StepTables step_tables(const OpenProblemsParameters& p, const Progress& progress
                  {"creep_error", "mm", "|cumulative creep - that of the reference|"}}},
       .traction = {"traction",
                    "from a Cattaneo shift to Carter's solution",
-                   {{"scheme", "1", "step.scheme, or reference: material on a finer grid"},
+                   {{"scheme", "1", "step.scheme, or reference: remembered on a finer grid"},
                     {"step_ratio", "1", "c = dq/dx"},
                     {"x", "mm", "position; the leading edge is at x = +half_width"},
                     {"traction", "N/mm^2", "|p|"}}}};
@@ -54,7 +54,7 @@ StepTables step_tables(const OpenProblemsParameters& p, const Progress& progress
   fine.grid = Grid(
       {.half_width = p.motion.grid.half_width(), .elements = p.refinement * p.motion.grid.size()});
   const Rolled reference =
-      roll(fine, MaterialFixed{}, 1, p.distance * static_cast<double>(p.refinement));
+      roll(fine, Remembered{}, 1, p.distance * static_cast<double>(p.refinement));
   const double dx = p.motion.grid.spacing();
   const auto add_traction = [&](const char* name, double c, const Rolled& rolled) {
     for (Index i = 0; i < rolled.x.size(); ++i) {
@@ -67,7 +67,7 @@ StepTables step_tables(const OpenProblemsParameters& p, const Progress& progress
   const double peak = reference.traction.maxCoeff(&highest);
   const double peak_at = reference.x[highest];
   std::size_t done = 0;
-  const std::vector<const char*> names{"direct", "relaxed", "material"};
+  const std::vector<const char*> names{"direct", "relaxed", "remembered"};
   for (const char* name : names) {
     const AdvectionEntry& entry = advection_scheme(name);
     const AdvectionScheme scheme = entry.scheme(1);

@@ -60,14 +60,14 @@ Judgement judge(const SpeedAccuracyParameters& p, const Motion& motion, const Mo
 }  // namespace
 
 std::vector<RunSeries> cylinder_contest(const SpeedAccuracyParameters& p) {
-  const auto reference = std::make_shared<const Motion>(let_go(
-      p, p.rolling.reference, MaterialFixed{}, Integrator::verlet, 1, Solver::Type::automatic));
+  const auto reference = std::make_shared<const Motion>(
+      let_go(p, p.rolling.reference, Remembered{}, Integrator::verlet, 1, Solver::Type::automatic));
   const std::vector<std::pair<std::string, Integrator>> integrators{
       {"verlet", Integrator::verlet},
       {"leapfrog", Integrator::leapfrog},
       {"midpoint", Integrator::midpoint}};
   std::vector<RunSeries> all;
-  for (const std::string frame : {"material", "direct"}) {
+  for (const std::string frame : {"remembered", "direct"}) {
     const AdvectionScheme scheme = advection_scheme(frame).scheme(1);
     for (const auto& [rule, integrator] : integrators) {
       for (const auto type : {Solver::Type::dense, Solver::Type::fft}) {
@@ -78,7 +78,7 @@ std::vector<RunSeries> cylinder_contest(const SpeedAccuracyParameters& p) {
             };
           };
           all.push_back(
-              {{"cylinder", frame + " " + rule, frame == "material" ? "calibrated" : "standard",
+              {{"cylinder", frame + " " + rule, frame == "remembered" ? "calibrated" : "standard",
                 "constant", c, name_of(type)},
                p.sizes,
                p.rolling.limit,

@@ -9,7 +9,7 @@ namespace microslip::experiments::speed_accuracy_study {
 /// step ratios, and a strip with the first of them.
 std::vector<RunSeries> steady_contest(const SpeedAccuracyParameters& p);
 
-/// From a Cattaneo shift, under a constant force, against a fine grid fixed to the material.
+/// From a Cattaneo shift, under a constant force, against a fine grid (remembered).
 std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p);
 
 /// A cylinder from rest down a slope.

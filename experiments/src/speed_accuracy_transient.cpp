@@ -61,11 +61,11 @@ Judgement judge(const SpeedAccuracyParameters& p, const Rolled& rolled, const Ro
 
 std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p) {
   const auto reference = std::make_shared<const Rolled>(roll_a_part(
-      p, p.transient.reference, MaterialFixed{}, constant_basis(), 1, Solver::Type::automatic));
+      p, p.transient.reference, Remembered{}, constant_basis(), 1, Solver::Type::automatic));
   std::vector<RunSeries> all;
   for (const AdvectionEntry& entry : advection_schemes()) {
     const AdvectionScheme scheme = entry.scheme(1);
-    const char* edge = std::holds_alternative<MaterialFixed>(scheme) ? "calibrated" : "standard";
+    const char* edge = std::holds_alternative<Remembered>(scheme) ? "calibrated" : "standard";
     for (const auto type : {Solver::Type::dense, Solver::Type::fft}) {
       for (const std::string_view name : basis_names()) {
         const Basis basis = make_basis(name);

@@ -22,8 +22,6 @@ Table empty_history(const LoadHistory& loads) {
       {"q", "mm", "distance rolled"},
       {"force", "N/mm", "total force F"},
       {"creepage", "1", "relative rigid slip w of the step"},
-      {"element_creepage", "1",
-       "its mean over the last element travelled, without the noise of shorter steps"},
       {"adhesion_elements", "1", "elements in adhesion"},
       {"slip_elements", "1", "elements in slip"},
       {"dissipation", "N/mm", "energy lost per mm rolled and mm width, with mean tractions"},
@@ -42,7 +40,6 @@ void add(Table& history, const TransientState& state, const TransientScene& scen
   std::vector<Cell> row{state.distance,
                         state.force,
                         state.creepage,
-                        state.element_creepage,
                         static_cast<double>(state.adhesion_elements),
                         static_cast<double>(state.slip_elements),
                         state.dissipation,
@@ -111,16 +108,6 @@ std::optional<std::string> doubt_of(const ShiftRecord& shifts, const Solver& acc
   return doubt ? std::optional("in the shifts, " + *doubt) : std::nullopt;
 }
 
-/// \param noise  of the creepage of single steps
-std::optional<std::string> doubt_of(double noise) {
-  constexpr double doubtful = 0.1;
-  if (noise <= doubtful) return std::nullopt;
-  return "creepage_noise is " + format_roughly(noise) +
-         ": the creepage of steps that are shorter than an element is not resolved; "
-         "element_creepage "
-         "and cumulative_creep are";
-}
-
 }  // namespace
 
 std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress) {
@@ -144,12 +131,10 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   double dissipated = 0;
   double before = start.distance;
   WorstOfSteps worst;
-  StepNoise noise(scene.problem.grid.spacing());
   rolling.roll_to(scene.distance, lengths, scene.loads, [&](const TransientState& state) {
     add(history, state, scene);
     cumulative_creep += state.creepage * (state.distance - before);
     dissipated += state.dissipation * (state.distance - before);
-    noise.include(state.distance - before, state.creepage);
     before = state.distance;
     worst.include(state);
     count();
@@ -163,7 +148,6 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   summary.add({"steps", static_cast<double>(steps), "1"});
   summary.add({"force", last.force, "N/mm"});
   summary.add({"creepage", last.creepage, "1"});
-  summary.add({"element_creepage", last.element_creepage, "1"});
   summary.add({"cumulative_creep", cumulative_creep, "mm"});
   summary.add({"force_ratio", full_sliding > 0 ? last.force / full_sliding : 0, "1"});
   summary.add({"full_sliding_force", full_sliding, "N/mm"});
@@ -176,15 +160,12 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
     summary.add({"shift_sum", shifts.distance, "mm"});
     summary.add({"shift_dissipated_energy", shifts.dissipation, "N"});
   }
-  const double step_noise = noise.relative();
-  const auto noise_doubt = doubt_of(step_noise);
-  summary.add({"creepage_noise", step_noise, "1"});
   summary.add({"method", name_of(scene.problem.scheme), "1"});
   add_evidence(summary, worst.evidence,
                {.condition = rolling.condition(),
                 .iterations = worst.iterations,
                 .accepted = scene.problem.solver,
-                .doubt = noise_doubt ? noise_doubt : shift_doubt});
+                .doubt = shift_doubt});
   std::vector<Table> tables{
       traction_table("transient rolling, values at the nodes at the end",
                      {rolling.x(), rolling.bound_at_nodes(), rolling.traction_at_nodes(), last.slip,

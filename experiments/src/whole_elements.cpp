@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/whole_elements.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "microslip/halfspace/influence.hpp"
-#include "microslip/rolling/material_window.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip::experiments {
@@ -20,6 +20,12 @@ constexpr double rounding = 1e-9;
 
 /// Elements that the longest step may just have left: the displacement before it feels them.
 constexpr Index kept = 2;
+
+/// Moves values on by some elements; new values are `entering`.
+template <class Vector, class Value>
+void move_on(Vector& values, Index elements, const Value& entering) {
+  std::fill(std::shift_left(values.begin(), values.end(), elements), values.end(), entering);
+}
 
 }  // namespace
 

@@ -13,7 +13,7 @@ material { shear_modulus 1
 contact { half_width 1 }
 kernel { type plane
   length 10 }
-grid { elements 2 }
+grid { elements 4 }
 load { creepage 0.4 }
 step { ratio 1 }
 motion { distance 1 }
@@ -23,7 +23,7 @@ motion { distance 1 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace microslip;
-  for (const char* scheme : {"direct", "material"}) {
+  for (const char* scheme : {"direct", "remembered"}) {
     for (const bool is_bound : {true, false}) {
       std::istringstream text(good);
       Scene scene = Scene::parse(text, "good");

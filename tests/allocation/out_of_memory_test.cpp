@@ -7,7 +7,7 @@ namespace microslip {
 namespace {
 
 Handle rolled(int elements) {
-  Handle handle = created({.grid = {elements, MICROSLIP_MATERIAL}});
+  Handle handle = created({.grid = {elements, MICROSLIP_REMEMBERED}});
   roll(handle, 3, 2.0 / elements);
   EXPECT_EQ(microslip_set_force(handle.get(), -1.2), MICROSLIP_OK);
   return handle;

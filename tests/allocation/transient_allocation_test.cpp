@@ -84,7 +84,6 @@ TEST_P(AllocationsOfAScheme, AreNoneInStepsThatRepeat) {
   }
 }
 
-// On a grid fixed to the material, nodes come and go in all of them but those of whole elements.
 INSTANTIATE_TEST_SUITE_P(Schemes, AllocationsOfAScheme,
                          testing::Values(Case{"direct", Direct{}, 1},
                                          Case{"direct, c = 0.7", Direct{}, 0.7},
@@ -92,11 +91,8 @@ INSTANTIATE_TEST_SUITE_P(Schemes, AllocationsOfAScheme,
                                          Case{"relaxed_traction", RelaxedTraction{1}, 0.3},
                                          Case{"remembered", Remembered{}, 1},
                                          Case{"remembered, c = 0.3", Remembered{}, 0.3},
-                                         Case{"remembered, c = 2.5", Remembered{}, 2.5},
-                                         Case{"material", MaterialFixed{}, 1},
-                                         Case{"material, c = 0.3", MaterialFixed{}, 0.3},
-                                         Case{"material, c = 0.1", MaterialFixed{}, 0.1},
-                                         Case{"material, c = 2.5", MaterialFixed{}, 2.5}));
+                                         Case{"remembered, c = 0.1", Remembered{}, 0.1},
+                                         Case{"remembered, c = 2.5", Remembered{}, 2.5}));
 
 }  // namespace
 }  // namespace microslip

@@ -8,7 +8,7 @@ double force_after_a_step_in_c99(void) {
   const struct microslip_material material = {1, 0.28};
   const struct microslip_contact contact = {1, 1, NULL, NULL, 0};
   const struct microslip_kernel kernel = {MICROSLIP_STRIP, 4};
-  const struct microslip_grid grid = {20, MICROSLIP_MATERIAL};
+  const struct microslip_grid grid = {20, MICROSLIP_REMEMBERED};
   microslip_rolling* rolling;
   struct microslip_state state = {0};
   if (microslip_create(&material, &contact, &kernel, &grid, &rolling, NULL, 0)) return 0;

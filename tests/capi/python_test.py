@@ -15,7 +15,7 @@ import microslip
 MATERIAL = microslip.Material(82000, 0.28)
 CONTACT = microslip.Contact(half_width=5, peak_traction=300)
 STRIP = microslip.Kernel(microslip.Kernel.STRIP, 10)
-GRID = microslip.Grid(20, microslip.Grid.MATERIAL)
+GRID = microslip.Grid(20, microslip.Grid.REMEMBERED)
 MAKE = "import microslip as m; m.Rolling(m.Material(1, 0.3), m.Contact(half_width=1, peak_traction=1)"
 
 

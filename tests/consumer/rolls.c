@@ -6,7 +6,7 @@ int main(void) {
   const struct microslip_material steel = {82000, 0.28};
   const struct microslip_contact contact = {5, 300, NULL, NULL, 0};
   const struct microslip_kernel strip = {MICROSLIP_STRIP, 10};
-  const struct microslip_grid grid = {100, MICROSLIP_MATERIAL};
+  const struct microslip_grid grid = {100, MICROSLIP_REMEMBERED};
   char message[256];
   microslip_rolling* rolling;
   if (microslip_create(&steel, &contact, &strip, &grid, &rolling, message, sizeof message)) {

@@ -9,7 +9,7 @@ int main() {
        .bound = microslip::HertzBound(5, 300),
        .grid = microslip::Grid({.half_width = 5, .elements = 100}),
        .basis = microslip::constant_basis(),
-       .scheme = microslip::MaterialFixed{}});
+       .scheme = microslip::Remembered{}});
   rolling.step(0.37, microslip::PrescribedCreepage{0.002});
   std::printf("%.17g\n", rolling.state().force);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The frequency response about states that slip on both sides of the stick zone, for plane strain
-// and strips, by boundary elements on the material's grid, which know nothing of stick zones.
+// and strips, by boundary elements, which know nothing of stick zones.
 #include "microslip/rolling/frequency_response.hpp"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ std::array<Complex, 2> by_elements(const Kernel& kernel, const TractionBound& bo
                             .bound = bound,
                             .grid = Grid({.half_width = 1, .elements = n}),
                             .basis = constant_basis(),
-                            .scheme = MaterialFixed{}});
+                            .scheme = Remembered{}});
   const double step = 2 / static_cast<double>(n);
   const long steps = std::lround(period / step);
   std::array<Complex, 2> slopes{};

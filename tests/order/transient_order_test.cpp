@@ -74,9 +74,8 @@ TEST(TransientOrder, CattaneoShiftIsOfOrderThreeHalves) {
 }
 
 /// |S(q)| at thirty equal distances up to 3.
-std::vector<double> cumulative_creeps(double n, double step_ratio, double carried = force,
-                                      const AdvectionScheme& scheme = MaterialFixed{}) {
-  TransientRolling rolling = rolling_on(static_cast<Eigen::Index>(n), scheme);
+std::vector<double> cumulative_creeps(double n, double step_ratio, double carried = force) {
+  TransientRolling rolling = rolling_on(static_cast<Eigen::Index>(n), Remembered{});
   rolling.start_from_shift({carried});
   std::vector<double> creeps;
   double creep = 0, before = 0;
@@ -92,28 +91,29 @@ std::vector<double> cumulative_creeps(double n, double step_ratio, double carrie
 }
 
 // Against known values to their four digits, and against a finer run to more. At each distance the
-// error depends on where the stick-slip point lies within its element, so the mean is fitted.
-TEST(TransientOrder, CumulativeCreepIsSecondOrderOnTheMaterialWhateverTheStep) {
-  const std::vector<double> fine = cumulative_creeps(640, 1);
+// error depends on where the stick-slip point lies within its element, so the mean is fitted. The
+// length of steps changes less than that error.
+TEST(TransientOrder, CumulativeCreepIsSecondOrderWhateverTheStep) {
+  const std::vector<double> fine = cumulative_creeps(1280, 1);
   constexpr std::array<std::size_t, 4> known = {4, 9, 19, 29};
   for (std::size_t k = 0; k < known.size(); ++k) {
     EXPECT_NEAR(fine[known[k]], cumulative_creep[k + 1], 6e-6);
   }
-  constexpr std::array<double, 5> coarse = {20, 40, 80, 160, 320};
+  constexpr std::array<double, 4> coarse = {80, 160, 320, 640};
   std::vector<double> errors;
   for (const double n : coarse) {
     const std::vector<double> creeps = cumulative_creeps(n, 1);
     double squares = 0;
     for (std::size_t k = 0; k < fine.size(); ++k) squares += std::pow(creeps[k] - fine[k], 2);
     errors.push_back(std::sqrt(squares / static_cast<double>(fine.size())));
-    if (n > 80) continue;
+    if (n > 160) continue;
     for (const double step_ratio : {0.3, 0.01, 2.5}) {
       const std::vector<double> same = cumulative_creeps(n, step_ratio);
-      for (std::size_t k = 0; k < fine.size(); ++k) EXPECT_NEAR(same[k], creeps[k], 1e-10);
+      for (std::size_t k = 0; k < fine.size(); ++k) EXPECT_NEAR(same[k], creeps[k], errors.back());
     }
   }
-  EXPECT_NEAR(fitted_order(coarse, errors), 1.85, 0.2);
-  EXPECT_LT(errors.back(), 3e-6);
+  EXPECT_NEAR(fitted_order(coarse, errors), 1.9, 0.2);
+  EXPECT_LT(errors[1], 1.5e-5);
 }
 
 // Where nearly everything sticks, relative to the creep: the slip zone is shorter than an element.
@@ -121,12 +121,9 @@ TEST(TransientOrder, CumulativeCreepIsRightForSmallLoads) {
   for (const double ratio : {1e-2, 1e-3, 1e-4, 1e-6}) {
     const double small = -ratio * std::numbers::pi / 2;
     const double fine = cumulative_creeps(640, 1, small).back();
-    EXPECT_NEAR(cumulative_creeps(40, 1, small).back() / fine, 1, 4e-3) << ratio;
-    EXPECT_NEAR(cumulative_creeps(160, 1, small).back() / fine, 1, 1e-3) << ratio;
-    EXPECT_NEAR(cumulative_creeps(40, 0.3, small).back() / fine, 1, 4e-3) << ratio;
     for (const double step_ratio : {1.0, 0.3}) {
       const auto creep = [&](double n) {
-        return cumulative_creeps(n, step_ratio, small, Remembered{}).back() / fine;
+        return cumulative_creeps(n, step_ratio, small).back() / fine;
       };
       EXPECT_NEAR(creep(40), 1, 1e-3) << ratio << ' ' << step_ratio;
       EXPECT_NEAR(creep(160), 1, 5e-4) << ratio << ' ' << step_ratio;
@@ -136,16 +133,13 @@ TEST(TransientOrder, CumulativeCreepIsRightForSmallLoads) {
 
 TEST(TransientOrder, CattaneoShiftIsSecondOrderOnElements) {
   const Cattaneo exact(material, HertzBound(1, 1), force);
-  for (const AdvectionScheme& scheme :
-       {AdvectionScheme(Remembered{}), AdvectionScheme(MaterialFixed{})}) {
-    std::vector<double> errors;
-    for (const double n : sizes) {
-      TransientRolling rolling = rolling_on(static_cast<Eigen::Index>(n), scheme);
-      errors.push_back(rolling.start_from_shift({force}) + exact.displacement(length));
-    }
-    EXPECT_NEAR(fitted_order(sizes, errors), 2.0, 0.1);
-    EXPECT_LT(std::abs(errors.back()), 4e-6);
+  std::vector<double> errors;
+  for (const double n : sizes) {
+    TransientRolling rolling = rolling_on(static_cast<Eigen::Index>(n), Remembered{});
+    errors.push_back(rolling.start_from_shift({force}) + exact.displacement(length));
   }
+  EXPECT_NEAR(fitted_order(sizes, errors), 2.0, 0.1);
+  EXPECT_LT(std::abs(errors.back()), 4e-6);
 }
 
 }  // namespace

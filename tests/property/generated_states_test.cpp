@@ -26,7 +26,6 @@ std::vector<double> numbers_of(const TransientState& state) {
                           state.scale.bound,
                           state.force,
                           state.creepage,
-                          state.element_creepage,
                           state.dissipation,
                           state.end_dissipation,
                           state.mean_force,

@@ -329,7 +329,7 @@ TEST_F(BadScenes, StartFiles) {
                         (folder_ / "start.tsv").string() + "' --set step.scheme=" + scheme,
                     "start.tsv': " + named);
   };
-  for (const char* scheme : {"material", "direct"}) {
+  for (const char* scheme : {"remembered", "direct"}) {
     rejected(scheme, "-0.5\t0\n", "x = -0.5: expected rows up to the edges: the node at 0.5");
     rejected(scheme, "-0.3\t0\n-0.2\t0\n", "x = -0.3: expected rows up to the edges");
     rejected(scheme, "-0.5\t0\n0.5\t1\n", "traction = 1: expected at most the bound, 0.866");

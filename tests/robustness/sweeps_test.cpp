@@ -218,7 +218,7 @@ TEST_F(Sweeps, CasesWithoutASolutionAreListedAndTheOthersGoOn) {
 
 TEST_F(Sweeps, TransientsAndListsOfNumbers) {
   const std::string scene =
-      good_transient + "sweep { step { ratio \"1 | 1 0.5\"\n scheme \"material direct\" } }";
+      good_transient + "sweep { step { ratio \"1 | 1 0.5\"\n scheme \"remembered direct\" } }";
   const Outcome outcome = sweep("--tables", scene);
   EXPECT_EQ(outcome.status, 0) << outcome.error;
   EXPECT_EQ(column(out() / "sweep.tsv", "step.ratio"),

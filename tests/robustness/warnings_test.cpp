@@ -59,19 +59,5 @@ TEST_F(Warnings, TellOfUnsafeValues) {
   EXPECT_EQ(run(good_transient, "--set step.ratio=0.01").error, "");
 }
 
-// Under a force, elements begin to slip one by one, each in one of the short steps.
-TEST_F(Warnings, TellOfCreepagesThatShortStepsDoNotResolve) {
-  const std::string short_steps =
-      "--set step.scheme=material --set grid.elements=200 --set step.ratio=0.1 --set "
-      "motion.distance=2.5 --set load.force=";
-  const Outcome noisy = run(good_transient, short_steps + "-0.0157");
-  EXPECT_EQ(noisy.status, 0);
-  EXPECT_TRUE(noisy.error.starts_with("microslip: warning: creepage_noise is 0.2")) << noisy.error;
-  EXPECT_NE(noisy.error.find("not resolved; element_creepage and cumulative_creep are"),
-            std::string::npos)
-      << noisy.error;
-  EXPECT_EQ(run(good_transient, short_steps + "-1").error, "");
-}
-
 }  // namespace
 }  // namespace microslip

@@ -17,7 +17,7 @@ const std::vector<Table>& tables() {
                              .bound = HertzBound(1, 1),
                              .grid = Grid({.half_width = 1, .elements = 60}),
                              .basis = constant_basis(),
-                             .scheme = MaterialFixed{}},
+                             .scheme = Remembered{}},
                  .cylinder = {.mass = 1, .inertia = 5000, .radius = 100, .slope_force = 0.3},
                  .integrator = Integrator::midpoint,
                  .step_ratio = 1,
@@ -33,25 +33,25 @@ const std::vector<Table>& tables() {
   return all;
 }
 
-double order_of(const std::string& frame, const std::string& integrator,
+double order_of(const std::string& scheme, const std::string& integrator,
                 const std::string& quantity) {
   return table_named(tables(), "orders")
-      .latest({{"frame", frame}, {"integrator", integrator}, {"quantity", quantity}}, "order");
+      .latest({{"scheme", scheme}, {"integrator", integrator}, {"quantity", quantity}}, "order");
 }
 
-TEST(EnergyBalanceStudy, EndOfStepBalanceIsFirstOrderForAllIntegratorsAndFrames) {
-  for (const char* frame : {"contact", "world"}) {
+TEST(EnergyBalanceStudy, EndOfStepBalanceIsFirstOrderForAllIntegratorsAndSchemes) {
+  for (const char* scheme : {"direct", "remembered"}) {
     for (const char* integrator : {"verlet", "leapfrog", "midpoint"}) {
-      EXPECT_NEAR(order_of(frame, integrator, "energy"), 0.8, 0.3) << frame << ' ' << integrator;
+      EXPECT_NEAR(order_of(scheme, integrator, "energy"), 0.8, 0.3) << scheme << ' ' << integrator;
     }
   }
-  EXPECT_NEAR(order_of("world", "verlet", "mean energy"), 2, 0.2);
+  EXPECT_NEAR(order_of("remembered", "verlet", "mean energy"), 2, 0.2);
 }
 
 TEST(EnergyBalanceStudy, MidpointBalancesToRoundingAtAnySize) {
   const Table& errors = table_named(tables(), "energy_error");
   for (std::size_t i = 0; i < errors.rows(); ++i) {
-    const bool exact = std::get<std::string>(errors.at(i, "frame")) == "world" &&
+    const bool exact = std::get<std::string>(errors.at(i, "scheme")) == "remembered" &&
                        std::get<std::string>(errors.at(i, "integrator")) == "midpoint";
     if (exact) {
       EXPECT_LT(errors.number(i, "mean_error"), 1e-13);
@@ -63,15 +63,15 @@ TEST(EnergyBalanceStudy, MidpointBalancesToRoundingAtAnySize) {
 // Of the direct scheme the contact is of first order, which shows in shorter steps or on finer
 // grids (tests/order/motion_order_test.cpp).
 TEST(EnergyBalanceStudy, MotionIsSecondOrderForAllIntegrators) {
-  for (const char* frame : {"remembered", "world"}) {
+  for (const char* scheme : {"remembered", "remembered"}) {
     for (const char* integrator : {"verlet", "leapfrog", "midpoint"}) {
       for (const char* quantity : {"position", "velocity", "rotation"}) {
-        EXPECT_NEAR(order_of(frame, integrator, quantity), 2, 0.15)
-            << frame << ' ' << integrator << ' ' << quantity;
+        EXPECT_NEAR(order_of(scheme, integrator, quantity), 2, 0.15)
+            << scheme << ' ' << integrator << ' ' << quantity;
       }
     }
   }
-  EXPECT_LT(order_of("contact", "verlet", "velocity"), 1.85);
+  EXPECT_LT(order_of("direct", "verlet", "velocity"), 1.85);
 }
 
 // The error is that of the tolerance within a factor of three, and equal steps, of which it falls

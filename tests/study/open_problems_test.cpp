@@ -80,21 +80,22 @@ TEST(OpenProblemsStudy, SteadyRollingHasNoStep) {
 }
 
 // 50 elements rolled on 100 elements.
-TEST(OpenProblemsStudy, MaterialStepsOfAnyLengthGiveTheSame) {
+TEST(OpenProblemsStudy, RememberedStepsOfAnyLengthGiveTheSame) {
   const Table& steps = table_named(tables(), "steps");
   const auto value = [&](const char* scheme, double c, const char* column) {
     return steps.latest({{"scheme", scheme}, {"step_ratio", c}}, column);
   };
   for (const double c : {2.5, 0.9, 0.75, 0.5, 0.31, 0.1, 0.01}) {
-    EXPECT_LT(value("material", c, "from_unit_step"), 1e-3) << c;
-    EXPECT_LE(value("material", c, "turning_points"), value("material", 1, "turning_points")) << c;
-    EXPECT_LE(value("material", c, "total_variation"),
-              value("material", 1, "total_variation") + 1e-9)
+    EXPECT_LT(value("remembered", c, "from_unit_step"), 1e-3) << c;
+    EXPECT_LE(value("remembered", c, "turning_points"), value("remembered", 1, "turning_points"))
+        << c;
+    EXPECT_LE(value("remembered", c, "total_variation"),
+              value("remembered", 1, "total_variation") + 1e-9)
         << c;
   }
   for (const double c : {0.9, 0.75, 0.31, 0.1, 0.01}) {
-    EXPECT_GT(value("direct", c, "error"), 3 * value("material", c, "error")) << c;
-    EXPECT_LT(value("relaxed", c, "peak"), value("material", c, "peak")) << c;
+    EXPECT_GT(value("direct", c, "error"), 3 * value("remembered", c, "error")) << c;
+    EXPECT_LT(value("relaxed", c, "peak"), value("remembered", c, "peak")) << c;
   }
 }
 

@@ -211,7 +211,7 @@ TEST(SpeedAccuracyStudy, Orders) {
   EXPECT_GT(order_of("plane", "collocation", "calibrated", NAN, "force_error"), 1.7);
   EXPECT_GT(order_of("strip", "collocation", "calibrated", NAN, "force_error"), 1.7);
   // Of three coarse grids, the limit of work; of finer ones: order/transient_order_test.cpp.
-  EXPECT_GT(order_of("transient", "material", "calibrated", 1, "creep_error"), 1.8);
+  EXPECT_GT(order_of("transient", "remembered", "calibrated", 1, "creep_error"), 1.7);
   EXPECT_NEAR(order_of("transient", "direct", "standard", 1, "creep_error"), 1.1, 0.25);
 }
 

@@ -63,7 +63,7 @@ TEST(Cost, OfTransientsIsForeseenWithinAFactorOfThree) {
   for (const int n : {101, 401, 801}) {
     for (const std::string c : {"1", "0.2"}) {
       const std::string scene = transient + "step { ratio " + c + "\n scheme ";
-      expect_foreseen(scene + "material }", n);
+      expect_foreseen(scene + "remembered }", n);
       expect_foreseen(scene + "direct }", n);
       if (n < 500) expect_foreseen(scene + "direct }\nsolver { type dense }", n);
       if (n < 500) expect_foreseen(scene + "fractional }", n);
@@ -71,9 +71,9 @@ TEST(Cost, OfTransientsIsForeseenWithinAFactorOfThree) {
   }
 }
 
-// On elements a long step is solved in parts.
+// By remembered a long step is solved in parts.
 TEST(Cost, OfLongStepsIsForeseenWithinAFactorOfThree) {
-  for (const std::string scheme : {"remembered", "material", "direct"}) {
+  for (const std::string scheme : {"remembered", "direct"}) {
     for (const int n : {101, 401}) {
       expect_foreseen(
           "problem transient\nload { creepage 0.3 }\nmotion { distance 8 }\n"
@@ -112,7 +112,7 @@ TEST(Cost, OfContactsThatChangeIsForeseenWithinAFactorOfThree) {
 TEST(Cost, OfShiftsIsForeseenWithinAFactorOfEight) {
   for (const std::string forces : {"1.4 -1.4 1.4", "0.7 -0.7 0.7 -0.7", "0.2 -0.2 0.2 -0.2"}) {
     for (const int n : {101, 201, 401}) {
-      for (const std::string scheme : {"remembered", "material", "direct"}) {
+      for (const std::string scheme : {"remembered", "direct"}) {
         expect_foreseen(
             "problem transient\nload { force -1 }\nmotion { distance 0.01 }\n"
             "start { type cattaneo\n force \"" +

@@ -77,8 +77,8 @@ TEST(SavedState, ThatIsDamagedIsRefused) {
 }
 
 TEST(SavedState, OfAnotherVersionIsRefused) {
-  const std::string other = replaced(rolled(3).save(), "microslip state 2", "microslip state 1");
-  EXPECT_EQ(refusal(sealed(other)), "version = '1': expected 2, that of this program's states");
+  const std::string other = replaced(rolled(3).save(), "microslip state 3", "microslip state 1");
+  EXPECT_EQ(refusal(sealed(other)), "version = '1': expected 3, that of this program's states");
 }
 
 TEST(SavedState, OfAnotherProblemIsRefused) {

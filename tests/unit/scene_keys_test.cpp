@@ -52,7 +52,7 @@ const std::map<std::string, Settings> scenes = {
     {"standard", with(steady, {"leading_edge=standard"})},
     {"known_edge", with(steady, {"leading_edge=known_edge"})},
     {"trimmed", with(steady, {"leading_edge=trimmed", "basis=linear"})},
-    {"material", transient},
+    {"remembered", transient},
     {"direct", with(transient, {"step.scheme=direct"})},
     {"relaxed", with(transient, {"step.scheme=relaxed"})},
     {"relaxed_traction", with(transient, {"step.scheme=relaxed_traction"})},
@@ -111,7 +111,7 @@ const std::string steady_scenes = by_elements + "chebyshev ";
 const std::string with_target = steady_scenes + "target_error ";
 const std::string differences = "standard known_edge trimmed ";
 const std::string transients =
-    "material direct relaxed relaxed_traction fractional rest file state creepage run ";
+    "remembered direct relaxed relaxed_traction fractional rest file state creepage run ";
 const std::string cylinders = "cylinder cylinder_relaxed ";
 const std::string strips =
     "calibrated polynomial table youngs hertz force_ratio chebyshev target_error standard "
@@ -150,12 +150,12 @@ const std::vector<Role> roles = {
     {"load.file", "run", transients},
     {"load.radius", "460", "run"},
     {"start.type", "rest", transients},
-    {"start.force", "-1", "material direct relaxed relaxed_traction fractional creepage"},
-    {"start.shift", "0.1", "material direct relaxed relaxed_traction fractional creepage"},
+    {"start.force", "-1", "remembered direct relaxed relaxed_traction fractional creepage"},
+    {"start.shift", "0.1", "remembered direct relaxed relaxed_traction fractional creepage"},
     {"start.file", "traction", "file"},
     {"start.state", "state", "state"},
     {"step.ratio", "1", differences + transients + cylinders},
-    {"step.scheme", "material", transients + cylinders},
+    {"step.scheme", "relaxed_traction", transients + cylinders},
     {"step.relaxation", "1", "relaxed relaxed_traction cylinder_relaxed"},
     {"cylinder.mass", "1", cylinders},
     {"cylinder.inertia", "5e3", cylinders},

@@ -15,7 +15,7 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double half_width = 5;
-constexpr const char* schemes[] = {"material", "direct", "relaxed", "fractional"};
+constexpr const char* schemes[] = {"remembered", "direct", "relaxed", "fractional"};
 
 TransientScene scene_from(const std::string& scheme, const std::string& rows) {
   Scene scene = scene_of(R"(

@@ -135,13 +135,10 @@ TEST(StepJacobian, OfAForceIsTheInverseOfThatOfACreepage) {
 
 TEST(StepJacobian, IsThatOfOneScheme) {
   StepJacobian jacobian;
-  for (const AdvectionScheme& scheme :
-       {AdvectionScheme(MaterialFixed{}), AdvectionScheme(Direct{})}) {
-    TransientProblem p = problem(20);
-    p.scheme = scheme;
-    TransientRolling rolling(p);
-    EXPECT_THROW(rolling.attempt(0.1, PrescribedCreepage{0.1}, jacobian), std::invalid_argument);
-  }
+  TransientProblem p = problem(20);
+  p.scheme = Direct{};
+  TransientRolling rolling(p);
+  EXPECT_THROW(rolling.attempt(0.1, PrescribedCreepage{0.1}, jacobian), std::invalid_argument);
 }
 
 // The step that was tried is there; another one, or another start, is solved.

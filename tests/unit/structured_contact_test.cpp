@@ -118,7 +118,7 @@ class StructuredTransient : public testing::TestWithParam<std::string> {
  protected:
   static AdvectionScheme scheme() {
     const std::string name = GetParam();
-    if (name == "material") return MaterialFixed{};
+    if (name == "remembered") return Remembered{};
     if (name == "direct") return Direct{};
     if (name == "relaxed") return Relaxed{1};
     return Fractional{};
@@ -153,7 +153,7 @@ TEST_P(StructuredTransient, IsTheDenseSolutionWithSeveralStickZonesToo) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Schemes, StructuredTransient,
-                         testing::Values("material", "direct", "relaxed", "fractional"));
+                         testing::Values("remembered", "direct", "relaxed", "fractional"));
 
 // For c -> 0 and an odd number of elements in adhesion the matrix is next to singular, and GMRES
 // fails; left the choice, LU is taken.

@@ -76,8 +76,7 @@ void roll_to_and_fro(TransientRolling& rolling, int steps) {
 TEST(Transient, ACopyGoesOnAlikeAndByItself) {
   for (const AdvectionScheme scheme :
        {AdvectionScheme(Direct{}), AdvectionScheme(Relaxed{1}), AdvectionScheme(RelaxedTraction{1}),
-        AdvectionScheme(Fractional{}), AdvectionScheme(MaterialFixed{}),
-        AdvectionScheme(Remembered{})}) {
+        AdvectionScheme(Fractional{}), AdvectionScheme(Remembered{})}) {
     for (const Eigen::Index n : {49, 121}) {
       TransientRolling rolling(problem(scheme, n));
       roll_to_and_fro(rolling, 10);

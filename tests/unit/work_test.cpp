@@ -82,7 +82,7 @@ double work_of_steps(double step_ratio) {
                             .bound = HertzBound(1, 1),
                             .grid = Grid({.half_width = 1, .elements = n}),
                             .basis = constant_basis(),
-                            .scheme = MaterialFixed{}},
+                            .scheme = Remembered{}},
                            CattaneoShift{-0.7});
   const WorkCount count;
   for (int k = 0; k < 200; ++k) rolling.step(step_ratio * dx, PrescribedForce{-0.7});

@@ -18,8 +18,8 @@ class Archive;
 ///
 /// The factors follow the partition. The factors of an earlier adhesion area, the base, stay.
 /// Elements that came or left since then border them, and only the Schur complement of the border
-/// is new. Elements that have gone back keep their place in the border, because on a grid fixed to
-/// the material the same elements come and go with every element travelled. New factors, LU or
+/// is new. Elements that have gone back keep their place in the border, because the
+/// same elements come and go with every element travelled. New factors, LU or
 /// ToeplitzBlock, are made after some exchanges, when the border is badly conditioned, and when one
 /// of its elements has served long enough. Compliant elements are in the border, where their
 /// entries on the diagonal may change from solve to solve.

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "microslip/halfspace/influence.hpp"
-#include "microslip/rolling/material_window.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip {
+
+/// A part of an element that is smaller than this is none: distances are sums.
+constexpr double part_rounding = 1e-9;
 
 /// The way that a contact has rolled over the elements of its material.
 struct ElementTravel {
@@ -48,8 +50,8 @@ double for_each_part(const ElementTravel& start, double length, double spacing, 
   const double end = start.distance + added;
   double from = start.distance;
   double rest = length;
-  for (double next = start.entered + 1;
-       (end - start.origin) / spacing - next > MaterialWindow::rounding; ++next) {
+  for (double next = start.entered + 1; (end - start.origin) / spacing - next > part_rounding;
+       ++next) {
     const double to = start.origin + next * spacing;
     rest -= to - from;
     part(to - from, to, rest);

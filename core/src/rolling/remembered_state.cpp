@@ -21,9 +21,6 @@ constexpr Index kept_behind = 3;
 /// Nodes in adhesion so near to its leading end may slip in the mean over partitions.
 constexpr Index averaged = 2;
 
-/// A part of an element below this is none.
-constexpr double rounding = MaterialWindow::rounding;
-
 /// Nodes of a contact among those of another one.
 /// \param travelled  by the contact's centre, in elements of the other contact
 /// \param ratio      of half-widths, now over then
@@ -63,7 +60,7 @@ PartEnd RememberedState::end_of_part(const ReferenceNodes& nodes, double length,
   PartEnd part{
       .distance = end, .scale = scale_at_end, .on_points = {}, .on_nodes = {}, .is_whole = false};
   if (width == counted_by && width == scale.half_width) {
-    part.is_whole = now >= 1 - rounding;
+    part.is_whole = now >= 1 - part_rounding;
     part.on_points.first = part.is_whole ? 1 : now;
     part.on_nodes.first = std::min(1.0, part.on_points.first - std::max(0.0, phase(element)));
     return part;
@@ -73,7 +70,7 @@ PartEnd RememberedState::end_of_part(const ReferenceNodes& nodes, double length,
       shift_of(nodes, length / (nodes.spacing * scale.half_width), width / scale.half_width);
   const double travelled =
       std::max(std::abs(part.on_points.first), std::abs(part.on_points.of(nodes.size)));
-  part.is_whole = travelled >= 1 - rounding;
+  part.is_whole = travelled >= 1 - part_rounding;
   return part;
 }
 
@@ -291,7 +288,7 @@ NextPart next_part(const RememberedState& state, const ReferenceNodes& nodes, do
     const double end = fraction + std::max(0.0, left / change) * (1 - fraction);
     next = {.end = std::min(next.end, end), .is_whole = true};
   }
-  if (next.end > 1 - rounding) next.end = 1;
+  if (next.end > 1 - part_rounding) next.end = 1;
   return next;
 }
 

@@ -6,7 +6,6 @@
 #include <variant>
 
 #include "contact_grid.hpp"
-#include "material_grid.hpp"
 #include "microslip/support/require.hpp"
 #include "remembered_grid.hpp"
 
@@ -24,7 +23,6 @@ void RollingGrid::fill_state(double distance, const ContactState& contact, doubl
   state.zones = contact.zones;
   state.force = weights_.dot(contact.traction);
   state.creepage = contact.creepage / length;
-  state.element_creepage = state.creepage;
   state.end_dissipation = -weights_.cwiseProduct(state.traction).dot(state.slip);
   state.dissipation = state.end_dissipation;
   state.mean_force = state.force;
@@ -65,7 +63,6 @@ Shift RollingGrid::fill_shift(double distance, const VectorXd& before, const Con
   fill_state(distance, contact, 1, bound, mean_bound, state);
   state.slip.setZero();
   state.creepage = 0;
-  state.element_creepage = 0;
   state.dissipation = 0;
   state.end_dissipation = 0;
   const VectorXd mean_force = weights_.cwiseProduct(before + contact.traction) / 2;
@@ -103,14 +100,11 @@ std::vector<Zone> zones_at(const VectorXd& traction, const VectorXd& bound) {
 }
 
 std::unique_ptr<RollingGrid> rolling_grid(const TransientProblem& problem) {
-  const bool fixed = std::holds_alternative<MaterialFixed>(problem.scheme);
   const bool remembered = std::holds_alternative<Remembered>(problem.scheme);
-  if (!fixed && !remembered) return std::make_unique<ContactGrid>(problem);
+  if (!remembered) return std::make_unique<ContactGrid>(problem);
   if (problem.basis.name() != "constant") {
-    reject("basis", problem.basis.name(),
-           "constant where the material carries the grid or remembers its displacement");
+    reject("basis", problem.basis.name(), "constant where the material remembers its displacement");
   }
-  if (fixed) return std::make_unique<MaterialGrid>(problem);
   return std::make_unique<RememberedGrid>(problem);
 }
 

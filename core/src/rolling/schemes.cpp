@@ -92,12 +92,6 @@ constexpr std::array advection{
                    .order = 2,
                    .safe_steps = anywhere,
                    .scheme = [](double) -> AdvectionScheme { return Remembered{}; }},
-    AdvectionEntry{.name = "material",
-                   .text = "grid fixed to the material: second order in dx, for any step",
-                   .limits = "constant functions",
-                   .order = 2,
-                   .safe_steps = anywhere,
-                   .scheme = [](double) -> AdvectionScheme { return MaterialFixed{}; }},
     AdvectionEntry{.name = "direct",
                    .text = "displacements at the nodes moved by c dx: first order, wiggles for c "
                            "<< 1 and smoothed peaks unless c is whole",
@@ -193,9 +187,8 @@ const AdvectionEntry& entry_of(const AdvectionScheme& scheme) {
 
 std::string name_of(const AdvectionScheme& scheme) { return std::string(entry_of(scheme).name); }
 
-double least_step_under_force(const AdvectionScheme& scheme, Eigen::Index elements) {
-  const auto n = static_cast<double>(elements);
-  return std::holds_alternative<MaterialFixed>(scheme) ? std::max(1e-12 * n, 1e-9) : 1e-13 * n;
+double least_step_under_force(Eigen::Index elements) {
+  return 1e-13 * static_cast<double>(elements);
 }
 
 }  // namespace microslip

@@ -125,7 +125,7 @@ void require_within_bound(const VectorXd& x, const VectorXd& bound, const Vector
 
 TransientRolling::TransientRolling(const TransientProblem& problem, const Start& start,
                                    const ContactScale& contact)
-    : problem_(problem), creep_(problem.grid.spacing()) {
+    : problem_(problem) {
   require_definite(problem);
   grid_ = rolling_grid(problem);
   if (const auto* saved = std::get_if<SavedState>(&start)) {
@@ -146,8 +146,7 @@ TransientRolling::TransientRolling(const TransientRolling& other)
       grid_(other.grid_->clone()),
       state_(other.state_),
       next_(other.next_),
-      solved_(other.solved_),
-      creep_(other.creep_) {}
+      solved_(other.solved_) {}
 
 TransientRolling& TransientRolling::operator=(const TransientRolling& other) {
   return *this = TransientRolling(other);
@@ -182,7 +181,6 @@ void TransientRolling::start_from(const VectorXd& traction) {
   require_within_bound(nodes, bound_at(problem_.bound, nodes), traction);
   solved_.reset();
   grid_->start_from(traction, state_);
-  creep_.start();
 }
 
 double TransientRolling::start_from_shift(const PrescribedForce& force) {
@@ -210,7 +208,6 @@ Shift TransientRolling::shift(const ShiftLoad& load) {
   solved_.reset();
   Shift result = grid_->solve_shift(state_, whole, next_);
   std::swap(state_, next_);
-  creep_.start();
   grid_->accept_step();
   return result;
 }
@@ -224,7 +221,6 @@ void TransientRolling::set_contact(const ContactScale& scale) {
 void TransientRolling::solve_step(double length, const Load& load, StepJacobian* jacobian) {
   solved_.reset();
   grid_->solve_step(state_, length, load, next_, jacobian);
-  next_.element_creepage = creep_.mean_with(length, next_.creepage);
   solved_ = {length, load};
 }
 
@@ -248,7 +244,6 @@ void TransientRolling::step(double length, const Load& load) {
   if (!is_solved(length, load)) solve_step(length, load, nullptr);
   solved_.reset();
   std::swap(state_, next_);
-  creep_.include(length, state_.creepage);
   grid_->accept_step();
 }
 

@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr std::string_view mark = "microslip state ";
-constexpr std::string_view version = "2";
+constexpr std::string_view version = "3";
 constexpr std::string_view sum_mark = "checksum ";
 
 /// First line, members, and a last line with their checksum.
@@ -104,7 +104,6 @@ void archive_state(Archive& archive, TransientState& state, Index size) {
   archive_zones(archive, "zones", state.zones, size);
   archive.number("force", state.force);
   archive.number("creepage", state.creepage);
-  archive.number("element_creepage", state.element_creepage);
   archive.number("dissipation", state.dissipation);
   archive.number("end_dissipation", state.end_dissipation);
   archive.number("mean_force", state.mean_force);
@@ -134,7 +133,6 @@ void TransientRolling::archive(Archive& archive) {
   archive.flag("step_is_tried", is_attempt);
   grid_->archive(archive, is_attempt);
   archive_state(archive, state_, n);
-  creep_.archive(archive);
   if (!is_attempt) return;
   if (archive.reads()) solved_.emplace(0, PrescribedCreepage{0});
   archive_step(archive, *solved_);

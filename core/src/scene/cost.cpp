@@ -124,11 +124,9 @@ struct WorkOf {
     return steps_needed(scene) * rounds * solves_of_step(scene.contact.scheme, scene.step_ratio) *
            of_step(scene.contact, is_whole(scene.step_ratio));
   }
-  /// On elements, a step is solved in parts that end where an element has been travelled.
+  /// What material remembers is solved in parts that end where an element has been travelled.
   static double solves_of_step(const AdvectionScheme& scheme, double elements) {
-    const bool in_parts =
-        std::holds_alternative<MaterialFixed>(scheme) || std::holds_alternative<Remembered>(scheme);
-    return in_parts ? std::max(1.0, elements) : 1;
+    return std::holds_alternative<Remembered>(scheme) ? std::max(1.0, elements) : 1;
   }
   /// Of the half-width: in plane strain one more solve, on a strip a new response.
   static double of_change(const TransientProblem& problem) {

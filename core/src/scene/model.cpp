@@ -57,7 +57,7 @@ AdvectionScheme read_scheme(Scene& scene) {
 }
 
 void warn_of_noise(Scene& scene, const TransientProblem& problem, double step_ratio) {
-  const double least = least_step_under_force(problem.scheme, problem.grid.size());
+  const double least = least_step_under_force(problem.grid.size());
   if (step_ratio >= least) return;
   scene.warn("step.ratio", step_ratio,
              "under a force, rounding is more than 1 % of the creepage below step.ratio = " +

@@ -28,7 +28,7 @@ enum class Integrator {
   verlet,    ///< velocity Verlet with predicted velocities, Groot and Warren's lambda = 1/2
   leapfrog,  ///< velocities half a step ahead of positions, with varying steps
   /// Mean velocities move the contact, the mean of the forces before and after the step moves the
-  /// body: implicit, and the balance of energy is exact on a grid fixed to the material.
+  /// body: implicit, and the balance of energy is exact with Remembered.
   midpoint
 };
 
@@ -38,7 +38,7 @@ struct EnergyLedger {
   double translation = 0;     ///< of m v^2/2
   double rotation = 0;        ///< of I omega^2/2
   double elastic = 0;         ///< half the integral of p u
-  double dissipated = 0;      ///< with (p + p')/2 at each material point
+  double dissipated = 0;      ///< TransientState::dissipation
   double end_dissipated = 0;  ///< thesis (9.11), with tractions at the end of each step
 
   /// The sum with the first or the second kind of dissipation; constant in theory.
@@ -69,8 +69,7 @@ void require_tolerance(double tolerance);
 /// and all of the other. It is in proportion to dx: otherwise the motion would be of lower order.
 ///
 /// Order of accuracy: second in dx for v, omega and X where c dx is below a/8, with any integrator
-/// and c. That holds with Remembered; MaterialFixed adds noise of its stick-slip points. Direct is
-/// of first order, as its contact is; with c = 1 the error of time is the larger one up to N = 100
+/// and c. That holds with Remembered. Direct is of first order, as its contact is; with c = 1 the error of time is the larger one up to N = 100
 /// or so (tests/order/motion_order_test.cpp, tests/study/energy_balance_test.cpp). Cost: that of a
 /// transient step, midpoint about three.
 class RollingCylinder {

@@ -35,18 +35,12 @@ struct RelaxedTraction {
 /// A' = A (A^-1 A'(1))^c: thesis (8.4). For equal functions on an odd number of nodes.
 struct Fractional {};
 
-/// A' = A on a grid that is fixed to the material: u' needs no interpolation, and the results do
-/// not depend on c. docs/theory.md describes its edges. For constant functions that fill the
-/// contact.
-struct MaterialFixed {};
-
-/// u' is the displacement that the material remembers since it entered the contact, on a grid that
-/// stands in the contact. The results do not depend on c, and the stick-slip point lies anywhere
-/// within an element. docs/theory.md. For constant functions.
+/// u' is the displacement that the material remembers since it entered the contact. The results do
+/// not depend on c, and the stick-slip point lies anywhere within an element. docs/theory.md. For
+/// constant functions that fill the contact.
 struct Remembered {};
 
-using AdvectionScheme =
-    std::variant<Direct, Relaxed, RelaxedTraction, Fractional, MaterialFixed, Remembered>;
+using AdvectionScheme = std::variant<Direct, Relaxed, RelaxedTraction, Fractional, Remembered>;
 
 /// Makes the offsets of a step's slip conditions from the previous tractions, by a scheme.
 class Advection {

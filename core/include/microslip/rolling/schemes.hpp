@@ -94,9 +94,7 @@ std::string name_of(const AdvectionScheme& scheme);
 
 /// The least c of a transient under a force of at least 5 % of full sliding for which rounding is
 /// below 1 % of the creepage. The creepage is a shift over the length of a step, and the shift has
-/// the rounding of the displacements. On a grid that is fixed to the material, displacements
-/// include those of the bound, and nodes enter to 1e-9 of an element.
-/// tests/unit/small_steps_test.cpp  [1]
-double least_step_under_force(const AdvectionScheme& scheme, Eigen::Index elements);
+/// the rounding of the displacements. tests/unit/small_steps_test.cpp  [1]
+double least_step_under_force(Eigen::Index elements);
 
 }  // namespace microslip

@@ -24,9 +24,7 @@ struct Shift {
 
   // Energies per mm width, on the way of a force that rises or falls steadily: where bodies slip,
   // they do so at the bound, -p s, from when it is reached. So a shift in parts has the same sum:
-  // to rounding with Direct; with Remembered and MaterialFixed to 6e-3 of the work at N = 41. On a
-  // grid fixed to the material the springs of its edges are counted as dissipation, and give back
-  // in a cycle what they took.
+  // to rounding with Direct; with Remembered to 6e-3 of the work at N = 41.
   // tests/unit/shift_test.cpp
   double dissipation = 0;  ///< [N]
   double work = 0;  ///< of the force, -integral of F d(shift): dissipation plus the change of

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "microslip/rolling/load_history.hpp"
-#include "microslip/rolling/recent_creep.hpp"
 #include "microslip/rolling/shift.hpp"
 #include "microslip/rolling/step_jacobian.hpp"
 #include "microslip/rolling/transient_problem.hpp"
@@ -26,12 +25,11 @@ class RollingGrid;
 ///
 /// Cost: two products and one solve for a step whose stick/slip partition is that of the step
 /// before; otherwise see ActiveSet. Except for the fractional scheme, a step allocates nothing once
-/// steps of its length have been made, on a grid fixed to the material from the same places within
-/// an element.
+/// steps of its length have been made, with Remembered from the same places within an element.
 /// Memory: N^2 numbers three to four times where matrices are dense.
 /// Accuracy: the cumulative creep of a Cattaneo shift that turns to Carter's solution is of second
-/// order in dx on a grid fixed to the material, whatever the steps; else of first order, as in
-/// steady rolling, because of the leading edge. tests/order/transient_order_test.cpp
+/// order in dx with Remembered, whatever the steps; else of first order, as in steady rolling,
+/// because of the leading edge. tests/order/transient_order_test.cpp
 ///
 /// A copy goes on like the original, to the bit, and independently of it: in another thread, too.
 /// After a step that throws the state is what it was, and later ones differ by rounding at most
@@ -51,16 +49,14 @@ class TransientRolling {
   TransientRolling& operator=(TransientRolling&& other) noexcept;
   ~TransientRolling();
 
-  // Nodes, and values at them, now. On a grid fixed to the material there are some besides behind
-  // and before the contact, where the bound is zero, and all have other positions after each step.
+  // Nodes, and values at them, now.
   const Eigen::VectorXd& x() const;      ///< in the contact's frame  [mm]
   const Eigen::VectorXd& bound() const;  ///< [N/mm^2]
   const TransientState& state() const { return state_; }
 
-  // Tractions and bound as values at the nodes. On a grid that moves with the contact they are
-  // those above. On one fixed to the material those above are means over elements and, next to the
-  // leading edge, coefficients that make up for the square root there.
-  Eigen::VectorXd traction_at_nodes() const;  ///< zero outside the contact  [N/mm^2]
+  // Tractions and bound as values at the nodes. With Remembered those above are means over elements
+  // and, next to the leading edge, coefficients that make up for the square root there.
+  Eigen::VectorXd traction_at_nodes() const;  ///< [N/mm^2]
   Eigen::VectorXd bound_at_nodes() const;     ///< [N/mm^2]
 
   /// A p, the displacement at the nodes  [mm]. N^2 operations.
@@ -72,8 +68,8 @@ class TransientRolling {
   /// Estimate of the condition number of the equations of the last step, see ActiveSet::condition.
   double condition();
 
-  /// Makes these the tractions, with nothing rolled. On a grid fixed to the material their ratio to
-  /// the bound is interpolated.
+  /// Makes these the tractions, with nothing rolled. With Remembered their ratio to the bound is
+  /// interpolated.
   /// \param traction  at the nodes of the problem's grid
   /// \throws as require_within_bound
   void start_from(const Eigen::VectorXd& traction);
@@ -97,16 +93,13 @@ class TransientRolling {
   /// Shifts the bodies without rolling, from the tractions now. The state has them afterwards with
   /// the same distance; its slip, creepages and dissipation are 0, as those are about rolling, and
   /// the energies of its evidence are those of the shift  [N].
-  /// On a grid fixed to the material both edges are held by springs if both stick. A shift after
-  /// which one of them no longer does so, or does so again, changes the tractions of some elements
-  /// next to it by about the traction there, however short it is; one of no length changes nothing.
   /// Cost: as two steps. After a shift that throws the state is what it was, as after a step.
   /// \throws std::invalid_argument for a shift that is not finite, and as ActiveSet::solve
   Shift shift(const ShiftLoad& load);
 
   /// Rolls on.
-  /// \param length  dq; dq/dx in the range of Advection::advect, or >= min_step_ratio on a grid
-  ///                fixed to the material  [mm]
+  /// \param length  dq; dq/dx in the range of Advection::advect, or >= min_step_ratio with
+  ///                Remembered  [mm]
   /// \throws std::invalid_argument outside the range, and as ActiveSet::solve
   void step(double length, const Load& load);
 
@@ -161,7 +154,6 @@ class TransientRolling {
   TransientState state_{};
   TransientState next_{};                          ///< after a step that is tried
   std::optional<std::pair<double, Load>> solved_;  ///< length and load of the step to next_
-  RecentCreep creep_;
 };
 
 /// How many steps TransientRolling::roll takes, or with a distance at the start roll_to().

@@ -19,7 +19,7 @@
 namespace microslip {
 
 /// Transient rolling of quasi-identical bodies in 2D: s = w + (1/V) Du/Dt, thesis (3.9). The grid
-/// stands in the contact, or moves with the material if the scheme is MaterialFixed.
+/// stands in the contact.
 struct TransientProblem {
   Kernel kernel;
   TractionBound bound;
@@ -70,19 +70,11 @@ struct TransientState {
   std::vector<Zone> zones;
   double force;     ///< integral of the traction  [N/mm]
   double creepage;  ///< w of the step; zero at standstill  [1]
-  /// Mean of the creepage over the last element travelled, or since the start or a shift: it lags
-  /// by half an element. Under a force, a step shorter than an element has noise, because elements
-  /// begin to slip one by one, except with Remembered. The mean has 40 to 5000 times less where an
-  /// element is a whole number of steps, and 10 times less with c = 0.3.
-  /// tests/unit/element_creepage_test.cpp  [1]
-  double element_creepage;
   /// Energy lost per mm rolled and mm width: -integral of (p + p')/2 s over the material points,
-  /// those that have just left included. On a grid fixed to the material the slip is that by A p
-  /// alone, and under a prescribed creepage this is -mean_force w less the change of
-  /// elastic_energy() per dq, to rounding. On one that moves with the contact that holds to 1e-3 in
-  /// steady rolling with 101 nodes, with Fractional to 5 %: slip is interpolated where a node has
-  /// come to. With Remembered it is the right side of this balance itself.
-  /// tests/unit/dissipation_test.cpp  [N/mm]
+  /// those that have just left included, where slip is interpolated. What the force does less the
+  /// change of elastic_energy() per dq is that in theory, and to 1e-3 in steady rolling with 101
+  /// nodes, with Fractional to 5 %. With Remembered it is what the force does less the change of
+  /// the energy. tests/unit/dissipation_test.cpp  [N/mm]
   double dissipation;
   /// The same with the tractions at the end of the step, as the thesis has it in (9.11): of first
   /// order, and too low where slip grows in the step  [N/mm]

@@ -17,11 +17,10 @@ namespace microslip {
 ///   transient               1600                    4.1
 ///   cylinder                1600                    5
 ///
-/// and 1 kB a step or shift, and on a grid fixed to the material at most 80 MB for places within an
-/// element. Measured at N from 2e4 to 1e6 by FFT, and from 2000 to 4000 with all entries, as the
-/// largest resident set less 12 MB that a program takes anyway; each is the largest over schemes
-/// and bases. An inversion takes as much as calibrated elements at most, which replace it where
-/// there is more than one stick zone. Nothing is known with target_error.
+/// and 1 kB a step or shift. Measured at N from 2e4 to 1e6 by FFT, and from 2000 to 4000 with all
+/// entries, as the largest resident set less 12 MB that a program takes anyway; each is the largest
+/// over schemes and bases. An inversion takes as much as calibrated elements at most, which replace
+/// it where there is more than one stick zone. Nothing is known with target_error.
 ///
 /// \throws std::invalid_argument if matrices would be too large as they must be dense
 double memory_needed(const Model& model);

@@ -87,10 +87,10 @@ struct TransientScene {
 
 /// All of a steady scene except for leading_edge, with load.file as another load, and:
 /// step.ratio (one or more numbers; with load.file, its rows), step.scheme
-/// remembered|material|direct|relaxed|relaxed_traction|fractional (remembered), step.relaxation (1)
+/// remembered|direct|relaxed|relaxed_traction|fractional (remembered), step.relaxation (1)
 /// of the relaxed ones, motion.distance (that of load.file), start.type rest|cattaneo|file|state;
 /// start.force (load.force) or start.shift of cattaneo; start.file of file: columns x traction, at
-/// the nodes, or at any positions for remembered and material. One start.force makes a
+/// the nodes, or at any positions for remembered. One start.force makes a
 /// CattaneoShift; several, or any start.shift, are shifts from rest. start.state of state.
 TransientScene read_transient(Scene& scene);
 

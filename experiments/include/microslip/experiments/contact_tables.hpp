@@ -38,23 +38,6 @@ struct WorstOfSteps {
   void include(const TransientState& state);
 };
 
-/// How much the creepage of single steps differs from its mean over an element's travel.
-class StepNoise {
- public:
-  /// \param element  dx  [mm]
-  explicit StepNoise(double element) : element_(element) {}
-
-  void include(double length, double creepage);
-
-  /// Root mean square of the difference over that of the means; 0 for steps of whole elements  [1]
-  double relative() const;
-
- private:
-  double element_;
-  double length_ = 0, sum_ = 0, squares_ = 0;  ///< of the element that is being travelled
-  double noise_ = 0, signal_ = 0;              ///< of those before
-};
-
 /// What evidence is judged by, and what the result is of.
 struct Judged {
   double condition;  ///< of the equations in adhesion, estimate

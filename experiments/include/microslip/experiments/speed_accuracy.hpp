@@ -39,7 +39,7 @@ struct SpeedAccuracyParameters {
     HertzBound bound;
     double force;  ///< [N/mm]
     std::vector<double> step_ratios;
-    Eigen::Index reference;  ///< N of the material scheme with c = 1 that is taken as exact
+    Eigen::Index reference;  ///< N of remembered with c = 1 that is taken as exact
   } transient;
 
   /// The cylinder.
@@ -49,7 +49,7 @@ struct SpeedAccuracyParameters {
     double length;    ///< L0  [mm]
     double distance;  ///< from rest  [mm]
     std::vector<double> step_ratios;
-    Eigen::Index reference;  ///< N of material scheme and Verlet, taken as exact for the motion
+    Eigen::Index reference;  ///< N of remembered and Verlet, taken as exact for the motion
   } rolling;
 };
 
