@@ -101,6 +101,20 @@ TEST_F(Shifts, BalanceEnergy) {
   }
 }
 
+// Nothing is done by a force then: what slips loses energy that was stored. Backward slip once was
+// held against the power of the creepage, which is none, and ended as no solution.
+TEST_F(Shifts, MayBeFollowedByFreeRolling) {
+  for (const std::string creepage : {"0", "1e-9", "-1e-6"}) {
+    for (const std::string scheme : {"remembered", "direct"}) {
+      const Outcome outcome =
+          run(20, "force -0.2",
+              "--set step.scheme=" + scheme + " --set step.ratio=0.3 --set load.force= " +
+                  "--set motion.distance=6 --set load.creepage=" + creepage);
+      EXPECT_EQ(outcome.status, 0) << outcome.error;
+    }
+  }
+}
+
 // A shift to the force that is there changes nothing, so that two of them are the ordinary start.
 TEST_F(Shifts, ToOneForceAreTheOrdinaryStart) {
   ASSERT_EQ(run(41, "force -1").error, "");

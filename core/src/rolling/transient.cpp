@@ -221,6 +221,7 @@ void TransientRolling::set_contact(const ContactScale& scale) {
 void TransientRolling::solve_step(double length, const Load& load, StepJacobian* jacobian) {
   solved_.reset();
   grid_->solve_step(state_, length, load, next_, jacobian);
+  next_.evidence.power = std::max(next_.evidence.power, std::abs(next_.dissipation));
   solved_ = {length, load};
 }
 
