@@ -11,7 +11,9 @@ namespace {
 template <class... Style>
 std::string to_string(double value, Style... style) {
   std::array<char, 64> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, style...).ptr;
+  const double without_sign_of_zero = value + 0.0;
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), without_sign_of_zero, style...).ptr;
   return {text.data(), end};
 }
 
