@@ -137,7 +137,7 @@ mutants: deps
 
 # Without tests that count work or measure accuracy in long runs: other tests run the same code, and
 # `make test` runs them without sanitizers.
-LONG_RUNS := ^Cost\.|TurnsToCarter|HasNoNoiseWhereItIsSteep|HasLittleOfTheNoiseOfShortSteps|SlipLosesTheEnergy
+LONG_RUNS := ^Cost\.|TurnsToCarter|HasNoNoiseWhereItIsSteep|SlipLosesTheEnergy
 LONG_RUNS := $(LONG_RUNS)|IsOfSecondOrderForAnyStep|SeveralStickZonesToo.*fractional|NarrowStripsAreEstimated|EstimateIsHonest
 sanitize: deps
 	@$(call cmake_build,debug,--target unit_tests capi_tests corpus)

@@ -214,7 +214,7 @@ void AdhesionSystem::border(const std::vector<Index>& arrivals) {
       schur_(k, l) = corner - rows_.col(k).dot(columns_.col(l));
     }
   }
-  if (border_is_new_) factorise_schur();
+  if (border_is_new_ || after > before) factorise_schur();
 }
 
 /// What has gone back is decoupled. Columns of compliant elements are divided, or their corners

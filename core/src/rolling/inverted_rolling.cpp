@@ -48,7 +48,7 @@ struct Guess {
 /// \param bits  of the result
 /// \return ln theta; none if the sign does not change
 template <class Function>
-std::optional<double> root_from(const Guess& guess, const Function& f, int bits) {
+std::optional<double> root_from(const Guess& guess, const Function& f, unsigned bits) {
   const double lowest = std::log(least_theta);
   const double highest = std::log(largest_theta);
   double at = std::clamp(guess.at, lowest, highest);
@@ -122,7 +122,7 @@ class Search {
   }
 
   template <class Excess>
-  double root(const Excess& excess, int bits) {
+  double root(const Excess& excess, unsigned bits) {
     const auto found = root_from(trailing_, excess, bits);
     if (!found) throw failure("no stick zone carries the load");
     return *found;
@@ -194,8 +194,8 @@ class Search {
     return {root, std::clamp(log_trailing - shorter, least_step, most_step), most_step};
   }
 
-  static constexpr int all_bits = 52;
-  static constexpr int few_bits = 8;
+  static constexpr unsigned all_bits = 52;
+  static constexpr unsigned few_bits = 8;
   static constexpr double least_residual = 1e-9;
   static constexpr double small = -18;
   static constexpr double any = 4;

@@ -47,11 +47,13 @@ RememberedGrid::StandingContact& RememberedGrid::standing() {
   const VectorXd lengths = VectorXd::Constant(n, nodes_.spacing);
   const Kernel kernel =
       std::holds_alternative<PlaneKernel>(kernel_) ? kernel_ : in_units_of(kernel_, response_to_);
-  standing_.emplace(
-      element_means(traction_bound_, x, lengths),
-      ActiveSet(influence_operator(kernel, constant_basis(), nodes_.spacing, n, solver_), lengths,
-                solver_),
-      StickSlipPoint(edge_, exit_share(edge_)), StickSlipPoint(edge_, entry_share));
+  standing_ =
+      StandingContact{.bound = element_means(traction_bound_, x, lengths),
+                      .active_set = ActiveSet(
+                          influence_operator(kernel, constant_basis(), nodes_.spacing, n, solver_),
+                          lengths, solver_),
+                      .trailing = StickSlipPoint(edge_, exit_share(edge_)),
+                      .leading = StickSlipPoint(edge_, entry_share)};
   return *standing_;
 }
 

@@ -10,6 +10,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "microslip/support/checksum.hpp"
+#include "microslip/support/shown.hpp"
 #include "rolling_grid.hpp"
 
 namespace microslip {
@@ -47,7 +48,7 @@ std::string_view members_of(std::string_view text) {
         "expected the whole state as it was saved; its checksum is missing or of another text");
   }
   if (found != version) {
-    throw std::invalid_argument("version = '" + std::string(found) + "': expected " +
+    throw std::invalid_argument("version = '" + shown(found) + "': expected " +
                                 std::string(version) + ", that of this program's states");
   }
   return text.substr(end + 1, last - end - 1);

@@ -5,7 +5,6 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
-#include <ranges>
 #include <sstream>
 #include <stdexcept>
 
@@ -179,9 +178,9 @@ std::string Scene::one_of(const std::vector<std::string>& keys) const {
 }
 
 const Key* Scene::known(std::string_view key) const {
-  for (const std::span<const Key> keys : declared_ | std::views::reverse) {
-    const auto found = std::ranges::find(keys, key, &Key::name);
-    if (found != keys.end()) return &*found;
+  for (auto keys = declared_.rbegin(); keys != declared_.rend(); ++keys) {
+    const auto found = std::ranges::find(*keys, key, &Key::name);
+    if (found != keys->end()) return &*found;
   }
   return find_key(key);
 }
