@@ -6,9 +6,9 @@
  * edge is x = +a. Values are those on the body that is driven by the creepage: a positive creepage
  * w = (v - omega R)/v gives negative tractions and a negative force, which is what acts on v.
  *
- * Functions return a status. One that fails leaves everything as it was, but where memory runs out
- * in a step, and says why in one line:
- * microslip_message(), or the text given to microslip_create(). No C++ exception leaves the
+ * Functions return a status. A function that fails changes nothing and gives the reason in one line:
+ * microslip_message(), or the text given to microslip_create(). Only a step that runs out of memory
+ * loses its contact. No C++ exception leaves the
  * library. Numbers must be finite; a pointer that is null is a bad input unless it says otherwise
  * here.
  *
@@ -84,7 +84,7 @@ struct microslip_state {
   double force;       /**< F, integral of the tractions  [N/mm] */
   double mean_force;  /**< its mean over the step  [N/mm] */
   double creepage;    /**< w of the step  [1] */
-  double dissipation; /**< energy lost per mm rolled, with mean tractions of the step. Under a
+  double dissipation; /**< energy lost per mm rolled, over the step. Under a
                          prescribed creepage dissipation dq + mean_force w dq + the change of the
                          elastic energy is 0: to rounding with
                          MICROSLIP_REMEMBERED, else to the order of the scheme  [N/mm] */
@@ -113,8 +113,8 @@ struct microslip_jacobian {
 };
 
 /** A shift without rolling, and its energies per mm of width. A shift that is made in parts has the
- * same sum of energies, to rounding with MICROSLIP_DIRECT, and with the other schemes to 6e-3 of
- * the work at N = 41. */
+ * same sum of energies, to rounding with MICROSLIP_DIRECT, and with MICROSLIP_REMEMBERED to 6e-3
+ * of the work at N = 41. */
 struct microslip_shift {
   double distance;    /**< rigid shift; a positive one gives negative tractions  [mm] */
   double force;       /**< F at its end  [N/mm] */
@@ -225,7 +225,8 @@ MICROSLIP_API enum microslip_status microslip_attempt_with_jacobian(
 MICROSLIP_API enum microslip_status microslip_get_state(microslip_rolling* rolling,
                                                         struct microslip_state* state);
 
-/** Half of p A p  [N]. Costs about as much as a step. */
+/** Stored in the bodies, half of p A p with the means of tractions over elements  [N]. Costs about
+ * as much as a step. */
 MICROSLIP_API enum microslip_status microslip_get_elastic_energy(microslip_rolling* rolling,
                                                                  double* energy);
 
@@ -239,7 +240,8 @@ MICROSLIP_API size_t microslip_size(microslip_rolling* rolling);
 /** Values at the nodes into arrays with room for `length` of them, at least microslip_size().
  *
  * nodes         x in the contact's frame, ascending  [mm]
- * traction      p  [N/mm^2]
+ * traction      p at the nodes; elements balance means over them, and coefficients that make up for
+ *               the square root at the leading edge  [N/mm^2]
  * bound         [N/mm^2]
  * slip          relative slip s of the last step  [1]
  * displacement  A p; costs about as much as a step  [mm]

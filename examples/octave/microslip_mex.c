@@ -4,7 +4,7 @@
  *   h = microslip_mex('create', problem)    a struct with shear_modulus, poisson_ratio,
  *                                           half_width, peak_traction or bound_x and bound_value,
  *                                           kernel 'strip' or 'plane', length, elements, scheme
- *                                           'material' if not given, 'direct' or 'remembered'
+ *                                           'remembered' if not given, or 'direct'
  *   microslip_mex('set_creepage', h, w)     likewise set_force, advance
  *   microslip_mex('set_contact', h, a, g)   half-width and bound over those that were created
  *   microslip_mex('save', h, path)          the state to a file; likewise restore, from a file

@@ -24,7 +24,7 @@ Table empty_history(const LoadHistory& loads) {
       {"creepage", "1", "relative rigid slip w of the step"},
       {"adhesion_elements", "1", "elements in adhesion"},
       {"slip_elements", "1", "elements in slip"},
-      {"dissipation", "N/mm", "energy lost per mm rolled and mm width, with mean tractions"},
+      {"dissipation", "N/mm", "energy lost per mm rolled and mm width, over the step"},
       {"iterations", "1", "stick/slip partitions tried"}};
   if (loads.time_at(0)) columns.push_back({"t", "s", "time"});
   if (loads.changes_contact()) {

@@ -66,6 +66,7 @@ class ContactSearch {
   void archive(Archive& archive) { system_.archive(archive); }
 
   void run(const SlipConditions& conditions, const Load& load, ContactState& state) {
+    enough_ = 1e-5;
     begin(conditions, load, state.zones);
     if (!exchange_blocks() && !follow_path_nearby(state.zones) && !follow_path_from_adhesion()) {
       throw NotConverged("active set: no stick/slip partition found", iterations_,
@@ -76,6 +77,7 @@ class ContactSearch {
 
   void run_partition(const SlipConditions& conditions, const Load& load,
                      const std::vector<Zone>& zones, ContactState& state) {
+    enough_ = 1;
     begin(conditions, load, zones);
     respond();
     finish(state);
@@ -137,7 +139,7 @@ class ContactSearch {
     }
     const double other = force_prescribed_ ? system_.weights().dot(traction) : 0;
     minus_slip_ = -slip;
-    system_.solve(minus_slip_, prescribed - other, unknowns_);
+    system_.solve(minus_slip_, prescribed - other, enough_, unknowns_);
     if (conditions_->common != 0 && !force_prescribed_) add_common_shift();
     traction += unknowns_.increment;
     slip += unknowns_.response;
@@ -159,7 +161,7 @@ class ContactSearch {
   /// unknown creepage is the sum of both.
   void add_common_shift() {
     minus_slip_.setZero();
-    system_.solve(minus_slip_, 1, by_shift_);
+    system_.solve(minus_slip_, 1, enough_, by_shift_);
     const double common = conditions_->common;
     const double shift =
         common * change_of_force() / (1 - common * system_.weights().dot(by_shift_.increment));
@@ -370,6 +372,7 @@ class ContactSearch {
   AdhesionSystem system_;
   const SlipConditions* conditions_ = nullptr;
   double prescribed_ = 0;
+  double enough_ = 0;  ///< residual to which solutions are refined, over the tolerance
   bool force_prescribed_ = false;
   double bound_scale_ = 0;
   double slip_scale_ = 0;

@@ -331,7 +331,8 @@ double AdhesionSystem::find_rest(const Unknowns& unknowns) {
   return terms > 0 ? largest / terms : 0;
 }
 
-void AdhesionSystem::solve(const VectorXd& slip, double prescribed, Unknowns& unknowns) {
+void AdhesionSystem::solve(const VectorXd& slip, double prescribed, double enough,
+                           Unknowns& unknowns) {
   const Index n = size();
   rhs_.resize(n + 1);
   rhs_ << slip, prescribed * (force_prescribed_ ? force_scale_ : 1);
@@ -346,8 +347,8 @@ void AdhesionSystem::solve(const VectorXd& slip, double prescribed, Unknowns& un
     response_.apply(unknowns.increment, unknowns.response);
     const double before = unknowns.residual;
     unknowns.residual = find_rest(unknowns);
-    const bool enough = unknowns.residual <= 1e-5 * solver_.tolerance;
-    if (enough || !(unknowns.residual < before / 2) || refinements == most_refinements) return;
+    const bool is_enough = unknowns.residual <= enough * solver_.tolerance;
+    if (is_enough || !(unknowns.residual < before / 2) || refinements == most_refinements) return;
   }
 }
 

@@ -51,10 +51,11 @@ class AdhesionSystem {
                       ///< their terms
   };
 
-  /// Refines until 1e-5 of the tolerance is reached, or rounding.
+  /// Refines until a residual is reached, or rounding.
   /// \param slip        right-hand side of the rows; those of slip elements are ignored
   /// \param prescribed  that of the added row
-  void solve(const Eigen::VectorXd& slip, double prescribed, Unknowns& unknowns);
+  /// \param enough      residual, over the tolerance
+  void solve(const Eigen::VectorXd& slip, double prescribed, double enough, Unknowns& unknowns);
 
   /// Estimate of the condition number in the 1-norm; 1 without elements. Refactorises first, so
   /// that the estimate does not depend on the history of updates.

@@ -27,7 +27,7 @@ VectorXd influence_at_distances(const Kernel& kernel, const ReferenceNodes& node
 
 }  // namespace
 
-/// Nodes are 2 a/N apart, so that steps of whole elements are not divided, and the last one is where
+/// Nodes are 2 a/N apart, so that steps of one element are not divided, and the last one is where
 /// the scheme feels the leading edge. The trailing edge is then 0.15 elements ahead of where the
 /// first node would feel it.
 double RememberedGrid::exit_share(const LeadingEdgeConstants& edge) {

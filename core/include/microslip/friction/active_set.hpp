@@ -131,7 +131,8 @@ class ActiveSet {
                      const std::vector<Zone>& first);
 
   /// Tractions, slip and creepage of a given partition, which may break the conditions: elements in
-  /// adhesion have no slip, others the traction of their bound.
+  /// adhesion have no slip, others the traction of their bound. Solutions are refined until the
+  /// tolerance is reached, those of solve() further.
   /// \param zones  n
   /// \param state  out
   /// \throws NotConverged if the system is singular or its residual above the tolerance

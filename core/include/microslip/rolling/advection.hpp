@@ -35,9 +35,9 @@ struct RelaxedTraction {
 /// A' = A (A^-1 A'(1))^c: thesis (8.4). For equal functions on an odd number of nodes.
 struct Fractional {};
 
-/// u' is the displacement that the material remembers since it entered the contact. The results do
-/// not depend on c, and the stick-slip point lies anywhere within an element. docs/theory.md. For
-/// constant functions that fill the contact.
+/// u' is the displacement that the material remembers since it entered the contact. Steps within
+/// an element leave no trace, and the stick-slip point lies anywhere within an element.
+/// docs/theory.md. For constant functions that fill the contact.
 struct Remembered {};
 
 using AdvectionScheme = std::variant<Direct, Relaxed, RelaxedTraction, Fractional, Remembered>;
