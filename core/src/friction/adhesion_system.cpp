@@ -20,8 +20,10 @@ namespace {
 /// refinement recovers what is lost above it.
 constexpr double least_rcond = 1e-10;
 
-/// A ToeplitzBlock of fewer elements is no better than LU.
+/// A ToeplitzBlock of fewer elements is no better than LU; where they are in several intervals, and
+/// each of its solves is iterative, it takes more of them.
 constexpr std::size_t small_base = 64;
+constexpr std::size_t small_base_in_parts = 160;
 
 /// Each change costs a Toeplitz solve a product more; new inverses cost some ten such solves.
 constexpr std::size_t most_changes_of_block = 16;
@@ -153,7 +155,8 @@ void AdhesionSystem::make_room() {
 void AdhesionSystem::factorise_base() {
   const Index stuck = static_cast<Index>(base_.size()) - 1;
   const std::vector<Index> elements(base_.begin(), base_.end() - 1);
-  by_block_ = block_.has_value() && base_.size() > small_base;
+  const bool in_parts = stuck > 0 && elements.back() - elements.front() >= stuck;
+  by_block_ = block_.has_value() && base_.size() > (in_parts ? small_base_in_parts : small_base);
   if (by_block_) {
     block_->choose(elements);
     block_->solve(VectorXd::Ones(stuck), unit_slip_);
