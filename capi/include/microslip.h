@@ -6,11 +6,10 @@
  * edge is x = +a. Values are those on the body that is driven by the creepage: a positive creepage
  * w = (v - omega R)/v gives negative tractions and a negative force, which is what acts on v.
  *
- * Functions return a status. A function that fails changes nothing and gives the reason in one line:
- * microslip_message(), or the text given to microslip_create(). Only a step that runs out of memory
- * loses its contact. No C++ exception leaves the
- * library. Numbers must be finite; a pointer that is null is a bad input unless it says otherwise
- * here.
+ * Functions return a status. A function that fails changes nothing and gives the reason in one
+ * line: microslip_message(), or the text given to microslip_create(). Only a step that runs out of
+ * memory loses its contact. No C++ exception leaves the library. Numbers must be finite; a null
+ * pointer is a bad input where its description does not allow it.
  *
  * Threads: different handles may be used at once; one handle, by one thread at a time. FFTW, which
  * the library uses, makes plans in one thread at a time: the library takes care of its own, but a
@@ -84,10 +83,10 @@ struct microslip_state {
   double force;       /**< F, integral of the tractions  [N/mm] */
   double mean_force;  /**< its mean over the step  [N/mm] */
   double creepage;    /**< w of the step  [1] */
-  double dissipation; /**< energy lost per mm rolled, over the step. Under a
-                         prescribed creepage dissipation dq + mean_force w dq + the change of the
-                         elastic energy is 0: to rounding with
-                         MICROSLIP_REMEMBERED, else to the order of the scheme  [N/mm] */
+  double dissipation; /**< energy lost per mm rolled, over the step. Under a prescribed creepage,
+                         dissipation dq + mean_force w dq + the change of the elastic energy is 0:
+                         to rounding with MICROSLIP_REMEMBERED, to the order of the scheme with the
+                         other one  [N/mm] */
   double residual;    /**< slip left in adhesion, over the largest term of its equations  [1] */
   double violation;   /**< of the bound or of the direction of slip, relative  [1] */
   int adhesion_elements;

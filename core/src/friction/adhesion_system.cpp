@@ -28,6 +28,9 @@ constexpr std::size_t small_base_in_parts = 160;
 /// Each change costs a Toeplitz solve a product more; new inverses cost some ten such solves.
 constexpr std::size_t most_changes_of_block = 16;
 
+/// Rounds in which adhesion is one interval and the factors' is not.
+constexpr std::size_t patience_with_parts = 4;
+
 constexpr int most_refinements = 5;
 
 std::size_t to_size(Index i) { return static_cast<std::size_t>(i); }
@@ -106,10 +109,24 @@ void AdhesionSystem::follow(const std::vector<Zone>& zones) {
   if (spoils || serves_too_long()) factorise();
 }
 
-/// Solves with a border cost more than without: in the end, new factors are cheaper. Soft elements
-/// would be in the border of the new ones, too.
+/// Whether hard elements in adhesion are in several intervals.
+bool AdhesionSystem::adhesion_is_in_parts() const {
+  Index first = size(), last = -1, hard = 0;
+  for (Index i = 0; i < size(); ++i) {
+    if (!is_stuck(i) || compliance_of(i) > 0) continue;
+    first = std::min(first, i);
+    last = i;
+    ++hard;
+  }
+  return last - first >= hard;
+}
+
+/// Solves with a border cost more than without: in the end, new factors are cheaper. They are much
+/// cheaper where solves are iterative without need. Soft elements would be in the border of the new
+/// ones, too.
 bool AdhesionSystem::serves_too_long() {
-  const std::size_t patience = by_block_ ? 3 * most_changes_of_block : base_.size() / 3;
+  std::size_t patience = by_block_ ? 3 * most_changes_of_block : base_.size() / 3;
+  if (by_block_ && base_is_in_parts_ && !adhesion_is_in_parts()) patience = patience_with_parts;
   bool too_long = false;
   for (Change& change : changes_) {
     const bool serves = is_active(change.element) && corner(change.element) == 0;
@@ -155,8 +172,9 @@ void AdhesionSystem::make_room() {
 void AdhesionSystem::factorise_base() {
   const Index stuck = static_cast<Index>(base_.size()) - 1;
   const std::vector<Index> elements(base_.begin(), base_.end() - 1);
-  const bool in_parts = stuck > 0 && elements.back() - elements.front() >= stuck;
-  by_block_ = block_.has_value() && base_.size() > (in_parts ? small_base_in_parts : small_base);
+  base_is_in_parts_ = stuck > 0 && elements.back() - elements.front() >= stuck;
+  const std::size_t small = base_is_in_parts_ ? small_base_in_parts : small_base;
+  by_block_ = block_.has_value() && base_.size() > small;
   if (by_block_) {
     block_->choose(elements);
     block_->solve(VectorXd::Ones(stuck), unit_slip_);

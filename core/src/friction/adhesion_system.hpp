@@ -18,11 +18,11 @@ class Archive;
 ///
 /// The factors follow the partition. The factors of an earlier adhesion area, the base, stay.
 /// Elements that came or left since then border them, and only the Schur complement of the border
-/// is new. Elements that have gone back keep their place in the border, because the
-/// same elements come and go with every element travelled. New factors, LU or
-/// ToeplitzBlock, are made after some exchanges, when the border is badly conditioned, and when one
-/// of its elements has served long enough. Compliant elements are in the border, where their
-/// entries on the diagonal may change from solve to solve.
+/// is new. Elements that have gone back keep their place in the border, because the same elements
+/// come and go with every element travelled. New factors, LU or ToeplitzBlock, are made after some
+/// exchanges, when the border is badly conditioned, and when one of its elements has served long
+/// enough. Compliant elements are in the border, where their entries on the diagonal may change
+/// from solve to solve.
 ///
 /// Memory is allocated for new factors, and for an element that is new in the border.
 class AdhesionSystem {
@@ -91,6 +91,7 @@ class AdhesionSystem {
   void border(const std::vector<Index>& arrivals);
   void factorise_schur();
   void forget_those_gone_back();
+  bool adhesion_is_in_parts() const;
   bool serves_too_long();
   void solve_base(Eigen::VectorXd& values);
   void solve_block(Eigen::VectorXd& values);
@@ -116,6 +117,7 @@ class AdhesionSystem {
   std::optional<ToeplitzBlock> block_;
   double constant_ = 0;
   bool by_block_ = false;
+  bool base_is_in_parts_ = false;  ///< in several intervals: solves of the block are iterative
   Eigen::VectorXd base_weights_;
   Eigen::VectorXd unit_slip_;  ///< tractions of the base for a slip of 1
 

@@ -30,8 +30,8 @@ namespace microslip {
 ///   not depend on the step.
 /// - StickSlipPoint gives the mean of the solutions of four partitions, so that the stick-slip
 ///   point moves evenly through the elements.
-/// - A shift without rolling has an element at the entry besides, and the mean at the leading end of
-///   adhesion, too (remembered_shift.cpp).
+/// - A shift without rolling has an element at the entry besides, and the mean at the leading end
+///   of adhesion, too (remembered_shift.cpp).
 /// - On a contact that changes its size, nodes keep their places over its half-width. Whatever
 ///   travels an element first, the leading edge or the trailing one, points are renewed: they are
 ///   where nodes are then. In plane strain the half-width shifts the whole contact in proportion to

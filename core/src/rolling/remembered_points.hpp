@@ -43,11 +43,11 @@ inline Eigen::Index first_of_cubic(const Eigen::VectorXd& values, Eigen::Index i
 }
 
 /// Moves whole elements of a shift to the index, so that it is within [0, 1], unless it is farther
-/// than any contact goes.
+/// than any contact goes. A shift that is not a number counts as the farthest.
 inline void take_whole_elements(Eigen::Index& i, double& shift) {
   constexpr double farthest = 1e15;
   if (shift >= 0 && shift <= 1) return;
-  const double whole = std::fmin(std::fmax(std::floor(shift), -farthest), farthest);  // nor nan
+  const double whole = std::fmin(std::fmax(std::floor(shift), -farthest), farthest);
   i += static_cast<Eigen::Index>(whole);
   shift -= whole;
 }

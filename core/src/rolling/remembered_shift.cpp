@@ -37,8 +37,8 @@ void RememberedGrid::StandingContact::archive(Archive& archive, Index size) {
   leading.archive(archive, size);
 }
 
-/// From the edge of the contact to where the scheme feels the end of adhesion without the element at
-/// the entry, it is as far as that element's share.
+/// From the edge of the contact to where the scheme feels the end of adhesion without the element
+/// at the entry, it is as far as that element's share.
 RememberedGrid::StandingContact& RememberedGrid::standing() {
   if (standing_) return *standing_;
   const Index n = nodes_.size + 1;

@@ -16,9 +16,9 @@ namespace microslip {
 class Archive;
 
 /// The part of an element at the entry that is in the contact, from where the scheme feels the edge
-/// of a shift without it. Without rolling, tractions in adhesion are singular there, and the edge is
-/// felt half an element nearer. So an element at the entry carries traction, on a spring that is the
-/// mean of the solutions with and without it.
+/// of a shift without it. Without rolling, tractions in adhesion are singular there, and the edge
+/// is felt half an element nearer. So an element at the entry carries traction, on a spring that is
+/// the mean of the solutions with and without it.
 inline constexpr double entry_share = 0.5;
 
 /// The nodes on the problem's contact. On another they keep their places over its half-width.
@@ -50,9 +50,9 @@ struct MeanChange {
   void archive(Archive& archive, Eigen::Index size);
 };
 
-/// Of shifts without rolling, one after the other, in which an element at the entry carries traction;
-/// its slip is that of a spring besides. Displacements of points and nodes are then those by the
-/// partitions that meet the conditions.
+/// Of shifts without rolling, one after the other, in which an element at the entry carries
+/// traction; its slip is that of a spring besides. Displacements of points and nodes are then those
+/// by the partitions that meet the conditions.
 struct ShiftMemory {
   double toward = 0;         ///< of the sign of the last shift
   Eigen::VectorXd reversal;  ///< tractions of nodes and entry since which shifts have gone one way;

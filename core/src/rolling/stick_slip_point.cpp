@@ -98,8 +98,8 @@ Scalar StickSlipPoint::beyond(const Root<Scalar>& root) {
 }
 
 /// Where all sticks, the slip zone grows with the change of the load, and takes the first node when
-/// its mean traction is at the bound. The point is then where the next partition, whose tractions are
-/// the same, sees it.
+/// its mean traction is at the bound. The point is then where the next partition, whose tractions
+/// are the same, sees it.
 template <class Scalar>
 StickSlipPoint::Place<Scalar> StickSlipPoint::place_of(const Left<Scalar>& left,
                                                        const Bounds& bound) const {

@@ -33,8 +33,8 @@ struct RolledContact {
 /// partition has changed.
 class StickSlipPoint {
  public:
-  /// \param first_length  from the trailing edge, which is the natural end where all sticks, to that
-  ///                      of the next partition  [dx]
+  /// \param first_length  from the trailing edge, which is the natural end where all sticks, to
+  ///                      that of the next partition  [dx]
   StickSlipPoint(const LeadingEdgeConstants& edge, double first_length);
 
   /// Replaces traction, creepage and displacement of a contact by those of the mean; zones and slip

@@ -69,9 +69,9 @@ void require_tolerance(double tolerance);
 /// and all of the other. It is in proportion to dx: otherwise the motion would be of lower order.
 ///
 /// Order of accuracy: second in dx for v, omega and X where c dx is below a/8, with any integrator
-/// and c. That holds with Remembered. Direct is of first order, as its contact is; with c = 1 the error of time is the larger one up to N = 100
-/// or so (tests/order/motion_order_test.cpp, tests/study/energy_balance_test.cpp). Cost: that of a
-/// transient step, midpoint about three.
+/// and c. That holds with Remembered. Direct is of first order, as its contact is; with c = 1 the
+/// error of time is the larger one up to N = 100 or so (tests/order/motion_order_test.cpp,
+/// tests/study/energy_balance_test.cpp). Cost: that of a transient step, midpoint about three.
 class RollingCylinder {
  public:
   /// \param contact     creepage-driven, so its kernel.width or kernel.length matters

@@ -90,9 +90,9 @@ struct ContactState {
 /// element may be released from adhesion only once. The second phase exchanges one element at a
 /// time along an exact path. The path begins with bounds and offsets for which a partition is the
 /// solution, and ends with the given ones. From a partition nearby it takes as many exchanges as
-/// partitions differ by, or few more. It begins at the first partition, or, if all sticks there, where
-/// the first phase has ended. If it takes more than 60 exchanges, or 20, it begins again, in the
-/// end with a bound so high that all elements stick.
+/// partitions differ by, or few more. It begins at the first partition, or, if all sticks there,
+/// where the first phase has ended. If it takes more than 60 exchanges, or 20, it begins again, in
+/// the end with a bound so high that all elements stick.
 ///
 /// Termination: the first phase has at most 3 n rounds. On the path the solution is piecewise
 /// linear in the fraction of the relief that is left, with one piece a partition. If response +

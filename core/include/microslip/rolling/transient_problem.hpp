@@ -70,11 +70,11 @@ struct TransientState {
   std::vector<Zone> zones;
   double force;     ///< integral of the traction  [N/mm]
   double creepage;  ///< w of the step; zero at standstill  [1]
-  /// Energy lost per mm rolled and mm width: -integral of (p + p')/2 s over the material points,
-  /// those that have just left included, where slip is interpolated. What the force does less the
-  /// change of elastic_energy() per dq is that in theory, and to 1e-3 in steady rolling with 101
-  /// nodes, with Fractional to 5 %. With Remembered it is what the force does less the change of
-  /// the energy. tests/unit/dissipation_test.cpp  [N/mm]
+  /// Energy lost per mm rolled and mm width. With Remembered it is the work of the force less the
+  /// change of elastic_energy(), over dq. With the other schemes it is -integral of (p + p')/2 s
+  /// over the material points, including those that have just left, for which slip is interpolated.
+  /// The two are equal in theory. In steady rolling with 101 nodes they differ by 1e-3, with
+  /// Fractional by 5 % (tests/unit/dissipation_test.cpp)  [N/mm]
   double dissipation;
   /// The same with the tractions at the end of the step, as the thesis has it in (9.11): of first
   /// order, and too low where slip grows in the step  [N/mm]
