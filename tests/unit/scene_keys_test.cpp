@@ -155,6 +155,7 @@ const std::vector<Role> roles = {
     {"start.file", "traction", "file"},
     {"start.state", "state", "state"},
     {"step.ratio", "1", differences + transients + cylinders},
+    {"step.tolerance", "1e-3", "run"},
     {"step.scheme", "relaxed_traction", transients + cylinders},
     {"step.relaxation", "1", "relaxed relaxed_traction cylinder_relaxed"},
     {"cylinder.mass", "1", cylinders},

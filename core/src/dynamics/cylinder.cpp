@@ -27,14 +27,6 @@ constexpr double least_first_step = 1e-12;
 /// Where the tolerance asks for shorter steps, the force is not smooth enough for it.
 constexpr double least_step = 1e-3;  // of that with c = 1
 
-/// -dF/dS of a shift S so small that nothing slips  [N/mm^2]
-double stiffness(const TransientProblem& contact) {
-  const double length = contact.grid.spacing();
-  const double shift = 1e-9 * contact.grid.half_width();
-  TransientRolling at_rest(contact);
-  return -at_rest.attempt(length, PrescribedCreepage{shift / length}).force / shift;
-}
-
 }  // namespace
 
 void require_tolerance(double tolerance) {

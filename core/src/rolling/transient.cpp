@@ -274,6 +274,13 @@ void TransientRolling::roll_on(double origin, double start, double distance,
   }
 }
 
+double stiffness(const TransientProblem& problem) {
+  const double length = problem.grid.spacing();
+  const double shift = 1e-9 * problem.grid.half_width();
+  TransientRolling at_rest(problem);
+  return -at_rest.attempt(length, PrescribedCreepage{shift / length}).force / shift;
+}
+
 std::size_t number_of_steps(double distance, const std::vector<double>& lengths, double start) {
   return Schedule(distance, lengths, start).size();
 }

@@ -167,9 +167,14 @@ constexpr auto keys = std::to_array<Key>({
          "c = dq/dx; of a transient one or more, taken in turn; of a cylinder a step lasts c dx / "
          "v, and near rest the part c dx/a of the period on the contact or less",
      .range = {.least = min_step_ratio},
-     .note = "no default in a transient, except with load.file, where steps end at its rows",
+     .note = "no default in a transient, except with load.file, where steps end at its rows; with "
+             "step.tolerance one, the longest",
      .role = whole_contact,
      .fallback = 1},
+    {"step.tolerance", number, "1",
+     "steps of load.file are as long as the load is straight: the shift (integral of the creepage) "
+     "or force to this part of full sliding, half-width and bound to this part of the problem's",
+     range(1e-9, 0.1), "off without it", "load.file with step.scheme remembered"},
     {.name = "step.scheme",
      .type = word,
      .meaning = "how the previous tractions move with the material",

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/schemes.hpp"
+#include "microslip/rolling/straight_steps.hpp"
+#include "microslip/scene/keys.hpp"
 #include "microslip/scene/units.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
@@ -78,16 +81,47 @@ LoadHistory read_loads(Scene& scene, const TransientProblem& problem) {
   return read_load(scene, problem.kernel, problem.bound);
 }
 
+bool has_step_tolerance(const Scene& scene, const TransientProblem& problem) {
+  return scene.has("load.file") && std::holds_alternative<Remembered>(problem.scheme) &&
+         scene.has("step.tolerance");
+}
+
+/// Steps of load.file by step.tolerance, dq/dx.
+std::vector<double> read_straight_steps(Scene& scene, const TransientProblem& problem,
+                                        const LoadHistory& loads) {
+  const double tolerance = scene.number("step.tolerance");
+  const Range accepted = find_key("step.tolerance")->range;
+  scene.demand("step.tolerance", tolerance, accepted.holds(tolerance));
+  const double spacing = problem.grid.spacing();
+  double longest = std::numeric_limits<double>::infinity();
+  if (scene.has("step.ratio")) {
+    const double ratio = scene.number("step.ratio");
+    require(ratio >= min_step_ratio, "step.ratio", ratio, "a number >= 1e-15");
+    longest = ratio * spacing;
+  }
+  const double force = tolerance * full_sliding_force(problem.bound);
+  const LoadTolerance of_load{
+      .shift = force / stiffness(problem), .force = force, .contact = tolerance};
+  const auto lengths =
+      straight_steps(loads, of_load, longest, static_cast<std::size_t>(most_steps));
+  require(lengths.has_value(), "step.tolerance", tolerance,
+          [] { return "one that takes at most " + format_short(most_steps) + " steps"; });
+  std::vector<double> ratios = *lengths;
+  for (double& ratio : ratios) ratio /= spacing;
+  return ratios;
+}
+
 /// \return dq/dx; of load.file without step.ratio from row to row
 std::vector<double> read_steps(Scene& scene, const TransientProblem& problem,
                                const LoadHistory& loads) {
+  if (has_step_tolerance(scene, problem)) return read_straight_steps(scene, problem, loads);
   if (scene.has("step.ratio") || loads.distances().empty()) return scene.numbers("step.ratio");
   return row_ratios(loads, problem.grid.spacing());
 }
 
 /// The steps to warn of: all that are given, but of rows, which may be many, the extremes.
 std::vector<double> judged_steps(const Scene& scene, const std::vector<double>& step_ratios) {
-  if (scene.has("step.ratio")) return step_ratios;
+  if (scene.has("step.ratio") && !scene.has("step.tolerance")) return step_ratios;
   const auto [least, most] = std::ranges::minmax(step_ratios);
   return {least, most};
 }
@@ -95,13 +129,14 @@ std::vector<double> judged_steps(const Scene& scene, const std::vector<double>& 
 /// A step knows the contact at its ends only.
 void warn_of_missed_rows(Scene& scene, const LoadHistory& loads,
                          const std::vector<double>& step_ratios, double spacing) {
-  if (!loads.changes_contact() || !scene.has("step.ratio")) return;
+  if (!loads.changes_contact() || !scene.has("step.ratio") || scene.has("step.tolerance")) return;
   const double longest = std::ranges::max(step_ratios);
   const std::vector<double> rows = row_ratios(loads, spacing);
   if (longest <= std::ranges::min(rows)) return;
   scene.warn("step.ratio", longest,
              "longer than rows of load.file, so that it misses how the contact changes between its "
-             "ends; without step.ratio, steps end at the rows");
+             "ends; without step.ratio, steps end at the rows, and step.tolerance makes them "
+             "shorter where the load bends");
 }
 
 double read_distance(Scene& scene, const LoadHistory& loads) {

@@ -156,6 +156,9 @@ class TransientRolling {
   std::optional<std::pair<double, Load>> solved_;  ///< length and load of the step to next_
 };
 
+/// -dF/dS of a shift S so small that nothing slips  [N/mm^2]
+double stiffness(const TransientProblem& problem);
+
 /// How many steps TransientRolling::roll takes, or with a distance at the start roll_to().
 /// \param start  in [0, distance)  [mm]
 std::size_t number_of_steps(double distance, const std::vector<double>& lengths, double start = 0);
