@@ -13,4 +13,8 @@ for problem in steady wheel transient run cylinder; do
   "$programs/microslip" --scene "$root/examples/$problem.info" --out "$out/example_$problem"
 done
 "$programs/microslip" response --scene "$root/examples/steady.info" --out "$out/example_response"
+for problem in steady transient; do
+  "$programs/microslip" converge --scene "$root/examples/$problem.info" --quiet --out "$out/example_converge_$problem" \
+    --set "converge.elements=15 31 63"
+done
 "$programs/microslip" sweep --quiet --threads "$threads" --scene "$root/examples/sweep.info" --out "$out/example_sweep"

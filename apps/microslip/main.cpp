@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <string>
 
+#include "microslip/experiments/converge_scene.hpp"
 #include "microslip/experiments/response_scene.hpp"
 #include "microslip/experiments/scene_tables.hpp"
 #include "microslip/program/commands.hpp"
@@ -63,6 +64,13 @@ program::Work prepare_response(Scene& scene) {
   };
 }
 
+program::Work prepare_converge(Scene& scene) {
+  reject_sweep(scene);
+  const experiments::ConvergeScene read = experiments::read_converge(scene);
+  program::require_memory("converge.elements", read.elements.back(), read.memory);
+  return [read](const Progress& progress) { return experiments::converge_tables(read, progress); };
+}
+
 program::Preview preview(Scene& scene) {
   const Model model = read_model(scene);
   return {explain(model), work_needed(model), memory_needed(model)};
@@ -95,6 +103,18 @@ int main(int argc, char** argv) {
                       {"wavelengths", "response.wavelengths",
                        "how many, evenly spaced in their logarithms (default: 60)"}},
       .prepare = prepare_response};
+  const program::Program converge{
+      .name = solver.name,
+      .command = "converge",
+      .question = "says what an accuracy costs in a scene: by every scheme, with several N",
+      .scene = "",
+      .quick = "",
+      .default_out = "out",
+      .key_options = {{"elements", "converge.elements", "numbers N (default: 15 31 63 127 255)"},
+                      {"error", "converge.error", "relative error wanted (default: 1e-3)"},
+                      {"step-time", "converge.step_time",
+                       "time that a step of a transient may take, as '0.1 ms'"}},
+      .prepare = prepare_converge};
   using Arguments = const char* const*;
   const std::vector<program::Command> commands{
       {"init", "writes a commented scene to start from",
@@ -105,6 +125,8 @@ int main(int argc, char** argv) {
        [&](int n, Arguments words) { return program::explain(solver, preview, n, words); }},
       {"response", "says how the force follows a creepage that oscillates a little",
        [&](int n, Arguments words) { return program::run(response, n, words); }},
+      {"converge", "says what an accuracy costs in a scene, by every scheme",
+       [&](int n, Arguments words) { return program::run(converge, n, words); }},
       {"plot", "draws the figures of a result, or of a study",
        [&](int n, Arguments words) { return program::plot(solver.name, n, words); }},
       {"sweep", "solves many scenes: all combinations of lists of values",

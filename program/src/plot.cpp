@@ -49,12 +49,14 @@ std::string program_of(const fs::path& folder) {
   return program;
 }
 
-/// Of the four that have a figure of their own.
+/// Of those that have a figure of their own.
 std::string kind_of(const fs::path& folder) {
   if (fs::exists(folder / "sweep.tsv")) {
     reject(folder, "it is that of a sweep, the columns of sweep.tsv are for plots of your own");
   }
-  if (fs::exists(folder / "response.tsv")) return "response";
+  for (const char* kind : {"response", "converge"}) {
+    if (fs::exists(folder / (std::string(kind) + ".tsv"))) return kind;
+  }
   if (!fs::exists(folder / "traction.tsv")) reject(folder, "it has no traction.tsv");
   const std::string history = header_of(folder / "history.tsv");
   if (history.empty()) return "steady";

@@ -52,6 +52,14 @@ std::optional<std::string> warning_of(const Table& table) {
   return std::nullopt;
 }
 
+/// What a result says in words, if it does.
+void print_advice(const Table& table) {
+  if (table.columns().front().name != "advice") return;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    std::cout << std::get<std::string>(table.at(i, "advice")) << '\n';
+  }
+}
+
 /// Where --save writes: an absolute path, which is no table of the run.
 /// \throws std::invalid_argument or std::runtime_error if nothing can be written there
 fs::path place_to_save(const std::string& name) {
@@ -96,6 +104,7 @@ void run_scene(const Program& program, Scene& scene, const Given& given, int arg
       provenance(program.name, argc, argv, std::chrono::steady_clock::now() - start), files));
   if (saves) files.insert(files.begin(), {saved, state});
   interrupts.last([&] { write_files(out, files); });
+  for (const Table& table : tables) print_advice(table);
   const auto warn = [&](const std::string& place, const std::string& line) {
     std::cerr << program.name << ": " << place << "warning: " << line << '\n';
   };

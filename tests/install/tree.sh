@@ -77,7 +77,7 @@ expect 'microslip-fourier_inverse --set grid.s' 'grid.spacing= grid.sizes='
 expect 'microslip-fourier_inverse --quick --set basis=' 'both constant linear'
 expect 'microslip-carter --print-keys=t' 'text'
 # Every option that --help lists is offered.
-for command in 'microslip' microslip\ {init,explain,response,plot,sweep,merge,keys} microslip-carter; do
+for command in 'microslip' microslip\ {init,explain,response,converge,plot,sweep,merge,keys} microslip-carter; do
   for option in $($command --help | grep -oE '^  --[a-z-]+'); do
     expect "$command $option" "$option"
   done

@@ -34,13 +34,15 @@ class Commands : public Executables {
 };
 
 TEST_F(Commands, AWordThatIsNone) {
-  const std::string known = "; commands: init, keys, explain, response, plot, sweep, merge";
+  const std::string known =
+      "; commands: init, keys, explain, response, converge, plot, sweep, merge";
   expect_error("swep",
                "'swep': expected a scene's file or a command (did you mean 'sweep'?)" + known);
   expect_error("my.info", "'my.info': expected a scene's file or a command" + known);
   expect_error("", "missing a scene: expected its file, as in 'microslip scene.info'; see --help");
   const Outcome help = run_in_folder("--help");
-  for (const char* command : {"init", "keys", "explain", "response", "plot", "sweep", "merge"}) {
+  for (const char* command :
+       {"init", "keys", "explain", "response", "converge", "plot", "sweep", "merge"}) {
     EXPECT_NE(help.output.find(std::string("\n  microslip ") + command), std::string::npos);
     EXPECT_EQ(run_in_folder(std::string(command) + " --help").status, 0);
   }
@@ -172,6 +174,31 @@ TEST_F(Commands, ResponseOfCartersContactIsTheClosedForm) {
     EXPECT_NEAR(std::stod(std::get<std::string>(table.at(59, "wavelength"))), 300 * half_length,
                 1e-2);
   }
+}
+
+TEST_F(Commands, ConvergeAdvisesAndIsDrawn) {
+  for (const std::string kind : {"steady", "transient", "run"}) {
+    run_in_folder("init " + kind);
+    const std::string step_time = kind == "steady" ? "" : " --step-time '1 s'";
+    const Outcome outcome =
+        run_in_folder("converge " + kind + ".info --elements '11 21' --error '1 %'" + step_time);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.error, "");
+    EXPECT_TRUE(outcome.output.starts_with("for an error of 0.01 in the ")) << outcome.output;
+    EXPECT_EQ(std::ranges::count(outcome.output, '\n'), kind == "steady" ? 1 : 2);
+    EXPECT_EQ(run_in_folder("plot --to a.svg").output, "drew a.svg\n");
+    fs::remove_all(folder_ / "out");
+  }
+  run_in_folder("init cylinder");
+  expect_error(
+      "converge cylinder.info",
+      "cylinder.info:5: problem = 'cylinder': expected steady or transient, which have a load");
+  expect_error("steady.info --set converge.error=1e-3",
+               "key 'converge.error' has no role here: it is for microslip converge; known to this "
+               "model: problem, method, leading_edge, material.shear_modulus, "
+               "material.poisson_ratio, contact.half_width, contact.peak_traction, kernel.type, "
+               "kernel.width, grid.elements, basis, load.force, solver.type, solver.tolerance, "
+               "solver.violation, solver.condition");
 }
 
 // Without a load all sticks that carries a traction, and a small load changes little.

@@ -172,7 +172,10 @@ const std::vector<Role> roles = {
     {"solver.condition", "1e13", by_elements + transients + cylinders},
     {"response.shortest", "1", ""},
     {"response.longest", "100", ""},
-    {"response.wavelengths", "60", ""}};
+    {"response.wavelengths", "60", ""},
+    {"converge.elements", "15 31", ""},
+    {"converge.error", "1e-3", ""},
+    {"converge.step_time", "1e-4", ""}};
 
 TEST(KeysOfScenes, AreAllInTheTableOfRoles) {
   std::vector<std::string> in_table, in_scenes;

@@ -26,6 +26,7 @@ constexpr std::string_view elements = "scenes without method chebyshev and targe
 constexpr std::string_view with_load = "scenes with contact.normal_load";
 constexpr std::string_view rolls = "problem transient or cylinder";
 constexpr std::string_view response = "microslip response";
+constexpr std::string_view converge = "microslip converge";
 
 constexpr auto keys = std::to_array<Key>({
     {.name = "problem",
@@ -246,6 +247,15 @@ constexpr auto keys = std::to_array<Key>({
      .range = {.least = 2, .most = 1e5},
      .role = response,
      .fallback = 60},
+    {"converge.elements", wholes, "1", "numbers N that are tried", range(2, 100000),
+     "in rising order, 15 31 63 127 255 without it", converge},
+    {.name = "converge.error",
+     .meaning = "relative error of the force or creepage for which schemes are compared",
+     .range = {.least = 0, .most = 1, .open = true},
+     .role = converge,
+     .fallback = 1e-3},
+    {"converge.step_time", number, "s", "time that the longest step of a transient may take",
+     above_zero, "off without it", converge},
 });
 
 /// "1e13", and "4 000 000" of whole numbers.

@@ -26,9 +26,8 @@ namespace microslip {
 double memory_needed(const Model& model);
 
 /// About how many operations, as support/work counts them, a solution takes, where inversion is not
-/// replaced by elements: within a factor of
-/// three for N from 100 to 6400, of shifts before rolling eight (tests/unit/cost_test.cpp); nan
-/// with target_error.
+/// replaced by elements: within a factor of three for N from 100 to 6400, of shifts before rolling
+/// eight (tests/unit/cost_test.cpp); nan with target_error.
 double work_needed(const Model& model);
 
 /// Steps of a transient, or of a cylinder as long as it does not swing; 0 in steady rolling.

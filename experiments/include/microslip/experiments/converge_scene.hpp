@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/scene/scene.hpp"
+#include "microslip/scene/table.hpp"
+#include "microslip/support/progress.hpp"
+
+namespace microslip::experiments {
+
+/// A scene that is solved by every scheme with several N, to see what an accuracy costs in it.
+struct ConvergeScene {
+  Scene scene;
+  std::vector<Eigen::Index> elements;  ///< N, in rising order
+  double error;                        ///< wanted of the answer, relative
+  std::optional<double> step_time;     ///< that a step of a transient may last  [s]
+  double memory;                       ///< that the reference takes  [bytes]
+};
+
+/// All keys of a steady or transient scene; converge.elements (15 31 63 127 255), converge.error
+/// (1e-3) and converge.step_time.
+/// \throws std::invalid_argument for a cylinder, target_error, start.type state and a reference of
+///         more than 1e13 operations
+ConvergeScene read_converge(Scene& scene);
+
+/// Tables: converge (errors and work of every scheme and N), converge_timing (measured time),
+/// summary (the reference) and advice_timing (a line of text for the error, and for the time of a
+/// step). Steady rolling is compared with the inversion where it holds; all else with the default
+/// scheme and 4 N + 3 elements for the largest N, of which the difference to 2 N + 1 elements is
+/// the reference's error.
+///
+/// \throws std::invalid_argument if the answer is zero all the way
+std::vector<Table> converge_tables(const ConvergeScene& scene, const Progress& progress);
+
+}  // namespace microslip::experiments

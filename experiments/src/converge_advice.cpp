@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "converge_advice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "microslip/support/format.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+/// Two digits: "180 us".
+std::string duration(double seconds) {
+  const auto [unit, name] = seconds >= 1      ? std::pair(1.0, " s")
+                            : seconds >= 1e-3 ? std::pair(1e-3, " ms")
+                                              : std::pair(1e-6, " us");
+  const double value = seconds / unit;
+  return value < 10 ? format_roughly(value) + name : std::to_string(std::lround(value)) + name;
+}
+
+std::string named(const Candidate& one) {
+  constexpr double nothing_but_rounding = 1e-9;
+  return one.scheme + " with grid.elements " + std::to_string(one.elements) + " (error " +
+         (one.error < nothing_but_rounding ? "below 1e-9" : format_roughly(one.error)) + ")";
+}
+
+std::string cost(const Candidate& one, bool steady) {
+  const std::string time = duration(one.time);
+  return steady ? time : time + ", " + duration(one.time / one.steps) + " a step";
+}
+
+struct Accurate {
+  std::vector<Candidate> found;   ///< the least N of each scheme; the cheapest first
+  std::vector<Candidate> others;  ///< schemes that are not as accurate, with their largest N
+};
+
+/// From the least N on, errors are at most that.
+Accurate accurate(const std::vector<Candidate>& candidates, double error) {
+  Accurate all;
+  for (auto of = candidates.begin(); of != candidates.end();) {
+    const auto end = std::find_if(of, candidates.end(),
+                                  [&](const Candidate& one) { return one.scheme != of->scheme; });
+    auto first = end;
+    while (first != of && std::prev(first)->error <= error) --first;
+    if (first != end) {
+      all.found.push_back(*first);
+    } else {
+      all.others.push_back(*std::prev(end));
+    }
+    of = end;
+  }
+  std::ranges::sort(all.found, {}, &Candidate::time);
+  return all;
+}
+
+std::string for_error(const std::vector<Candidate>& candidates, const Wanted& wanted) {
+  const std::string wish =
+      "for an error of " + format_short(wanted.error) + " in the " + wanted.quantity + ": ";
+  if (candidates.empty()) return wish + "no scheme solves this scene";
+  if (wanted.reference_error > wanted.error / 3) {
+    return wish + "the reference itself may be " + format_roughly(wanted.reference_error) +
+           " off, more elements are needed";
+  }
+  const auto& [found, others] = accurate(candidates, wanted.error);
+  if (found.empty()) {
+    return wish + "none; the best is " +
+           named(*std::ranges::min_element(others, {}, &Candidate::error));
+  }
+  std::string text = wish + named(found.front()) + ", " + cost(found.front(), wanted.steady);
+  for (std::size_t k = 1; k < found.size(); ++k) {
+    text += (k == 1 ? "; then " : ", ") + named(found[k]) + ", " + duration(found[k].time);
+  }
+  for (std::size_t k = 0; k < others.size(); ++k) {
+    text += (k == 0 ? "; not by " : ", ") + others[k].scheme;
+  }
+  return text;
+}
+
+std::string for_time(const std::vector<Candidate>& candidates, double step_time) {
+  const std::string wish = "within " + duration(step_time) + " a step: ";
+  const Candidate* best = nullptr;
+  for (const Candidate& one : candidates) {
+    if (one.longest_step <= step_time && (best == nullptr || one.error < best->error)) best = &one;
+  }
+  if (best == nullptr) return wish + "none of these";
+  return wish + named(*best) + ", " + duration(best->time / best->steps) +
+         " on average, the longest " + duration(best->longest_step);
+}
+
+}  // namespace
+
+Table advice(const std::vector<Candidate>& candidates, const Wanted& wanted) {
+  Table table("advice_timing", "what to take, by the times measured here",
+              {{"advice", "1", "a line of text"}});
+  table.add({for_error(candidates, wanted)});
+  if (wanted.step_time) table.add({for_time(candidates, *wanted.step_time)});
+  return table;
+}
+
+}  // namespace microslip::experiments

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/converge_scene.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "campaign.hpp"
+#include "converge_advice.hpp"
+#include "microslip/experiments/contact_tables.hpp"
+#include "microslip/rolling/schemes.hpp"
+#include "microslip/scene/cost.hpp"
+#include "microslip/scene/model.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/interpolation.hpp"
+#include "microslip/support/require.hpp"
+#include "study_keys.hpp"
+
+namespace microslip::experiments {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+/// A solution, as far as errors are about it.
+struct Outcome {
+  VectorXd distance;  ///< after each step; 0 of steady rolling  [mm]
+  VectorXd
+      answer;  ///< the force, or under a force the creepage; in transients the creep until then
+  VectorXd x;
+  VectorXd traction;        ///< at the end  [N/mm^2]
+  double lost = 0;          ///< energy  [N/mm or N]
+  double longest_step = 0;  ///< of all but the first  [s]
+};
+
+Outcome outcome_of(const SteadyProblem& problem) {
+  const SteadySolution solution = solve_steady(problem);
+  if (!solution.fallback.empty()) throw std::invalid_argument(solution.fallback);
+  require_evidence(solution.evidence, solution.condition, solution.iterations, problem.solver);
+  const bool under_force = std::holds_alternative<PrescribedForce>(problem.load);
+  return {.distance = VectorXd::Zero(1),
+          .answer = VectorXd::Constant(1, under_force ? solution.creepage : solution.force),
+          .x = solution.x,
+          .traction = solution.traction,
+          .lost = solution.dissipation};
+}
+
+Outcome outcome_of(const TransientScene& scene) {
+  TransientRolling rolling(scene.problem, scene.start, scene.loads.contact_at(0));
+  Outcome outcome;
+  for (const ShiftLoad& load : scene.shifts) outcome.lost += rolling.shift(load).dissipation;
+  const bool under_force = std::holds_alternative<PrescribedForce>(scene.loads.at(0));
+  std::vector<double> distance{rolling.state().distance};
+  std::vector<double> answer{under_force ? 0 : rolling.state().force};
+  WorstOfSteps worst;
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point before = Clock::now();
+  rolling.roll_to(scene.distance, scene.step_lengths(), scene.loads, [&](const TransientState& s) {
+    const Clock::time_point now = Clock::now();
+    const double took = std::chrono::duration<double>(now - before).count();
+    if (distance.size() > 1) outcome.longest_step = std::max(outcome.longest_step, took);
+    const double length = s.distance - distance.back();
+    answer.push_back(under_force ? answer.back() + length * s.creepage : s.force);
+    distance.push_back(s.distance);
+    outcome.lost += s.dissipation * length;
+    worst.include(s);
+    before = Clock::now();
+  });
+  constexpr double no_condition = 1;
+  require_evidence(worst.evidence, no_condition, worst.iterations, scene.problem.solver);
+  outcome.distance = VectorXd::Map(distance.data(), static_cast<Index>(distance.size()));
+  outcome.answer = VectorXd::Map(answer.data(), outcome.distance.size());
+  outcome.x = rolling.x();
+  outcome.traction = rolling.traction_at_nodes();
+  return outcome;
+}
+
+[[noreturn]] void reject_cylinder() {
+  reject("problem", "cylinder", "steady or transient, which have a load");
+}
+
+Outcome outcome_of(const SteadyTarget&) { throw std::logic_error("converge: a target error"); }
+Outcome outcome_of(const CylinderScene&) { reject_cylinder(); }
+
+/// Relative errors.
+struct Errors {
+  double answer, traction, energy;
+};
+
+Errors errors_of(const Outcome& outcome, const Outcome& exact) {
+  const VectorXd answer = interpolated(exact.distance, exact.answer, outcome.distance);
+  const VectorXd traction = interpolated(exact.x, exact.traction, outcome.x);
+  return {
+      (outcome.answer - answer).lpNorm<Eigen::Infinity>() / exact.answer.lpNorm<Eigen::Infinity>(),
+      (outcome.traction - traction).lpNorm<1>() / traction.lpNorm<1>(),
+      std::abs(outcome.lost / exact.lost - 1)};
+}
+
+/// A scheme, as what a scene sets to choose it.
+struct Contestant {
+  std::string name;
+  std::vector<std::string> settings;
+  bool by_elements = true;
+};
+
+std::vector<Contestant> contestants_for(bool steady) {
+  std::vector<Contestant> all;
+  if (!steady) {
+    for (const std::string_view name : advection_names()) {
+      all.push_back({std::string(name), {"step.scheme=" + std::string(name)}});
+    }
+    return all;
+  }
+  for (const SteadyEntry& entry : steady_schemes()) {
+    const std::string name(entry.name);
+    Contestant contestant{name, {"method=collocation", "leading_edge=" + name}, entry.by_elements};
+    if (name == "chebyshev") contestant.settings = {"method=chebyshev"};
+    if (!entry.basis.empty()) contestant.settings.push_back("basis=" + std::string(entry.basis));
+    all.push_back(contestant);
+  }
+  return all;
+}
+
+Model model_of(const ConvergeScene& converge, const Contestant& contestant, Index elements) {
+  Scene scene = converge.scene;
+  scene.set("grid.elements=" + std::to_string(elements));
+  for (const std::string& setting : contestant.settings) scene.set(setting);
+  return read_model(scene);
+}
+
+Outcome solved(const Model& model) {
+  return std::visit([](const auto& read) { return outcome_of(read); }, model);
+}
+
+double steps_of(const Model& model) {
+  const auto* transient = std::get_if<TransientScene>(&model);
+  if (transient == nullptr) return 1;
+  return static_cast<double>(
+      number_of_steps(transient->distance, transient->step_lengths(), transient->from));
+}
+
+struct Reference {
+  Outcome outcome;
+  std::string name;
+  Index elements;
+  double error;  ///< of the answer, estimate
+};
+
+/// Ten digits of steady rolling, if there are.
+std::optional<Reference> inverted(const ConvergeScene& converge, Index elements) {
+  constexpr double of_inversion = 1e-10;
+  try {
+    const Contestant inversion = contestants_for(true).front();
+    return Reference{solved(model_of(converge, inversion, elements)), inversion.name, elements,
+                     of_inversion};
+  } catch (const std::invalid_argument&) {
+    return std::nullopt;
+  }
+}
+
+/// The default scheme of those by elements.
+Contestant second_order(bool steady) {
+  const std::vector<Contestant> all = contestants_for(steady);
+  return *std::ranges::find_if(all, &Contestant::by_elements);
+}
+
+Index reference_elements(const ConvergeScene& converge) { return 4 * converge.elements.back() + 3; }
+
+Reference reference_of(const ConvergeScene& converge, bool steady) {
+  const Index fine = reference_elements(converge), half = fine / 2;
+  if (steady) {
+    if (auto reference = inverted(converge, fine)) return *reference;
+  }
+  const Contestant scheme = second_order(steady);
+  Outcome outcome = solved(model_of(converge, scheme, fine));
+  const Outcome coarse = solved(model_of(converge, scheme, half));
+  return {outcome, scheme.name, fine, errors_of(coarse, outcome).answer};
+}
+
+void require_reference(ConvergeScene& converge, bool steady) {
+  constexpr double most_operations = 1e13;
+  const Model model = model_of(converge, second_order(steady), reference_elements(converge));
+  converge.memory = memory_needed(model);
+  const double work = work_needed(model);
+  require(work <= most_operations, "converge.elements",
+          static_cast<double>(converge.elements.back()), [&] {
+            return "fewer: the reference with " + std::to_string(reference_elements(converge)) +
+                   " takes " + format_roughly(work) + " operations, and at most " +
+                   format_roughly(most_operations) + " are accepted";
+          });
+}
+
+Table converge_table(bool under_force) {
+  return {"converge",
+          "errors and counted work of every scheme against the number of elements",
+          {{"scheme", "1", "leading_edge or method of steady rolling, step.scheme of a transient"},
+           {"elements", "1", "N; nodes shown of inversion and chebyshev"},
+           {"answer_error", "1",
+            under_force ? "creepage; in a transient the creep after each step, the largest error; "
+                          "over the largest that is exact"
+                        : "force; in a transient after each step, the largest error; over the "
+                          "largest that is exact",
+            1e-9},
+           {"order", "1", "of answer_error, from the row before"},
+           {"traction_error", "1",
+            "sum of |p - exact| at the nodes over that of |exact|; in a "
+            "transient at the end",
+            1e-9},
+           {"energy_error", "1", "energy lost by slip, relative", 1e-9},
+           {"steps", "1", "steps of a transient"},
+           {"work", "1", "counted floating-point operations"},
+           {"status", "1", "ok, or why there is no result"}}};
+}
+
+Table timing_table() {
+  return {"converge_timing",
+          "measured time of every run that succeeded",
+          {{"scheme", "1", "as in converge"},
+           {"elements", "1", "N"},
+           {"answer_error", "1", "as in converge"},
+           {"time", "s", "of the processor, for all of it, least of the repeats"},
+           {"step_time", "s", "the same over the number of steps"},
+           {"longest_step", "s", "the longest step but the first, least of the repeats"}}};
+}
+
+}  // namespace
+
+ConvergeScene read_converge(Scene& scene) {
+  if (scene.has("target_error")) {
+    throw BadParameter("target_error",
+                       "target_error: expected a scene without it, as all N are tried");
+  }
+  const Model model = read_model(scene);
+  if (std::holds_alternative<CylinderScene>(model)) reject_cylinder();
+  const auto* transient = std::get_if<TransientScene>(&model);
+  if (transient != nullptr && transient->from > 0) {
+    reject("start.type", "state", "another start: a state is that of one scheme and N");
+  }
+  ConvergeScene read{.scene = scene,
+                     .elements = {15, 31, 63, 127, 255},
+                     .error = 0,
+                     .step_time = std::nullopt,
+                     .memory = 0};
+  constexpr const char* elements = "converge.elements";
+  if (scene.has(elements)) {
+    read.elements = scene.wholes(elements);
+    for (const Index n : read.elements) {
+      scene.demand(elements, static_cast<double>(n), n >= 2 && n <= 100000);
+    }
+    demand_rising(scene, elements, read.elements);
+  }
+  read.error = scene.number("converge.error");
+  scene.demand("converge.error", read.error, read.error > 0 && read.error <= 1);
+  if (scene.has("converge.step_time")) {
+    read.step_time = scene.positive("converge.step_time");
+    if (transient == nullptr) reject("problem", "steady", "transient with converge.step_time");
+  }
+  require_reference(read, transient == nullptr);
+  return read;
+}
+
+std::vector<Table> converge_tables(const ConvergeScene& converge, const Progress& progress) {
+  Scene copy = converge.scene;
+  const Model model = read_model(copy);
+  const auto* steady = std::get_if<SteadyProblem>(&model);
+  const Load load = steady != nullptr ? steady->load : std::get<TransientScene>(model).loads.at(0);
+  const bool under_force = std::holds_alternative<PrescribedForce>(load);
+  const std::vector<Contestant> all = contestants_for(steady != nullptr);
+  const std::size_t total = 1 + all.size() * converge.elements.size();
+  std::size_t done = 0;
+
+  const Reference reference = reference_of(converge, steady != nullptr);
+  if (reference.outcome.answer.isZero(0)) {
+    throw std::invalid_argument("converge: expected a load that is not zero");
+  }
+  progress(++done, total);
+  Table table = converge_table(under_force), timing = timing_table();
+  std::vector<Candidate> candidates;
+  for (const Contestant& contestant : all) {
+    constexpr double most_operations = 1e11, repeats = 0.05;
+    Runs runs({.operations = most_operations, .repeats = repeats});
+    double last_error = not_given, last_size = not_given;
+    for (const Index n : converge.elements) {
+      ++done;
+      if (!contestant.by_elements && n != converge.elements.back()) continue;
+      const auto size = static_cast<double>(n);
+      Outcome outcome;
+      double steps = not_given, longest = not_given;
+      std::optional<Model> read;
+      const Attempt attempt = runs.run(size, [&] {
+        if (!read) read = model_of(converge, contestant, n);
+        outcome = solved(*read);
+        longest = std::fmin(longest, outcome.longest_step);
+      });
+      progress(done, total);
+      if (attempt.status != Status::ok) {
+        const std::string why = attempt.message.empty() ? "" : ": " + attempt.message;
+        table.add({contestant.name, size, not_given, not_given, not_given, not_given, not_given,
+                   not_given, name_of(attempt.status) + why});
+        continue;
+      }
+      steps = steps_of(*read);
+      const Errors errors = errors_of(outcome, reference.outcome);
+      const double order = std::log(last_error / errors.answer) / std::log(size / last_size);
+      table.add({contestant.name, size, errors.answer, order, errors.traction, errors.energy, steps,
+                 attempt.work, "ok"});
+      timing.add(
+          {contestant.name, size, errors.answer, attempt.time, attempt.time / steps, longest});
+      candidates.push_back({contestant.name, n, errors.answer, attempt.time, steps, longest});
+      last_error = errors.answer;
+      last_size = size;
+    }
+  }
+  Table summary = empty_summary("the reference that errors are measured against");
+  summary.add({"reference", reference.name, "1"});
+  summary.add({"reference_elements", static_cast<double>(reference.elements), "1"});
+  summary.add({"reference_error", reference.error, "1"}, Rounding{"value", 1e-9});
+  return {table, timing, summary,
+          advice(candidates, {.error = converge.error,
+                              .step_time = converge.step_time,
+                              .quantity = under_force ? "creepage" : "force",
+                              .steady = steady != nullptr,
+                              .reference_error = reference.error})};
+}
+
+}  // namespace microslip::experiments

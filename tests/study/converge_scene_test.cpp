@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `microslip converge` says of a scene, against orders and references that are known.
+#include "microslip/experiments/converge_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+#include "good_scene.hpp"
+#include "scene_text.hpp"
+
+namespace microslip::experiments {
+namespace {
+
+const std::string steady = good_contact + "problem steady\nload { force -0.5 }\n";
+const std::string transient = good_contact +
+                              "problem transient\nload { force -0.6 }\nstart { type cattaneo }\n"
+                              "step { ratio 0.3 }\nmotion { distance 1 }\n";
+
+std::vector<Table> tables_of(const std::string& text, const std::string& settings = "") {
+  Scene scene = scene_of(text + settings);
+  return converge_tables(read_converge(scene), [](std::size_t, std::size_t) {});
+}
+
+double error_of(const Table& table, const std::string& scheme, double elements) {
+  return table.latest({{"scheme", scheme}, {"elements", elements}}, "answer_error");
+}
+
+/// The mean order from N = 31 to 127.
+double order_of(const Table& table, const std::string& scheme) {
+  return std::log2(error_of(table, scheme, 31) / error_of(table, scheme, 127)) /
+         std::log2(127.0 / 31);
+}
+
+TEST(Converge, KnowsTheOrdersOfSteadySchemes) {
+  const std::vector<Table> tables = tables_of(steady);
+  const Table& table = tables.front();
+  EXPECT_NEAR(order_of(table, "standard"), 1, 0.15);
+  EXPECT_NEAR(order_of(table, "trimmed"), 1, 0.15);
+  EXPECT_GT(order_of(table, "known_edge"), 1.3);
+  EXPECT_GT(order_of(table, "calibrated"), 1.6);
+  EXPECT_LT(error_of(table, "inversion", 255), 1e-10);
+  EXPECT_LT(error_of(table, "chebyshev", 255), 1e-10);
+  EXPECT_LT(error_of(table, "calibrated", 127), error_of(table, "standard", 127) / 30);
+  EXPECT_EQ(std::get<std::string>(tables[2].at(0, "value")), "inversion");
+}
+
+TEST(Converge, KnowsTheOrdersOfTransientSchemes) {
+  const std::vector<Table> tables = tables_of(transient, "converge { elements \"31 63 127\" }\n");
+  const Table& table = tables.front();
+  EXPECT_NEAR(order_of(table, "remembered"), 2, 0.3);
+  EXPECT_NEAR(order_of(table, "direct"), 1, 0.2);
+  EXPECT_LT(error_of(table, "remembered", 127), error_of(table, "direct", 127) / 50);
+  EXPECT_EQ(std::get<std::string>(tables[2].at(0, "value")), "remembered");
+}
+
+// The reference's error is that of half its elements: about four times its own.
+TEST(Converge, SaysHowFarTheReferenceMayBeOff) {
+  const auto tables = [](const std::string& elements) {
+    return tables_of(transient, "converge { elements " + elements + " }\n");
+  };
+  const std::vector<Table> coarse = tables("15"), fine = tables("63");
+  const double said = coarse[2].number(2, "value");
+  EXPECT_EQ(coarse[2].number(1, "value"), 63);
+  const double found = error_of(fine.front(), "remembered", 63);
+  EXPECT_LT(found, said);
+  EXPECT_GT(found, said / 10);
+}
+
+TEST(Converge, RunsMeasureTimeAndAdvise) {
+  const std::vector<Table> tables =
+      tables_of(transient, "converge { elements \"31 63\"\n error 2e-3\n step_time 1 }\n");
+  const Table& timing = tables[1];
+  EXPECT_EQ(timing.rows(), tables.front().rows());
+  for (std::size_t i = 0; i < timing.rows(); ++i) {
+    EXPECT_GT(timing.number(i, "step_time"), 0);
+    EXPECT_GE(timing.number(i, "time"), timing.number(i, "step_time"));
+  }
+  const Table& advice = tables[3];
+  ASSERT_EQ(advice.rows(), 2U);
+  EXPECT_TRUE(std::get<std::string>(advice.at(0, "advice"))
+                  .starts_with("for an error of 0.002 in the creepage: remembered with "));
+  EXPECT_TRUE(std::get<std::string>(advice.at(1, "advice"))
+                  .starts_with("within 1 s a step: remembered with grid.elements 63 (error "));
+}
+
+TEST(Converge, RefusesWhatItCannotCompare) {
+  const auto refusal = [](const std::string& text, const std::string& setting = "") {
+    return message([&] {
+      Scene scene = scene_of(text);
+      if (!setting.empty()) scene.set(setting);
+      converge_tables(read_converge(scene), [](std::size_t, std::size_t) {});
+    });
+  };
+  EXPECT_EQ(refusal(steady, "converge.error=0"),
+            "converge.error = 0: expected a number above 0, at most 1");
+  EXPECT_EQ(
+      refusal(steady, "converge.elements=1 2"),
+      "converge.elements = 1: expected whole numbers 2 ... 100 000; in rising order, 15 31 63 "
+      "127 255 without it");
+  EXPECT_EQ(refusal(steady, "converge.elements=20 20"),
+            "converge.elements = 20: expected whole numbers 2 ... 100 000; in rising order, 15 31 "
+            "63 127 255 without it");
+  EXPECT_EQ(refusal(steady, "converge.step_time=1 ms"),
+            "problem = 'steady': expected transient with converge.step_time");
+  EXPECT_EQ(refusal(steady, "load.force=0"), "converge: expected a load that is not zero");
+  EXPECT_TRUE(
+      refusal(transient, "converge.elements=50000")
+          .starts_with("converge.elements = 50000: expected fewer: the reference with 200003 "
+                       "takes "));
+}
+
+}  // namespace
+}  // namespace microslip::experiments
