@@ -38,7 +38,7 @@ struct Outcome {
 Outcome outcome_of(const SteadyProblem& problem) {
   const SteadySolution solution = solve_steady(problem);
   if (!solution.fallback.empty()) throw std::invalid_argument(solution.fallback);
-  require_evidence(solution.evidence, solution.condition, solution.iterations, problem.solver);
+  require_evidence(solution.evidence, solution.condition, solution.iterations, problem.accepted);
   const bool under_force = std::holds_alternative<PrescribedForce>(problem.load);
   return {.distance = VectorXd::Zero(1),
           .answer = VectorXd::Constant(1, under_force ? solution.creepage : solution.force),
@@ -69,7 +69,7 @@ Outcome outcome_of(const TransientScene& scene) {
     before = Clock::now();
   });
   constexpr double no_condition = 1;
-  require_evidence(worst.evidence, no_condition, worst.iterations, scene.problem.solver);
+  require_evidence(worst.evidence, no_condition, worst.iterations, scene.problem.accepted);
   outcome.distance = VectorXd::Map(distance.data(), static_cast<Index>(distance.size()));
   outcome.answer = VectorXd::Map(answer.data(), outcome.distance.size());
   outcome.x = rolling.x();

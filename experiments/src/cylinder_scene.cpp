@@ -107,7 +107,7 @@ std::vector<Table> scene_tables(const CylinderScene& scene, const Progress& prog
   add_evidence(summary, worst.evidence,
                {.condition = body.condition(),
                 .iterations = worst.iterations,
-                .accepted = scene.contact.solver});
+                .accepted = scene.contact.accepted});
   return {traction_table("a cylinder rolls down a slope, values at the nodes at the end",
                          {body.contact().x(), body.contact().bound_at_nodes(),
                           body.contact().traction_at_nodes(), last.slip,

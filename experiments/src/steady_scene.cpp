@@ -48,7 +48,7 @@ Table summary_of(const std::string& description, const SteadySolution& solution,
   add_evidence(summary, solution.evidence,
                {.condition = solution.condition,
                 .iterations = solution.iterations,
-                .accepted = problem.solver,
+                .accepted = problem.accepted,
                 .steady = true,
                 .doubt = doubt_of(solution, problem)});
   return summary;

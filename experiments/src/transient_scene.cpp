@@ -99,9 +99,9 @@ Table shifts_table(const ShiftRecord& record) {
   return table;
 }
 
-/// What is doubtful of shifts that the solver accepts.
+/// What is doubtful of shifts that are accepted.
 /// \throws as require_evidence
-std::optional<std::string> doubt_of(const ShiftRecord& shifts, const Solver& accepted) {
+std::optional<std::string> doubt_of(const ShiftRecord& shifts, const Acceptance& accepted) {
   constexpr double no_condition = 1;  // estimated once, after the last step
   require_evidence(shifts.worst.evidence, no_condition, shifts.worst.iterations, accepted);
   const auto doubt = microslip::doubt_of(shifts.worst.evidence, accepted, false);
@@ -122,7 +122,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   std::size_t done = 0;
   const auto count = [&] { progress(++done, scene.shifts.size() + steps); };
   const ShiftRecord shifts = shift_all(rolling, scene, count);
-  const auto shift_doubt = doubt_of(shifts, scene.problem.solver);
+  const auto shift_doubt = doubt_of(shifts, scene.problem.accepted);
   Table history = empty_history(scene.loads);
   TransientState start = rolling.state();
   if (scene.from == 0) start.iterations = 0;  // it is no step
@@ -164,7 +164,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   add_evidence(summary, worst.evidence,
                {.condition = rolling.condition(),
                 .iterations = worst.iterations,
-                .accepted = scene.problem.solver,
+                .accepted = scene.problem.accepted,
                 .doubt = shift_doubt});
   std::vector<Table> tables{
       traction_table("transient rolling, values at the nodes at the end",

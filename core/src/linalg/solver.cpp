@@ -25,9 +25,6 @@ void require_dense(Eigen::Index n) {
 void validate(const Solver& solver) {
   require(solver.tolerance >= 1e-12 && solver.tolerance <= 1e-3, "solver.tolerance",
           solver.tolerance, "a number in [1e-12, 1e-3]");
-  require(solver.violation > 0 && solver.violation <= 1, "solver.violation", solver.violation,
-          "a number in (0, 1]");
-  require(solver.condition >= 1, "solver.condition", solver.condition, "a number >= 1");
 }
 
 }  // namespace microslip

@@ -7,6 +7,7 @@
 
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip {
 
@@ -94,8 +95,14 @@ Evidence evidence_by_samples(const TractionBound& bound,
   return evidence;
 }
 
+void validate(const Acceptance& accepted) {
+  require(accepted.violation > 0 && accepted.violation <= 1, "solver.violation", accepted.violation,
+          "a number in (0, 1]");
+  require(accepted.condition >= 1, "solver.condition", accepted.condition, "a number >= 1");
+}
+
 void require_evidence(const Evidence& evidence, double condition, int iterations,
-                      const Solver& accepted) {
+                      const Acceptance& accepted) {
   const auto refuse = [&](const std::string& why) {
     throw NotConverged(why, iterations, evidence.violation());
   };
@@ -105,7 +112,7 @@ void require_evidence(const Evidence& evidence, double condition, int iterations
     refuse("the result's " + name + " is " + format_short(value) + ": expected at most " + key +
            " = " + format_short(limit));
   };
-  check("residual", evidence.residual, "solver.tolerance", accepted.tolerance);
+  check("residual", evidence.residual, "solver.tolerance", accepted.residual);
   check("condition", condition, "solver.condition", accepted.condition);
   check("bound_violation", evidence.bound_violation(), "solver.violation", accepted.violation);
   check("slip_violation", evidence.slip_violation(), "solver.violation", accepted.violation);
@@ -120,7 +127,8 @@ void require_evidence(const Evidence& evidence, double condition, int iterations
   }
 }
 
-std::optional<std::string> doubt_of(const Evidence& evidence, const Solver& accepted, bool steady) {
+std::optional<std::string> doubt_of(const Evidence& evidence, const Acceptance& accepted,
+                                    bool steady) {
   const auto above = [](const std::string& name, double value, const std::string& why) {
     return name + " is " + format_roughly(value) + ": " + why;
   };

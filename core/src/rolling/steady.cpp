@@ -26,7 +26,7 @@ namespace {
 
 /// -du/dx of the tractions, the last row of which may have been replaced.
 SquareMatrix strain_of(const SteadyProblem& problem, const Differences& differences) {
-  const auto& [kernel, bound, grid, basis, method, load, solver] = problem;
+  const auto& [kernel, bound, grid, basis, method, load, solver, accepted] = problem;
   const Index n = grid.size();
   const double dx = grid.spacing();
   if (!differences.edge_displacement) {

@@ -8,6 +8,7 @@
 #include "microslip/halfspace/grid.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/linalg/solver.hpp"
+#include "microslip/rolling/evidence.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/nearest.hpp"
@@ -231,12 +232,12 @@ constexpr auto keys = std::to_array<Key>({
                 "relative to the load",
      .range = {.least = 0, .most = 1, .open = true},
      .role = elements,
-     .fallback = Solver{}.violation},
+     .fallback = Acceptance{}.violation},
     {.name = "solver.condition",
      .meaning = "largest condition number that is accepted",
      .range = {.least = 1},
      .role = elements,
-     .fallback = Solver{}.condition},
+     .fallback = Acceptance{}.condition},
     {"response.shortest", number, "mm", "shortest wavelength", above_zero,
      "0.3 half-lengths of the stick zone without it", response},
     {"response.longest", number, "mm", "longest wavelength", above_zero,

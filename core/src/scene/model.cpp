@@ -249,7 +249,8 @@ SteadyProblem read_steady(Scene& scene, const SteadyMethod& method) {
           .basis = elements ? read_basis(scene, model.grid) : constant_basis(),
           .method = method,
           .load = read_load(scene, model.kernel, model.bound),
-          .solver = elements ? read_solver(scene) : Solver{}};
+          .solver = elements ? read_solver(scene) : Solver{},
+          .accepted = elements ? read_acceptance(scene) : Acceptance{}};
 }
 
 std::vector<double> TransientScene::step_lengths() const {
@@ -265,7 +266,8 @@ TransientScene read_transient(Scene& scene) {
                                  .grid = model.grid,
                                  .basis = read_basis(scene, model.grid),
                                  .scheme = read_scheme(scene),
-                                 .solver = read_solver(scene)};
+                                 .solver = read_solver(scene),
+                                 .accepted = read_acceptance(scene)};
   require_definite(problem);
   const LoadHistory loads = read_loads(scene, problem);
   const std::vector<double> step_ratios = read_steps(scene, problem, loads);
@@ -315,7 +317,8 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
                                      .grid = model.grid,
                                      .basis = read_basis(scene, model.grid),
                                      .scheme = scheme,
-                                     .solver = read_solver(scene)},
+                                     .solver = read_solver(scene),
+                                     .accepted = read_acceptance(scene)},
                          .cylinder = {.mass = scene.positive("cylinder.mass"),
                                       .inertia = scene.positive("cylinder.inertia"),
                                       .radius = scene.positive("cylinder.radius"),

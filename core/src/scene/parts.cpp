@@ -101,11 +101,17 @@ Solver read_solver(Scene& scene) {
   const Solver solver{.type = type == "dense" ? Solver::Type::dense
                               : type == "fft" ? Solver::Type::fft
                                               : Solver::Type::automatic,
-                      .tolerance = scene.number("solver.tolerance"),
-                      .violation = scene.number("solver.violation"),
-                      .condition = scene.number("solver.condition")};
+                      .tolerance = scene.number("solver.tolerance")};
   validate(solver);
   return solver;
+}
+
+Acceptance read_acceptance(Scene& scene) {
+  const Acceptance accepted{.residual = scene.number("solver.tolerance"),
+                            .violation = scene.number("solver.violation"),
+                            .condition = scene.number("solver.condition")};
+  validate(accepted);
+  return accepted;
 }
 
 Load read_load(Scene& scene, const Kernel& kernel, const TractionBound& bound) {

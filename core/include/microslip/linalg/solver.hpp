@@ -5,8 +5,7 @@
 
 namespace microslip {
 
-/// How products with influence coefficients are made, how their systems are solved, and which
-/// residuals of a result are accepted.
+/// How products with influence coefficients are made, and how their systems are solved.
 struct Solver {
   enum class Type {
     automatic,  ///< `fft` from `crossover` elements on where matrices are Toeplitz, else `dense`
@@ -16,16 +15,9 @@ struct Solver {
 
   Type type = Type::automatic;
 
-  /// Largest residual of a result, relative to the largest term of its equations, in [1e-12, 1e-3].
+  /// Residual that is wanted, relative to the largest term of the equations, in [1e-12, 1e-3].
   /// Refinement aims at 1e-5 of it.
   double tolerance = 1e-10;
-
-  /// Largest violation of the contact conditions that require_evidence() accepts, relative to the
-  /// load, in (0, 1]; a tenth of it is doubtful.
-  double violation = 0.05;
-
-  /// Largest condition number that it accepts, >= 1: rounding may cost up to 2e-16 times as much.
-  double condition = 1e13;
 
   /// Dense systems of fewer unknowns are solved faster than by FFT, bench/toeplitz_bench.cpp
   static constexpr Eigen::Index crossover = 96;

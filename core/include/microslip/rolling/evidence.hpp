@@ -63,16 +63,32 @@ Evidence evidence_by_samples(const TractionBound& bound,
                              const std::function<double(double)>& slip, double stick_edge,
                              double stick_end, Eigen::Index parts, double force, double creepage);
 
+/// What a result must keep.
+struct Acceptance {
+  /// Largest residual, relative to the largest term of the equations: Solver::tolerance.
+  double residual = Solver{}.tolerance;
+
+  /// Largest violation of the contact conditions, relative to the load, in (0, 1]; a tenth of it is
+  /// doubtful.
+  double violation = 0.05;
+
+  /// Largest condition number, >= 1: rounding may cost up to 2e-16 times as much.
+  double condition = 1e13;
+};
+
+/// \throws std::invalid_argument if a number is out of its range
+void validate(const Acceptance& accepted);
+
 /// \param condition   of the equations in adhesion, estimate  [1]
 /// \param iterations  for the message
-/// \throws NotConverged if the evidence is worse than the solver accepts, or impossible; the
-/// message
-///                      names the residual, its size, and a remedy
+/// \throws NotConverged if the evidence is worse than accepted, or impossible; the message names the
+///                      residual, its size, and a remedy
 void require_evidence(const Evidence& evidence, double condition, int iterations,
-                      const Solver& accepted);
+                      const Acceptance& accepted);
 
 /// A sentence about an accepted but doubtful residual, if there is one.
 /// \param steady  whether power is that which is dissipated
-std::optional<std::string> doubt_of(const Evidence& evidence, const Solver& accepted, bool steady);
+std::optional<std::string> doubt_of(const Evidence& evidence, const Acceptance& accepted,
+                                    bool steady);
 
 }  // namespace microslip

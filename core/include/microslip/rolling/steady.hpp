@@ -53,6 +53,7 @@ struct SteadyProblem {
   SteadyMethod method = Inversion{};
   Load load;
   Solver solver = {};
+  Acceptance accepted = {};  ///< for require_evidence
 };
 
 /// Differences over one element, with mean bounds, and with the edges where the scheme feels them:

@@ -27,6 +27,7 @@ struct TransientProblem {
   Basis basis;
   AdvectionScheme scheme;
   Solver solver = {};
+  Acceptance accepted = {};  ///< for require_evidence
 };
 
 /// A transient is about displacements, and so wants a contact that resists them: with an L0 of

@@ -41,9 +41,11 @@ Grid read_grid(Scene& scene, double half_width);
 /// basis constant|linear|quadratic (constant); the last for an odd number of elements
 Basis read_basis(Scene& scene, const Grid& grid);
 
-/// solver.type auto|dense|fft (auto), solver.tolerance (1e-10), solver.violation (1e-3),
-/// solver.condition (1e13)
+/// solver.type auto|dense|fft (auto), solver.tolerance (1e-10)
 Solver read_solver(Scene& scene);
+
+/// solver.tolerance (1e-10), solver.violation (0.05), solver.condition (1e13)
+Acceptance read_acceptance(Scene& scene);
 
 /// load.creepage, load.force, load.force_ratio or, for Hertz's bound in plane strain,
 /// load.stick_ratio

@@ -42,12 +42,12 @@ struct WorstOfSteps {
 struct Judged {
   double condition;  ///< of the equations in adhesion, estimate
   int iterations;    ///< that the result took
-  Solver accepted;
+  Acceptance accepted;
   bool steady = false;
   std::optional<std::string> doubt = std::nullopt;  ///< another one, in a sentence; goes first
 };
 
-/// Adds what a result shows of its own correctness to such a table, if the solver accepts it; the
+/// Adds what a result shows of its own correctness to such a table, if that is accepted; the
 /// last row, `warning`, says what is doubtful, or "none".
 /// \throws as require_evidence
 void add_evidence(Table& summary, const Evidence& evidence, const Judged& judged);
