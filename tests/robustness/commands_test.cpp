@@ -360,7 +360,8 @@ TEST_F(Commands, KeysArePrintedForWhoeverReadsThem) {
   const std::string text = run_in_folder("keys").output;
   EXPECT_EQ(run_in_folder("keys --format text").output, text);
   EXPECT_NE(
-      text.find("material.poisson_ratio                combined Poisson ratio nu: 0 ... 0.5\n"),
+      text.find("material.poisson_ratio                 combined Poisson ratio nu; or that of "
+                "the driven "),
       std::string::npos);
   EXPECT_NE(run_in_folder("keys --format markdown")
                 .output.find("| `kernel.width` | width Δy of the strip | mm | > 0 | `kernel.type` "

@@ -11,6 +11,22 @@ void validate(const Material& material) {
   require(nu >= 0 && nu <= 0.5, "material.poisson_ratio", nu, "a number in [0, 0.5]");
 }
 
+Bodies combined(const Material& first, const Material& second) {
+  validate(first);
+  validate(second);
+  const auto [g1, nu1] = first;
+  const auto [g2, nu2] = second;
+  const double shear = 2 / (1 / g1 + 1 / g2);
+  const double poisson = shear * (nu1 / g1 + nu2 / g2) / 2;
+  const double beta =
+      ((1 - 2 * nu2) / g2 - (1 - 2 * nu1) / g1) / (2 * ((1 - nu1) / g1 + (1 - nu2) / g2));
+  return {{.shear_modulus = shear, .poisson_ratio = poisson}, beta};
+}
+
+double pressure_strain(const Bodies& bodies, double friction) {
+  return compliance(bodies.combined) * bodies.dundurs_beta / friction;
+}
+
 double compliance(const Material& material) {
   return 2 * (1 - material.poisson_ratio) / material.shear_modulus;
 }

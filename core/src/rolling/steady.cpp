@@ -24,9 +24,12 @@ Index SteadySolution::slip_elements() const { return x.size() - adhesion_element
 
 namespace {
 
+bool are_unlike(const SteadyProblem& problem) { return problem.pressure_strain != 0; }
+
 /// -du/dx of the tractions, the last row of which may have been replaced.
 SquareMatrix strain_of(const SteadyProblem& problem, const Differences& differences) {
-  const auto& [kernel, bound, grid, basis, method, load, solver, accepted] = problem;
+  const auto& [kernel, bound, grid, basis, method, load, solver, accepted, pressure_strain] =
+      problem;
   const Index n = grid.size();
   const double dx = grid.spacing();
   if (!differences.edge_displacement) {
@@ -62,6 +65,15 @@ VectorXd mean_bound_of(const SteadyProblem& problem) {
 VectorXd bound_of(const SteadyProblem& problem, const Differences& differences) {
   return differences.mean_bounds ? mean_bound_of(problem)
                                  : bound_at(problem.bound, problem.grid.nodes());
+}
+
+/// Where the pressure stretches the surfaces: at the nodes, as CONTACT has it, or over the steps that
+/// the difference takes.
+VectorXd pressed_bound_of(const SteadyProblem& problem, const Differences& differences) {
+  const VectorXd x = problem.grid.nodes();
+  if (!differences.mean_bounds) return bound_at(problem.bound, x);
+  const double reach = differences.step_ratio * problem.grid.spacing();
+  return mean_bound_around(problem.bound, (x.array() + reach / 2).matrix(), reach);
 }
 
 ActiveSet active_set_of(const SteadyProblem& problem, const Differences& differences) {
@@ -115,6 +127,9 @@ ContactState contact_by(ActiveSet& active_set, const SteadyProblem& problem,
   SlipConditions conditions{.bound = bound_of(problem, differences),
                             .offset = VectorXd::Zero(n),
                             .reference = VectorXd::Zero(n)};
+  if (are_unlike(problem)) {
+    conditions.offset = -problem.pressure_strain * pressed_bound_of(problem, differences);
+  }
   if (differences.edge_displacement) {
     conditions.offset[n - 1] =
         -*differences.edge_displacement / (grid.leading_offset() * grid.spacing());
@@ -134,6 +149,10 @@ SteadySolution by_differences(const SteadyProblem& problem, const Differences& d
   Evidence evidence = evidence_by_elements(
       {lengths, bound, mean_bound_of(problem), state.traction, state.slip}, force, state.creepage);
   evidence.residual = state.residuals.equations;
+  if (are_unlike(problem)) {
+    evidence.load = lengths.dot(state.traction.cwiseAbs());
+    evidence.power = evidence.dissipated;
+  }
   return {.x = x,
           .bound = bound,
           .traction = state.traction,
@@ -144,7 +163,7 @@ SteadySolution by_differences(const SteadyProblem& problem, const Differences& d
           .zones = state.zones,
           .force = force,
           .creepage = state.creepage,
-          .dissipation = -state.creepage * force,
+          .dissipation = are_unlike(problem) ? evidence.dissipated : -state.creepage * force,
           .iterations = state.iterations,
           .evidence = evidence,
           .condition = active_set.condition()};
@@ -192,6 +211,7 @@ SteadySolution instead_of_inversion(const SteadyProblem& problem, const std::str
 }
 
 SteadySolution by_inversion(const SteadyProblem& problem) {
+  if (are_unlike(problem)) return instead_of_inversion(problem, "bodies differ in material");
   const InvertedRolling rolling(problem.kernel, problem.bound);
   if (const auto why = rolling.obstacle()) return instead_of_inversion(problem, *why);
   try {
@@ -226,6 +246,21 @@ double answer_of(const Load& load, const SteadySolution& solution) {
   return std::holds_alternative<PrescribedForce>(load) ? solution.creepage : solution.force;
 }
 
+void validate(const SteadyProblem& problem) {
+  if (!are_unlike(problem)) return;
+  if (!std::holds_alternative<PlaneKernel>(problem.kernel)) {
+    reject("kernel.type", "strip", "plane for bodies of different material");
+  }
+  const auto* differences = std::get_if<Differences>(&problem.method);
+  if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
+    reject("method", "chebyshev", "collocation for bodies of different material");
+  }
+  if (differences != nullptr && differences->edge_displacement) {
+    reject("leading_edge", "known_edge",
+           "inversion, calibrated, standard or trimmed for bodies of different material");
+  }
+}
+
 SteadyProblem whole_contact(const SteadyProblem& problem) {
   const Index n = problem.grid.size();
   const double offset =
@@ -240,6 +275,7 @@ SteadyProblem whole_contact(const SteadyProblem& problem) {
 }
 
 SteadySolution solve_steady(const SteadyProblem& problem) {
+  validate(problem);
   if (const auto* differences = std::get_if<Differences>(&problem.method)) {
     return by_differences(problem, *differences);
   }

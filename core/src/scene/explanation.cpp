@@ -106,14 +106,33 @@ const std::string normal_changes =
     "the normal contact: bound and edges are given, from row to row; they do not depend on "
     "tractions";
 const std::string normal = "the normal contact: bound and edges are given and stay as they are";
+const std::string how_steady = "how the bodies came to roll steadily, and their inertia";
+const std::string goodman =
+    "what tangential tractions change of the normal contact of bodies of different material";
 const std::string details =
     "lateral creepage, spin, bodies of different material, friction that depends on slip, heat, "
     "wear";
+const std::string details_of_unlike =
+    "lateral creepage, spin, friction that depends on slip, heat, wear";
+
+/// What the pressure does with free rolling.
+std::vector<std::string> stretched(const SteadyProblem& problem) {
+  const double ratio = problem.pressure_strain / compliance(material_of(problem.kernel));
+  if (ratio == 0) return {};
+  return {"bodies of different material, beta/mu = " + number(ratio) +
+          ": the pressure stretches one surface against the other"};
+}
 
 struct Explain {
   Explanation operator()(const SteadyProblem& problem) const {
-    return steady(kind_of(problem.load), {sliding(problem.bound, problem.load),
-                                          elements_of(problem.grid), method_of(problem)});
+    std::vector<std::string> consequences = {sliding(problem.bound, problem.load),
+                                             elements_of(problem.grid), method_of(problem)};
+    std::ranges::copy(stretched(problem), std::back_inserter(consequences));
+    Explanation found = steady(kind_of(problem.load), consequences);
+    if (problem.pressure_strain != 0) {
+      found.not_modelled = {normal, goodman, how_steady, details_of_unlike};
+    }
+    return found;
   }
   Explanation operator()(const SteadyTarget& target) const {
     return steady(
@@ -147,9 +166,7 @@ struct Explain {
             {normal, "waves in the bodies: they deform as half-spaces at rest", details}};
   }
   static Explanation steady(const std::string& load, std::vector<std::string> consequences) {
-    return {"steady rolling under " + load,
-            std::move(consequences),
-            {normal, "how the bodies came to roll steadily, and their inertia", details}};
+    return {"steady rolling under " + load, std::move(consequences), {normal, how_steady, details}};
   }
 };
 

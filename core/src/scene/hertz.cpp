@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "microslip/reference/line_contact.hpp"
+#include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 
@@ -14,8 +15,6 @@ namespace {
 
 /// A half-width above this part of the smaller radius is not small, as Hertz's theory wants it.
 constexpr double small_contact = 0.1;
-
-constexpr double most_friction = 10;
 
 struct Radii {
   double curvature;  ///< reciprocal of the relative radius  [1/mm]
@@ -43,9 +42,7 @@ HertzBound read_loaded_contact(Scene& scene, const Material& material) {
   }
   const double load = scene.positive("contact.normal_load");
   const Radii radii = read_radii(scene);
-  const double friction = scene.positive("contact.friction");
-  require(friction <= most_friction, "contact.friction", friction,
-          "a number above 0, at most " + format_short(most_friction));
+  const double friction = read_friction(scene);
   const LineContact contact(material, load, radii.curvature);
   const double a = contact.half_width();
   require(a < radii.smaller, "contact.normal_load", load, [&] {

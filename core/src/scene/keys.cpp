@@ -25,6 +25,7 @@ constexpr std::string_view whole_contact =
 
 constexpr std::string_view elements = "scenes without method chebyshev and target_error";
 constexpr std::string_view with_load = "scenes with contact.normal_load";
+constexpr std::string_view unlike = "problem steady with kernel.type plane, without target_error";
 constexpr std::string_view rolls = "problem transient or cylinder";
 constexpr std::string_view response = "microslip response";
 constexpr std::string_view converge = "microslip converge";
@@ -34,11 +35,25 @@ constexpr auto keys = std::to_array<Key>({
      .type = word,
      .meaning = "what is solved",
      .words = {"steady", "transient", "cylinder"}},
-    {"material.shear_modulus", number, "N/mm^2", "combined shear modulus G", above_zero},
+    {"material.shear_modulus", number, "N/mm^2",
+     "combined shear modulus G; or that of the driven body, if the other one has its own",
+     above_zero},
     {"material.youngs_modulus", number, "N/mm^2",
-     "Young's modulus E of both bodies, G = E/(2 (1 + nu))", above_zero,
+     "Young's modulus E, G = E/(2 (1 + nu)), of both bodies or of the driven one", above_zero,
      "instead of material.shear_modulus"},
-    {"material.poisson_ratio", number, "1", "combined Poisson ratio nu", range(0, 0.5)},
+    {"material.poisson_ratio", number, "1",
+     "combined Poisson ratio nu; or that of the driven body, if the other one has its own",
+     range(0, 0.5)},
+    {"material.shear_modulus_2", number, "N/mm^2", "shear modulus of the other body", above_zero,
+     "", unlike},
+    {"material.youngs_modulus_2", number, "N/mm^2", "Young's modulus of the other body", above_zero,
+     "instead of material.shear_modulus_2", unlike},
+    {"material.poisson_ratio_2", number, "1", "Poisson ratio of the other body", range(0, 0.5), "",
+     unlike},
+    {"material.dundurs_beta", number, "1",
+     "Dundurs' beta of bodies with those combined constants; above zero if the driven body is the "
+     "stiffer one",
+     range(-0.5, 0.5), "instead of material.shear_modulus_2; none where bodies are alike", unlike},
     {"contact.half_width", number, "mm", "half-width a of the contact", above_zero},
     {"contact.peak_traction", number, "N/mm^2", "peak mu p0 of the Hertzian traction bound",
      above_zero},
@@ -52,7 +67,8 @@ constexpr auto keys = std::to_array<Key>({
      .meaning = "radius of the other body; a plane if it is not given",
      .note = "> 0, or negative for a concave body, then larger in size than contact.radius_1",
      .role = with_load},
-    {"contact.friction", number, "1", "friction coefficient mu", range_above(0, 10), "", with_load},
+    {"contact.friction", number, "1", "friction coefficient mu", range_above(0, 10), "",
+     "scenes with contact.normal_load, or bodies of different material"},
     {.name = "contact.bound_polynomial",
      .type = list,
      .meaning =

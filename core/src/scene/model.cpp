@@ -29,8 +29,7 @@ struct ContactModel {
 
 /// \param whole  the grid is that of elements over the whole contact, which may lie in it anyhow;
 ///               else its nodes only say where a result is shown
-ContactModel read_contact(Scene& scene, bool whole = true) {
-  const Material material = read_material(scene);
+ContactModel read_contact(Scene& scene, const Material& material, bool whole = true) {
   const TractionBound bound = read_bound(scene, material);
   const Kernel kernel = read_kernel(scene, material);
   const double a = half_width_of(bound);
@@ -214,14 +213,34 @@ const SteadyEntry& read_steady_scheme(Scene& scene) {
   return steady_scheme(chebyshev ? "chebyshev" : scene.word("leading_edge"));
 }
 
+SteadyProblem read_steady(Scene& scene, const SteadyMethod& method, const Material& material) {
+  const ContactModel model =
+      read_contact(scene, material, std::holds_alternative<Differences>(method));
+  const bool elements = !std::holds_alternative<ChebyshevCollocation>(method);
+  return {.kernel = model.kernel,
+          .bound = model.bound,
+          .grid = model.grid,
+          .basis = elements ? read_basis(scene, model.grid) : constant_basis(),
+          .method = method,
+          .load = read_load(scene, model.kernel, model.bound),
+          .solver = elements ? read_solver(scene) : Solver{},
+          .accepted = elements ? read_acceptance(scene) : Acceptance{}};
+}
+
 }  // namespace
 
 SteadyProblem read_steady(Scene& scene) {
   const SteadyEntry& entry = read_steady_scheme(scene);
   const double step_ratio = entry.safe_steps ? scene.number("step.ratio") : 1;
   require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
-  const SteadyProblem problem =
-      solved_by(entry, read_steady(scene, entry.method(step_ratio)), step_ratio);
+  const Bodies bodies = read_bodies(scene);
+  SteadyProblem problem =
+      solved_by(entry, read_steady(scene, entry.method(step_ratio), bodies.combined), step_ratio);
+  if (bodies.dundurs_beta != 0) {
+    problem.pressure_strain = pressure_strain(bodies, 1);
+    validate(problem);
+    problem.pressure_strain /= read_friction(scene);
+  }
   const std::string instead = "leading_edge inversion";
   if (entry.safe_steps) warn_outside(scene, *entry.safe_steps, "step.ratio", step_ratio, instead);
   if (entry.by_elements) {
@@ -241,16 +260,7 @@ SteadyTarget read_steady_target(Scene& scene) {
 }
 
 SteadyProblem read_steady(Scene& scene, const SteadyMethod& method) {
-  const ContactModel model = read_contact(scene, std::holds_alternative<Differences>(method));
-  const bool elements = !std::holds_alternative<ChebyshevCollocation>(method);
-  return {.kernel = model.kernel,
-          .bound = model.bound,
-          .grid = model.grid,
-          .basis = elements ? read_basis(scene, model.grid) : constant_basis(),
-          .method = method,
-          .load = read_load(scene, model.kernel, model.bound),
-          .solver = elements ? read_solver(scene) : Solver{},
-          .accepted = elements ? read_acceptance(scene) : Acceptance{}};
+  return read_steady(scene, method, read_material(scene));
 }
 
 std::vector<double> TransientScene::step_lengths() const {
@@ -260,7 +270,7 @@ std::vector<double> TransientScene::step_lengths() const {
 }
 
 TransientScene read_transient(Scene& scene) {
-  const ContactModel model = read_contact(scene);
+  const ContactModel model = read_contact(scene, read_material(scene));
   const TransientProblem problem{.kernel = model.kernel,
                                  .bound = model.bound,
                                  .grid = model.grid,
@@ -311,7 +321,7 @@ void warn_of_other_radius(Scene& scene, double radius) {
 }  // namespace
 
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator) {
-  const ContactModel model = read_contact(scene);
+  const ContactModel model = read_contact(scene, read_material(scene));
   CylinderScene cylinder{.contact = {.kernel = model.kernel,
                                      .bound = model.bound,
                                      .grid = model.grid,

@@ -5,29 +5,39 @@
 #include "hertz.hpp"
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/model.hpp"
+#include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip {
 
 namespace {
 
-/// One set of constants is all that there is a model for.
-void refuse_unlike_bodies(const Scene& scene) {
+/// The driven body's constants have no number.
+void refuse_first_body(const Scene& scene) {
   for (const std::string& key : scene.keys()) {
-    const bool is_of_one_body = key.ends_with("_1") || key.ends_with("_2");
-    if (!key.starts_with("material.") || !is_of_one_body) continue;
-    const std::string both = key.substr(0, key.size() - 2);
-    if (find_key(both) == nullptr) continue;
-    throw BadParameter(key, "key '" + key + "': expected '" + both +
-                                "' of both bodies; there is no model of bodies of different "
-                                "material");
+    if (!key.starts_with("material.") || !key.ends_with("_1")) continue;
+    const std::string name = key.substr(0, key.size() - 2);
+    if (find_key(name) == nullptr) continue;
+    throw BadParameter(key, "key '" + key + "': expected '" + name +
+                                "', which is that of the driven body where the other one has its "
+                                "own");
   }
+}
+
+Material read_second_body(Scene& scene) {
+  const std::string modulus =
+      scene.one_of({"material.shear_modulus_2", "material.youngs_modulus_2"});
+  const double value = scene.positive(modulus);
+  const double nu = scene.number("material.poisson_ratio_2");
+  require(nu >= 0 && nu <= 0.5, "material.poisson_ratio_2", nu, "a number in [0, 0.5]");
+  return {.shear_modulus = modulus == "material.shear_modulus_2" ? value : value / (2 * (1 + nu)),
+          .poisson_ratio = nu};
 }
 
 }  // namespace
 
 Material read_material(Scene& scene) {
-  refuse_unlike_bodies(scene);
+  refuse_first_body(scene);
   if (scene.one_of({"material.shear_modulus", "material.youngs_modulus"}) ==
       "material.shear_modulus") {
     const Material material{.shear_modulus = scene.number("material.shear_modulus"),
@@ -42,6 +52,31 @@ Material read_material(Scene& scene) {
   validate(material);
   scene.derive("material.shear_modulus", material.shear_modulus);
   return material;
+}
+
+Bodies read_bodies(Scene& scene) {
+  const Material first = read_material(scene);
+  const std::string given = scene.at_most_one_of(
+      {"material.dundurs_beta", "material.shear_modulus_2", "material.youngs_modulus_2"});
+  if (given.empty() && !scene.has("material.poisson_ratio_2")) return {first};
+  if (given == "material.dundurs_beta") {
+    const double beta = scene.number(given);
+    require(std::abs(beta) <= 0.5, given, beta, "a number in [-0.5, 0.5]");
+    return {first, beta};
+  }
+  const Bodies bodies = combined(first, read_second_body(scene));
+  scene.derive("material.shear_modulus of both", bodies.combined.shear_modulus);
+  scene.derive("material.poisson_ratio of both", bodies.combined.poisson_ratio);
+  scene.derive("material.dundurs_beta", bodies.dundurs_beta);
+  return bodies;
+}
+
+double read_friction(Scene& scene) {
+  constexpr double most_friction = 10;
+  const double friction = scene.positive("contact.friction");
+  require(friction <= most_friction, "contact.friction", friction,
+          "a number above 0, at most " + format_short(most_friction));
+  return friction;
 }
 
 Kernel read_kernel(Scene& scene, const Material& material) {

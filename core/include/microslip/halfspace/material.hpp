@@ -12,6 +12,23 @@ struct Material {
 /// \throws std::invalid_argument if a constant is outside the range above
 void validate(const Material& material);
 
+/// Bodies of different material, by Goodman's approximation: tangential tractions have no influence
+/// on the normal contact.
+struct Bodies {
+  Material combined;
+  double dundurs_beta = 0;  ///< beta, in [-0.5, 0.5]; > 0 if the second body is the softer one  [1]
+};
+
+/// Of two materials: 1/G and nu/G are means over the bodies, and
+/// beta = [(1 - 2 nu_2)/G_2 - (1 - 2 nu_1)/G_1] / 2 [(1 - nu_1)/G_1 + (1 - nu_2)/G_2].
+/// \param first  the body that is driven by the creepage, on which tractions act
+Bodies combined(const Material& first, const Material& second);
+
+/// The strain du/dx by which the pressure stretches the one body's surface against the other's in
+/// plane strain, over mu times that pressure: 2 (1 - nu) beta/(G mu)  [mm^2/N]
+/// \param friction  mu, > 0
+double pressure_strain(const Bodies& bodies, double friction);
+
 /// 2 (1 - nu) / G: strain per unit traction scale of the half-space in plane strain [mm^2/N].
 double compliance(const Material& material);
 

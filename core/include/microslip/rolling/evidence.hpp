@@ -21,9 +21,10 @@ struct Evidence {
   double unresolved = 0;  ///< by how much the force of slipping elements differs from the integral
                           ///< of the bound over them  [N/mm]
   double dissipated = 0;  ///< -integral of p s  [N/mm]
-  double load = 0;        ///< |F|  [N/mm]
+  double load = 0;        ///< |F|; of bodies of different material the integral of |p|  [N/mm]
   double power = 0;       ///< |w F|, which a steady contact dissipates; in a transient, or what it
-                          ///< dissipates if that is more  [N/mm]
+                          ///< dissipates if that is more; of bodies of different material what they
+                          ///< dissipate  [N/mm]
   double full_sliding = 0;  ///< the largest |F| that the bound allows  [N/mm]
 
   // Relative to the load or to its power; 0 without a load.

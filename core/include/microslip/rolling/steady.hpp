@@ -44,7 +44,13 @@ struct ChebyshevCollocation {};
 
 using SteadyMethod = std::variant<Differences, Calibrated, Inversion, ChebyshevCollocation>;
 
-/// Steady rolling of quasi-identical bodies in 2D: s = w - du/dx, thesis (3.2).
+/// Steady rolling in 2D: s = w - du/dx, thesis (3.2). For bodies of different material, u includes
+/// what the pressure displaces: du/dx has the term pressure_strain times the bound. There may then
+/// be several zones, of both directions of slip. Inversion is replaced by Calibrated elements,
+/// ChebyshevCollocation and a known u_LE are refused.
+/// Accuracy then: creepage of free rolling with beta/mu = 2.88 to 5e-6 of that of the pressure from
+/// N = 100 on; where all sticks first order, 4e-4 at N = 100, as elements do not resolve a trailing
+/// edge that sticks (tests/unit/unlike_bodies_test.cpp).
 struct SteadyProblem {
   Kernel kernel;
   TractionBound bound;
@@ -53,8 +59,13 @@ struct SteadyProblem {
   SteadyMethod method = Inversion{};
   Load load;
   Solver solver = {};
-  Acceptance accepted = {};  ///< for require_evidence
+  Acceptance accepted = {};    ///< for require_evidence
+  double pressure_strain = 0;  ///< microslip::pressure_strain(), for PlaneKernel  [mm^2/N]
 };
+
+/// \throws std::invalid_argument for bodies of different material, if the strain by the pressure is
+///         not local, as in strips, or the method does not take it
+void validate(const SteadyProblem& problem);
 
 /// Differences over one element, with mean bounds, and with the edges where the scheme feels them:
 /// tractions that vanish like a square root at the leading edge do so calibrated_offset()
@@ -77,11 +88,13 @@ struct SteadySolution {
   Eigen::VectorXd bound;         ///< at the nodes, or its means if these are used  [N/mm^2]
   Eigen::VectorXd traction;      ///< coefficients of the basis  [N/mm^2]
   Eigen::VectorXd slip;          ///< relative slip s  [1]
-  Eigen::VectorXd displacement;  ///< u  [mm]
+  Eigen::VectorXd displacement;  ///< u by the tractions  [mm]
   std::vector<Zone> zones;
-  double force;        ///< integral of the traction  [N/mm]
-  double creepage;     ///< w  [1]
-  double dissipation;  ///< -w F, energy per mm rolled and mm width: nothing is stored  [N/mm]
+  double force;     ///< integral of the traction  [N/mm]
+  double creepage;  ///< w  [1]
+  /// -w F, energy per mm rolled and mm width: nothing is stored. For bodies of different material,
+  /// whose pressure does work, too, -integral of p s  [N/mm]
+  double dissipation;
   /// Partitions tried on this grid, or systems solved by Chebyshev collocation; 0 by inversion, the
   /// search of which ends at rounding and so takes more steps on one processor than on another.
   int iterations;

@@ -19,6 +19,14 @@ namespace microslip {
 /// material.shear_modulus or material.youngs_modulus, material.poisson_ratio
 Material read_material(Scene& scene);
 
+/// The same as constants of both bodies or of the first; material.dundurs_beta, or
+/// material.shear_modulus_2 or material.youngs_modulus_2, and material.poisson_ratio_2, of bodies of
+/// different material
+Bodies read_bodies(Scene& scene);
+
+/// contact.friction, above 0, at most 10
+double read_friction(Scene& scene);
+
 /// kernel.type strip|plane; kernel.width of a strip, kernel.length of plane strain
 Kernel read_kernel(Scene& scene, const Material& material);
 
