@@ -1,0 +1,26 @@
+# Where bodies of different material stick and slip: in free rolling against beta/mu, and against the force.
+zones = tables."/zones.tsv"
+place(of, wanted, zone) = strcol("of") eq of && column("zone") == wanted ? column("value") : NaN
+eval page(960, 430)
+set multiplot layout 1,2 margins 0.075,0.86,0.14,0.95 spacing 0.09
+set ylabel "x/a [1]"
+set yrange [-1:1]
+set logscale x
+set xlabel "{/Symbol b}/{/Symbol m}, free rolling [1]"
+unset grid
+unset key
+plot zones using (place("free", 0, 0)):"begin":(0):(column("end") - column("begin")) with vectors nohead linewidth 3 linecolor "#0072b2" notitle, \
+     zones using (place("free", -1, 0)):"begin":(0):(column("end") - column("begin")) with vectors nohead linewidth 3 linecolor "#e69f00" notitle, \
+     zones using (place("free", 1, 0)):"begin":(0):(column("end") - column("begin")) with vectors nohead linewidth 3 linecolor "#d55e00" notitle
+unset logscale x
+set xlabel "force over full sliding [1]"
+set xrange [-1:1]
+set ylabel ""
+set key at screen 0.87, 0.93 left top Left reverse samplen 1
+plot zones using (place("tractive", 0, 0)):"begin":(0):(column("end") - column("begin")) with vectors nohead linewidth 3 linecolor "#0072b2" notitle, \
+     zones using (place("tractive", -1, 0)):"begin":(0):(column("end") - column("begin")) with vectors nohead linewidth 3 linecolor "#e69f00" notitle, \
+     zones using (place("tractive", 1, 0)):"begin":(0):(column("end") - column("begin")) with vectors nohead linewidth 3 linecolor "#d55e00" notitle, \
+     keyentry with lines linewidth 6 linecolor "#0072b2" title "sticks", \
+     keyentry with lines linewidth 6 linecolor "#e69f00" title "slips, p < 0", \
+     keyentry with lines linewidth 6 linecolor "#d55e00" title "slips, p > 0"
+unset multiplot

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/unlike_bodies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "study_tables.hpp"
+
+namespace microslip::experiments {
+namespace {
+
+const std::vector<Table>& tables() {
+  static const std::vector<Table> all = unlike_bodies({.material = {3, 0.3},
+                                                       .bound = HertzBound(2, 0.1),
+                                                       .elements = 301,
+                                                       .smallest = 0.05,
+                                                       .largest = 50,
+                                                       .free_points = 13,
+                                                       .ratios = {0.5, 2.87667},
+                                                       .zones_ratio = 2.87667,
+                                                       .tractive_points = 39,
+                                                       .sizes = {100, 200, 400, 800},
+                                                       .reference = 6401},
+                                                      [](std::size_t, std::size_t) {});
+  return all;
+}
+
+TEST(UnlikeBodiesStudy, FreeRollingCreepsMoreTheLessFrictionThereIs) {
+  const Table& free = table_named(tables(), "free");
+  for (std::size_t i = 1; i < free.rows(); ++i) {
+    EXPECT_GT(free.number(i, "creepage"), free.number(i - 1, "creepage") - 1e-6);
+    EXPECT_GE(free.number(i, "dissipation"), 0);
+  }
+  EXPECT_EQ(free.number(0, "zones"), 1);
+  EXPECT_EQ(free.number(8, "zones"), 5);  // beta/mu = 5
+  EXPECT_LT(free.number(12, "creepage"), 0.914771);
+}
+
+TEST(UnlikeBodiesStudy, ZonesFillTheContactAndSlipAgainstTheirTraction) {
+  const Table& zones = table_named(tables(), "zones");
+  for (std::size_t i = 0; i < zones.rows(); ++i) {
+    EXPECT_LT(zones.number(i, "begin"), zones.number(i, "end"));
+    const bool is_last = zones.number(i, "end") == 1;
+    if (is_last || i + 1 == zones.rows()) continue;
+    EXPECT_EQ(zones.number(i, "end"), zones.number(i + 1, "begin"));
+    EXPECT_NE(zones.number(i, "zone"), zones.number(i + 1, "zone"));
+  }
+}
+
+// A force that brakes, negative, raises the creepage, as it does for bodies that are alike.
+TEST(UnlikeBodiesStudy, CreepageFallsWithTheForce) {
+  const Table& tractive = table_named(tables(), "tractive");
+  for (std::size_t i = 1; i < tractive.rows(); ++i) {
+    if (tractive.number(i, "ratio") != tractive.number(i - 1, "ratio")) continue;
+    EXPECT_LT(tractive.number(i, "creepage"), tractive.number(i - 1, "creepage"));
+    EXPECT_LT(tractive.number(i, "alike"), tractive.number(i, "creepage"));
+  }
+}
+
+TEST(UnlikeBodiesStudy, HasItsOrders) {
+  const Table& orders = table_named(tables(), "orders");
+  for (const double force : {0.0, 0.75, -0.75}) {
+    EXPECT_NEAR(orders.latest({{"scheme", "standard"}, {"force_ratio", force}}, "order"), 1, 0.05);
+    if (force == 0.75) continue;  // of which two zones are narrower than an element
+    EXPECT_GT(orders.latest({{"scheme", "calibrated"}, {"force_ratio", force}}, "order"), 1.7);
+  }
+}
+
+TEST(UnlikeBodiesStudy, ClaimsHold) {
+  EXPECT_EQ(verdicts(tables()), std::vector<std::string>(6, "ours"));
+}
+
+}  // namespace
+}  // namespace microslip::experiments
