@@ -38,6 +38,7 @@ Kernel make_kernel(const Material& material, const microslip_kernel& kernel) {
   require(kernel.type == MICROSLIP_STRIP || kernel.type == MICROSLIP_PLANE, "kernel.type",
           kernel.type, "0 for a strip or 1 for plane strain");
   require_positive("kernel.length", kernel.length);
+  validate(material);
   if (kernel.type == MICROSLIP_STRIP) return StripKernel(material, kernel.length);
   return PlaneKernel(material, kernel.length);
 }

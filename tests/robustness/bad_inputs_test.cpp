@@ -194,7 +194,7 @@ TEST_F(BadInputs, Scenes) {
         "SCENE:1: key '\\x08\\x08': expected no control characters"},
        {"a key of Latin-1", "problem steady\nl\xE4nge 1\n" + good_contact + "load { creepage 1 }",
         "SCENE:2: unknown key 'l\\xe4nge'; known to this model: problem, method, leading_edge, "
-        "material.shear_modulus, material.poisson_ratio, contact.half_width, "
+        "material.shear_modulus, material.poisson_ratio, direction, contact.half_width, "
         "contact.peak_traction, kernel.type, kernel.width, grid.elements, basis, load.creepage, "
         "solver.type, solver.tolerance, "
         "solver.violation, "
@@ -227,7 +227,8 @@ TEST_F(BadInputs, PlacesOfKeys) {
         "SCENE:11: key 'step.ratio' has no role here: it is for leading_edge standard, known_edge "
         "or "
         "trimmed, or problem transient or cylinder; known to this model: problem, method, "
-        "leading_edge, material.shear_modulus, material.poisson_ratio, contact.half_width, "
+        "leading_edge, material.shear_modulus, material.poisson_ratio, direction, "
+        "contact.half_width, "
         "contact.peak_traction, kernel.type, kernel.width, grid.elements, basis, load.creepage, "
         "solver.type, solver.tolerance, solver.violation, solver.condition"},
        {"for a sweep", good_scene + "sweep { basis \"constant\" }",

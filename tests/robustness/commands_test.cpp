@@ -193,12 +193,13 @@ TEST_F(Commands, ConvergeAdvisesAndIsDrawn) {
   expect_error(
       "converge cylinder.info",
       "cylinder.info:5: problem = 'cylinder': expected steady or transient, which have a load");
-  expect_error("steady.info --set converge.error=1e-3",
-               "key 'converge.error' has no role here: it is for microslip converge; known to this "
-               "model: problem, method, leading_edge, material.shear_modulus, "
-               "material.poisson_ratio, contact.half_width, contact.peak_traction, kernel.type, "
-               "kernel.width, grid.elements, basis, load.force, solver.type, solver.tolerance, "
-               "solver.violation, solver.condition");
+  expect_error(
+      "steady.info --set converge.error=1e-3",
+      "key 'converge.error' has no role here: it is for microslip converge; known to this "
+      "model: problem, method, leading_edge, material.shear_modulus, "
+      "material.poisson_ratio, direction, contact.half_width, contact.peak_traction, kernel.type, "
+      "kernel.width, grid.elements, basis, load.force, solver.type, solver.tolerance, "
+      "solver.violation, solver.condition");
 }
 
 // Without a load all sticks that carries a traction, and a small load changes little.

@@ -177,7 +177,7 @@ TEST_F(Shifts, AreExplained) {
                        "' --set 'start." + start + "'")
         .output;
   };
-  EXPECT_NE(explained("force=1 -0.5 N/mm").find("start.force             1 -0.5 N/mm  force"),
+  EXPECT_NE(explained("force=1 -0.5 N/mm").find("start.force             1 -0.5 N/mm   force"),
             std::string::npos);
   EXPECT_NE(explained("force=1 -0.5 1")
                 .find("  3 shifts without rolling before it, to at most "

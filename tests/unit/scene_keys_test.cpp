@@ -138,6 +138,7 @@ const std::vector<Role> roles = {
     {"material.youngs_modulus_2", "2", "unlike youngs_2"},
     {"material.poisson_ratio_2", "0.3", "unlike youngs_2"},
     {"material.dundurs_beta", "0.1", unlike},
+    {"direction", "longitudinal", with_target + transients},
     {"contact.half_width", "1", all},
     {"contact.peak_traction", "1", all},
     {"contact.normal_load", "0.01", all},

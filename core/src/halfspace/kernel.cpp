@@ -11,7 +11,7 @@ namespace microslip {
 
 StripKernel::StripKernel(const Material& material, double width)
     : material_(material), half_width_(width / 2) {
-  validate(material);
+  validate_also_lateral(material);
   require_positive("kernel.width", width);
   log_factor_ = compliance(material) / std::numbers::pi;
   plain_factor_ = 2 * material.poisson_ratio / (std::numbers::pi * material.shear_modulus);
@@ -61,7 +61,7 @@ double StripKernel::double_integral(double z) const {
 
 PlaneKernel::PlaneKernel(const Material& material, double length)
     : material_(material), length_(length) {
-  validate(material);
+  validate_also_lateral(material);
   require_positive("kernel.length", length);
   factor_ = compliance(material) / std::numbers::pi;
 }

@@ -11,6 +11,17 @@ void validate(const Material& material) {
   require(nu >= 0 && nu <= 0.5, "material.poisson_ratio", nu, "a number in [0, 0.5]");
 }
 
+void validate_also_lateral(const Material& material) {
+  require_positive("material.shear_modulus", material.shear_modulus);
+  const double nu = material.poisson_ratio;
+  require(nu >= -1 && nu <= 0.5, "material.poisson_ratio", nu, "a number in [-1, 0.5]");
+}
+
+Material lateral(const Material& material) {
+  const auto [g, nu] = material;
+  return {.shear_modulus = g / (1 - nu), .poisson_ratio = -nu / (1 - nu)};
+}
+
 Bodies combined(const Material& first, const Material& second) {
   validate(first);
   validate(second);

@@ -110,10 +110,11 @@ const std::string how_steady = "how the bodies came to roll steadily, and their 
 const std::string goodman =
     "what tangential tractions change of the normal contact of bodies of different material";
 const std::string details =
-    "lateral creepage, spin, bodies of different material, friction that depends on slip, heat, "
+    "creepage in the other direction, spin, bodies of different material, friction that depends on "
+    "slip, heat, "
     "wear";
 const std::string details_of_unlike =
-    "lateral creepage, spin, friction that depends on slip, heat, wear";
+    "creepage in the other direction, spin, friction that depends on slip, heat, wear";
 
 /// What the pressure does with free rolling.
 std::vector<std::string> stretched(const SteadyProblem& problem) {

@@ -54,6 +54,12 @@ constexpr auto keys = std::to_array<Key>({
      "Dundurs' beta of bodies with those combined constants; above zero if the driven body is the "
      "stiffer one",
      range(-0.5, 0.5), "instead of material.shear_modulus_2; none where bodies are alike", unlike},
+    {.name = "direction",
+     .type = word,
+     .meaning = "direction of creepage and tractions: along the rolling or across it",
+     .role = "problem steady or transient",
+     .words = {"longitudinal", "lateral"},
+     .first_is_default = true},
     {"contact.half_width", number, "mm", "half-width a of the contact", above_zero},
     {"contact.peak_traction", number, "N/mm^2", "peak mu p0 of the Hertzian traction bound",
      above_zero},

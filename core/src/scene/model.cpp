@@ -29,9 +29,11 @@ struct ContactModel {
 
 /// \param whole  the grid is that of elements over the whole contact, which may lie in it anyhow;
 ///               else its nodes only say where a result is shown
-ContactModel read_contact(Scene& scene, const Material& material, bool whole = true) {
+/// \param tangential  the constants of the kernel
+ContactModel read_contact(Scene& scene, const Material& material, const Material& tangential,
+                          bool whole = true) {
   const TractionBound bound = read_bound(scene, material);
-  const Kernel kernel = read_kernel(scene, material);
+  const Kernel kernel = read_kernel(scene, tangential);
   const double a = half_width_of(bound);
   return {kernel, bound,
           whole ? read_grid(scene, a)
@@ -214,8 +216,8 @@ const SteadyEntry& read_steady_scheme(Scene& scene) {
 }
 
 SteadyProblem read_steady(Scene& scene, const SteadyMethod& method, const Material& material) {
-  const ContactModel model =
-      read_contact(scene, material, std::holds_alternative<Differences>(method));
+  const ContactModel model = read_contact(scene, material, read_tangential(scene, material),
+                                          std::holds_alternative<Differences>(method));
   const bool elements = !std::holds_alternative<ChebyshevCollocation>(method);
   return {.kernel = model.kernel,
           .bound = model.bound,
@@ -236,7 +238,8 @@ SteadyProblem read_steady(Scene& scene) {
   const Bodies bodies = read_bodies(scene);
   SteadyProblem problem =
       solved_by(entry, read_steady(scene, entry.method(step_ratio), bodies.combined), step_ratio);
-  if (bodies.dundurs_beta != 0) {
+  // Across the rolling, pressure displaces nothing in plane strain.
+  if (bodies.dundurs_beta != 0 && scene.word("direction") == "longitudinal") {
     problem.pressure_strain = pressure_strain(bodies, 1);
     validate(problem);
     problem.pressure_strain /= read_friction(scene);
@@ -254,8 +257,9 @@ SteadyTarget read_steady_target(Scene& scene) {
   const double target = scene.number("target_error");
   require_target_error(target);
   const Material material = read_material(scene);
+  const Material tangential = read_tangential(scene, material);
   const TractionBound bound = read_bound(scene, material);
-  const Kernel kernel = read_kernel(scene, material);
+  const Kernel kernel = read_kernel(scene, tangential);
   return {{kernel, bound, read_load(scene, kernel, bound)}, target};
 }
 
@@ -270,7 +274,8 @@ std::vector<double> TransientScene::step_lengths() const {
 }
 
 TransientScene read_transient(Scene& scene) {
-  const ContactModel model = read_contact(scene, read_material(scene));
+  const Material material = read_material(scene);
+  const ContactModel model = read_contact(scene, material, read_tangential(scene, material));
   const TransientProblem problem{.kernel = model.kernel,
                                  .bound = model.bound,
                                  .grid = model.grid,
@@ -321,7 +326,8 @@ void warn_of_other_radius(Scene& scene, double radius) {
 }  // namespace
 
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator) {
-  const ContactModel model = read_contact(scene, read_material(scene));
+  const Material material = read_material(scene);
+  const ContactModel model = read_contact(scene, material, material);
   CylinderScene cylinder{.contact = {.kernel = model.kernel,
                                      .bound = model.bound,
                                      .grid = model.grid,

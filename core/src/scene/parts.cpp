@@ -71,6 +71,10 @@ Bodies read_bodies(Scene& scene) {
   return bodies;
 }
 
+Material read_tangential(Scene& scene, const Material& material) {
+  return scene.word("direction") == "lateral" ? lateral(material) : material;
+}
+
 double read_friction(Scene& scene) {
   constexpr double most_friction = 10;
   const double friction = scene.positive("contact.friction");

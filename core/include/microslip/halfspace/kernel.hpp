@@ -10,7 +10,7 @@ namespace microslip {
 
 /// \file
 /// A kernel K(z) is the displacement difference u_x [mm] at a distance z > 0 [mm] from a tangential
-/// line load of 1 N per mm width  [mm^2/N]. It is even in z, logarithmic at z = 0, and
+/// line load of 1 N per mm width  [mm^2/N]; of the material lateral() it is u_y by a lateral one. It is even in z, logarithmic at z = 0, and
 /// analytic elsewhere within `clear_distance` of the real axis. `decay` is -dK/dz > 0 [mm/N]; all
 /// integrals of the kernel are built on it, because it never changes sign.
 ///

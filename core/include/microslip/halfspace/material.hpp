@@ -6,11 +6,21 @@ namespace microslip {
 /// Combined elastic constants of two quasi-identical bodies.
 struct Material {
   double shear_modulus;  ///< G, in (0, inf)   [N/mm^2]
-  double poisson_ratio;  ///< nu, in [0, 0.5]  [1]
+  double poisson_ratio;  ///< nu, in [0, 0.5]; down to -1 if it is that of lateral()  [1]
 };
 
-/// \throws std::invalid_argument if a constant is outside the range above
+/// \throws std::invalid_argument unless G > 0 and nu is in [0, 0.5]
 void validate(const Material& material);
+
+/// \throws std::invalid_argument unless G > 0 and nu is in [-1, 0.5]
+void validate_also_lateral(const Material& material);
+
+/// G/(1 - nu) and -nu/(1 - nu): with these constants the longitudinal displacement by a
+/// longitudinal line load is the lateral one by a lateral line load. In plane strain both are
+/// logarithms, here with the factor 2/(pi G); on a strip of width 2h with G and nu it is
+/// \f[ \frac{2}{\pi G}\,\operatorname{arsinh}\frac hz
+///    - \frac{2\nu}{\pi G}\,\frac{h}{\sqrt{z^2+h^2}} . \f]
+Material lateral(const Material& material);
 
 /// Bodies of different material, by Goodman's approximation: tangential tractions have no influence
 /// on the normal contact.

@@ -24,6 +24,10 @@ Material read_material(Scene& scene);
 /// different material
 Bodies read_bodies(Scene& scene);
 
+/// direction longitudinal|lateral (longitudinal): the constants with which a kernel is that of this
+/// direction
+Material read_tangential(Scene& scene, const Material& material);
+
 /// contact.friction, above 0, at most 10
 double read_friction(Scene& scene);
 
