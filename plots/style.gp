@@ -29,8 +29,8 @@ set linetype cycle 7
 exact_line = "lines linecolor 'black' linewidth 1.2"
 bound_line = "lines linecolor 'gray60' linewidth 1 dashtype 2"
 
-# A number in the comment of a table.
-parameter(table, key) = real(system(sprintf("sed -n 's/^#   %s = //p' \"%s\"", key, table)))
+# A number in the comment of a table; gnuplot reads no 1e-4 without a point.
+parameter(table, key) = real(system(sprintf("sed -n 's/^#   %s = //p' \"%s\" | sed 's/^\\(-*[0-9]*\\)e/\\1.0e/'", key, table)))
 
 # Values that differ by less than rounding of a printed number.
 same(a, b) = abs(a - b) <= 1e-9 * abs(b)

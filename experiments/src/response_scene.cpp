@@ -25,8 +25,13 @@ namespace {
 constexpr double default_shortest = 0.3;  // over the half-length of the stick zone
 constexpr double default_longest = 300;
 
+[[noreturn]] void refuse(const std::string& why) {
+  throw std::invalid_argument("the response: expected a contact with one stick zone, but " + why);
+}
+
 struct ContactOf {
   SteadyContact operator()(const SteadyProblem& problem) const {
+    if (problem.pressure_strain != 0) refuse("the bodies differ in material");
     return {problem.kernel, problem.bound, problem.load};
   }
   SteadyContact operator()(const SteadyTarget& target) const { return target.contact; }
@@ -44,10 +49,6 @@ struct ContactOf {
 std::optional<double> wavelength(Scene& scene, const std::string& key) {
   if (!scene.has(key)) return std::nullopt;
   return scene.positive(key);
-}
-
-[[noreturn]] void refuse(const std::string& why) {
-  throw std::invalid_argument("the response: expected a contact with one stick zone, but " + why);
 }
 
 /// A narrow strip under a smooth bound is refused with words about other methods.
