@@ -4,7 +4,7 @@ tractive = tables."/tractive.tsv"
 ratios = system(sprintf("grep -v '^#' \"%s\" | tail -n +2 | cut -f1 | uniq", tractive))
 of(k) = same(column("ratio"), word(ratios, k) + 0) ? column("creepage") : NaN
 eval page(960, 430)
-set multiplot layout 1,2 margins 0.075,0.98,0.14,0.95 spacing 0.1
+set multiplot layout 1,2 margins 0.075,0.98,0.16,0.95 spacing 0.1
 set logscale x
 set xlabel "{/Symbol b}/{/Symbol m} [1]" offset 0,0.2
 set ylabel "w over {/Symbol b}a/R, free rolling [1]"
@@ -21,7 +21,7 @@ set xlabel "force over full sliding [1]"
 set ylabel "w over {/Symbol m}a/R [1]"
 set xrange [-1:1]
 set yrange [*:*]
-set key top right
+set key at graph 0.06, 0.78 left top Left reverse
 plot tractive using "force_ratio":(of(1) == of(1) ? column("alike") : NaN) with lines linecolor "gray40" dashtype 3 title "one material (Carter)", \
      for [k=1:words(ratios)] tractive using "force_ratio":(of(k)) with lines linetype k title sprintf("{/Symbol b}/{/Symbol m} = %.3g", word(ratios, k) + 0)
 unset multiplot

@@ -2,10 +2,11 @@
 zones = tables."/zones.tsv"
 place(of, wanted, zone) = strcol("of") eq of && column("zone") == wanted ? column("value") : NaN
 eval page(960, 430)
-set multiplot layout 1,2 margins 0.075,0.86,0.14,0.95 spacing 0.09
+set multiplot layout 1,2 margins 0.075,0.86,0.16,0.95 spacing 0.09
 set ylabel "x/a [1]"
 set yrange [-1:1]
 set logscale x
+set xrange [0.045:55]
 set xlabel "{/Symbol b}/{/Symbol m}, free rolling [1]"
 unset grid
 unset key
