@@ -25,9 +25,9 @@ using Files = std::map<std::string, std::string>;
 const std::string microslip_bin = std::string(MICROSLIP_BIN) + "/microslip";
 const std::string carter_bin = std::string(MICROSLIP_BIN) + "/carter";
 
-/// A third of a second of work, and many minutes.
+/// Half a second of work, and many minutes.
 const std::string slow_options =
-    "--set grid.elements=1000 --set step.ratio=0.1 --set motion.distance=0.4";
+    "--set grid.elements=1000 --set step.ratio=0.1 --set motion.distance=1.5";
 const std::string endless_options =
     "--set grid.elements=1000 --set step.ratio=0.01 --set motion.distance=10";
 
@@ -320,6 +320,7 @@ TEST_F(Faults, AFolderThatVanishesIsMadeAgain) {
   const Files once = files_of(slow);
   const pid_t run = start(slow);
   wait_for_work(run);
+  std::this_thread::sleep_for(100ms);  // until it has looked whether it can write there
   fs::remove_all(out());
   EXPECT_EQ(status_of(run), 0);
   EXPECT_EQ(files(), once);
