@@ -26,13 +26,16 @@ namespace {
 
 /// A solution, as far as errors are about it.
 struct Outcome {
-  VectorXd distance;  ///< after each step; 0 of steady rolling  [mm]
-  VectorXd
-      answer;  ///< the force, or under a force the creepage; in transients the creep until then
+  VectorXd distance;  ///< at the start and after each step; 0 of steady rolling  [mm]
+  /// The force; or under a force the creepage, in transients the creep until then.
+  VectorXd answer;
   VectorXd x;
   VectorXd traction;        ///< at the end  [N/mm^2]
   double lost = 0;          ///< energy  [N/mm or N]
   double longest_step = 0;  ///< of all but the first  [s]
+
+  /// Steps of a transient; 1 of steady rolling.
+  double steps() const { return std::max(1.0, static_cast<double>(distance.size() - 1)); }
 };
 
 Outcome outcome_of(const SteadyProblem& problem) {
@@ -134,13 +137,6 @@ Outcome solved(const Model& model) {
   return std::visit([](const auto& read) { return outcome_of(read); }, model);
 }
 
-double steps_of(const Model& model) {
-  const auto* transient = std::get_if<TransientScene>(&model);
-  if (transient == nullptr) return 1;
-  return static_cast<double>(
-      number_of_steps(transient->distance, transient->step_lengths(), transient->from));
-}
-
 struct Reference {
   Outcome outcome;
   std::string name;
@@ -168,20 +164,21 @@ Contestant second_order(bool steady) {
 
 Index reference_elements(const ConvergeScene& converge) { return 4 * converge.elements.back() + 3; }
 
-Reference reference_of(const ConvergeScene& converge, bool steady) {
+Reference reference_of(const ConvergeScene& converge) {
   const Index fine = reference_elements(converge), half = fine / 2;
-  if (steady) {
+  if (converge.steady) {
     if (auto reference = inverted(converge, fine)) return *reference;
   }
-  const Contestant scheme = second_order(steady);
+  const Contestant scheme = second_order(converge.steady);
   Outcome outcome = solved(model_of(converge, scheme, fine));
   const Outcome coarse = solved(model_of(converge, scheme, half));
   return {outcome, scheme.name, fine, errors_of(coarse, outcome).answer};
 }
 
-void require_reference(ConvergeScene& converge, bool steady) {
+void require_reference(ConvergeScene& converge) {
   constexpr double most_operations = 1e13;
-  const Model model = model_of(converge, second_order(steady), reference_elements(converge));
+  const Model model =
+      model_of(converge, second_order(converge.steady), reference_elements(converge));
   converge.memory = memory_needed(model);
   const double work = work_needed(model);
   require(work <= most_operations, "converge.elements",
@@ -193,25 +190,24 @@ void require_reference(ConvergeScene& converge, bool steady) {
 }
 
 Table converge_table(bool under_force) {
-  return {"converge",
-          "errors and counted work of every scheme against the number of elements",
-          {{"scheme", "1", "leading_edge or method of steady rolling, step.scheme of a transient"},
-           {"elements", "1", "N; nodes shown of inversion and chebyshev"},
-           {"answer_error", "1",
-            under_force ? "creepage; in a transient the creep after each step, the largest error; "
-                          "over the largest that is exact"
-                        : "force; in a transient after each step, the largest error; over the "
-                          "largest that is exact",
-            1e-9},
-           {"order", "1", "of answer_error, from the row before"},
-           {"traction_error", "1",
-            "sum of |p - exact| at the nodes over that of |exact|; in a "
-            "transient at the end",
-            1e-9},
-           {"energy_error", "1", "energy lost by slip, relative", 1e-9},
-           {"steps", "1", "steps of a transient"},
-           {"work", "1", "counted floating-point operations"},
-           {"status", "1", "ok, or why there is no result"}}};
+  return {
+      "converge",
+      "errors and counted work of every scheme against the number of elements",
+      {{"scheme", "1", "leading_edge or method of steady rolling, step.scheme of a transient"},
+       {"elements", "1", "N; nodes shown of inversion and chebyshev"},
+       {"answer_error", "1",
+        under_force ? "creepage; in a transient the creep after each step, the largest error; "
+                      "over the largest that is exact"
+                    : "force; in a transient after each step, the largest error; over the "
+                      "largest that is exact",
+        1e-9},
+       {"order", "1", "of answer_error, from the row before"},
+       {"traction_error", "1",
+        "sum of |p - exact| at the nodes over that of |exact|; in a transient at the end", 1e-9},
+       {"energy_error", "1", "energy lost by slip, relative", 1e-9},
+       {"steps", "1", "steps of a transient"},
+       {"work", "1", "counted floating-point operations"},
+       {"status", "1", "ok, or why there is no result"}}};
 }
 
 Table timing_table() {
@@ -238,45 +234,42 @@ ConvergeScene read_converge(Scene& scene) {
   if (transient != nullptr && transient->from > 0) {
     reject("start.type", "state", "another start: a state is that of one scheme and N");
   }
+  const auto* steady = std::get_if<SteadyProblem>(&model);
+  const Load load = steady != nullptr ? steady->load : transient->loads.at(0);
   ConvergeScene read{.scene = scene,
                      .elements = {15, 31, 63, 127, 255},
                      .error = 0,
                      .step_time = std::nullopt,
+                     .steady = steady != nullptr,
+                     .under_force = std::holds_alternative<PrescribedForce>(load),
                      .memory = 0};
   constexpr const char* elements = "converge.elements";
   if (scene.has(elements)) {
     read.elements = scene.wholes(elements);
-    for (const Index n : read.elements) {
-      scene.demand(elements, static_cast<double>(n), n >= 2 && n <= 100000);
-    }
+    for (const Index n : read.elements) scene.demand_in_range(elements, static_cast<double>(n));
     demand_rising(scene, elements, read.elements);
   }
   read.error = scene.number("converge.error");
-  scene.demand("converge.error", read.error, read.error > 0 && read.error <= 1);
+  scene.demand_in_range("converge.error", read.error);
   if (scene.has("converge.step_time")) {
     read.step_time = scene.positive("converge.step_time");
-    if (transient == nullptr) reject("problem", "steady", "transient with converge.step_time");
+    if (read.steady) reject("problem", "steady", "transient with converge.step_time");
   }
-  require_reference(read, transient == nullptr);
+  require_reference(read);
   return read;
 }
 
 std::vector<Table> converge_tables(const ConvergeScene& converge, const Progress& progress) {
-  Scene copy = converge.scene;
-  const Model model = read_model(copy);
-  const auto* steady = std::get_if<SteadyProblem>(&model);
-  const Load load = steady != nullptr ? steady->load : std::get<TransientScene>(model).loads.at(0);
-  const bool under_force = std::holds_alternative<PrescribedForce>(load);
-  const std::vector<Contestant> all = contestants_for(steady != nullptr);
+  const std::vector<Contestant> all = contestants_for(converge.steady);
   const std::size_t total = 1 + all.size() * converge.elements.size();
   std::size_t done = 0;
 
-  const Reference reference = reference_of(converge, steady != nullptr);
+  const Reference reference = reference_of(converge);
   if (reference.outcome.answer.isZero(0)) {
     throw std::invalid_argument("converge: expected a load that is not zero");
   }
   progress(++done, total);
-  Table table = converge_table(under_force), timing = timing_table();
+  Table table = converge_table(converge.under_force), timing = timing_table();
   std::vector<Candidate> candidates;
   for (const Contestant& contestant : all) {
     constexpr double most_operations = 1e11, repeats = 0.05;
@@ -287,7 +280,7 @@ std::vector<Table> converge_tables(const ConvergeScene& converge, const Progress
       if (!contestant.by_elements && n != converge.elements.back()) continue;
       const auto size = static_cast<double>(n);
       Outcome outcome;
-      double steps = not_given, longest = not_given;
+      double longest = not_given;
       std::optional<Model> read;
       const Attempt attempt = runs.run(size, [&] {
         if (!read) read = model_of(converge, contestant, n);
@@ -301,7 +294,7 @@ std::vector<Table> converge_tables(const ConvergeScene& converge, const Progress
                    not_given, name_of(attempt.status) + why});
         continue;
       }
-      steps = steps_of(*read);
+      const double steps = outcome.steps();
       const Errors errors = errors_of(outcome, reference.outcome);
       const double order = std::log(last_error / errors.answer) / std::log(size / last_size);
       table.add({contestant.name, size, errors.answer, order, errors.traction, errors.energy, steps,
@@ -320,8 +313,8 @@ std::vector<Table> converge_tables(const ConvergeScene& converge, const Progress
   return {table, timing, summary,
           advice(candidates, {.error = converge.error,
                               .step_time = converge.step_time,
-                              .quantity = under_force ? "creepage" : "force",
-                              .steady = steady != nullptr,
+                              .quantity = converge.under_force ? "creepage" : "force",
+                              .steady = converge.steady,
                               .reference_error = reference.error})};
 }
 

@@ -31,7 +31,7 @@ constexpr double default_longest = 300;
 
 struct ContactOf {
   SteadyContact operator()(const SteadyProblem& problem) const {
-    if (problem.pressure_strain != 0) refuse("the bodies differ in material");
+    if (problem.has_unlike_bodies()) refuse("the bodies differ in material");
     return {problem.kernel, problem.bound, problem.load};
   }
   SteadyContact operator()(const SteadyTarget& target) const { return target.contact; }

@@ -17,12 +17,11 @@ std::string method_of(const SteadySolution& solution) {
          (solution.fallback.empty() ? "" : ", because " + solution.fallback);
 }
 
-/// That another scheme ran, except for tables and bodies of different material, which are meant to be
-/// solved over the whole contact.
+/// That another scheme ran, except for tables and bodies of different material, which are meant to
+/// be solved over the whole contact.
 std::optional<std::string> doubt_of(const SteadySolution& solution, const SteadyProblem& problem) {
   const bool table = std::holds_alternative<TabulatedBound>(problem.bound);
-  const bool unlike = problem.pressure_strain != 0;
-  if (solution.fallback.empty() || table || unlike) return std::nullopt;
+  if (solution.fallback.empty() || table || problem.has_unlike_bodies()) return std::nullopt;
   return method_of(solution);
 }
 

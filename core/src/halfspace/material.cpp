@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/halfspace/material.hpp"
 
+#include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip {
 
-void validate(const Material& material) {
+namespace {
+
+void validate(const Material& material, double least_poisson_ratio) {
   require_positive("material.shear_modulus", material.shear_modulus);
   const double nu = material.poisson_ratio;
-  require(nu >= 0 && nu <= 0.5, "material.poisson_ratio", nu, "a number in [0, 0.5]");
+  require(nu >= least_poisson_ratio && nu <= 0.5, "material.poisson_ratio", nu,
+          [&] { return "a number in [" + format_short(least_poisson_ratio) + ", 0.5]"; });
 }
 
-void validate_also_lateral(const Material& material) {
-  require_positive("material.shear_modulus", material.shear_modulus);
-  const double nu = material.poisson_ratio;
-  require(nu >= -1 && nu <= 0.5, "material.poisson_ratio", nu, "a number in [-1, 0.5]");
-}
+}  // namespace
+
+void validate(const Material& material) { validate(material, 0); }
+
+void validate_also_lateral(const Material& material) { validate(material, -1); }
 
 Material lateral(const Material& material) {
   const auto [g, nu] = material;

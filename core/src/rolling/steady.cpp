@@ -24,8 +24,6 @@ Index SteadySolution::slip_elements() const { return x.size() - adhesion_element
 
 namespace {
 
-bool are_unlike(const SteadyProblem& problem) { return problem.pressure_strain != 0; }
-
 /// -du/dx of the tractions, the last row of which may have been replaced.
 SquareMatrix strain_of(const SteadyProblem& problem, const Differences& differences) {
   const auto& [kernel, bound, grid, basis, method, load, solver, accepted, pressure_strain] =
@@ -127,7 +125,7 @@ ContactState contact_by(ActiveSet& active_set, const SteadyProblem& problem,
   SlipConditions conditions{.bound = bound_of(problem, differences),
                             .offset = VectorXd::Zero(n),
                             .reference = VectorXd::Zero(n)};
-  if (are_unlike(problem)) {
+  if (problem.has_unlike_bodies()) {
     conditions.offset = -problem.pressure_strain * pressed_bound_of(problem, differences);
   }
   if (differences.edge_displacement) {
@@ -149,24 +147,25 @@ SteadySolution by_differences(const SteadyProblem& problem, const Differences& d
   Evidence evidence = evidence_by_elements(
       {lengths, bound, mean_bound_of(problem), state.traction, state.slip}, force, state.creepage);
   evidence.residual = state.residuals.equations;
-  if (are_unlike(problem)) {
+  if (problem.has_unlike_bodies()) {
     evidence.load = lengths.dot(state.traction.cwiseAbs());
     evidence.power = evidence.dissipated;
   }
-  return {.x = x,
-          .bound = bound,
-          .traction = state.traction,
-          .slip = state.slip,
-          .displacement =
-              influence_operator(problem.kernel, problem.basis, grid.spacing(), n, problem.solver) *
-              state.traction,
-          .zones = state.zones,
-          .force = force,
-          .creepage = state.creepage,
-          .dissipation = are_unlike(problem) ? evidence.dissipated : -state.creepage * force,
-          .iterations = state.iterations,
-          .evidence = evidence,
-          .condition = active_set.condition()};
+  return {
+      .x = x,
+      .bound = bound,
+      .traction = state.traction,
+      .slip = state.slip,
+      .displacement =
+          influence_operator(problem.kernel, problem.basis, grid.spacing(), n, problem.solver) *
+          state.traction,
+      .zones = state.zones,
+      .force = force,
+      .creepage = state.creepage,
+      .dissipation = problem.has_unlike_bodies() ? evidence.dissipated : -state.creepage * force,
+      .iterations = state.iterations,
+      .evidence = evidence,
+      .condition = active_set.condition()};
 }
 
 /// \param solution  as functions of x, with one stick zone
@@ -211,7 +210,8 @@ SteadySolution instead_of_inversion(const SteadyProblem& problem, const std::str
 }
 
 SteadySolution by_inversion(const SteadyProblem& problem) {
-  if (are_unlike(problem)) return instead_of_inversion(problem, "bodies differ in material");
+  if (problem.has_unlike_bodies())
+    return instead_of_inversion(problem, "bodies differ in material");
   const InvertedRolling rolling(problem.kernel, problem.bound);
   if (const auto why = rolling.obstacle()) return instead_of_inversion(problem, *why);
   try {
@@ -247,7 +247,7 @@ double answer_of(const Load& load, const SteadySolution& solution) {
 }
 
 void validate(const SteadyProblem& problem) {
-  if (!are_unlike(problem)) return;
+  if (!problem.has_unlike_bodies()) return;
   if (!std::holds_alternative<PlaneKernel>(problem.kernel)) {
     reject("kernel.type", "strip", "plane for bodies of different material");
   }

@@ -118,8 +118,8 @@ const std::string details_of_unlike =
 
 /// What the pressure does with free rolling.
 std::vector<std::string> stretched(const SteadyProblem& problem) {
+  if (!problem.has_unlike_bodies()) return {};
   const double ratio = problem.pressure_strain / compliance(material_of(problem.kernel));
-  if (ratio == 0) return {};
   return {"bodies of different material, beta/mu = " + number(ratio) +
           ": the pressure stretches one surface against the other"};
 }
@@ -130,7 +130,7 @@ struct Explain {
                                              elements_of(problem.grid), method_of(problem)};
     std::ranges::copy(stretched(problem), std::back_inserter(consequences));
     Explanation found = steady(kind_of(problem.load), consequences);
-    if (problem.pressure_strain != 0) {
+    if (problem.has_unlike_bodies()) {
       found.not_modelled = {normal, goodman, how_steady, details_of_unlike};
     }
     return found;

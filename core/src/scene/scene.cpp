@@ -200,10 +200,14 @@ void Scene::demand(const std::string& key, double value, bool holds) const {
   require(holds, key, value, [&] { return expected_by(declared(key)); });
 }
 
+void Scene::demand_in_range(const std::string& key, double value) const {
+  demand(key, value, declared(key).range.holds(value));
+}
+
 void Scene::hold_to_range(const std::string& key, double value) const {
   const Key* found = known(key);
   if (found == nullptr || found == find_key(key)) return;
-  demand(key, value, found->range.holds(value));
+  demand_in_range(key, value);
   if (found->range.open && found->range.least == 0) require_positive(key, value);
 }
 

@@ -10,9 +10,10 @@ namespace microslip {
 
 /// \file
 /// A kernel K(z) is the displacement difference u_x [mm] at a distance z > 0 [mm] from a tangential
-/// line load of 1 N per mm width  [mm^2/N]; of the material lateral() it is u_y by a lateral one. It is even in z, logarithmic at z = 0, and
-/// analytic elsewhere within `clear_distance` of the real axis. `decay` is -dK/dz > 0 [mm/N]; all
-/// integrals of the kernel are built on it, because it never changes sign.
+/// line load of 1 N per mm width  [mm^2/N]; of the material lateral() it is u_y by a lateral one. It
+/// is even in z, logarithmic at z = 0, and analytic elsewhere within `clear_distance` of the real
+/// axis. `decay` is -dK/dz > 0 [mm/N]; all integrals of the kernel are built on it, because it never
+/// changes sign.
 ///
 /// The `regular` parts lack the logarithm of plane strain: they are K(z) + log_factor ln z, and the
 /// decay less log_factor / z. They are analytic at z = 0, too, where the first is even in z and the

@@ -61,6 +61,8 @@ struct SteadyProblem {
   Solver solver = {};
   Acceptance accepted = {};    ///< for require_evidence
   double pressure_strain = 0;  ///< microslip::pressure_strain(), for PlaneKernel  [mm^2/N]
+
+  bool has_unlike_bodies() const { return pressure_strain != 0; }
 };
 
 /// \throws std::invalid_argument for bodies of different material, if the strain by the pressure is

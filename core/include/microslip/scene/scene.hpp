@@ -122,6 +122,7 @@ class Scene {
   /// Rejects a value of a known key by what that accepts, unless it `holds`.
   /// \throws std::logic_error if the key is not known; word() likewise
   void demand(const std::string& key, double value, bool holds) const;
+  void demand_in_range(const std::string& key, double value) const;
 
   /// What `use` makes of columns of numbers in a table file that the key names: a line of column
   /// names, each perhaps with its unit, "q [mm]" or "q[mm]", then rows, separated by blanks or

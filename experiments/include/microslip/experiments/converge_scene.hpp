@@ -18,6 +18,8 @@ struct ConvergeScene {
   std::vector<Eigen::Index> elements;  ///< N, in rising order
   double error;                        ///< wanted of the answer, relative
   std::optional<double> step_time;     ///< that a step of a transient may last  [s]
+  bool steady;                         ///< else a transient
+  bool under_force;                    ///< so that the creepage is the answer, else the force
   double memory;                       ///< that the reference takes  [bytes]
 };
 
