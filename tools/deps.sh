@@ -16,6 +16,7 @@ libboost-dev /usr/include/boost/algorithm/string/replace.hpp
 libboost-program-options-dev /usr/lib/*/cmake/boost_program_options-*
 libgsl-dev /usr/include/gsl/gsl_integration.h
 libfftw3-dev /usr/include/fftw3.h
+libfmt-dev /usr/include/fmt/core.h
 libgtest-dev /usr/include/gtest/gtest.h
 LIST
       ;;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "provenance.hpp"
 
+#include <fmt/core.h>
+
 #include <Eigen/Core>
 #include <boost/version.hpp>
 #include <ctime>
@@ -48,7 +50,9 @@ std::string provenance(const std::string& program, int argc, const char* const* 
   for (int i = 0; i < argc; ++i) text << ' ' << std::quoted(argv[i], '\'');
   text << "\ncompiler: " << __VERSION__ << "\nlibraries: Eigen " << EIGEN_WORLD_VERSION << '.'
        << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION << ", Boost " << BOOST_LIB_VERSION
-       << "\nwall time: " << std::setprecision(3) << wall_time.count() << " s\n";
+       << ", fmt " << FMT_VERSION / 10000 << '.' << FMT_VERSION / 100 % 100 << '.'
+       << FMT_VERSION % 100 << "\nwall time: " << std::setprecision(3) << wall_time.count()
+       << " s\n";
   return text.str();
 }
 

@@ -17,7 +17,7 @@ mkdir -p "$work"
 package=$(ls "$work"/microslip_*.deb)
 depends=$(dpkg-deb --field "$package" Depends)
 echo "$(basename "$package"): $depends"
-for library in libc6 libfftw3 libgsl libboost-program-options; do
+for library in libc6 libfftw3 libgsl libfmt libboost-program-options; do
   grep -q "$library" <<<"$depends" || fail "does not depend on $library"
 done
 while read -r name; do
