@@ -58,21 +58,25 @@ Table summary_of(const std::string& description, const SteadySolution& solution,
 }  // namespace
 
 std::vector<Table> scene_tables(const SteadyProblem& problem, const Progress& progress) {
-  constexpr std::size_t parts = 100;
-  const double part = work_needed(problem) / parts;
-  const WorkWatch watch(part, [&](double done) {
-    progress(std::min(parts - 1, static_cast<std::size_t>(done / part)), parts);
-  });
-  const SteadySolution solution = solve_steady(problem);
-  progress(parts, parts);
+  constexpr std::size_t percent = 100;
+  const double one = work_needed(problem) / percent;
+  const SteadySolution solution = [&] {
+    const WorkWatch watch([&](double done) {
+      progress(std::min(percent - 1, static_cast<std::size_t>(done / one)), percent);
+    });
+    return solve_steady(problem);
+  }();
+  progress(percent, percent);
   return {nodes(solution), summary_of("steady rolling, the whole contact", solution, problem)};
 }
 
 std::vector<Table> scene_tables(const SteadyTarget& target, const Progress& progress) {
-  constexpr double part = 1e8;
-  const WorkWatch watch(
-      part, [&](double done) { progress(static_cast<std::size_t>(done / part), unknown_total); });
-  const EstimatedSteady found = solve_steady_to(target.contact, target.error);
+  constexpr double unit = 1e8;  // of operations
+  const EstimatedSteady found = [&] {
+    const WorkWatch watch(
+        [&](double done) { progress(static_cast<std::size_t>(done / unit), unknown_total); });
+    return solve_steady_to(target.contact, target.error);
+  }();
   const std::string unknowns = std::to_string(found.unknowns);
   const std::string picked =
       found.solution.scheme == SteadyScheme::inversion

@@ -1,42 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/support/work.hpp"
 
+#include <chrono>
 #include <cmath>
+#include <condition_variable>
+#include <mutex>
 #include <utility>
 
 namespace microslip {
 
 namespace {
 
-/// Whole, and below 2^53 for months.
-thread_local double counted = 0;
+constexpr std::chrono::milliseconds between_looks{100};
 
-thread_local WorkWatch* watching = nullptr;
+/// Whole, and below 2^53 for months. Its thread alone writes.
+thread_local std::atomic<double> counted = 0;
 
 }  // namespace
 
 void count_work(double operations) {
-  counted += std::round(operations);
-  if (watching != nullptr) watching->look(counted);
+  const double before = counted.load(std::memory_order_relaxed);
+  counted.store(before + std::round(operations), std::memory_order_relaxed);
 }
 
-WorkCount::WorkCount() : start_(counted) {}
+WorkCount::WorkCount() : counted_(&counted), start_(counted.load(std::memory_order_relaxed)) {}
 
-double WorkCount::operations() const { return counted - start_; }
-
-WorkWatch::WorkWatch(double every, std::function<void(double)> action)
-    : start_(counted),
-      every_(every),
-      next_(counted + every),
-      action_(std::move(action)),
-      before_(std::exchange(watching, this)) {}
-
-WorkWatch::~WorkWatch() { watching = before_; }
-
-void WorkWatch::look(double now) {
-  if (now < next_) return;
-  next_ = now + every_;
-  action_(now - start_);
-}
+WorkWatch::WorkWatch(std::function<void(double)> action)
+    : teller_([action = std::move(action), count = WorkCount()](const std::stop_token& stop) {
+        std::mutex mutex;
+        std::unique_lock lock(mutex);
+        std::condition_variable_any end;
+        while (!end.wait_for(lock, stop, between_looks, [] { return false; }) &&
+               !stop.stop_requested()) {
+          action(count.operations());
+        }
+        action(count.operations());
+      }) {}
 
 }  // namespace microslip

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <functional>
+#include <thread>
 
 namespace microslip {
 
@@ -22,35 +24,26 @@ inline constexpr double kernel_work = 25;
 /// \param operations  >= 0; rounded, so that sums are exact in any order
 void count_work(double operations);
 
-/// Counts operations of this thread since it was made.
+/// Counts operations of the thread that makes it, from then on. Another thread may read the count
+/// as long as the counted thread lives.
 class WorkCount {
  public:
   WorkCount();
-  double operations() const;
+  double operations() const { return counted_->load(std::memory_order_relaxed) - start_; }
 
  private:
+  const std::atomic<double>* counted_;
   double start_;
 };
 
-/// Calls `action` with the number of operations of this thread since it was made, each time that
-/// the thread has done `every` more. If there are several, only the last one that was made acts.
+/// Tells an action ten times a second how many operations the thread that made it has counted since
+/// then. The action runs in a thread of its own, and for the last time before the destructor ends.
 class WorkWatch {
  public:
-  /// \param every  > 0
-  WorkWatch(double every, std::function<void(double operations)> action);
-  ~WorkWatch();
-  WorkWatch(const WorkWatch&) = delete;
-  WorkWatch& operator=(const WorkWatch&) = delete;
+  explicit WorkWatch(std::function<void(double operations)> action);
 
  private:
-  friend void count_work(double operations);
-  void look(double now);
-
-  double start_;
-  double every_;
-  double next_;
-  std::function<void(double)> action_;
-  WorkWatch* before_;
+  std::jthread teller_;
 };
 
 }  // namespace microslip

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "microslip/halfspace/basis.hpp"
+
+namespace microslip {
+
+/// How a strain that is a difference over one element feels the leading edge of the contact: two
+/// constants of the Wiener-Hopf factors of its symbol, which is 2 (1 - nu)/G dx times
+/// 2 |sin(theta/2)| b(theta) for the displacement of a whole element's tractions. The kernel's
+/// logarithm alone determines them, so they hold for strips and plane strain.
+struct LeadingEdgeConstants {
+  /// beta*: to second order, the tractions are those of a contact whose leading edge lies so many
+  /// elements beyond the last node, whatever the offset of the grid  [1]
+  double offset;
+
+  /// e0: the slip displacement of the next node while the edge passes over an element, over
+  /// 2 (1 - nu)/G dx times the traction that the scheme gives it in adhesion at the end  [1]
+  double compliance;
+
+  /// Tractions of the scheme at the last, last but one, ... node over the exact square root,
+  /// sqrt(j + offset); 1 far from the edge  [1]
+  std::array<double, 8> layer;
+
+  /// The same after a fraction of the next element has been travelled: the mean of the solutions
+  /// with and without its node, over sqrt(j + offset + fraction); j = -1 for that node.
+  /// \param fraction  in [0, 1)
+  /// \return          1 from j = 7 on
+  double value(Eigen::Index j, double fraction) const;
+};
+
+/// offset = 3/4 - 1/(4 pi) int_0^pi ln b / sin^2(theta/2) dtheta,
+/// compliance = exp(1/pi int_0^pi ln b dtheta),
+/// b = 2 sin(theta/2) sum over all m of shape^(theta + 2 pi m) / |theta + 2 pi m|.
+/// \param basis  constant or linear
+/// \throws std::invalid_argument for others
+/// Accuracy: 1e-15, tests/digits/spectrum_test.cpp
+LeadingEdgeConstants leading_edge_constants(const Basis& basis);
+
+}  // namespace microslip
