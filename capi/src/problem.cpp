@@ -16,13 +16,13 @@ using Eigen::VectorXd;
 TractionBound make_bound(const microslip_contact& contact) {
   const auto rows = static_cast<double>(contact.bound_rows);
   if (contact.bound_x == nullptr && contact.bound_value == nullptr) {
-    require(contact.bound_rows == 0, "contact.bound_rows", rows, "0 without a table of the bound");
+    require(contact.bound_rows == 0, "bound_rows", rows, "0 without a table of the bound");
     return HertzBound(contact.half_width, contact.peak_traction);
   }
-  require_pointer(contact.bound_x, "contact.bound_x");
-  require_pointer(contact.bound_value, "contact.bound_value");
-  require(contact.bound_rows > 0, "contact.bound_rows", rows, "at least one row of the table");
-  require(contact.peak_traction == 0, "contact.peak_traction", contact.peak_traction,
+  require_pointer(contact.bound_x, "bound_x");
+  require_pointer(contact.bound_value, "bound_value");
+  require(contact.bound_rows > 0, "bound_rows", rows, "at least one row of the table");
+  require(contact.peak_traction == 0, "peak_traction", contact.peak_traction,
           "0 with a table of the bound");
   const auto column = [&](const double* values) -> VectorXd {
     return Eigen::Map<const VectorXd>(values, static_cast<Eigen::Index>(contact.bound_rows));
@@ -35,16 +35,16 @@ TractionBound make_bound(const microslip_contact& contact) {
 }
 
 Kernel make_kernel(const Material& material, const microslip_kernel& kernel) {
-  require(kernel.type == MICROSLIP_STRIP || kernel.type == MICROSLIP_PLANE, "kernel.type",
+  require(kernel.type == MICROSLIP_STRIP || kernel.type == MICROSLIP_PLANE, "kernel type",
           kernel.type, "0 for a strip or 1 for plane strain");
-  require_positive("kernel.length", kernel.length);
+  require_positive("length", kernel.length);
   validate(material);
   if (kernel.type == MICROSLIP_STRIP) return StripKernel(material, kernel.length);
   return PlaneKernel(material, kernel.length);
 }
 
 AdvectionScheme make_scheme(int scheme) {
-  require(scheme == MICROSLIP_REMEMBERED || scheme == MICROSLIP_DIRECT, "grid.scheme", scheme,
+  require(scheme == MICROSLIP_REMEMBERED || scheme == MICROSLIP_DIRECT, "scheme", scheme,
           "0 for remembered or 1 for direct");
   if (scheme == MICROSLIP_DIRECT) return Direct{};
   return Remembered{};

@@ -6,8 +6,8 @@
 
 #include "microslip/experiments/claims.hpp"
 #include "microslip/scene/model.hpp"
-#include "microslip/spectrum/fourier_inverse.hpp"
 #include "microslip/support/format.hpp"
+#include "microslip/thesis/fourier_inverse.hpp"
 #include "study_keys.hpp"
 #include "unit_difference.hpp"
 

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "microslip/reference/edge_displacement.hpp"
+#include "microslip/thesis/edge_displacement.hpp"
 
 namespace microslip::experiments::leading_edge_study {
 

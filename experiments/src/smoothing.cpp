@@ -9,8 +9,8 @@
 #include "microslip/experiments/claims.hpp"
 #include "microslip/experiments/profile.hpp"
 #include "microslip/halfspace/influence.hpp"
-#include "microslip/spectrum/symbol.hpp"
 #include "microslip/support/format.hpp"
+#include "microslip/thesis/symbol.hpp"
 #include "rolled_tables.hpp"
 #include "study_keys.hpp"
 

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "campaign.hpp"
+#include "microslip/halfspace/leading_edge.hpp"
 #include "microslip/rolling/schemes.hpp"
-#include "microslip/spectrum/leading_edge.hpp"
 #include "speed_accuracy_problems.hpp"
 
 namespace microslip::experiments::speed_accuracy_study {

@@ -11,8 +11,8 @@
 
 #include "microslip/experiments/claims.hpp"
 #include "microslip/scene/model.hpp"
-#include "microslip/spectrum/symbol.hpp"
 #include "microslip/support/format.hpp"
+#include "microslip/thesis/symbol.hpp"
 #include "study_keys.hpp"
 #include "unit_difference.hpp"
 

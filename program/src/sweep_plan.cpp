@@ -72,7 +72,8 @@ SweepPlan plan_of(const Program& program, Scene scene) {
     try {
       plan.cases.push_back(read_case(program, one));
     } catch (const BadParameter& error) {
-      fail(one.place_of(error.key()), error);
+      const BadParameter of_key = in_keys(error);
+      fail(one.place_of(of_key.name()), of_key);
     } catch (const std::invalid_argument& error) {
       fail("", error);
     }

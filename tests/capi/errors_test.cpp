@@ -20,25 +20,25 @@ const double falling[] = {0.5, -0.5};
 
 TEST(CErrors, OfCreateNameKeyValueAndRange) {
   const std::vector<std::pair<std::string, std::function<void(Parts&)>>> cases{
-      {"material.shear_modulus = 0: expected a number > 0",
+      {"shear_modulus = 0: expected a number > 0",
        [](Parts& p) { p.material.shear_modulus = 0; }},
-      {"material.poisson_ratio = 0.6: expected a number in [0, 0.5]",
+      {"poisson_ratio = 0.6: expected a number in [0, 0.5]",
        [](Parts& p) { p.material.poisson_ratio = 0.6; }},
-      {"contact.half_width = nan: expected a number > 0",
+      {"half_width = nan: expected a number > 0",
        [](Parts& p) { p.contact.half_width = nan; }},
-      {"contact.peak_traction = -1: expected a number > 0",
+      {"peak_traction = -1: expected a number > 0",
        [](Parts& p) { p.contact.peak_traction = -1; }},
-      {"contact.peak_traction = 1: expected 0 with a table of the bound",
+      {"peak_traction = 1: expected 0 with a table of the bound",
        [](Parts& p) {
          p.contact = {1, 1, two, two, 2};
        }},
-      {"contact.bound_value = null: expected a pointer",
+      {"bound_value = null: expected a pointer",
        [](Parts& p) {
          p.contact = {1, 0, two, nullptr, 2};
        }},
-      {"contact.bound_rows = 2: expected 0 without a table of the bound",
+      {"bound_rows = 2: expected 0 without a table of the bound",
        [](Parts& p) { p.contact.bound_rows = 2; }},
-      {"contact.bound_rows = 0: expected at least one row of the table",
+      {"bound_rows = 0: expected at least one row of the table",
        [](Parts& p) {
          p.contact = {1, 0, two, two, 0};
        }},
@@ -50,18 +50,18 @@ TEST(CErrors, OfCreateNameKeyValueAndRange) {
        [](Parts& p) {
          p.contact = {1, 0, falling, falling, 2};
        }},
-      {"kernel.type = 7: expected 0 for a strip or 1 for plane strain",
+      {"kernel type = 7: expected 0 for a strip or 1 for plane strain",
        [](Parts& p) { p.kernel.type = 7; }},
-      {"kernel.length = inf: expected a number > 0", [](Parts& p) { p.kernel.length = infinity; }},
-      {"kernel.length = 0.5: expected more than (half_width + dx)/2 = 0.524390243902439 mm, from "
+      {"length = inf: expected a number > 0", [](Parts& p) { p.kernel.length = infinity; }},
+      {"length = 0.5: expected more than (half_width + dx)/2 = 0.524390243902439 mm, from "
        "where on plane strain resists displacements; below, a creepage would drive the force the "
        "wrong way. Steady rolling takes any length",
        [](Parts& p) {
          p.kernel = {MICROSLIP_PLANE, 0.5};
        }},
-      {"grid.elements = -3: expected a whole number in [1, 4000000]",
+      {"elements = -3: expected a whole number in [1, 4000000]",
        [](Parts& p) { p.grid.elements = -3; }},
-      {"grid.scheme = 2: expected 0 for remembered or 1 for direct",
+      {"scheme = 2: expected 0 for remembered or 1 for direct",
        [](Parts& p) { p.grid.scheme = 2; }}};
   for (const auto& [expected, spoil] : cases) {
     Parts parts;

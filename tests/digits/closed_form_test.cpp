@@ -12,8 +12,8 @@
 #include "digits/reference_kernel.hpp"
 #include "microslip/reference/carter.hpp"
 #include "microslip/reference/cattaneo.hpp"
-#include "microslip/reference/edge_displacement.hpp"
 #include "microslip/support/sine.hpp"
+#include "microslip/thesis/edge_displacement.hpp"
 
 namespace microslip {
 namespace {

@@ -15,9 +15,9 @@
 #include "digits/reference_kernel.hpp"
 #include "microslip/halfspace/basis.hpp"
 #include "microslip/halfspace/influence.hpp"
-#include "microslip/spectrum/fourier_inverse.hpp"
-#include "microslip/spectrum/leading_edge.hpp"
-#include "microslip/spectrum/symbol.hpp"
+#include "microslip/halfspace/leading_edge.hpp"
+#include "microslip/thesis/fourier_inverse.hpp"
+#include "microslip/thesis/symbol.hpp"
 
 namespace microslip {
 namespace {

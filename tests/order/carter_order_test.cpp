@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "microslip/reference/carter.hpp"
-#include "microslip/reference/edge_displacement.hpp"
 #include "microslip/rolling/steady.hpp"
 #include "microslip/support/convergence.hpp"
+#include "microslip/thesis/edge_displacement.hpp"
 
 namespace microslip {
 namespace {

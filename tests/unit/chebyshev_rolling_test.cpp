@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "microslip/reference/carter.hpp"
-#include "microslip/reference/edge_displacement.hpp"
 #include "microslip/support/not_converged.hpp"
+#include "microslip/thesis/edge_displacement.hpp"
 
 namespace microslip {
 namespace {

@@ -178,7 +178,7 @@ TEST(RollingCylinder, RefusesToleranceThatTheGridCannotMeet) {
     roll_to(body, 5);
     FAIL();
   } catch (const NotConverged& error) {
-    EXPECT_NE(std::string(error.what()).find("motion.tolerance = 1e-09"), std::string::npos)
+    EXPECT_NE(std::string(error.what()).find("motion tolerance = 1e-09"), std::string::npos)
         << error.what();
   }
 }

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "microslip/spectrum/leading_edge.hpp"
+#include "microslip/halfspace/leading_edge.hpp"
 
 namespace microslip {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/reference/edge_displacement.hpp"
+#include "microslip/thesis/edge_displacement.hpp"
 
 #include <gtest/gtest.h>
 

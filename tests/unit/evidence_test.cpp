@@ -169,16 +169,15 @@ TEST(Evidence, WorseThanAcceptedIsRefusedByName) {
   };
   EXPECT_EQ(refusal(good, 1), "");
   EXPECT_NE(with(&Evidence::residual, 2e-10)
-                .find("residual is 2e-10: expected at most "
-                      "solver.tolerance = 1e-10"),
+                .find("residual is 2e-10: expected at most the tolerance, 1e-10"),
             std::string::npos);
   EXPECT_NE(with(&Evidence::excess, 0.1).find("bound_violation is 0.1"), std::string::npos);
   EXPECT_NE(with(&Evidence::backward, 0.1).find("slip_violation is 0.1"), std::string::npos);
   EXPECT_NE(with(&Evidence::load, 1.1).find("above full sliding"), std::string::npos);
   EXPECT_NE(with(&Evidence::dissipated, -0.1).find("dissipation is negative"), std::string::npos);
-  EXPECT_NE(
-      refusal(good, 1e14).find("condition is 1e+14: expected at most solver.condition = 1e+13"),
-      std::string::npos);
+  EXPECT_NE(refusal(good, 1e14)
+                .find("condition is 1e+14: expected at most the accepted condition, 1e+13"),
+            std::string::npos);
   EXPECT_NE(refusal(good, std::numeric_limits<double>::infinity()).find("condition"),
             std::string::npos);
 }

@@ -173,19 +173,19 @@ TEST(FrequencyResponse, RefusesWhatItCannot) {
             "length of the stick zone = 0: expected a number > 0");
   EXPECT_TRUE(message([&] {
                 FrequencyResponse(StripKernel(material, 0.01), -1, 1, 1);
-              }).starts_with("kernel.width = 0.01: expected at least 0.09"));
+              }).starts_with("width = 0.01: expected at least 0.09"));
   const std::string least = message([&] { FrequencyResponse(strip, -1, 1, 1e-5); });
-  const std::string begins = "response.shortest = 1e-05: expected at least ";
+  const std::string begins = "shortest = 1e-05: expected at least ";
   ASSERT_TRUE(least.starts_with(begins)) << least;
   EXPECT_NO_THROW(FrequencyResponse(strip, -1, 1, 1.001 * std::stod(least.substr(begins.size()))));
   EXPECT_THROW(FrequencyResponse(strip, -1, 1, 0.999 * std::stod(least.substr(begins.size()))),
                BadParameter);
   EXPECT_TRUE(message([&] {
                 FrequencyResponse(PlaneKernel(material, 1), -1, 1, 1e-7);
-              }).starts_with("response.shortest = 1e-07: expected at least 6.28"));
+              }).starts_with("shortest = 1e-07: expected at least 6.28"));
   EXPECT_TRUE(message([&] {
                 FrequencyResponse(PlaneKernel(material, 0.5), -1, 1, 1);
-              }).starts_with("kernel.length = 0.5: expected more than 0.5, "));
+              }).starts_with("length = 0.5: expected more than 0.5, "));
   const FrequencyResponse response(strip, -1, 1, 0.5);
   for (const double wavelength : {0.49, 0.0, -1.0, HUGE_VAL, std::nan("")}) {
     EXPECT_THROW(response.slope(wavelength), BadParameter) << wavelength;

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "microslip/reference/carter.hpp"
-#include "microslip/reference/edge_displacement.hpp"
 #include "microslip/rolling/chebyshev_rolling.hpp"
 #include "microslip/rolling/steady.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/work.hpp"
+#include "microslip/thesis/edge_displacement.hpp"
 #include "stick_zones.hpp"
 
 namespace microslip {

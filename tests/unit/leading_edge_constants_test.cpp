@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "microslip/halfspace/influence.hpp"
-#include "microslip/spectrum/leading_edge.hpp"
+#include "microslip/halfspace/leading_edge.hpp"
 
 namespace microslip {
 namespace {

@@ -50,7 +50,7 @@ TEST(PlaneStrain, ShortLengthsAreRefusedInTransients) {
     }
   }
   EXPECT_EQ(message([] { TransientRolling(transient(2, Direct{}, 100)); }),
-            "kernel.length = 2: expected more than (half_width + dx)/2 = 2.55 mm, from where on "
+            "length = 2: expected more than (half_width + dx)/2 = 2.55 mm, from where on "
             "plane strain resists displacements; below, a creepage would drive the force the wrong "
             "way. Steady rolling takes any length");
 }

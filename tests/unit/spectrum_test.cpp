@@ -6,8 +6,8 @@
 #include <numbers>
 
 #include "microslip/halfspace/influence.hpp"
-#include "microslip/spectrum/fourier_inverse.hpp"
-#include "microslip/spectrum/symbol.hpp"
+#include "microslip/thesis/fourier_inverse.hpp"
+#include "microslip/thesis/symbol.hpp"
 
 namespace microslip {
 namespace {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/dynamics/cylinder.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -16,9 +18,9 @@ namespace {
 
 void require_rolling(double velocity, const CylinderState& state) {
   if (velocity > 0) return;
-  throw std::runtime_error("the cylinder stalls or rolls backwards after " +
-                           format_short(state.position) +
-                           " mm: a step with v = " + format_short(velocity) + " mm/s");
+  throw std::runtime_error(
+      fmt::format("the cylinder stalls or rolls backwards after {} mm: a step with v = {} mm/s",
+                  format_short(state.position), format_short(velocity)));
 }
 
 /// Shorter steps have not been tried, and the first is not the shortest  [dx]
@@ -30,7 +32,7 @@ constexpr double least_step = 1e-3;  // of that with c = 1
 }  // namespace
 
 void require_tolerance(double tolerance) {
-  require(tolerance > 0 && tolerance <= 1, "motion.tolerance", tolerance,
+  require(tolerance > 0 && tolerance <= 1, "motion tolerance", tolerance,
           "a number above 0, at most 1");
 }
 
@@ -46,16 +48,16 @@ RollingCylinder::RollingCylinder(const TransientProblem& contact, const Cylinder
       force_scale_(full_sliding_force(contact.bound)),
       acceleration_(cylinder.slope_force / cylinder.mass),
       tolerance_(tolerance) {
-  require_positive("cylinder.mass", cylinder.mass);
-  require_positive("cylinder.inertia", cylinder.inertia);
-  require_positive("cylinder.radius", cylinder.radius);
-  require_positive("cylinder.slope_force", cylinder.slope_force);
-  require(std::isfinite(cylinder.velocity) && cylinder.velocity >= 0, "cylinder.velocity",
-          cylinder.velocity, "a finite number >= 0");
-  require_positive("step.ratio", step_ratio);
+  require_positive("mass", cylinder.mass);
+  require_positive("inertia", cylinder.inertia);
+  require_positive("cylinder radius", cylinder.radius);
+  require_positive("slope_force", cylinder.slope_force);
+  require(std::isfinite(cylinder.velocity) && cylinder.velocity >= 0, "velocity", cylinder.velocity,
+          "a finite number >= 0");
+  require_positive("step_ratio", step_ratio);
   if (tolerance) {
     require_tolerance(*tolerance);
-    require(integrator == Integrator::midpoint, "motion.tolerance", *tolerance,
+    require(integrator == Integrator::midpoint, "motion tolerance", *tolerance,
             "none, except for the midpoint rule");
   }
   const double mass =
@@ -72,10 +74,12 @@ RollingCylinder::RollingCylinder(const TransientProblem& contact, const Cylinder
   ahead_velocity_ = cylinder.velocity + acceleration_ * ahead_time_ / 2;
   ahead_angular_velocity_ = state_.angular_velocity;
   const double first_step = ahead_velocity_ * ahead_time_ / contact.grid.spacing();
-  require(first_step >= least_first_step, "cylinder.slope_force", cylinder.slope_force, [&] {
-    return "a force that moves the cylinder by at least " + format_short(least_first_step) +
-           " elements, not " + format_short(first_step) + ", in " + format_short(ahead_time_) +
-           " s, a part of its period on the contact";
+  require(first_step >= least_first_step, "slope_force", cylinder.slope_force, [&] {
+    return fmt::format(
+        "a force that moves the cylinder by at least {} elements, not {}, in {} s, a fraction of "
+        "its "
+        "period on the contact",
+        format_short(least_first_step), format_short(first_step), format_short(ahead_time_));
   });
 }
 
@@ -207,10 +211,12 @@ void RollingCylinder::step_midpoint() {
     if (error <= *tolerance_) break;
     time = allowed_time_;
     if (time < shortest) {
-      throw NotConverged("motion.tolerance = " + format_short(*tolerance_) +
-                             ": the force of the contact is not smooth enough for it, steps would "
-                             "be a thousandth of those with step.ratio 1,",
-                         tries, error);
+      throw NotConverged(
+          fmt::format(
+              "motion tolerance = {}: the force of the contact is not smooth enough for it, "
+              "steps would be a thousandth of those with the step ratio 1,",
+              format_short(*tolerance_)),
+          tries, error);
     }
     step = solve_midpoint(time);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/friction/active_set.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -97,9 +99,10 @@ class ContactSearch {
 
   void finish(ContactState& state) {
     if (!(response_.residual <= system_.solver().tolerance)) {
-      throw NotConverged("active set: the residual of the equations in adhesion is above " +
-                             format_short(system_.solver().tolerance),
-                         iterations_, response_.residual);
+      throw NotConverged(
+          fmt::format("active set: the residual of the equations in adhesion is above {}",
+                      format_short(system_.solver().tolerance)),
+          iterations_, response_.residual);
     }
     state.traction = response_.traction;
     state.slip = response_.slip;
@@ -152,7 +155,7 @@ class ContactSearch {
     response.residual = unknowns_.residual;
   }
 
-  /// Of the solution, from the reference.
+  /// Change of the force from the reference to the solution.
   double change_of_force() const {
     return system_.weights().dot(increment_) + system_.weights().dot(unknowns_.increment);
   }
@@ -391,7 +394,7 @@ namespace {
 void require_below_full_sliding(const Load& load, double full_sliding) {
   const auto* force = std::get_if<PrescribedForce>(&load);
   if (force == nullptr) return;
-  require(std::abs(force->value) < full_sliding, "load.force", force->value,
+  require(std::abs(force->value) < full_sliding, "force", force->value,
           [&] { return "an absolute value below full sliding, " + format_short(full_sliding); });
 }
 

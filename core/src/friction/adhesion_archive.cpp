@@ -15,7 +15,7 @@ namespace {
 
 std::size_t to_size(Index i) { return static_cast<std::size_t>(i); }
 
-/// Of what is read.
+/// Rejects a state that was read, unless the condition holds.
 void demand(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(std::string("state: expected ") + what);
 }

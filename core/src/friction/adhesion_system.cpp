@@ -238,8 +238,8 @@ void AdhesionSystem::border(const std::vector<Index>& arrivals) {
   if (border_is_new_ || after > before) factorise_schur();
 }
 
-/// What has gone back is decoupled. Columns of compliant elements are divided, or their corners
-/// would spoil the condition.
+/// Elements that have gone back are decoupled. Columns of compliant elements are divided, or their
+/// corners would spoil the condition.
 void AdhesionSystem::factorise_schur() {
   border_is_new_ = false;
   schur_rcond_ = 1;
@@ -332,7 +332,7 @@ void AdhesionSystem::solve_bordered(const VectorXd& rhs, VectorXd& all) {
   }
 }
 
-/// What is left of the right-hand side in adhesion and in the added row.
+/// Residual of the equations in adhesion and of the added row.
 /// \return the largest of the former over the largest term
 double AdhesionSystem::find_rest(const Unknowns& unknowns) {
   const Index n = size();

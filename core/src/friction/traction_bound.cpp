@@ -16,8 +16,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 HertzBound::HertzBound(double half_width, double peak) : half_width_(half_width), peak_(peak) {
-  require_positive("contact.half_width", half_width);
-  require_positive("contact.peak_traction", peak);
+  require_positive("half_width", half_width);
+  require_positive("peak_traction", peak);
 }
 
 double HertzBound::operator()(double x) const {
@@ -79,24 +79,23 @@ ChebyshevTraction polynomial_traction(double half_width, double peak,
                                       const VectorXd& coefficients) {
   constexpr Index most = 33;
   constexpr int samples = 1000;
-  require_positive("contact.half_width", half_width);
-  require_positive("contact.peak_traction", peak);
+  require_positive("half_width", half_width);
+  require_positive("peak_traction", peak);
   const auto count = static_cast<double>(coefficients.size());
-  require(coefficients.size() >= 1 && coefficients.size() <= most, "contact.bound_polynomial",
-          count, "1 to 33 coefficients");
+  require(coefficients.size() >= 1 && coefficients.size() <= most, "coefficients", count,
+          "1 to 33 coefficients");
   for (const double c : coefficients) {
-    require(true, "contact.bound_polynomial", c, "finite coefficients");
+    require(true, "coefficients", c, "finite coefficients");
   }
   const double size = coefficients.lpNorm<1>();
-  require(size > 0, "contact.bound_polynomial", size, "coefficients that are not all zero");
-  require_positive("sum of the sizes of contact.bound_polynomial", size);
+  require(size > 0, "coefficients", size, "coefficients that are not all zero");
+  require_positive("sum of the sizes of coefficients", size);
   ChebyshevTraction traction(-half_width, half_width, peak * second_kind(coefficients));
   double least = HUGE_VAL;
   for (int i = 0; i <= samples; ++i) {
     least = std::min(least, traction.polynomial(half_width * (2.0 * i / samples - 1)) / peak);
   }
-  require(least >= -1e-12 * size, "least value of contact.bound_polynomial", least,
-          "none below zero");
+  require(least >= -1e-12 * size, "least value of coefficients", least, "none below zero");
   return traction;
 }
 
@@ -134,7 +133,7 @@ double at_edge_if_near(double x, double half_width) {
 
 TabulatedBound::TabulatedBound(double half_width, const VectorXd& x, const VectorXd& values)
     : half_width_(half_width), x_(x.size() + 2), values_(x.size() + 2) {
-  require_positive("contact.half_width", half_width);
+  require_positive("half_width", half_width);
   if (x.size() == 0) throw std::invalid_argument("0 rows: expected at least one");
   for (Index i = 0; i < x.size(); ++i) {
     require(std::abs(at_edge_if_near(x[i], half_width)) <= half_width, "x", x[i],

@@ -56,7 +56,7 @@ Basis quadratic_basis_as_printed() {
 }
 
 Basis trimmed_linear_basis(double leading_offset) {
-  require(leading_offset > 0 && leading_offset <= 1, "grid.leading_offset", leading_offset,
+  require(leading_offset > 0 && leading_offset <= 1, "leading_offset", leading_offset,
           "a number in (0, 1]");
   return {"trimmed linear",
           Basis::Pattern::last_differs,
@@ -71,7 +71,7 @@ Basis edge_constant_basis() {
 
 namespace {
 
-/// Those that scenes may choose, the default first.
+/// The bases that scenes may choose, the default first.
 const std::vector<Basis>& bases() {
   static const std::vector<Basis> all{constant_basis(), linear_basis(), quadratic_basis()};
   return all;

@@ -70,8 +70,8 @@ ChebyshevField::ChebyshevField(const Kernel& kernel, const ChebyshevTraction& tr
   const double clear = clear_distance(kernel) / traction.half_length();
   Index count = traction.coefficients().size();
   if (std::isfinite(clear)) {
-    require(2 * clear >= narrowest, "kernel.width", 2 * clear_distance(kernel),
-            "at least 0.02 half-widths of the contact, or leading_edge standard");
+    require(2 * clear >= narrowest, "width", 2 * clear_distance(kernel),
+            "at least 0.02 half-widths of the contact, or the scheme standard");
     count += static_cast<Index>(20 + 20 / clear);
   }
   points_.resize(count);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/halfspace/influence.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
@@ -98,7 +100,7 @@ double influence(const Kernel& kernel, const ShapeFunction& shape, double spacin
 
 double influence_difference(const Kernel& kernel, const ShapeFunction& shape, double spacing,
                             double offset, double shift) {
-  // Of the two weights by parts there remain the tractions that an interval of length `shift`
+  // Integration by parts of both weights leaves the tractions that an interval of length `shift`
   // covers at a distance z on either side.
   const double first = shape.breakpoints().front();
   const double last = shape.breakpoints().back();
@@ -151,7 +153,7 @@ Toeplitz influence_toeplitz(const Kernel& kernel, const ShapeFunction& shape, do
 
 Toeplitz influence_difference_toeplitz(const Kernel& kernel, const ShapeFunction& shape,
                                        double spacing, Eigen::Index n, double step_ratio) {
-  require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
+  require(step_ratio >= min_step_ratio, "step_ratio", step_ratio, "a number >= 1e-15");
   const auto entry = [&](Eigen::Index k) {
     return influence_difference(kernel, shape, spacing, static_cast<double>(k), step_ratio);
   };
@@ -207,9 +209,9 @@ SquareMatrix arranged(const Basis& basis, Eigen::Index n, const Solver& solver,
 bool by_fft(const Solver& solver, const Basis& basis, Eigen::Index n) {
   const bool equal = basis.shapes().size() == 1;
   if (!equal && solver.type == Solver::Type::fft) {
-    reject("solver.type", "fft",
-           "auto or dense for basis = '" + basis.name() +
-               "', the functions of which are not all equal");
+    reject("solver", "fft",
+           fmt::format("auto or dense for the basis {}, the functions of which are not all equal",
+                       basis.name()));
   }
   return equal && by_fft(solver, n);
 }

@@ -12,7 +12,7 @@ namespace microslip {
 StripKernel::StripKernel(const Material& material, double width)
     : material_(material), half_width_(width / 2) {
   validate_also_lateral(material);
-  require_positive("kernel.width", width);
+  require_positive("width", width);
   log_factor_ = compliance(material) / std::numbers::pi;
   plain_factor_ = 2 * material.poisson_ratio / (std::numbers::pi * material.shear_modulus);
 }
@@ -62,7 +62,7 @@ double StripKernel::double_integral(double z) const {
 PlaneKernel::PlaneKernel(const Material& material, double length)
     : material_(material), length_(length) {
   validate_also_lateral(material);
-  require_positive("kernel.length", length);
+  require_positive("length", length);
   factor_ = compliance(material) / std::numbers::pi;
 }
 

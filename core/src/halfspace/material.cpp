@@ -9,9 +9,9 @@ namespace microslip {
 namespace {
 
 void validate(const Material& material, double least_poisson_ratio) {
-  require_positive("material.shear_modulus", material.shear_modulus);
+  require_positive("shear_modulus", material.shear_modulus);
   const double nu = material.poisson_ratio;
-  require(nu >= least_poisson_ratio && nu <= 0.5, "material.poisson_ratio", nu,
+  require(nu >= least_poisson_ratio && nu <= 0.5, "poisson_ratio", nu,
           [&] { return "a number in [" + format_short(least_poisson_ratio) + ", 0.5]"; });
 }
 

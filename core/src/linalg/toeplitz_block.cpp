@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Of this size, factors are cheaper than transforms.
+/// Up to this size, LU factors are cheaper than transforms.
 constexpr Index small = 64;
 
 constexpr int most_iterations = 100;

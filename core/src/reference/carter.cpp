@@ -25,7 +25,7 @@ Carter::Carter(const Material& material, const HertzBound& bound, double stick_r
 
 Carter Carter::from_creepage(const Material& material, const HertzBound& bound, double creepage) {
   const double sliding = compliance(material) * bound.peak();
-  require(true, "load.creepage", creepage, "a finite number");
+  require(true, "creepage", creepage, "a finite number");
   const double size = std::min(std::abs(creepage), sliding);
   return {material, bound, (sliding - size) / sliding, size / sliding, direction_of(creepage)};
 }
@@ -39,7 +39,7 @@ Carter Carter::from_stick_ratio(const Material& material, const HertzBound& boun
 Carter Carter::from_force(const Material& material, const HertzBound& bound, double force) {
   const double sliding = bound.total();
   const double size = std::abs(force);
-  require(size <= sliding, "load.force", force,
+  require(size <= sliding, "force", force,
           "an absolute value up to full sliding, " + format_short(sliding));
   const double stick_ratio = std::sqrt((sliding - size) / sliding);
   return {material, bound, stick_ratio, size / sliding / (1 + stick_ratio), direction_of(-force)};

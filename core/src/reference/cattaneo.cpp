@@ -33,8 +33,8 @@ double Cattaneo::traction(double x) const {
 }
 
 double Cattaneo::displacement(double length) const {
-  require_positive("kernel.length", length);
-  // Of an ellipse of unit height and half-width k, in its middle: k^2 (ln(2 L0 / k) + 1/2) / 2.
+  require_positive("length", length);
+  // An ellipse of unit height and half-width k displaces its middle by k^2 (ln(2 L0 / k) + 1/2) / 2.
   const double whole = std::log(2 * length / bound_.half_width()) + 0.5;
   const double log_held = force_ratio_ < 0.5 ? std::log1p(-force_ratio_) : std::log(held_ratio_);
   const double of_edge = held_ratio_ > 0 ? held_ratio_ * log_held / 2 : 0;

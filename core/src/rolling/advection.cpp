@@ -35,7 +35,7 @@ Advection::Advection(Kernel kernel, Basis basis, double spacing, Index elements,
       scheme_(scheme),
       solver_(solver) {
   const double relaxation = relaxation_of(scheme).value_or(1);
-  require(relaxation >= min_step_ratio, "step.relaxation", relaxation, "a number >= 1e-15");
+  require(relaxation >= min_step_ratio, "relaxation", relaxation, "a number >= 1e-15");
   if (!std::holds_alternative<Fractional>(scheme)) return;
   if (basis_.shapes().size() != 1) {
     reject("basis", basis_.name(), "equal functions at all nodes for fractional powers");
@@ -65,7 +65,7 @@ void Advection::advect_directly(const VectorXd& previous, double step_ratio, dou
 }
 
 void Advection::advect(const VectorXd& previous, double step_ratio, SlipConditions& conditions) {
-  require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
+  require(step_ratio >= min_step_ratio, "step_ratio", step_ratio, "a number >= 1e-15");
   if (shift_) {
     conditions.offset.setZero(elements_);
     conditions.reference = shift_->move(previous, step_ratio).traction;
@@ -73,8 +73,8 @@ void Advection::advect(const VectorXd& previous, double step_ratio, SlipConditio
   }
   const auto relaxation = relaxation_of(scheme_);
   if (!relaxation) return advect_directly(previous, step_ratio, 1, conditions);
-  require(step_ratio <= *relaxation * (1 + rounding), "step.ratio", step_ratio,
-          [&] { return "at most step.relaxation = " + format_short(*relaxation); });
+  require(step_ratio <= *relaxation * (1 + rounding), "step_ratio", step_ratio,
+          [&] { return "at most the relaxation, " + format_short(*relaxation); });
   const bool of_tractions = std::holds_alternative<RelaxedTraction>(scheme_);
   advect_directly(previous, *relaxation, of_tractions ? 1 : step_ratio / *relaxation, conditions);
 }

@@ -37,9 +37,7 @@ ChebyshevField field_of(const Kernel& kernel, const TractionBound& bound) {
   const auto traction = chebyshev_traction(bound);
   if (!traction) {
     throw BadParameter(
-        "contact.bound_file",
-        "contact.bound_file: expected contact.peak_traction or contact.bound_polynomial, because "
-        "Chebyshev collocation wants a smooth bound");
+        "bound", "bound: expected no table, because Chebyshev collocation wants a smooth bound");
   }
   return ChebyshevField(kernel, *traction);
 }

@@ -32,7 +32,7 @@ class ContactGrid final : public RollingGrid {
   Eigen::VectorXd mean_bound_;
   Advection advection_;
 
-  // Of the step that was solved last.
+  // Conditions and state of the step that was solved last.
   SlipConditions conditions_;
   ContactState contact_;
 };

@@ -29,12 +29,12 @@ struct Target {
 
 Target target_of(const CreepageForceCurve& curve, const Load& load) {
   if (const auto* force = std::get_if<PrescribedForce>(&load)) {
-    require(std::abs(force->value) < curve.full_sliding_force, "load.force", force->value,
+    require(std::abs(force->value) < curve.full_sliding_force, "force", force->value,
             "an absolute value below full sliding, " + format_short(curve.full_sliding_force));
     return {true, std::abs(force->value), force->value > 0 ? -1.0 : 1.0};
   }
   const double creepage = std::get<PrescribedCreepage>(load).value;
-  require(true, "load.creepage", creepage, "a finite number");
+  require(true, "creepage", creepage, "a finite number");
   return {false, std::abs(creepage), creepage < 0 ? -1.0 : 1.0};
 }
 
@@ -46,7 +46,7 @@ LoadedState meet_load(const CreepageForceCurve& curve, const Load& load) {
   int evaluations = 0;
   const auto excess = [&](double b) {
     ++evaluations;
-    // What is below rounding would only be halved again and again.
+    // A difference below rounding would only be halved again and again.
     const double difference = target.reached_by(curve.at(b)) - target.size;
     return std::abs(difference) <= rounding * target.size ? 0 : difference;
   };

@@ -30,7 +30,7 @@ struct ElementTravel {
 /// \param ratio  a step's length over the spacing
 /// \throws std::invalid_argument below min_step_ratio
 inline void require_step(double ratio) {
-  require(ratio >= min_step_ratio, "step.ratio", ratio, "a number >= 1e-15");
+  require(ratio >= min_step_ratio, "step_ratio", ratio, "a number >= 1e-15");
 }
 
 /// Divides a step into parts, each of which ends where an element has been travelled, or with the

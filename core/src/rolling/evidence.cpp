@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/rolling/evidence.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -96,9 +98,9 @@ Evidence evidence_by_samples(const TractionBound& bound,
 }
 
 void validate(const Acceptance& accepted) {
-  require(accepted.violation > 0 && accepted.violation <= 1, "solver.violation", accepted.violation,
+  require(accepted.violation > 0 && accepted.violation <= 1, "violation", accepted.violation,
           "a number in (0, 1]");
-  require(accepted.condition >= 1, "solver.condition", accepted.condition, "a number >= 1");
+  require(accepted.condition >= 1, "condition", accepted.condition, "a number >= 1");
 }
 
 void require_evidence(const Evidence& evidence, double condition, int iterations,
@@ -106,31 +108,32 @@ void require_evidence(const Evidence& evidence, double condition, int iterations
   const auto refuse = [&](const std::string& why) {
     throw NotConverged(why, iterations, evidence.violation());
   };
-  const auto check = [&](const std::string& name, double value, const std::string& key,
-                         double limit) {
-    if (value <= limit) return;
-    refuse("the result's " + name + " is " + format_short(value) + ": expected at most " + key +
-           " = " + format_short(limit));
+  const auto check = [&](const std::string& name, double value, const std::string& limit,
+                         double most) {
+    if (value <= most) return;
+    refuse(fmt::format("the result's {} is {}: expected at most the {}, {}", name,
+                       format_short(value), limit, format_short(most)));
   };
-  check("residual", evidence.residual, "solver.tolerance", accepted.residual);
-  check("condition", condition, "solver.condition", accepted.condition);
-  check("bound_violation", evidence.bound_violation(), "solver.violation", accepted.violation);
-  check("slip_violation", evidence.slip_violation(), "solver.violation", accepted.violation);
+  check("residual", evidence.residual, "tolerance", accepted.residual);
+  check("condition", condition, "accepted condition", accepted.condition);
+  check("bound_violation", evidence.bound_violation(), "accepted violation", accepted.violation);
+  check("slip_violation", evidence.slip_violation(), "accepted violation", accepted.violation);
   if (evidence.load > (1 + accepted.violation) * evidence.full_sliding) {
-    refuse("the result's force, " + format_short(evidence.load) + ", is above full sliding, " +
-           format_short(evidence.full_sliding) +
-           ": the elements do not resolve the bound; take more of them, or leading_edge inversion");
+    refuse(fmt::format(
+        "the result's force, {}, is above full sliding, {}: the elements do not resolve the bound; "
+        "take more of them, or the scheme inversion",
+        format_short(evidence.load), format_short(evidence.full_sliding)));
   }
   if (evidence.dissipated < -accepted.violation * evidence.power) {
-    refuse("the result's dissipation is negative, " + format_short(evidence.dissipated) +
-           ": take more elements");
+    refuse(fmt::format("the result's dissipation is negative, {}: take more elements",
+                       format_short(evidence.dissipated)));
   }
 }
 
 std::optional<std::string> doubt_of(const Evidence& evidence, const Acceptance& accepted,
                                     bool steady) {
   const auto above = [](const std::string& name, double value, const std::string& why) {
-    return name + " is " + format_roughly(value) + ": " + why;
+    return fmt::format("{} is {}: {}", name, format_roughly(value), why);
   };
   if (evidence.violation() > doubtful * accepted.violation) {
     return above("the violation of the contact conditions", evidence.violation(),
@@ -138,8 +141,8 @@ std::optional<std::string> doubt_of(const Evidence& evidence, const Acceptance& 
   }
   if (evidence.bound_resolution() > doubtful_resolution) {
     return above("bound_resolution", evidence.bound_resolution(),
-                 "the elements do not resolve the bound; take more of them, or leading_edge "
-                 "inversion, or step.scheme remembered");
+                 "the elements do not resolve the bound; take more of them, or the scheme "
+                 "inversion or remembered");
   }
   if (steady && evidence.dissipated > (1 + doubtful_dissipation) * evidence.power) {
     return above("dissipation_error", evidence.dissipation_error(),

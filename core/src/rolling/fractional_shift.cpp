@@ -45,7 +45,8 @@ double determinant(const VectorXd& outflow, double t) {
   return outflow[last] + t * homogeneous;
 }
 
-/// Of all inside the unit circle. A pair that is closer together than two samples is not seen.
+/// Whether an eigenvalue inside the unit circle is negative. A pair of them that is closer together
+/// than two samples is not seen.
 bool has_negative_eigenvalue(const VectorXd& outflow) {
   constexpr int samples = 500;
   for (int k = 0; k <= samples; ++k) {
@@ -153,21 +154,21 @@ void integrate(PowerIntegrand& integrand, double begin, double end, int depth, V
 
 FractionalShift::FractionalShift(const Kernel& kernel, const ShapeFunction& shape, double spacing,
                                  Index elements) {
-  require(elements % 2 == 1, "grid.elements", static_cast<double>(elements),
+  require(elements % 2 == 1, "elements", static_cast<double>(elements),
           "an odd number for fractional powers, which are complex otherwise");
   outflow_ = linear_predictor(VectorXd::NullaryExpr(elements + 1, [&](Index k) {
     return influence(kernel, shape, spacing, static_cast<double>(k));
   }));
   if (has_negative_eigenvalue(outflow_)) {
-    reject("step.scheme", "fractional",
-           "another scheme, or in plane strain a kernel.length of at least 3.8 half-widths: the "
+    reject("scheme", "fractional",
+           "another scheme, or in plane strain a length of at least 3.8 half-widths: the "
            "displacement is negative far from a load here, and so is an eigenvalue of the shift by "
            "an element, the fractional powers of which are complex");
   }
 }
 
 FractionalShift::Moved FractionalShift::move(const VectorXd& traction, double step_ratio) const {
-  require(step_ratio >= 0, "step.ratio", step_ratio, "a number >= 0");
+  require(step_ratio >= 0, "step_ratio", step_ratio, "a number >= 0");
   constexpr double rounding = 1e-12;  // of a quotient of lengths
   const double nearest = std::round(step_ratio);
   const bool is_whole = nearest > 0 && std::abs(step_ratio - nearest) <= rounding * nearest;

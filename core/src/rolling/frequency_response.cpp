@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/rolling/frequency_response.hpp"
 
+#include <fmt/core.h>
+
 #include <boost/math/special_functions/bessel.hpp>
 #include <boost/math/special_functions/sinc.hpp>
 #include <cmath>
@@ -104,30 +106,31 @@ FrequencyResponse::FrequencyResponse(const Kernel& kernel, double begin, double 
                                      double shortest)
     : kernel_(kernel), half_length_((end - begin) / 2), shortest_(shortest) {
   require_positive("length of the stick zone", end - begin);
-  require_positive("response.shortest", shortest);
+  require_positive("shortest", shortest);
   const double most = definite_half_length(kernel);
   if (const auto* plane = std::get_if<PlaneKernel>(&kernel)) {
-    require(half_length_ < most, "kernel.length", plane->length(), [&] {
-      return "more than " + format_short(half_length_ / 2) +
-             ", a quarter of the stick zone: with less, the bodies yield against their load";
+    require(half_length_ < most, "length", plane->length(), [&] {
+      return fmt::format(
+          "more than {}, a quarter of the stick zone: with less, the bodies yield against their "
+          "load",
+          format_short(half_length_ / 2));
     });
-    require(2 * pi * half_length_ <= largest_kappa * shortest, "response.shortest", shortest, [&] {
-      return "at least " + format_short(2 * pi * half_length_ / largest_kappa) +
-             " with this stick zone";
+    require(2 * pi * half_length_ <= largest_kappa * shortest, "shortest", shortest, [&] {
+      return fmt::format("at least {} with this stick zone",
+                         format_short(2 * pi * half_length_ / largest_kappa));
     });
     return;
   }
   const double clear = clear_distance(kernel);
   const double of_strip = terms_of_strip(clear, half_length_);
-  require(of_strip <= most_terms_of_strip, "kernel.width", 2 * clear, [&] {
-    return "at least " +
-           format_short(2 * half_length_ * std::sinh(22 / (most_terms_of_strip - 42))) +
-           " with this stick zone";
+  require(of_strip <= most_terms_of_strip, "width", 2 * clear, [&] {
+    return fmt::format("at least {} with this stick zone",
+                       format_short(2 * half_length_ * std::sinh(22 / (most_terms_of_strip - 42))));
   });
   const double of_wave = terms_of_wave * 2 * pi * half_length_ / shortest;
-  require(of_strip + of_wave <= most_terms, "response.shortest", shortest, [&] {
-    return "at least " + format_short(of_wave * shortest / (most_terms - of_strip)) +
-           " with this strip and stick zone";
+  require(of_strip + of_wave <= most_terms, "shortest", shortest, [&] {
+    return fmt::format("at least {} with this strip and stick zone",
+                       format_short(of_wave * shortest / (most_terms - of_strip)));
   });
   const double terms = of_strip + of_wave;
   series_.emplace_back(kernel, half_length_, static_cast<Index>(terms));

@@ -33,7 +33,7 @@ constexpr double narrowest = 0.01;
 constexpr Index most_pieces = 20000;
 constexpr double least_theta = 1e-140;
 
-/// Of a search for the logarithm of theta.
+/// Steps of the search for the logarithm of theta.
 constexpr double most_step = 0.25;
 constexpr double least_step = 1e-6;
 
@@ -240,10 +240,10 @@ InvertedSolution InvertedRolling::solve(const Load& load) const {
   const double target = std::abs(value);
   if (force != nullptr) {
     const double most = full_sliding_force(contact_->bound);
-    require(target < most, "load.force", value,
+    require(target < most, "force", value,
             [&] { return "an absolute value below full sliding, " + format_short(most); });
   }
-  require(true, "load.creepage", value, "a finite number");
+  require(true, "creepage", value, "a finite number");
   if (target == 0 || (force == nullptr && target >= contact_->sliding_creepage())) {
     return {contact_, nullptr, load, 0};
   }

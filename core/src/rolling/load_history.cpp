@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/rolling/load_history.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,12 +21,12 @@ using Eigen::VectorXd;
 namespace {
 
 std::string named(Index row, const std::string& column) {
-  return "row " + std::to_string(row + 1) + ": " + column;
+  return fmt::format("row {}: {}", row + 1, column);
 }
 
 void require_finite(const VectorXd& column, Index rows, const std::string& name) {
   require(column.size() == rows, "number of rows of " + name, static_cast<double>(column.size()),
-          [&] { return std::to_string(rows) + ", as of the first column"; });
+          [&] { return fmt::format("{}, as of the first column", rows); });
   for (Index i = 0; i < rows; ++i) {
     if (!std::isfinite(column[i])) require(false, named(i, name), column[i], "a finite number");
   }
@@ -34,7 +36,7 @@ void require_ascending(const VectorXd& column, const std::string& name) {
   for (Index i = 1; i < column.size(); ++i) {
     if (column[i] > column[i - 1]) continue;
     require(false, named(i, name), column[i],
-            "more than " + format_short(column[i - 1]) + " of the row before");
+            fmt::format("more than {} of the row before", format_short(column[i - 1])));
   }
 }
 

@@ -125,7 +125,7 @@ void RememberedGrid::change_contact(const Way& way) {
   if (target_.carries()) {
     set_response(target_.half_width);
   } else if (force != nullptr) {
-    require(force->value == 0, "load.force", force->value, "0 where bodies do not touch");
+    require(force->value == 0, "force", force->value, "0 where bodies do not touch");
   }
   set_bound(target_);
   const double mean_force = nodes_.spacing * state_.traction.sum() / 2;

@@ -51,7 +51,7 @@ void legendre(int points, const Take& take) {
   }
 }
 
-/// What the singularities of the integrands, at +-i pi, ask for on a panel of a table.
+/// A panel of a table. The singularities of the integrands at +-i pi limit its length.
 struct Panel {
   double length;  ///< at most
   int points;

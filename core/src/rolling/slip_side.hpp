@@ -26,7 +26,7 @@ class SidedBound {
   /// The polynomial and its square roots, unless the bound is a table.
   const std::optional<ChebyshevTraction>& smooth() const { return smooth_; }
 
-  /// Of a table: distances of its rows from begin(), ascending from 0  [mm]
+  /// Distances of the rows of a table from begin(), ascending from 0  [mm]
   const std::vector<double>& rows() const { return rows_; }
   const std::vector<double>& values() const { return values_; }  ///< there  [N/mm^2]
 

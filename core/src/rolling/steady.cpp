@@ -34,15 +34,14 @@ SquareMatrix strain_of(const SteadyProblem& problem, const Differences& differen
     return strain_operator(kernel, basis, dx, n, differences.step_ratio, solver);
   }
   if (solver.type == Solver::Type::fft) {
-    reject("solver.type", "fft",
-           "auto or dense where the displacement at the leading edge is known");
+    reject("solver", "fft", "auto or dense where the displacement at the leading edge is known");
   }
   require_dense(n);
   Eigen::MatrixXd strain =
       influence_difference_matrix(kernel, basis, dx, n, differences.step_ratio) /
       (differences.step_ratio * dx);
   const double to_edge = grid.leading_offset() * dx;
-  require(to_edge > 0, "grid.leading_offset", grid.leading_offset(),
+  require(to_edge > 0, "leading_offset", grid.leading_offset(),
           "a number > 0 where the displacement at the leading edge is known");
   for (Index j = 0; j < n; ++j) {
     const ShapeFunction& shape = basis.shapes()[basis.shape_of(j, n)];
@@ -204,7 +203,7 @@ SteadySolution over_whole_contact(const SteadyProblem& problem, const std::strin
 constexpr Index fewest_elements = 11;
 
 SteadySolution instead_of_inversion(const SteadyProblem& problem, const std::string& why) {
-  require(problem.grid.size() >= fewest_elements, "grid.elements",
+  require(problem.grid.size() >= fewest_elements, "elements",
           static_cast<double>(problem.grid.size()), "at least 11, as " + why);
   return over_whole_contact(problem, why);
 }
@@ -249,7 +248,7 @@ double answer_of(const Load& load, const SteadySolution& solution) {
 void validate(const SteadyProblem& problem) {
   if (!problem.has_unlike_bodies()) return;
   if (!std::holds_alternative<PlaneKernel>(problem.kernel)) {
-    reject("kernel.type", "strip", "plane for bodies of different material");
+    reject("kernel", "strip", "plane for bodies of different material");
   }
   const auto* differences = std::get_if<Differences>(&problem.method);
   if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
-#include "microslip/spectrum/leading_edge.hpp"
+#include "microslip/halfspace/leading_edge.hpp"
 
 namespace microslip {
 

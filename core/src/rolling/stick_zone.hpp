@@ -14,7 +14,7 @@
 
 namespace microslip {
 
-/// What all stick zones of a contact have in common.
+/// The contact that stick zones are sought in: kernel, bound and their quadratures.
 class InvertedContact {
  public:
   /// \param fineness  see InvertedRolling
@@ -61,7 +61,7 @@ class StickZone {
   /// The same over the part of the trailing slip zone in it.
   double relative_leading_root() const { return leading_root() / trailing_.at_far_end(); }
 
-  // Of the equations of a strip.
+  // The equations of the regular strain of a strip.
   Eigen::Index unknowns() const { return added_.size(); }
   double condition() const { return condition_; }  ///< in the 1-norm; of a complete zone
 
@@ -95,7 +95,7 @@ class StickZone {
   double log_factor_;
   double creepage_, force_;
 
-  // Of a strip: what its regular strain adds.
+  // Added by the regular strain of a strip.
   std::optional<Eigen::PartialPivLU<Eigen::MatrixXd>> factors_;
   double norm_ = 1;  ///< of the matrix
   double condition_ = 1;

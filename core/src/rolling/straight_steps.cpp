@@ -16,7 +16,7 @@ namespace {
 /// A piece of a row is halved at most so often: the normal load's root at 0 is steep.
 constexpr int most_halvings = 40;
 
-/// Of lengths.
+/// Rounding of lengths, relative.
 constexpr double rounding = 1e-9;
 
 /// The load at a distance: the shift so far or the force, half-width and bound, each over half its

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/rolling/target_error.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -53,8 +55,8 @@ double sensitivity(const SteadyContact& contact) {
   return relative(answer_of(contact.load, solve_steady(problem)) - value, value) / change;
 }
 
-/// What violations of the contact conditions may cost. They are a share of the force, and like a
-/// change of the load if that is the force; otherwise they are an error of the answer.
+/// Error of the answer that violations of the contact conditions may cause. A violation is a share
+/// of the force: under a force it acts like a change of the load, under a creepage it is the error.
 double cost_of(const Evidence& evidence, const SteadyContact& contact) {
   const double violation = evidence.violation();
   if (violation <= std::numeric_limits<double>::epsilon()) return violation;
@@ -206,10 +208,11 @@ EstimatedSteady estimate_by_elements(const SteadyContact& contact, double target
     const double error = error_of(contact, elements, fine);
     if (error <= target) return {problem, fine, elements, error};
     if (elements >= most_elements) {
-      throw NotConverged("target_error = " + format_short(target) + " is not reached by " +
-                             std::to_string(elements) + " elements, the error of which may be " +
-                             format_short(error),
-                         0, error);
+      throw NotConverged(
+          fmt::format(
+              "target_error = {} is not reached by {} elements, the error of which may be {}",
+              format_short(target), elements, format_short(error)),
+          0, error);
     }
     const double wanted = 1.1 * static_cast<double>(elements) * std::sqrt(error / target);
     const Index most = std::min(most_elements, 16 * elements);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/rolling/transient.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -32,9 +34,9 @@ class Schedule {
  public:
   Schedule(double distance, const std::vector<double>& lengths, double start = 0)
       : distance_(distance), start_(start), lengths_(lengths), ends_(lengths.size()) {
-    require_positive("motion.distance", distance);
-    require(distance > start, "motion.distance", distance,
-            [&] { return "more than " + format_short(start) + ", where it starts"; });
+    require_positive("distance", distance);
+    require(distance > start, "distance", distance,
+            [&] { return fmt::format("more than {}, where it starts", format_short(start)); });
     for (const double length : lengths) require_positive("step length", length);
     std::partial_sum(lengths.begin(), lengths.end(), ends_.begin());
     first_ = step_after(start);
@@ -63,7 +65,7 @@ class Schedule {
     return k - first_ + 1;
   }
 
-  /// That of the last step, if it is whole but for rounding; else the distance.
+  /// End of the last step if the distance limits it by rounding only; else the distance.
   double unlimited_distance() const {
     const std::size_t last = first_ + size() - 1;
     const double end = unlimited_end(last);
@@ -108,18 +110,21 @@ void require_definite(const TransientProblem& problem) {
 void require_definite(const Kernel& kernel, double reach) {
   const double definite = definite_half_length(kernel);
   if (definite > reach) return;
-  require(false, "kernel.length", definite / 2, [&] {
-    return "more than (half_width + dx)/2 = " + format_short(reach / 2) +
-           " mm, from where on plane strain resists displacements; below, a creepage would drive "
-           "the force the wrong way. Steady rolling takes any length";
+  require(false, "length", definite / 2, [&] {
+    return fmt::format(
+        "more than (half_width + dx)/2 = {} mm, from where on plane strain resists displacements; "
+        "below, a creepage would drive the force the wrong way. Steady rolling takes any length",
+        format_short(reach / 2));
   });
 }
 
 void require_within_bound(const VectorXd& x, const VectorXd& bound, const VectorXd& traction) {
   const double tolerance = printed * bound.maxCoeff();
   for (Index i = 0; i < x.size(); ++i) {
-    require(std::abs(traction[i]) <= bound[i] + tolerance, "traction", traction[i],
-            "at most the bound, " + format_short(bound[i]) + ", at x = " + format_short(x[i]));
+    require(std::abs(traction[i]) <= bound[i] + tolerance, "traction", traction[i], [&] {
+      return fmt::format("at most the bound, {}, at x = {}", format_short(bound[i]),
+                         format_short(x[i]));
+    });
   }
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -34,8 +36,8 @@ std::string sealed(const std::string& members) {
 /// \throws std::invalid_argument unless it is whole and of this version
 std::string_view members_of(std::string_view text) {
   if (!text.starts_with(mark)) {
-    throw std::invalid_argument("expected a state that microslip has saved, which begins with '" +
-                                std::string(mark) + "'");
+    throw std::invalid_argument(
+        fmt::format("expected a state that microslip has saved, which begins with '{}'", mark));
   }
   const std::size_t end = text.find('\n');
   const std::string_view found = text.substr(mark.size(), end - mark.size());
@@ -48,13 +50,14 @@ std::string_view members_of(std::string_view text) {
         "expected the whole state as it was saved; its checksum is missing or of another text");
   }
   if (found != version) {
-    throw std::invalid_argument("version = '" + shown(found) + "': expected " +
-                                std::string(version) + ", that of this program's states");
+    throw std::invalid_argument(
+        fmt::format("version = '{}': expected {}, the version of this program's states",
+                    shown(found), version));
   }
   return text.substr(end + 1, last - end - 1);
 }
 
-/// What a state belongs to.
+/// The problem that a state belongs to.
 void archive_problem(Archive& archive, const TransientProblem& problem) {
   const Index n = problem.grid.size();
   archive.same("scheme", name_of(problem.scheme));

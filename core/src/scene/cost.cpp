@@ -15,10 +15,10 @@ namespace {
 
 constexpr double row_of_history = 1000;
 
-/// What an element that begins or ceases to slip in a shift takes, in steps.
+/// Cost of an element that begins or ceases to slip in a shift, in steps.
 constexpr double steps_of_exchange = 4;
 
-/// Of a contact, per element where matrices are Toeplitz, and where they have all entries.
+/// Memory of a contact: per element where matrices are Toeplitz, in matrices where they are dense.
 struct Memory {
   double element;   ///< [bytes]
   double matrices;  ///< kept at once
@@ -124,11 +124,11 @@ struct WorkOf {
     return steps_needed(scene) * rounds * solves_of_step(scene.contact.scheme, scene.step_ratio) *
            of_step(scene.contact, is_whole(scene.step_ratio));
   }
-  /// What material remembers is solved in parts that end where an element has been travelled.
+  /// The scheme remembered ends a substep where an element has been travelled.
   static double solves_of_step(const AdvectionScheme& scheme, double elements) {
     return std::holds_alternative<Remembered>(scheme) ? std::max(1.0, elements) : 1;
   }
-  /// Of the half-width: in plane strain one more solve, on a strip a new response.
+  /// Cost of a change of the half-width: in plane strain one more solve, on a strip a new response.
   static double of_change(const TransientProblem& problem) {
     if (std::holds_alternative<PlaneKernel>(problem.kernel)) return of_step(problem, true);
     const auto n = static_cast<double>(problem.grid.size());

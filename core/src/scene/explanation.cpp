@@ -116,7 +116,7 @@ const std::string details =
 const std::string details_of_unlike =
     "creepage in the other direction, spin, friction that depends on slip, heat, wear";
 
-/// What the pressure does with free rolling.
+/// States that the pressure makes bodies of different material creep in free rolling.
 std::vector<std::string> stretched(const SteadyProblem& problem) {
   if (!problem.has_unlike_bodies()) return {};
   const double ratio = problem.pressure_strain / compliance(material_of(problem.kernel));

@@ -18,7 +18,7 @@ constexpr std::string_view blanks_and_comment = " \t\v\f\r;";
 
 constexpr std::string_view ends_words = "{}\";";
 
-/// Of a unit; a longer line is searched no further.
+/// Most words of a value with a unit; a longer line is searched no further.
 constexpr std::size_t most_words = 16;
 
 [[noreturn]] void fail(const std::string& what) { throw std::invalid_argument(what); }
@@ -40,7 +40,7 @@ std::string unescaped(std::string_view raw) {
   return text;
 }
 
-/// What is left of a line.
+/// The rest of a line that is being read.
 class Rest {
  public:
   explicit Rest(std::string_view line) : text_(line) {}
@@ -110,7 +110,7 @@ class InfoReader {
     return std::move(entries_);
   }
 
-  /// That is being read, or that is wrong.
+  /// Number of the line that is being read, or that is wrong.
   int line() const { return line_; }
 
  private:

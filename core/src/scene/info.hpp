@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-/// Of characters; the names of sections before it are part of a key.
+/// Most characters of a key, names of its sections included.
 inline constexpr std::size_t longest_key = 200;
 
 /// \throws std::invalid_argument if a key is longer

@@ -19,7 +19,7 @@ namespace microslip {
 
 namespace {
 
-/// What steady and transient scenes have in common.
+/// The contact of a steady or transient scene.
 struct ContactModel {
   Kernel kernel;
   TractionBound bound;

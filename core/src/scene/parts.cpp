@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What steady rolling, transients and cylinders are made of.
+// Readers of material, contact, kernel, grid and solver, for all kinds of scenes.
 #include <cmath>
 
 #include "hertz.hpp"

@@ -28,7 +28,7 @@ void require_below_full_sliding(const Eigen::VectorXd& forces, const LoadHistory
   }
 }
 
-/// What the scene has of a column of the contact; 1 without the column.
+/// The scene's value of the quantity in a column of the contact; 1 without the column.
 double of_problem(Scene& scene, const std::optional<Eigen::VectorXd>& column,
                   const std::string& name) {
   if (!column) return 1;

@@ -52,7 +52,7 @@ const std::map<std::string, Unit, std::less<>> symbols{
     {"rad", {}},
 };
 
-/// What a message names besides the unit of a key.
+/// Units that a message names besides the unit of the key.
 const std::map<std::string, std::string> others{{"mm", "um, cm, m, in"},
                                                 {"N/mm^2", "Pa, kPa, MPa, GPa"},
                                                 {"N/mm", "N/m, kN/m"},

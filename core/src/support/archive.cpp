@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/support/archive.hpp"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -43,7 +45,7 @@ void append(std::string& text, Number value, Style... style) {
 }  // namespace
 
 void Archive::fail(std::string_view expected) const {
-  throw std::invalid_argument("'" + std::string(name_) + "': expected " + std::string(expected));
+  throw std::invalid_argument(fmt::format("'{}': expected {}", name_, expected));
 }
 
 void Archive::begin_line(std::string_view name) {
@@ -54,7 +56,7 @@ void Archive::begin_line(std::string_view name) {
   }
   line_ = take_until(rest_, '\n');
   const std::string_view found = take_until(line_, ' ');
-  if (found != name) fail("a line of it, not of '" + shown(found) + "'");
+  if (found != name) fail(fmt::format("a line of it, not of '{}'", shown(found)));
 }
 
 void Archive::end_line() {
@@ -71,7 +73,7 @@ std::string_view Archive::next_word() {
 }
 
 void Archive::put(double value) {
-  if (!std::isfinite(value)) throw std::logic_error(std::string(name_) + " is not finite");
+  if (!std::isfinite(value)) throw std::logic_error(fmt::format("{} is not finite", name_));
   append(text_, value, std::chars_format::hex);
 }
 
@@ -88,7 +90,7 @@ double Archive::next_number() {
 Index Archive::next_whole(Index least, Index most) {
   Index value = 0;
   if (!is_number(next_word(), value) || value < least || value > most) {
-    fail("whole numbers from " + std::to_string(least) + " to " + std::to_string(most));
+    fail(fmt::format("whole numbers from {} to {}", least, most));
   }
   return value;
 }
@@ -151,8 +153,8 @@ void Archive::same(std::string_view name, double value) {
   double saved = value;
   number(name, saved);
   if (saved == value) return;
-  throw std::invalid_argument(std::string(name) + " = " + format_short(value) + ": expected " +
-                              format_short(saved) + ", as where the state was saved");
+  throw std::invalid_argument(fmt::format("{} = {}: expected {}, as where the state was saved",
+                                          name, format_short(value), format_short(saved)));
 }
 
 void Archive::same(std::string_view name, std::string_view word) {
@@ -161,8 +163,8 @@ void Archive::same(std::string_view name, std::string_view word) {
     text_ += ' ';
     text_ += word;
   } else if (const std::string_view saved = next_word(); saved != word) {
-    throw std::invalid_argument(std::string(name) + " = '" + std::string(word) + "': expected '" +
-                                shown(saved) + "', as where the state was saved");
+    throw std::invalid_argument(fmt::format(
+        "{} = '{}': expected '{}', as where the state was saved", name, word, shown(saved)));
   }
   end_line();
 }
@@ -172,9 +174,9 @@ void Archive::same(std::string_view name, const VectorXd& values) {
   numbers(name, saved, values.size());
   for (Index i = 0; i < values.size(); ++i) {
     if (saved[i] == values[i]) continue;
-    throw std::invalid_argument(std::string(name) + " of element " + std::to_string(i + 1) + " = " +
-                                format_short(values[i]) + ": expected " + format_short(saved[i]) +
-                                ", as where the state was saved");
+    throw std::invalid_argument(
+        fmt::format("{} of element {} = {}: expected {}, as where the state was saved", name, i + 1,
+                    format_short(values[i]), format_short(saved[i])));
   }
 }
 

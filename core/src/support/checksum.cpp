@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/support/checksum.hpp"
 
+#include <fmt/core.h>
+
 #include <cstdint>
-#include <iomanip>
-#include <sstream>
 
 namespace microslip {
 
@@ -12,9 +12,7 @@ std::string checksum(const std::string& text) {
   constexpr std::uint64_t prime = 0x100000001b3;
   std::uint64_t hash = offset;
   for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * prime;
-  std::ostringstream digits;
-  digits << std::hex << std::setw(16) << std::setfill('0') << hash;
-  return digits.str();
+  return fmt::format("{:016x}", hash);
 }
 
 }  // namespace microslip

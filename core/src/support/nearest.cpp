@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/support/nearest.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <numeric>
 #include <string_view>
@@ -40,7 +42,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& nam
 }
 
 std::string question(const std::string& meant) {
-  return meant.empty() ? "" : " (did you mean '" + shown(meant) + "'?)";
+  return meant.empty() ? "" : fmt::format(" (did you mean '{}'?)", shown(meant));
 }
 
 }  // namespace microslip

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/support/shown.hpp"
 
+#include <fmt/core.h>
+
 #include <boost/locale/utf.hpp>
 
 namespace microslip {
@@ -30,7 +32,7 @@ std::string shown(std::string_view text, std::size_t most) {
   std::string all;
   for (auto at = text.begin(); at != text.end();) {
     if (all.size() >= most) {
-      return all + "... (" + std::to_string(text.size()) + " characters)";
+      return fmt::format("{}... ({} characters)", all, text.size());
     }
     const auto begin = at;
     const auto point = boost::locale::utf::utf_traits<char>::decode(at, text.end());

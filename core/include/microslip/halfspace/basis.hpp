@@ -10,7 +10,7 @@
 
 namespace microslip {
 
-/// Which shape function belongs to which node of a uniform grid. The traction is the sum of
+/// Shape functions of the nodes of a uniform grid. The traction is the sum of
 /// coefficient times shape function.
 class Basis {
  public:

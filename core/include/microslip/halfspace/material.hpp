@@ -29,7 +29,7 @@ struct Bodies {
   double dundurs_beta = 0;  ///< beta, in [-0.5, 0.5]; > 0 if the second body is the softer one  [1]
 };
 
-/// Of two materials: 1/G and nu/G are means over the bodies, and
+/// Combined constants of two materials: 1/G and nu/G are means over the bodies, and
 /// beta = [(1 - 2 nu_2)/G_2 - (1 - 2 nu_1)/G_1] / 2 [(1 - nu_1)/G_1 + (1 - nu_2)/G_2].
 /// \param first  the body that is driven by the creepage, on which tractions act
 Bodies combined(const Material& first, const Material& second);

@@ -64,7 +64,7 @@ Evidence evidence_by_samples(const TractionBound& bound,
                              const std::function<double(double)>& slip, double stick_edge,
                              double stick_end, Eigen::Index parts, double force, double creepage);
 
-/// What a result must keep.
+/// Limits that a result must keep.
 struct Acceptance {
   /// Largest residual, relative to the largest term of the equations: Solver::tolerance.
   double residual = Solver{}.tolerance;

@@ -60,7 +60,7 @@ class FrequencyResponse {
   /// Displacements of the zone, by their values at Chebyshev points, to tractions.
   struct Series {
     Eigen::ArrayXd points;  ///< t, in (-1, 1)
-    /// Of the coefficients a_n times the zone's half-length and k, by the displacements.
+    /// LU factors of the displacements by unit coefficients a_n, over the zone's half-length and k.
     Eigen::PartialPivLU<Eigen::MatrixXd> factors;
     Eigen::MatrixXd to_coefficients;
 

@@ -55,7 +55,7 @@ class LoadHistory {
   /// The distance from the first row to the last; infinite of one load  [mm]
   double distance() const;
 
-  /// Of each row, from 0 on; none of one load  [mm]
+  /// Distances of the rows, from 0 on; none if there is one load  [mm]
   const std::vector<double>& distances() const { return distances_; }
 
   /// The load at a distance within the rows: of the creepage, its value there.

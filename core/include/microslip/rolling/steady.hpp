@@ -111,7 +111,7 @@ struct SteadySolution {
   Eigen::Index slip_elements() const;
 };
 
-/// What the load does not prescribe: the creepage under a force, the force under a creepage.
+/// The creepage under a force, the force under a creepage.
 double answer_of(const Load& load, const SteadySolution& solution);
 
 /// Cost: O(N^2) memory; time as the method.

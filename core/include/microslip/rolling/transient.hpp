@@ -87,7 +87,7 @@ class TransientRolling {
   /// \throws std::invalid_argument for numbers < 0, for another scheme, and as require_definite
   void set_contact(const ContactScale& scale);
 
-  /// That was set last.
+  /// The contact that was set last.
   const ContactScale& contact() const;
 
   /// Shifts the bodies without rolling, from the tractions now. The state has them afterwards with

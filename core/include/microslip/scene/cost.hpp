@@ -6,7 +6,7 @@
 namespace microslip {
 
 /// \file
-/// What a scene will take before it is solved.
+/// Forecasts of memory, work and steps of a scene.
 
 /// About how much memory it takes at most to solve a scene and to write its tables  [bytes]:
 ///

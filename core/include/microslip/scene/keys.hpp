@@ -73,7 +73,7 @@ std::string default_of(const Key& key);
 /// \param quote  stands around each word
 std::string accepted_by(const Key& key, const std::string& fallback, const std::string& quote = "");
 
-/// What a message expects: "whole numbers 3 ... 10 000; in rising order".
+/// Accepted values in a message: "whole numbers 3 ... 10 000; in rising order".
 std::string expected_by(const Key& key);
 
 }  // namespace microslip

@@ -127,7 +127,7 @@ CylinderScene read_cylinder(Scene& scene);
 /// The same from rest, with a given scheme and integrator, and without a tolerance.
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator);
 
-/// What a scene describes.
+/// The problem that a scene describes.
 using Model = std::variant<SteadyProblem, SteadyTarget, TransientScene, CylinderScene>;
 
 /// problem steady|transient|cylinder, and the keys of that; of a steady one with target_error,

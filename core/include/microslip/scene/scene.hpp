@@ -158,14 +158,14 @@ class Scene {
   /// would have if it were given.
   void derive(const std::string& key, double value);
 
-  /// What was read so far, and what was derived.
+  /// Parameters that were read or derived so far.
   const Parameters& parameters() const { return parameters_; }
 
   /// Adds a line, unless it is there, that the program tells its user, and puts into its tables.
   void warn(const std::string& key, double value, const std::string& doubt);
   const std::vector<Warning>& warnings() const { return warnings_; }
 
-  /// What was read so far, and a "warning" for each: what tables show of their origin. No places,
+  /// Parameters that were read so far, and a "warning" for each warning, as tables show them. No places,
   /// so that the same scene in another file has the same tables.
   Parameters origin() const;
 
@@ -199,13 +199,19 @@ class Scene {
   FileReader read_file_;
 };
 
-/// Calls an action on a scene; a message about one of its keys then begins with the key's place.
+/// The error of an argument of core as the error of the key that gives it: "half_width = -1 ..." is
+/// "contact.half_width = -1 ...". Other errors are returned as they are.
+BadParameter in_keys(const BadParameter& error);
+
+/// Calls an action on a scene; a message about one of its keys, or about an argument that a key
+/// gives, then begins with the key's place and name.
 template <class Action>
 auto with_places(const Scene& scene, Action action) {
   try {
     return action();
   } catch (const BadParameter& error) {
-    throw std::invalid_argument(scene.place_of(error.key()) + error.what());
+    const BadParameter of_key = in_keys(error);
+    throw std::invalid_argument(scene.place_of(of_key.name()) + of_key.what());
   }
 }
 

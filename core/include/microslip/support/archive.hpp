@@ -27,7 +27,7 @@ class Archive {
 
   bool reads() const { return reads_; }
 
-  /// What was written.
+  /// The text that was written.
   const std::string& text() const { return text_; }
 
   void number(std::string_view name, double& value);
@@ -43,7 +43,7 @@ class Archive {
   void wholes(std::string_view name, std::vector<Index>& values, Index most_size, Index least,
               Index most);
 
-  // What belongs to the problem is written, and has to be the same where it is read.
+  // Values of the problem are written, and have to be the same where they are read.
   void same(std::string_view name, double value);
   void same(std::string_view name, std::string_view word);
   void same(std::string_view name, const Eigen::VectorXd& values);

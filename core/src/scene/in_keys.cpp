@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "microslip/scene/scene.hpp"
+
+namespace microslip {
+
+namespace {
+
+struct Argument {
+  std::string_view name;  ///< in errors of core
+  std::string_view key;   ///< that gives it
+};
+
+constexpr auto arguments = std::to_array<Argument>({
+    {"shear_modulus", "material.shear_modulus"},
+    {"poisson_ratio", "material.poisson_ratio"},
+    {"half_width", "contact.half_width"},
+    {"peak_traction", "contact.peak_traction"},
+    {"coefficients", "contact.bound_polynomial"},
+    {"bound", "contact.bound_file"},
+    {"kernel", "kernel.type"},
+    {"width", "kernel.width"},
+    {"length", "kernel.length"},
+    {"elements", "grid.elements"},
+    {"leading_offset", "grid.leading_offset"},
+    {"trailing_offset", "grid.trailing_offset"},
+    {"creepage", "load.creepage"},
+    {"force", "load.force"},
+    {"step_ratio", "step.ratio"},
+    {"relaxation", "step.relaxation"},
+    {"scheme", "step.scheme"},
+    {"mass", "cylinder.mass"},
+    {"inertia", "cylinder.inertia"},
+    {"cylinder radius", "cylinder.radius"},
+    {"slope_force", "cylinder.slope_force"},
+    {"velocity", "cylinder.velocity"},
+    {"distance", "motion.distance"},
+    {"motion tolerance", "motion.tolerance"},
+    {"solver", "solver.type"},
+    {"tolerance", "solver.tolerance"},
+    {"violation", "solver.violation"},
+    {"condition", "solver.condition"},
+    {"shortest", "response.shortest"},
+});
+
+}  // namespace
+
+BadParameter in_keys(const BadParameter& error) {
+  const std::string& name = error.name();
+  const std::size_t of = name.rfind(" of ");
+  const std::size_t begin = of == std::string::npos ? 0 : of + 4;
+  const auto found =
+      std::ranges::find(arguments, std::string_view(name).substr(begin), &Argument::name);
+  const std::string message = error.what();
+  if (found == arguments.end() || !message.starts_with(name)) return error;
+  const std::string renamed = name.substr(0, begin) + std::string(found->key);
+  return {renamed, renamed + message.substr(name.size())};
+}
+
+}  // namespace microslip
