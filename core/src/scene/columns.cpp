@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "columns.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
 
 #include "microslip/scene/units.hpp"
+#include "microslip/support/nearest.hpp"
 #include "microslip/support/shown.hpp"
 #include "number.hpp"
 
@@ -24,12 +27,6 @@ std::vector<std::string> next_words(std::istream& in, int& line_number) {
     if (!words.empty()) return words;
   }
   return {};
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string all;
-  for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
-  return all;
 }
 
 /// The first name that stands twice; empty if none does.
@@ -79,7 +76,7 @@ std::vector<std::optional<Eigen::VectorXd>> read_columns(std::istream& in,
                                                          const std::vector<FileColumn>& wanted) {
   int line = 0;
   const auto fail = [&](const std::string& what) {
-    throw std::invalid_argument("line " + std::to_string(line) + ": " + what);
+    throw std::invalid_argument(fmt::format("line {}: {}", line, what));
   };
   const std::vector<std::string> words = next_words(in, line);
   if (words.empty()) throw std::invalid_argument("expected a line of column names, found none");
@@ -88,8 +85,8 @@ std::vector<std::optional<Eigen::VectorXd>> read_columns(std::istream& in,
     const auto name = std::find(header.names.begin(), header.names.end(), column.name);
     if (name == header.names.end()) {
       if (column.needed) {
-        fail("expected a column '" + column.name +
-             "' among the names in the first line, which are: " + shown(joined(header.names)));
+        fail(fmt::format("expected a column '{}' among the names in the first line, which are: {}",
+                         column.name, shown(joined(header.names, " "))));
       }
       return std::nullopt;
     }
@@ -97,29 +94,28 @@ std::vector<std::optional<Eigen::VectorXd>> read_columns(std::istream& in,
     const std::string& unit = header.units[place];
     const auto factor = quantity(unit.empty() ? "1" : "1 " + unit, column.unit);
     if (!factor) {
-      fail("column '" + column.name + "': unit '" + shown(unit) + "': expected " +
-           accepted_units(column.unit));
+      fail(fmt::format("column '{}': unit '{}': expected {}", column.name, shown(unit),
+                       accepted_units(column.unit)));
     }
     return Found{place, *factor};
   };
   std::vector<std::optional<Found>> found;
   for (const FileColumn& column : wanted) found.push_back(find(column));
   if (const std::string name = repeated(header.names); !name.empty()) {
-    fail("expected one column '" + shown(name) + "', found more of that name");
+    fail(fmt::format("expected one column '{}', found more of that name", shown(name)));
   }
   std::size_t rows = 0;
   for (auto row = next_words(in, line); !row.empty(); row = next_words(in, line), ++rows) {
     if (row.size() != header.names.size()) {
-      fail("expected " + std::to_string(header.names.size()) + " values, found " +
-           std::to_string(row.size()));
+      fail(fmt::format("expected {} values, found {}", header.names.size(), row.size()));
     }
     for (std::size_t k = 0; k < wanted.size(); ++k) {
       if (!found[k]) continue;
       const std::string& word = row[found[k]->place];
       const auto value = finite_number(word);
       if (!value) {
-        fail("column '" + wanted[k].name + "': '" + shown(word) + "' is not a finite number" +
-             advice(word));
+        fail(fmt::format("column '{}': '{}' is not a finite number{}", wanted[k].name, shown(word),
+                         advice(word)));
       }
       found[k]->values.push_back(found[k]->factor * *value);
     }

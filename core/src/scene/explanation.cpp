@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/scene/explanation.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <iterator>
 #include <limits>
-#include <sstream>
 
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/scene/cost.hpp"
@@ -15,48 +15,38 @@ namespace microslip {
 
 namespace {
 
-std::string number(double value) {
-  std::ostringstream text;
-  text << std::setprecision(5) << value;
-  return text.str();
-}
-
 std::string kind_of(const Load& load) {
   return std::holds_alternative<PrescribedForce>(load) ? "a force" : "a creepage";
 }
 
 std::string sliding(const TractionBound& bound) {
-  return "full sliding at " + number(full_sliding_force(bound)) + " N/mm";
+  return fmt::format("full sliding at {:.5g} N/mm", full_sliding_force(bound));
 }
 
 std::string sliding(const TractionBound& bound, const Load& load) {
   const auto* force = std::get_if<PrescribedForce>(&load);
   if (force == nullptr) return sliding(bound);
-  return sliding(bound) + ", of which the load is " +
-         number(std::abs(force->value) / full_sliding_force(bound));
+  return fmt::format("{}, of which the load is {:.5g}", sliding(bound),
+                     std::abs(force->value) / full_sliding_force(bound));
 }
 
 std::string elements_of(const Grid& grid) {
-  return std::to_string(grid.size()) + " elements of " + number(grid.spacing()) + " mm";
-}
-
-std::string with(std::string text, const std::string& place, const std::string& value) {
-  const std::size_t found = text.find(place);
-  return found == std::string::npos ? text : text.replace(found, place.size(), value);
+  return fmt::format("{} elements of {:.5g} mm", grid.size(), grid.spacing());
 }
 
 std::string method_of(const SteadyProblem& problem) {
   const auto* differences = std::get_if<Differences>(&problem.method);
-  const std::string text(entry_of(problem).text);
-  return with(with(text, "{functions}", problem.basis.name() + " functions"), "{c}",
-              number(differences == nullptr ? 1 : differences->step_ratio));
+  const double c = differences == nullptr ? 1 : differences->step_ratio;
+  return fmt::format(fmt::runtime(entry_of(problem).text),
+                     fmt::arg("functions", problem.basis.name() + " functions"),
+                     fmt::arg("c", fmt::format("{:.5g}", c)));
 }
 
 std::string method_of(const AdvectionScheme& scheme) { return std::string(entry_of(scheme).text); }
 
 std::string rolled(const Model& model, double distance, const Grid& grid) {
-  return "rolls " + number(distance) + " mm, " + number(distance / (2 * grid.half_width())) +
-         " contact widths, in " + number(steps_needed(model)) + " steps";
+  return fmt::format("rolls {:.5g} mm, {:.5g} contact widths, in {:.5g} steps", distance,
+                     distance / (2 * grid.half_width()), steps_needed(model));
 }
 
 /// Full sliding, and the largest part of it that is prescribed.
@@ -75,17 +65,17 @@ std::string loaded(const TransientScene& scene) {
 /// The shifts before rolling, except for that of an ordinary start.
 std::vector<std::string> shifted(const TransientScene& scene) {
   if (scene.shifts.empty()) return {};
-  const std::string count = std::to_string(scene.shifts.size());
-  const std::string shifts = scene.shifts.size() == 1 ? "1 shift" : count + " shifts";
   double most = 0;
   for (const ShiftLoad& load : scene.shifts) {
     most = std::max(most, std::visit([](const auto& of) { return std::abs(of.value); }, load));
   }
   const bool by_force = std::holds_alternative<PrescribedForce>(scene.shifts.front());
-  return {shifts + " without rolling before it, " +
-          (by_force ? "to at most " + number(most / full_sliding_force(scene.problem.bound)) +
-                          " of full sliding"
-                    : "by at most " + number(most) + " mm")};
+  const std::string size = by_force ? fmt::format("to at most {:.5g} of full sliding",
+                                                  most / full_sliding_force(scene.problem.bound))
+                                    : fmt::format("by at most {:.5g} mm", most);
+  const std::size_t count = scene.shifts.size();
+  return {
+      fmt::format("{} shift{} without rolling before it, {}", count, count == 1 ? "" : "s", size)};
 }
 
 /// The sizes of a contact that changes.
@@ -98,8 +88,9 @@ std::vector<std::string> changed(const TransientScene& scene) {
     most = std::max(most, ratio);
   }
   const double a = scene.problem.grid.half_width();
-  return {"the contact changes on the way, its half-width from " + number(least * a) + " to " +
-          number(most * a) + " mm" + (least == 0 ? "; where it is 0, bodies do not touch" : "")};
+  return {fmt::format("the contact changes on the way, its half-width from {:.5g} to {:.5g} mm{}",
+                      least * a, most * a,
+                      least == 0 ? "; where it is 0, bodies do not touch" : "")};
 }
 
 const std::string normal_changes =
@@ -120,8 +111,10 @@ const std::string details_of_unlike =
 std::vector<std::string> stretched(const SteadyProblem& problem) {
   if (!problem.has_unlike_bodies()) return {};
   const double ratio = problem.pressure_strain / compliance(material_of(problem.kernel));
-  return {"bodies of different material, beta/mu = " + number(ratio) +
-          ": the pressure stretches one surface against the other"};
+  return {
+      fmt::format("bodies of different material, beta/mu = {:.5g}: the pressure stretches one "
+                  "surface against the other",
+                  ratio)};
 }
 
 struct Explain {
@@ -148,9 +141,8 @@ struct Explain {
     std::ranges::copy(shifted(scene), std::back_inserter(consequences));
     consequences.push_back(rolled(scene, scene.distance, scene.problem.grid));
     consequences.push_back(method_of(scene.problem.scheme));
-    const std::string kind = kind_of(scene.loads.at(0));
-    return {"transient rolling under " +
-                (scene.loads.distances().empty() ? kind : kind + " that changes"),
+    return {fmt::format("transient rolling under {}{}", kind_of(scene.loads.at(0)),
+                        scene.loads.distances().empty() ? "" : " that changes"),
             consequences,
             {scene.loads.changes_contact() ? normal_changes : normal,
              "inertia of the bodies, which problem cylinder has", details}};
@@ -158,7 +150,7 @@ struct Explain {
   Explanation operator()(const CylinderScene& scene) const {
     const double velocity = scene.cylinder.velocity;
     const std::string start =
-        velocity == 0 ? "rest" : "free rolling with " + number(velocity) + " mm/s";
+        velocity == 0 ? "rest" : fmt::format("free rolling with {:.5g} mm/s", velocity);
     return {"a cylinder that rolls down a slope from " + start,
             {sliding(scene.contact.bound), elements_of(scene.contact.grid),
              rolled(scene, scene.distance, scene.contact.grid) +

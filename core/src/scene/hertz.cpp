@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hertz.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,8 +29,10 @@ Radii read_radii(Scene& scene) {
   const double other = scene.number("contact.radius_2");
   require_positive("contact.radius_2", std::abs(other));
   require(other > 0 || -other > one, "contact.radius_2", other, [&] {
-    return "a number > 0, or for a concave body one below -" + format_short(one) +
-           ", as its radius is larger than contact.radius_1";
+    return fmt::format(
+        "a number > 0, or for a concave body one below -{}, as its radius is larger than "
+        "contact.radius_1",
+        format_short(one));
   });
   return {1 / one + 1 / other, std::min(one, std::abs(other))};
 }
@@ -46,13 +50,16 @@ HertzBound read_loaded_contact(Scene& scene, const Material& material) {
   const LineContact contact(material, load, radii.curvature);
   const double a = contact.half_width();
   require(a < radii.smaller, "contact.normal_load", load, [&] {
-    return "a load under which the half-width, " + format_short(a) +
-           " mm by Hertz, is below the smaller radius, " + format_short(radii.smaller) + " mm";
+    return fmt::format(
+        "a load under which the half-width, {} mm by Hertz, is below the smaller radius, {} mm",
+        format_short(a), format_short(radii.smaller));
   });
   if (a > small_contact * radii.smaller) {
-    scene.warn("contact.normal_load", load,
-               "the half-width, " + format_roughly(a) +
-                   " mm, is more than a tenth of the smaller radius; Hertz's theory is for less");
+    scene.warn(
+        "contact.normal_load", load,
+        fmt::format("the half-width, {} mm, is more than a tenth of the smaller radius; Hertz's "
+                    "theory is for less",
+                    format_roughly(a)));
   }
   const HertzBound bound(a, friction * contact.peak_pressure());
   scene.derive("contact.half_width", a);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "info.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <string_view>
@@ -122,7 +124,7 @@ class InfoReader {
 
   void read_line(Rest rest) {
     if (rest.next() == '#') {
-      fail("'" + shown(rest.all()) + "': expected ; before comments, and no other files");
+      fail(fmt::format("'{}': expected ; before comments, and no other files", shown(rest.all())));
     }
     wants_value_ = false;
     while (rest.next() != ';') {
@@ -166,7 +168,7 @@ class InfoReader {
     if (!may_open_) fail("unexpected {");
     const InfoEntry& last = entries_.back();
     if (!last.text.empty()) {
-      fail("key '" + shown(last.key) + "' has both a value and keys below it");
+      fail(fmt::format("key '{}' has both a value and keys below it", shown(last.key)));
     }
     open_.push_back({last.key, entries_.size() - 1, line_});
     entries_.pop_back();
@@ -193,11 +195,11 @@ class InfoReader {
 
 void require_short(const std::string& key) {
   if (key.size() <= longest_key) return;
-  fail("key '" + shown(key) + "': expected at most " + std::to_string(longest_key) + " characters");
+  fail(fmt::format("key '{}': expected at most {} characters", shown(key), longest_key));
 }
 
 std::string place_in(const std::string& name, int line) {
-  return shown(name) + ":" + std::to_string(line) + ": ";
+  return fmt::format("{}:{}: ", shown(name), line);
 }
 
 std::vector<InfoEntry> read_info(const std::string& text, const std::string& name) {

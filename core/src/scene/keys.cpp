@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/scene/keys.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -288,7 +290,7 @@ std::string written(double value, Key::Type type) {
     text.erase(plus, text[plus + 1] == '0' ? 2 : 1);
   }
   if (type != whole && type != wholes) return text;
-  text = std::to_string(static_cast<long long>(value));
+  text = fmt::format("{:.0f}", value);
   for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, " ");
   return text;
 }
@@ -299,8 +301,9 @@ std::string range_of(const Key& key) {
   if (std::isinf(least)) return "";
   if (std::isinf(most)) return (open ? "> " : ">= ") + from;
   const std::string to = written(most, key.type);
-  if (!open && !below) return from + " ... " + to;
-  return (open ? "above " : "at least ") + from + (below ? ", below " : ", at most ") + to;
+  if (!open && !below) return fmt::format("{} ... {}", from, to);
+  return fmt::format("{} {}, {} {}", open ? "above" : "at least", from, below ? "below" : "at most",
+                     to);
 }
 
 }  // namespace
@@ -329,12 +332,14 @@ std::string default_of(const Key& key) {
 
 std::string accepted_by(const Key& key, const std::string& fallback, const std::string& quote) {
   const std::string of_words = key.type == word ? quote : "";
-  std::string text = key.type == word ? quote + joined(words_of(key), quote + ", " + quote) + quote
-                                      : range_of(key);
+  std::string text =
+      key.type == word
+          ? fmt::format("{0}{1}{0}", quote, joined(words_of(key), fmt::format("{0}, {0}", quote)))
+          : range_of(key);
   if (text.empty()) text = key.note.empty() ? "finite" : key.note;
   const bool has_note_behind = !key.note.empty() && !text.starts_with(key.note);
-  if (!fallback.empty()) text += " [" + of_words + fallback + of_words + "]";
-  return text + (has_note_behind ? "; " + std::string(key.note) : "");
+  if (!fallback.empty()) text += fmt::format(" [{0}{1}{0}]", of_words, fallback);
+  return has_note_behind ? fmt::format("{}; {}", text, key.note) : text;
 }
 
 std::string expected_by(const Key& key) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/scene/model.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -49,9 +51,9 @@ void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, d
   const std::string least = format_short(safe.least);
   const std::string range = safe.least == safe.most ? "at " + least
                             : std::isfinite(safe.most)
-                                ? "from " + least + " to " + format_short(safe.most)
-                                : "from " + least + " on";
-  scene.warn(key, value, "this scheme is safe " + range + "; " + instead + " is safe for any");
+                                ? fmt::format("from {} to {}", least, format_short(safe.most))
+                                : fmt::format("from {} on", least);
+  scene.warn(key, value, fmt::format("this scheme is safe {}; {} is safe for any", range, instead));
 }
 
 AdvectionScheme read_scheme(Scene& scene) {
@@ -63,15 +65,15 @@ void warn_of_noise(Scene& scene, const TransientProblem& problem, double step_ra
   const double least = least_step_under_force(problem.grid.size());
   if (step_ratio >= least) return;
   scene.warn("step.ratio", step_ratio,
-             "under a force, rounding is more than 1 % of the creepage below step.ratio = " +
-                 format_short(least) + " with " + std::to_string(problem.grid.size()) +
-                 " elements");
+             fmt::format("under a force, rounding is more than 1 % of the creepage below "
+                         "step.ratio = {} with {} elements",
+                         format_short(least), problem.grid.size()));
 }
 
 void require_few_steps(double distance, double from, double length) {
   const double steps = std::ceil((distance - from) / length);
   require(steps <= most_steps, "motion.distance", distance,
-          "at most " + format_short(most_steps) + " steps, not " + format_short(steps));
+          fmt::format("at most {} steps, not {}", format_short(most_steps), format_short(steps)));
 }
 
 LoadHistory read_loads(Scene& scene, const TransientProblem& problem) {
@@ -104,7 +106,7 @@ std::vector<double> read_straight_steps(Scene& scene, const TransientProblem& pr
   const auto lengths =
       straight_steps(loads, of_load, longest, static_cast<std::size_t>(most_steps));
   require(lengths.has_value(), "step.tolerance", tolerance,
-          [] { return "one that takes at most " + format_short(most_steps) + " steps"; });
+          [] { return fmt::format("one that takes at most {} steps", format_short(most_steps)); });
   std::vector<double> ratios = *lengths;
   for (double& ratio : ratios) ratio /= spacing;
   return ratios;

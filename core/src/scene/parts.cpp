@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Readers of material, contact, kernel, grid and solver, for all kinds of scenes.
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "hertz.hpp"
@@ -18,9 +20,9 @@ void refuse_first_body(const Scene& scene) {
     if (!key.starts_with("material.") || !key.ends_with("_1")) continue;
     const std::string name = key.substr(0, key.size() - 2);
     if (find_key(name) == nullptr) continue;
-    throw BadParameter(key, "key '" + key + "': expected '" + name +
-                                "', which is that of the driven body where the other one has its "
-                                "own");
+    throw BadParameter(key, fmt::format("key '{}': expected '{}', which is that of the driven body "
+                                        "where the other one has its own",
+                                        key, name));
   }
 }
 

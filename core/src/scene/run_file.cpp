@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_file.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -22,7 +24,7 @@ void require_below_full_sliding(const Eigen::VectorXd& forces, const LoadHistory
     const ContactScale contact = loads.contact_at(loads.distances()[static_cast<std::size_t>(i)]);
     const double most = full * contact.full_sliding();
     if (std::abs(forces[i]) < most || (forces[i] == 0 && !contact.carries())) continue;
-    require(false, "row " + std::to_string(i + 1) + ": force", forces[i],
+    require(false, fmt::format("row {}: force", i + 1), forces[i],
             contact.carries() ? "an absolute value below full sliding, " + format_short(most)
                               : "0 where bodies do not touch");
   }
@@ -34,8 +36,8 @@ double of_problem(Scene& scene, const std::optional<Eigen::VectorXd>& column,
   if (!column) return 1;
   const std::string key = "contact." + name;
   if (scene.has(key)) return scene.positive(key);
-  throw std::invalid_argument("column '" + name + "': expected " + key +
-                              " to be given, of the contact that it changes");
+  throw std::invalid_argument(fmt::format(
+      "column '{}': expected {} to be given, of the contact that it changes", name, key));
 }
 
 void require_contacts(const LoadHistory& loads, const TransientProblem& problem) {

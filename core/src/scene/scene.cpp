@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/scene/scene.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -49,14 +51,14 @@ Scene Scene::parse(std::istream& in, const std::string& name, const std::string&
     fail(shown(name) + ": ", error.what());
   }
   if (text.size() > most_text) {
-    fail(shown(name) + ": ", "expected at most " + std::to_string(most_text) + " bytes");
+    fail(shown(name) + ": ", fmt::format("expected at most {} bytes", most_text));
   }
   Scene scene;
   for (const InfoEntry& entry : read_info(text, name)) {
     const std::string place = place_in(name, entry.line);
     if (const auto found = scene.values_.find(entry.key); found != scene.values_.end()) {
-      fail(place, "key '" + shown(entry.key) + "' is given twice, first in line " +
-                      std::to_string(found->second.place.line));
+      fail(place, fmt::format("key '{}' is given twice, first in line {}", shown(entry.key),
+                              found->second.place.line));
     }
     try {
       scene.put(entry.key, entry.text, {name, entry.line, folder});
@@ -74,8 +76,9 @@ void Scene::put(const std::string& key, const std::string& text, const Place& pl
   const auto bad_in_text = [](char c) { return is_control(c) && c != '\t'; };
   if (bad_key || std::any_of(text.begin(), text.end(), bad_in_text)) {
     throw std::invalid_argument(
-        (bad_key ? "key '" + shown(key) : shown(key) + " = '" + shown(text)) +
-        "': expected no control characters");
+        bad_key
+            ? fmt::format("key '{}': expected no control characters", shown(key))
+            : fmt::format("{} = '{}': expected no control characters", shown(key), shown(text)));
   }
   const auto [at, is_new] = values_.try_emplace(key, Value{text, place, next_order_});
   if (is_new) {
@@ -126,7 +129,7 @@ std::vector<std::string> Scene::keys() const {
 void Scene::set(std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == 0 || equals == std::string_view::npos) {
-    throw std::invalid_argument("--set '" + shown(assignment) + "': expected key=value");
+    throw std::invalid_argument(fmt::format("--set '{}': expected key=value", shown(assignment)));
   }
   const std::string key(assignment.substr(0, equals));
   const std::string value(assignment.substr(equals + 1));
@@ -144,17 +147,17 @@ void Scene::remove(const std::string& key) {
   for (const std::string& one : keys()) {
     if (one.starts_with(key + '.')) below.push_back(one);
   }
-  throw std::invalid_argument("--set '" + shown(key) + "=': expected a key of this scene" +
-                              (below.empty()
-                                   ? question(meant(key, keys()))
-                                   : ", not a section; its keys are " + joined(below, ", ")));
+  throw std::invalid_argument(
+      fmt::format("--set '{}=': expected a key of this scene{}", shown(key),
+                  below.empty() ? question(meant(key, keys()))
+                                : ", not a section; its keys are " + joined(below, ", ")));
 }
 
 const Scene::Value& Scene::value(const std::string& key) const {
   const auto found = values_.find(key);
   if (found != values_.end()) return found->second;
   const std::string near = nearest(key, keys());
-  throw BadParameter(near, "missing key '" + key + "'" + question(near));
+  throw BadParameter(near, fmt::format("missing key '{}'{}", key, question(near)));
 }
 
 std::string Scene::at_most_one_of(const std::vector<std::string>& keys) const {
@@ -163,7 +166,7 @@ std::string Scene::at_most_one_of(const std::vector<std::string>& keys) const {
     if (!has(key)) continue;
     if (!first.empty()) {
       throw BadParameter(place_of(key).empty() ? first : key,
-                         "expected only one of '" + first + "' and '" + key + "'");
+                         fmt::format("expected only one of '{}' and '{}'", first, key));
     }
     first = key;
   }
@@ -174,7 +177,8 @@ std::string Scene::one_of(const std::vector<std::string>& keys) const {
   const std::string found = at_most_one_of(keys);
   if (!found.empty()) return found;
   const std::string near = nearest(keys.front(), this->keys());
-  throw BadParameter(near, "missing key '" + joined(keys, "' or '") + "'" + question(near));
+  throw BadParameter(near,
+                     fmt::format("missing key '{}'{}", joined(keys, "' or '"), question(near)));
 }
 
 const Key* Scene::known(std::string_view key) const {
@@ -253,7 +257,7 @@ std::vector<double> Scene::numbers(const std::string& key) {
     const bool behind = !values.empty() && !converted<double>(word) &&  // which takes nan and inf
                         std::isalpha(static_cast<unsigned char>(word[0])) != 0;
     if (!takes_units || (!behind && !has_unit(word))) {
-      reject(key, text(key), "finite numbers" + advice(word) + ", separated by blanks");
+      reject(key, text(key), fmt::format("finite numbers{}, separated by blanks", advice(word)));
     }
     const auto with_units = quantities(text(key), unit);
     if (!with_units) {
@@ -328,12 +332,12 @@ void Scene::reject_unread() const {
   for (const auto& [key, value] : values_) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;
     const Key* elsewhere = find_key(key);
-    throw BadParameter(key,
-                       (elsewhere != nullptr
-                            ? "key '" + key + "' has no role here: it is for " +
-                                  std::string(elsewhere->role.empty() ? "scenes" : elsewhere->role)
-                            : "unknown key '" + shown(key) + "'" + question(meant(key, known))) +
-                           "; known to this model: " + joined(known, ", "));
+    const std::string why =
+        elsewhere == nullptr
+            ? fmt::format("unknown key '{}'{}", shown(key), question(meant(key, known)))
+            : fmt::format("key '{}' has no role here: it is for {}", key,
+                          elsewhere->role.empty() ? "scenes" : elsewhere->role);
+    throw BadParameter(key, fmt::format("{}; known to this model: {}", why, joined(known, ", ")));
   }
 }
 
@@ -342,7 +346,7 @@ void Scene::derive(const std::string& key, double value) {
 }
 
 void Scene::warn(const std::string& key, double value, const std::string& doubt) {
-  const std::string line = key + " = " + format_short(value) + ": " + doubt;
+  const std::string line = fmt::format("{} = {}: {}", key, format_short(value), doubt);
   const bool is_new = std::ranges::find(warnings_, line, &Warning::line) == warnings_.end();
   if (is_new) warnings_.push_back({key, line});
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "start_file.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -39,8 +41,9 @@ void require_within_bound_nearby(const VectorXd& x, const VectorXd& traction,
 void require_reach(const VectorXd& x, Index row, Index neighbour, double beyond, double node) {
   const double distance = std::abs(x[row] - x[neighbour]);
   require(beyond <= (1 + printed) * distance, "x", x[row], [&] {
-    return "rows up to the edges: the node at " + format_short(node) +
-           " is farther from this one than the next row, " + format_short(distance) + " mm";
+    return fmt::format(
+        "rows up to the edges: the node at {} is farther from this one than the next row, {} mm",
+        format_short(node), format_short(distance));
   });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/scene/sweep.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -13,6 +15,7 @@
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/units.hpp"
 #include "microslip/support/format.hpp"
+#include "microslip/support/nearest.hpp"
 #include "microslip/support/require.hpp"
 #include "microslip/support/shown.hpp"
 #include "number.hpp"
@@ -36,11 +39,7 @@ std::vector<std::string> words_of(const std::string& text) {
 }
 
 /// With single blanks, so that a value stays in its line.
-std::string in_one_line(const std::string& text) {
-  std::string all;
-  for (const std::string& word : words_of(text)) all += (all.empty() ? "" : " ") + word;
-  return all;
-}
+std::string in_one_line(const std::string& text) { return joined(words_of(text), " "); }
 
 /// To 15 digits of `largest`, so that 3 * 0.1 is 0.3, and -0.3 + 3 * 0.1 is 0.
 std::string rounded(double value, double largest) {
@@ -110,7 +109,7 @@ std::vector<std::string> swept_values(const std::string& key, const std::string&
     const std::string value = in_one_line(part);
     if (value.empty()) reject_list(text, "a value on both sides of |");
     if (values.size() > Sweep::max_cases) {
-      reject_list(text, "at most " + std::to_string(Sweep::max_cases) + " values");
+      reject_list(text, fmt::format("at most {} values", Sweep::max_cases));
     }
     const std::vector<std::string> parts = split(value, ':');
     if (parts.size() == 1 || !finite_number(parts[0])) {
@@ -119,11 +118,10 @@ std::vector<std::string> swept_values(const std::string& key, const std::string&
     }
     const auto expanded = range(parts);
     if (!expanded) {
-      reject_list(
-          value,
-          "first:step:last with a step towards last, or first:logN:last with N >= 2 and both of "
-          "one sign, and at most " +
-              std::to_string(Sweep::max_cases) + " values");
+      reject_list(value, fmt::format("first:step:last with a step towards last, or "
+                                     "first:logN:last with N >= 2 and both of one sign, and at "
+                                     "most {} values",
+                                     Sweep::max_cases));
     }
     values.insert(values.end(), expanded->begin(), expanded->end());
   }
@@ -136,9 +134,9 @@ Sweep::Sweep(Scene scene) : common_(std::move(scene)), section_(common_.take_sec
     keys_.push_back({key, swept_values(key, section_.text(key))});
     size_ *= keys_.back().values.size();
     if (size_ > max_cases) {
-      throw BadParameter("sweep." + key, "sweep: expected at most " + std::to_string(max_cases) +
-                                             " cases, not " + std::to_string(size_) +
-                                             " with sweep." + shown(key));
+      throw BadParameter("sweep." + key,
+                         fmt::format("sweep: expected at most {} cases, not {} with sweep.{}",
+                                     max_cases, size_, shown(key)));
     }
   }
   if (keys_.empty()) {

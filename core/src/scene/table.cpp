@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/scene/table.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <limits>
 #include <ostream>
@@ -29,8 +31,8 @@ Table::Table(std::string name, std::string description, std::vector<Column> colu
 
 void Table::add(std::vector<Cell> row) {
   if (row.size() != columns_.size()) {
-    throw std::logic_error("table " + name_ + ": a row has " + std::to_string(row.size()) +
-                           " cells, not " + std::to_string(columns_.size()));
+    throw std::logic_error(
+        fmt::format("table {}: a row has {} cells, not {}", name_, row.size(), columns_.size()));
   }
   rows_.push_back(std::move(row));
 }
@@ -45,7 +47,7 @@ std::size_t Table::index_of(const std::string& column) const {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     if (columns_[i].name == column) return i;
   }
-  throw std::out_of_range("table " + name_ + " has no column " + column);
+  throw std::out_of_range(fmt::format("table {} has no column {}", name_, column));
 }
 
 const Cell& Table::at(std::size_t row, const std::string& column) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/scene/text.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <boost/algorithm/string/replace.hpp>
@@ -21,8 +23,8 @@ std::string plain_text(std::string bytes) {
   if (const std::size_t at = bytes.find('\0'); at != std::string::npos) {
     const auto line =
         std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    throw std::invalid_argument("line " + std::to_string(line + 1) +
-                                ": expected text in UTF-8, not a NUL byte");
+    throw std::invalid_argument(
+        fmt::format("line {}: expected text in UTF-8, not a NUL byte", line + 1));
   }
   if (bytes.starts_with(mark)) bytes.erase(0, mark.size());
   boost::algorithm::replace_all(bytes, "\r\n", "\n");
@@ -35,14 +37,14 @@ std::string file_text(const std::string& path, std::size_t most) {
   for (std::array<char, 1 << 16> part; in.read(part.data(), part.size()) || in.gcount() > 0;) {
     text.append(part.data(), static_cast<std::size_t>(in.gcount()));
     if (text.size() > most) {
-      throw std::invalid_argument("expected at most " + std::to_string(most) + " bytes");
+      throw std::invalid_argument(fmt::format("expected at most {} bytes", most));
     }
     if (text.find('\0', text.size() - static_cast<std::size_t>(in.gcount())) != std::string::npos) {
       break;  // no text, however it goes on
     }
   }
   if (in.bad() || !in.is_open()) {
-    throw std::invalid_argument(std::string("cannot read it: ") + std::strerror(errno));
+    throw std::invalid_argument(fmt::format("cannot read it: {}", std::strerror(errno)));
   }
   return plain_text(std::move(text));
 }

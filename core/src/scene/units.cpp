@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/scene/units.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <boost/algorithm/string/classification.hpp>
@@ -184,7 +186,7 @@ bool has_unit(std::string_view text) {
 std::string accepted_units(const std::string& unit) {
   const auto found = others.find(unit);
   return found == others.end() ? "no unit"
-                               : unit + " or another of its kind (" + found->second + ")";
+                               : fmt::format("{} or another of its kind ({})", unit, found->second);
 }
 
 }  // namespace microslip
