@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_line.hpp"
 
+#include <fmt/core.h>
+
 #include <cstring>
 #include <iostream>
 #include <sstream>
@@ -31,7 +33,7 @@ Scene parse_file(const std::string& path) {
     try {
       return file_text(path, Scene::most_text);
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("--scene " + shown(path) + ": " + error.what());
+      throw std::invalid_argument(fmt::format("--scene {}: {}", shown(path), error.what()));
     }
   }();
   std::istringstream in(text);
@@ -74,7 +76,8 @@ Given parse(const Options& options, int argc, const char* const* argv, const std
     // Boost's message is a template, and filling in a name that is a placeholder never ends.
     const std::string name = error.get_option_name();
     if (name.find('%') == std::string::npos) throw;
-    throw std::invalid_argument("option '" + shown(name) + "': expected one that --help lists");
+    throw std::invalid_argument(
+        fmt::format("option '{}': expected one that --help lists", shown(name)));
   }
   return given;
 }
@@ -96,8 +99,8 @@ Scene built_in_scene(const Program& program) {
 
 Scene read_scene(const Program& program, const Given& given) {
   if (program.scene.empty() && given.count("scene") == 0) {
-    throw std::invalid_argument("missing a scene: expected its file, as in '" + program.name +
-                                " scene.info'; see --help");
+    throw std::invalid_argument(fmt::format(
+        "missing a scene: expected its file, as in '{} scene.info'; see --help", program.name));
   }
   Scene scene = given.count("scene") != 0 ? parse_file(given["scene"].as<std::string>())
                                           : built_in_scene(program);
@@ -106,7 +109,7 @@ Scene read_scene(const Program& program, const Given& given) {
     scene.set(assignment);
   }
   for (const auto& [name, key, help] : program.key_options) {
-    if (given.count(name) != 0) scene.set(key + "=" + given[name].as<std::string>());
+    if (given.count(name) != 0) scene.set(fmt::format("{}={}", key, given[name].as<std::string>()));
   }
   scene.read_files_by([](const std::string& path) { return file_text(path); });
   return scene;

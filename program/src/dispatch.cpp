@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
-#include <iomanip>
-#include <sstream>
 #include <stdexcept>
 
 #include "microslip/program/commands.hpp"
@@ -15,15 +15,11 @@ namespace microslip::program {
 namespace {
 
 std::string list_of(const std::string& name, const std::vector<Command>& commands) {
-  std::ostringstream text;
-  text << "\n\nCommands, each with --help of its own:\n";
+  std::string text = "\n\nCommands, each with --help of its own:";
   for (const Command& command : commands) {
-    text << "  " << name << ' ' << std::left << std::setw(9) << command.name << ' '
-         << command.purpose << '\n';
+    text += fmt::format("\n  {} {:<9} {}", name, command.name, command.purpose);
   }
-  std::string lines = text.str();
-  lines.pop_back();
-  return lines;
+  return text;
 }
 
 }  // namespace
@@ -42,8 +38,8 @@ int dispatch(const Program& program, const std::vector<Command>& commands, int a
   return run_process(program.name, [&]() -> int {
     const std::vector<std::string> names = names_of(commands);
     throw std::invalid_argument(
-        std::string("'") + shown(word) + "': expected a scene's file or a command" +
-        question(nearest(word, names)) + "; commands: " + joined(names, ", "));
+        fmt::format("'{}': expected a scene's file or a command{}; commands: {}", shown(word),
+                    question(nearest(word, names)), joined(names, ", ")));
   });
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,7 +8,6 @@
 #include <iostream>
 #include <optional>
 #include <span>
-#include <sstream>
 
 #include "command_line.hpp"
 #include "microslip/program/commands.hpp"
@@ -33,11 +34,9 @@ std::string in_units(double value, std::span<const Unit> units) {
   const auto fits = [&](const Unit& unit) { return value >= unit.size; };
   const auto found = std::ranges::find_if(units, fits);
   const Unit& unit = found == units.end() ? units.back() : *found;
-  std::ostringstream text;
   const double number = value / unit.size;
-  if (number >= 100) text << std::fixed;
-  text << std::setprecision(number >= 100 ? 0 : 2) << number << ' ' << unit.name;
-  return text.str();
+  return number >= 100 ? fmt::format("{:.0f} {}", number, unit.name)
+                       : fmt::format("{:.2g} {}", number, unit.name);
 }
 
 std::string bytes(double value) {
@@ -48,12 +47,6 @@ std::string bytes(double value) {
 std::string time(double seconds) {
   constexpr std::array<Unit, 4> units{{{3600, "h"}, {60, "min"}, {1, "s"}, {1e-3, "ms"}}};
   return in_units(seconds, units);
-}
-
-std::string operations(double value) {
-  std::ostringstream text;
-  text << std::setprecision(2) << value;
-  return text.str();
 }
 
 void print_keys(const Parameters& parameters) {
@@ -131,15 +124,15 @@ void print_cost(const Foreseen& all) {
   constexpr double program = 12e6;  // of memory, without a scene
   std::vector<std::string> lines;
   if (std::isfinite(all.work)) {
-    lines.push_back("about " + operations(all.work) + " operations, " +
-                    time(all.work * seconds_per_operation) + " on one core" +
-                    (all.cases > 1 ? " for all cases" : "") + "; within a factor of five");
+    lines.push_back(
+        fmt::format("about {:.2g} operations, {} on one core{}; within a factor of five", all.work,
+                    time(all.work * seconds_per_operation), all.cases > 1 ? " for all cases" : ""));
   } else {
     lines.push_back("as many operations as the error needs: from a millisecond on");
   }
-  lines.push_back("at most " + bytes(all.memory + program) + " of memory" +
-                  (all.cases > 1 ? " a case at once" : "") + "; " + bytes(available_memory()) +
-                  " are available");
+  lines.push_back(fmt::format("at most {} of memory{}; {} are available",
+                              bytes(all.memory + program), all.cases > 1 ? " a case at once" : "",
+                              bytes(available_memory())));
   print_lines("Cost", lines);
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -25,8 +27,8 @@ const Template& chosen(const std::vector<Template>& templates, const Given& give
   const std::string kind = given["kind"].as<std::string>();
   const auto found = std::ranges::find(templates, kind, &Template::name);
   if (found != templates.end()) return *found;
-  throw std::invalid_argument("no scene '" + shown(kind) + "'" + question(nearest(kind, names)) +
-                              known);
+  throw std::invalid_argument(
+      fmt::format("no scene '{}'{}{}", shown(kind), question(nearest(kind, names)), known));
 }
 
 }  // namespace
@@ -55,8 +57,8 @@ int init(const std::string& name, const std::vector<Template>& templates, int ar
     for (const OutputFile& file : files) {
       const fs::path path = parent / file.name;
       if (!fs::exists(path)) continue;
-      throw std::invalid_argument("--out '" + shown(path.string()) +
-                                  "': expected a file that is not there yet");
+      throw std::invalid_argument(
+          fmt::format("--out '{}': expected a file that is not there yet", shown(path.string())));
     }
     write_files(folder, files);
     const std::string command = scene.name == "sweep" ? name + " sweep " : name + " ";

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/scene/keys.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 #include <iomanip>
@@ -51,7 +53,8 @@ std::string typeset(std::string_view text, const std::set<std::string>& names) {
     const std::size_t end = word.find_last_not_of(",;") + 1;
     const std::string name = word.substr(0, end);
     const bool is_key = names.contains(name) && name.find_first_of("._") != std::string::npos;
-    all += (all.empty() ? "" : " ") + (is_key ? '`' + name + '`' + word.substr(end) : word);
+    all += all.empty() ? "" : " ";
+    all += is_key ? fmt::format("`{}`{}", name, word.substr(end)) : word;
   }
   const std::pair<const char*, const char*> written[] = {
       {"^(1/2)", "^½"}, {"^2", "²"},    {"^3", "³"},   {"mu p0", "μ p₀"}, {"ratio nu", "ratio ν"},
@@ -85,9 +88,9 @@ void print_markdown(const KeyList& keys) {
 void print_man(const KeyList& keys) {
   for (const auto& [key, value] : keys) {
     std::string text(key.meaning);
-    if (key.unit != "1") text += " (" + std::string(key.unit) + ")";
-    text += ". " + accepted_by(key, value) + ".";
-    if (!key.role.empty()) text += " For " + std::string(key.role) + ".";
+    if (key.unit != "1") text += fmt::format(" ({})", key.unit);
+    text += fmt::format(". {}.", accepted_by(key, value));
+    if (!key.role.empty()) text += fmt::format(" For {}.", key.role);
     boost::algorithm::replace_all(text, "-", "\\-");
     std::cout << ".TP\n.B " << key.name << '\n' << text << '\n';
   }
@@ -99,7 +102,7 @@ std::string shortened(std::string list) {
   std::istringstream text(list);
   std::vector<std::string> words{std::istream_iterator<std::string>(text), {}};
   if (words.size() <= most_words) return list;
-  return words[0] + ' ' + words[1] + " ... " + words.back();
+  return fmt::format("{} {} ... {}", words[0], words[1], words.back());
 }
 
 /// Each key with its words; of one that names a file with a slash, which no word has.
@@ -124,7 +127,7 @@ void print_keys(const KeyList& keys, const std::string& format) {
   } else if (format == "completion") {
     print_completion(keys);
   } else {
-    throw std::invalid_argument("format '" + shown(format) + "': expected " + formats);
+    throw std::invalid_argument(fmt::format("format '{}': expected {}", shown(format), formats));
   }
 }
 
@@ -140,7 +143,7 @@ void print_keys_of_study(const Program& study, const std::string& format) {
     Key key = *found;
     key.role = "";  // it has one here
     if (format == "markdown" && found == find_key(name)) {
-      of_scenes.push_back('`' + name + "` [" + shortened(value) + ']');
+      of_scenes.push_back(fmt::format("`{}` [{}]", name, shortened(value)));
     } else {
       keys.emplace_back(key, shortened(value));
     }

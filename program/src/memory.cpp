@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/program/memory.hpp"
 
+#include <fmt/core.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 #include "microslip/support/require.hpp"
 
@@ -50,13 +49,6 @@ double left_of(decltype(RLIMIT_AS) resource, double used) {
   return std::max(0.0, static_cast<double>(limit.rlim_cur) - used);
 }
 
-/// "3.2 GB"
-std::string gigabytes(double bytes) {
-  std::ostringstream text;
-  text << std::setprecision(2) << bytes / 1e9 << " GB";
-  return text.str();
-}
-
 }  // namespace
 
 double available_memory() {
@@ -68,9 +60,9 @@ double available_memory() {
 void require_memory(const std::string& key, Eigen::Index value, double bytes) {
   const double available = available_memory();
   if (bytes <= available) return;
-  throw BadParameter(key, key + " = " + std::to_string(value) + ": would take about " +
-                              gigabytes(bytes) + ", and " + gigabytes(available) +
-                              " are available");
+  throw BadParameter(
+      key, fmt::format("{} = {}: would take about {:.2g} GB, and {:.2g} GB are available", key,
+                       value, bytes / 1e9, available / 1e9));
 }
 
 void limit_memory() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outputs.hpp"
 
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -24,15 +25,14 @@ namespace fs = std::filesystem;
 
 /// Processes on several machines may write to one folder, so that a process number would not do.
 fs::path beside(const fs::path& target, const std::string& ending) {
-  static const std::string own = std::to_string(std::random_device{}());
-  const std::string name = target.filename();
-  return target.parent_path() / ("." + name + "." + own + ending);
+  static const unsigned own = std::random_device{}();
+  return target.parent_path() / fmt::format(".{}.{}{}", target.filename().string(), own, ending);
 }
 fs::path part_of(const fs::path& target) { return beside(target, ".part"); }
 fs::path former_of(const fs::path& target) { return beside(target, ".former"); }
 
 std::runtime_error cannot_write(const fs::path& path, const std::string& why) {
-  return std::runtime_error("cannot write " + shown(path.string()) + ": " + why);
+  return std::runtime_error(fmt::format("cannot write {}: {}", shown(path.string()), why));
 }
 
 /// There is no fsync: close reports a full disk and a quota, also on NFS, and what is lost with the
@@ -138,7 +138,7 @@ OutputFile output_of(const Table& table, const std::string& program, const Param
 OutputFile provenance_of(const std::string& text, const std::vector<OutputFile>& tables) {
   std::string line = tables_line;
   for (const OutputFile& table : tables) line += " " + table.name;
-  return {provenance_name, text + line + "\n"};
+  return {provenance_name, fmt::format("{}{}\n", text, line)};
 }
 
 void require_writable(const fs::path& folder) {

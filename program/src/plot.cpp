@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
 #include <spawn.h>
 #include <sys/wait.h>
 
@@ -36,8 +37,8 @@ std::string header_of(const fs::path& table) {
 }
 
 [[noreturn]] void reject(const fs::path& folder, const std::string& why) {
-  throw std::invalid_argument("'" + shown(folder.string()) +
-                              "': expected the folder of a result; " + why);
+  throw std::invalid_argument(
+      fmt::format("'{}': expected the folder of a result; {}", shown(folder.string()), why));
 }
 
 /// Which program wrote a result: the first word of its provenance.
@@ -55,7 +56,7 @@ std::string kind_of(const fs::path& folder) {
     reject(folder, "it is that of a sweep, the columns of sweep.tsv are for plots of your own");
   }
   for (const char* kind : {"response", "converge"}) {
-    if (fs::exists(folder / (std::string(kind) + ".tsv"))) return kind;
+    if (fs::exists(folder / fmt::format("{}.tsv", kind))) return kind;
   }
   if (!fs::exists(folder / "traction.tsv")) reject(folder, "it has no traction.tsv");
   const std::string history = header_of(folder / "history.tsv");
@@ -81,7 +82,7 @@ bool has_loop(const fs::path& folder) {
 std::vector<Figure> figures_of_scene(const fs::path& plots, const std::string& program,
                                      const fs::path& folder) {
   const auto script = [&](const std::string& kind) {
-    return plots / (program + "_" + kind + ".gp");
+    return plots / fmt::format("{}_{}.gp", program, kind);
   };
   const std::string kind = kind_of(folder);
   std::vector<Figure> figures{{kind, script(kind), ""}};
@@ -132,8 +133,8 @@ std::vector<Figure> chosen(const std::vector<Figure>& figures, const Given& give
   const auto found = std::ranges::find(figures, wanted, &Figure::name);
   if (found != figures.end()) return {*found};
   const std::vector<std::string> names = names_of(figures);
-  throw std::invalid_argument("--figure '" + shown(wanted) + "': expected " + joined(names, ", ") +
-                              question(nearest(wanted, names)));
+  throw std::invalid_argument(fmt::format("--figure '{}': expected {}{}", shown(wanted),
+                                          joined(names, ", "), question(nearest(wanted, names))));
 }
 
 /// The folder of a result, which may be named by one of its tables, too; with a name of its own,
@@ -150,8 +151,8 @@ fs::path target_of(const Given& given) {
   const std::string name = given["to"].as<std::string>();
   const std::string ending = fs::path(name).extension();
   if (ending == ".svg" || ending == ".png" || ending == ".pdf") return name;
-  throw std::invalid_argument("--to '" + shown(name) +
-                              "': expected a name that ends in .svg, .png or .pdf");
+  throw std::invalid_argument(
+      fmt::format("--to '{}': expected a name that ends in .svg, .png or .pdf", shown(name)));
 }
 
 /// \param name  of the program of scenes; the others are studies
@@ -159,12 +160,12 @@ void draw_all(const std::string& name, const fs::path& folder, const Given& give
   const std::string program = program_of(folder);
   const fs::path plots = share_folder() / "plots";
   if (!fs::is_directory(plots)) {
-    throw std::runtime_error("cannot read " + shown(plots.string()) +
-                             ": expected the scripts of figures there");
+    throw std::runtime_error(fmt::format("cannot read {}: expected the scripts of figures there",
+                                         shown(plots.string())));
   }
   const std::vector<Figure> all =
       program == name ? figures_of_scene(plots, program, folder) : figures_of_study(plots, program);
-  if (all.empty()) reject(folder, "that of " + shown(program) + " has no figures");
+  if (all.empty()) reject(folder, fmt::format("that of {} has no figures", shown(program)));
   const std::vector<Figure> figures = chosen(all, given);
   if (given.count("to") != 0) {
     if (figures.size() > 1) throw std::invalid_argument("--to: expected --figure with it here");

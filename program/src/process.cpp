@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "process.hpp"
 
+#include <fmt/core.h>
+
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -15,8 +17,8 @@ namespace {
 
 void flush_standard_output() {
   if (!std::cout.flush()) {
-    throw std::runtime_error(std::string("cannot write to standard output: ") +
-                             std::strerror(errno));
+    throw std::runtime_error(
+        fmt::format("cannot write to standard output: {}", std::strerror(errno)));
   }
 }
 

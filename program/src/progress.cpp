@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cmath>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
-#include <sstream>
 
 #include "command_line.hpp"
 
@@ -24,16 +23,9 @@ constexpr Seconds between{0.2};
 /// "1 h 02 min", "3 min 20 s", "12 s"
 std::string duration(double seconds) {
   const auto whole = static_cast<long>(std::ceil(seconds));
-  std::ostringstream text;
-  text << std::setfill('0');
-  if (whole >= 3600) {
-    text << whole / 3600 << " h " << std::setw(2) << whole % 3600 / 60 << " min";
-  } else if (whole >= 60) {
-    text << whole / 60 << " min " << std::setw(2) << whole % 60 << " s";
-  } else {
-    text << whole << " s";
-  }
-  return text.str();
+  if (whole >= 3600) return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+  if (whole >= 60) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} s", whole);
 }
 
 /// A line on a terminal that is written again and again, and ends with its life.
@@ -61,19 +53,15 @@ class ProgressLine {
   };
 
   std::string line(std::size_t done, std::size_t total, Clock::time_point now) const {
-    std::ostringstream text;
+    const std::string taken = duration(Seconds(now - start_).count());
+    if (total == unknown_total) return taken + " so far";
+    if (done == total) return fmt::format("{} of {} in {}", done, total, taken);
     const double seconds = Seconds(now - first_->time).count();
     const double rate = static_cast<double>(done - first_->done) / seconds;
-    if (total == unknown_total) return duration(Seconds(now - start_).count()) + " so far";
-    text << done << " of " << total;
-    if (done == total) {
-      text << " in " << duration(Seconds(now - start_).count());
-    } else if (seconds > 0 && rate > 0) {
-      text << ", " << (rate < 100 ? std::defaultfloat : std::fixed)
-           << std::setprecision(rate < 100 ? 2 : 0) << rate << " a second, "
-           << duration(static_cast<double>(total - done) / rate) << " left";
-    }
-    return text.str();
+    if (!(seconds > 0 && rate > 0)) return fmt::format("{} of {}", done, total);
+    return fmt::format("{} of {}, {} a second, {} left", done, total,
+                       rate < 100 ? fmt::format("{:.2g}", rate) : fmt::format("{:.0f}", rate),
+                       duration(static_cast<double>(total - done) / rate));
   }
 
   std::string name_;

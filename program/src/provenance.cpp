@@ -37,7 +37,7 @@ std::filesystem::path share_folder() {
 }
 
 std::string version_line(const std::string& program) {
-  return program + " (microslip) " + version + ", revision " + revision();
+  return fmt::format("{} (microslip) {}, revision {}", program, version, revision());
 }
 
 std::string provenance(const std::string& program, int argc, const char* const* argv,
@@ -48,11 +48,10 @@ std::string provenance(const std::string& program, int argc, const char* const* 
   gmtime_r(&now, &utc);
   text << version_line(program) << "\ndate: " << std::put_time(&utc, "%F %T UTC") << "\ncommand:";
   for (int i = 0; i < argc; ++i) text << ' ' << std::quoted(argv[i], '\'');
-  text << "\ncompiler: " << __VERSION__ << "\nlibraries: Eigen " << EIGEN_WORLD_VERSION << '.'
-       << EIGEN_MAJOR_VERSION << '.' << EIGEN_MINOR_VERSION << ", Boost " << BOOST_LIB_VERSION
-       << ", fmt " << FMT_VERSION / 10000 << '.' << FMT_VERSION / 100 % 100 << '.'
-       << FMT_VERSION % 100 << "\nwall time: " << std::setprecision(3) << wall_time.count()
-       << " s\n";
+  text << fmt::format(
+      "\ncompiler: {}\nlibraries: Eigen {}.{}.{}, Boost {}, fmt {}.{}.{}\nwall time: {:.3g} s\n",
+      __VERSION__, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, BOOST_LIB_VERSION,
+      FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100, wall_time.count());
   return text.str();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/program/run.hpp"
 
+#include <fmt/core.h>
+
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -65,14 +67,16 @@ void print_advice(const Table& table) {
 fs::path place_to_save(const std::string& name) {
   const fs::path file = name.empty() ? fs::path() : fs::absolute(name);
   if (!file.has_filename() || fs::is_directory(file)) {
-    throw std::invalid_argument("--save '" + shown(name) + "': expected the name of a file");
+    throw std::invalid_argument(
+        fmt::format("--save '{}': expected the name of a file", shown(name)));
   }
   if (file.extension() == ".tsv" || file.filename() == "provenance.txt") {
-    throw std::invalid_argument("--save '" + shown(name) +
-                                "': expected another name than that of a table");
+    throw std::invalid_argument(
+        fmt::format("--save '{}': expected another name than that of a table", shown(name)));
   }
   if (!fs::is_directory(file.parent_path())) {
-    throw std::invalid_argument("--save '" + shown(name) + "': expected a folder that is there");
+    throw std::invalid_argument(
+        fmt::format("--save '{}': expected a folder that is there", shown(name)));
   }
   require_writable(file.parent_path());
   return file;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/program/sweep.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <functional>
@@ -72,8 +74,9 @@ Outcome solve_cases(const Program& program, const SweepPlan& plan, const SweepFo
   try {
     for_each_case(open.size(), settings.threads, solve_open);
   } catch (const std::bad_alloc&) {
-    throw std::runtime_error("not enough memory for " + std::to_string(settings.threads) +
-                             " cases at once; what is done is kept, --threads 1 may go on");
+    throw std::runtime_error(fmt::format(
+        "not enough memory for {} cases at once; what is done is kept, --threads 1 may go on",
+        settings.threads));
   }
   return outcome;
 }
@@ -87,7 +90,7 @@ void report_warnings(const Program& program, const SweepPlan& plan) {
     const auto warning = std::find_if(origin.begin(), origin.end(),
                                       [](const auto& entry) { return entry.first == "warning"; });
     if (warning == origin.end()) continue;
-    if (++warned == 1) first = case_label(plan.table, i) + ": " + warning->second;
+    if (++warned == 1) first = fmt::format("{}: {}", case_label(plan.table, i), warning->second);
   }
   if (warned == 0) return;
   std::cerr << program.name << ": warning: " << warned << " of " << plan.cases.size()
@@ -133,9 +136,9 @@ int sweep_scene(const Program& program, const Given& given, int argc, const char
   const Outcome outcome = solve_cases(program, plan, *folder, settings, interrupts);
   const auto origin = [&] { return provenance(program.name, argc, argv, Clock::now() - start); };
   if (settings.shard) {
-    const std::string shard =
-        std::to_string(settings.shard->number) + "_of_" + std::to_string(settings.shard->count);
-    const OutputFile file{"provenance_" + shard + ".txt", origin()};
+    const OutputFile file{
+        fmt::format("provenance_{}_of_{}.txt", settings.shard->number, settings.shard->count),
+        origin()};
     interrupts.last([&] { write_files(settings.out, {file}); });
   } else {
     write_merged(program, *folder, settings.out, origin, interrupts);

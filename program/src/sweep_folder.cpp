@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sweep_folder.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
@@ -75,30 +77,28 @@ SweepFolder SweepFolder::begin(const fs::path& path, const std::string& program,
   // Read back, as the shard of another sweep may have been faster.
   const std::string there = file_text(path / plan_name);
   if (there != file.content) {
-    throw std::invalid_argument("--out " + path.string() + ": holds another sweep; its " +
-                                plan_name + " has '" + first_difference(there, file.content) +
-                                "', not '" + first_difference(file.content, there) + "'");
+    throw std::invalid_argument(fmt::format(
+        "--out {}: holds another sweep; its {} has '{}', not '{}'", path.string(), plan_name,
+        first_difference(there, file.content), first_difference(file.content, there)));
   }
   return {path, program, {plan, common}, file.content};
 }
 
 SweepFolder SweepFolder::open(const fs::path& path, const std::string& program) {
   if (!fs::exists(path / plan_name)) {
-    throw std::invalid_argument("--out " + path.string() + ": expected a sweep; there is no " +
-                                plan_name);
+    throw std::invalid_argument(
+        fmt::format("--out {}: expected a sweep; there is no {}", path.string(), plan_name));
   }
   const std::string text = file_text(path / plan_name);
   try {
     return {path, program, read_table("plan", text), text};
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument((path / plan_name).string() + ": " + error.what());
+    throw std::invalid_argument(fmt::format("{}: {}", (path / plan_name).string(), error.what()));
   }
 }
 
 std::string SweepFolder::name_of(std::size_t index) const {
-  const std::size_t width = std::to_string(plan_.rows()).size();
-  const std::string number = std::to_string(index + 1);
-  return std::string(width - number.size(), '0') + number;
+  return fmt::format("{:0{}}", index + 1, std::to_string(plan_.rows()).size());
 }
 
 fs::path SweepFolder::file_of(std::size_t index) const {
@@ -110,8 +110,7 @@ fs::path SweepFolder::folder_of(std::size_t index) const {
 }
 
 Parameters SweepFolder::head_of(std::size_t index, const Parameters& parameters) const {
-  Parameters head{{"case", std::to_string(index + 1) + " of " + std::to_string(plan_.rows())},
-                  {"sweep", checksum_}};
+  Parameters head{{"case", fmt::format("{} of {}", index + 1, plan_.rows())}, {"sweep", checksum_}};
   head.insert(head.end(), parameters.begin(), parameters.end());
   return head;
 }
@@ -187,9 +186,9 @@ std::vector<WrittenTable> SweepFolder::rows() const {
     rows.push_back(std::move(*row));
   }
   if (!missing.empty()) {
-    throw std::invalid_argument(path_.string() + ": " + std::to_string(missing.size()) + " of " +
-                                std::to_string(plan_.rows()) + " cases are missing, the first is " +
-                                case_label(plan_, missing.front()));
+    throw std::invalid_argument(fmt::format("{}: {} of {} cases are missing, the first is {}",
+                                            path_.string(), missing.size(), plan_.rows(),
+                                            case_label(plan_, missing.front())));
   }
   return rows;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sweep_options.hpp"
 
+#include <fmt/core.h>
+
 #include <charconv>
 #include <stdexcept>
 #include <string>
@@ -30,9 +32,9 @@ Shard shard_of(const std::string& text) {
   const auto number = positive(text.substr(0, slash));
   const auto count = slash == std::string::npos ? std::nullopt : positive(text.substr(slash + 1));
   if (!number || !count || *number > *count || *count > Sweep::max_cases) {
-    throw std::invalid_argument("--shard '" + shown(text) +
-                                "': expected i/n with i from 1 to n, and n up to " +
-                                std::to_string(Sweep::max_cases));
+    throw std::invalid_argument(
+        fmt::format("--shard '{}': expected i/n with i from 1 to n, and n up to {}", shown(text),
+                    Sweep::max_cases));
   }
   return {*number, *count};
 }
@@ -40,9 +42,8 @@ Shard shard_of(const std::string& text) {
 int threads_of(const std::string& text) {
   const auto threads = positive(text);
   if (!threads || *threads > most_threads) {
-    throw std::invalid_argument("--threads '" + shown(text) +
-                                "': expected a whole number from 1 to " +
-                                std::to_string(most_threads));
+    throw std::invalid_argument(fmt::format("--threads '{}': expected a whole number from 1 to {}",
+                                            shown(text), most_threads));
   }
   return static_cast<int>(*threads);
 }

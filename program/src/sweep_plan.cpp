@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sweep_plan.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <set>
 #include <stdexcept>
@@ -67,7 +69,8 @@ SweepPlan plan_of(const Program& program, Scene scene) {
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     Scene one = sweep.scene(i);
     const auto fail = [&](const std::string& place, const std::exception& error) {
-      throw std::invalid_argument(place + case_label(plan.table, i) + ": " + error.what());
+      throw std::invalid_argument(
+          fmt::format("{}{}: {}", place, case_label(plan.table, i), error.what()));
     };
     try {
       plan.cases.push_back(read_case(program, one));
@@ -87,10 +90,10 @@ std::string case_label(const Table& plan, std::size_t index) {
   std::string values;
   for (std::size_t k = 1; k < plan.columns().size(); ++k) {
     const std::string& key = plan.columns()[k].name;
-    values += (k > 1 ? ", " : "") + key + " = " + std::get<std::string>(plan.at(index, key));
+    values += fmt::format("{}{} = {}", k > 1 ? ", " : "", key,
+                          std::get<std::string>(plan.at(index, key)));
   }
-  return "case " + std::to_string(index + 1) + " of " + std::to_string(plan.rows()) + " (" +
-         shown(values, 400) + ")";
+  return fmt::format("case {} of {} ({})", index + 1, plan.rows(), shown(values, 400));
 }
 
 }  // namespace microslip::program
