@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/basis_convergence.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <map>
 
@@ -114,7 +116,7 @@ std::vector<Table> basis_convergence(const BasisConvergenceParameters& p,
   const auto& stalled = found.at(printed).force;
   const double last_gain = stalled[stalled.size() - 2] / stalled.back();
   const double best = last("quadratic") / last("linear");
-  const std::string at_last = "force at N = " + std::to_string(p.sizes.back());
+  const std::string at_last = fmt::format("force at N = {}", p.sizes.back());
   const Table claims = claims_table(
       {{"linear functions have a slightly lower error than constant ones", "6.4.1", not_given,
         last("linear") / last("constant"), "1", holds_if({below(1)}),

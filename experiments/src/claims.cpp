@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/claims.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,11 +48,10 @@ void add(Table& claims, std::vector<Cell> row, double rounding) {
 }
 
 Table not_judged(const Table& claims, const std::vector<std::string>& changed) {
-  Table table(
-      claims.name(),
-      std::string(description) +
-          "; not judged: this run has other parameters than the study: " + joined(changed, ", "),
-      claims.columns());
+  Table table(claims.name(),
+              fmt::format("{}; not judged: this run has other parameters than the study: {}",
+                          description, joined(changed, ", ")),
+              claims.columns());
   for (std::size_t i = 0; i < claims.rows(); ++i) {
     std::vector<Cell> row;
     for (const Column& column : claims.columns()) {
@@ -70,9 +71,11 @@ Table claims_table(const std::vector<Claim>& claims) {
        claims) {
     const std::string given = verdict(rule, measured);
     if (std::find(verdicts.begin(), verdicts.end(), given) == verdicts.end()) {
-      throw std::logic_error("claim '" + claim + "': no such verdict: " + given);
+      throw std::logic_error(fmt::format("claim '{}': no such verdict: {}", claim, given));
     }
-    if (figure.empty()) throw std::logic_error("claim '" + claim + "': no figure, not even none");
+    if (figure.empty()) {
+      throw std::logic_error(fmt::format("claim '{}': no figure, not even none", claim));
+    }
     add(table,
         {claim, section, thesis, measured, unit, sentence(rule), tolerance(rule), given, note,
          figure},

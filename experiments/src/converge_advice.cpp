@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "converge_advice.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,22 +15,23 @@ namespace {
 
 /// Two digits: "180 us".
 std::string duration(double seconds) {
-  const auto [unit, name] = seconds >= 1      ? std::pair(1.0, " s")
-                            : seconds >= 1e-3 ? std::pair(1e-3, " ms")
-                                              : std::pair(1e-6, " us");
+  const auto [unit, name] = seconds >= 1      ? std::pair(1.0, "s")
+                            : seconds >= 1e-3 ? std::pair(1e-3, "ms")
+                                              : std::pair(1e-6, "us");
   const double value = seconds / unit;
-  return value < 10 ? format_roughly(value) + name : std::to_string(std::lround(value)) + name;
+  return value < 10 ? fmt::format("{} {}", format_roughly(value), name)
+                    : fmt::format("{} {}", std::lround(value), name);
 }
 
 std::string named(const Candidate& one) {
   constexpr double nothing_but_rounding = 1e-9;
-  return one.scheme + " with grid.elements " + std::to_string(one.elements) + " (error " +
-         (one.error < nothing_but_rounding ? "below 1e-9" : format_roughly(one.error)) + ")";
+  return fmt::format("{} with grid.elements {} (error {})", one.scheme, one.elements,
+                     one.error < nothing_but_rounding ? "below 1e-9" : format_roughly(one.error));
 }
 
 std::string cost(const Candidate& one, bool steady) {
   const std::string time = duration(one.time);
-  return steady ? time : time + ", " + duration(one.time / one.steps) + " a step";
+  return steady ? time : fmt::format("{}, {} a step", time, duration(one.time / one.steps));
 }
 
 struct Accurate {
@@ -57,20 +60,22 @@ Accurate accurate(const std::vector<Candidate>& candidates, double error) {
 
 std::string for_error(const std::vector<Candidate>& candidates, const Wanted& wanted) {
   const std::string wish =
-      "for an error of " + format_short(wanted.error) + " in the " + wanted.quantity + ": ";
+      fmt::format("for an error of {} in the {}: ", format_short(wanted.error), wanted.quantity);
   if (candidates.empty()) return wish + "no scheme solves this scene";
   if (wanted.reference_error > wanted.error / 3) {
-    return wish + "the reference itself may be " + format_roughly(wanted.reference_error) +
-           " off, more elements are needed";
+    return fmt::format("{}the reference itself may be {} off, more elements are needed", wish,
+                       format_roughly(wanted.reference_error));
   }
   const auto& [found, others] = accurate(candidates, wanted.error);
   if (found.empty()) {
-    return wish + "none; the best is " +
-           named(*std::ranges::min_element(others, {}, &Candidate::error));
+    return fmt::format("{}none; the best is {}", wish,
+                       named(*std::ranges::min_element(others, {}, &Candidate::error)));
   }
-  std::string text = wish + named(found.front()) + ", " + cost(found.front(), wanted.steady);
+  std::string text =
+      fmt::format("{}{}, {}", wish, named(found.front()), cost(found.front(), wanted.steady));
   for (std::size_t k = 1; k < found.size(); ++k) {
-    text += (k == 1 ? "; then " : ", ") + named(found[k]) + ", " + duration(found[k].time);
+    text += fmt::format("{}{}, {}", k == 1 ? "; then " : ", ", named(found[k]),
+                        duration(found[k].time));
   }
   for (std::size_t k = 0; k < others.size(); ++k) {
     text += (k == 0 ? "; not by " : ", ") + others[k].scheme;
@@ -79,14 +84,14 @@ std::string for_error(const std::vector<Candidate>& candidates, const Wanted& wa
 }
 
 std::string for_time(const std::vector<Candidate>& candidates, double step_time) {
-  const std::string wish = "within " + duration(step_time) + " a step: ";
+  const std::string wish = fmt::format("within {} a step: ", duration(step_time));
   const Candidate* best = nullptr;
   for (const Candidate& one : candidates) {
     if (one.longest_step <= step_time && (best == nullptr || one.error < best->error)) best = &one;
   }
   if (best == nullptr) return wish + "none of these";
-  return wish + named(*best) + ", " + duration(best->time / best->steps) +
-         " on average, the longest " + duration(best->longest_step);
+  return fmt::format("{}{}, {} on average, the longest {}", wish, named(*best),
+                     duration(best->time / best->steps), duration(best->longest_step));
 }
 
 }  // namespace

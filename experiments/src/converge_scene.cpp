@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/converge_scene.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -112,7 +114,7 @@ std::vector<Contestant> contestants_for(bool steady) {
   std::vector<Contestant> all;
   if (!steady) {
     for (const std::string_view name : advection_names()) {
-      all.push_back({std::string(name), {"step.scheme=" + std::string(name)}});
+      all.push_back({std::string(name), {fmt::format("step.scheme={}", name)}});
     }
     return all;
   }
@@ -120,7 +122,7 @@ std::vector<Contestant> contestants_for(bool steady) {
     const std::string name(entry.name);
     Contestant contestant{name, {"method=collocation", "leading_edge=" + name}, entry.by_elements};
     if (name == "chebyshev") contestant.settings = {"method=chebyshev"};
-    if (!entry.basis.empty()) contestant.settings.push_back("basis=" + std::string(entry.basis));
+    if (!entry.basis.empty()) contestant.settings.push_back(fmt::format("basis={}", entry.basis));
     all.push_back(contestant);
   }
   return all;
@@ -128,7 +130,7 @@ std::vector<Contestant> contestants_for(bool steady) {
 
 Model model_of(const ConvergeScene& converge, const Contestant& contestant, Index elements) {
   Scene scene = converge.scene;
-  scene.set("grid.elements=" + std::to_string(elements));
+  scene.set(fmt::format("grid.elements={}", elements));
   for (const std::string& setting : contestant.settings) scene.set(setting);
   return read_model(scene);
 }
@@ -183,9 +185,11 @@ void require_reference(ConvergeScene& converge) {
   const double work = work_needed(model);
   require(work <= most_operations, "converge.elements",
           static_cast<double>(converge.elements.back()), [&] {
-            return "fewer: the reference with " + std::to_string(reference_elements(converge)) +
-                   " takes " + format_roughly(work) + " operations, and at most " +
-                   format_roughly(most_operations) + " are accepted";
+            return fmt::format(
+                "fewer: the reference with {} takes {} operations, and at most {} "
+                "are accepted",
+                reference_elements(converge), format_roughly(work),
+                format_roughly(most_operations));
           });
 }
 

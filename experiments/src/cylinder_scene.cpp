@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,10 +24,11 @@ constexpr double relative_rounding = 1e-12;
 void require_few_steps(const RollingCylinder& body, const CylinderScene& scene) {
   const double steps = body.steps_from_start(scene.distance);
   require(steps <= most_steps, "cylinder.slope_force", scene.cylinder.slope_force, [&] {
-    return "a force that rolls " + format_short(scene.distance) + " mm in at most " +
-           format_short(most_steps) + " steps, not about " + format_short(std::round(steps)) +
-           "; near rest they are parts of the period on the contact, " +
-           format_short(body.period()) + " s";
+    return fmt::format(
+        "a force that rolls {} mm in at most {} steps, not about {}; near rest they "
+        "are parts of the period on the contact, {} s",
+        format_short(scene.distance), format_short(most_steps), format_short(std::round(steps)),
+        format_short(body.period()));
   });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/extremes.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,9 +30,9 @@ Table claims_of(const Table& steps, const ExtremesParameters& p) {
       {{"the solution wiggles when the step is small against the element", "5", not_given,
         wiggle(least), "1",
         holds_if({{"its ratio to the one for c = 1", wiggle(least) / wiggle(1), above(10)}}),
-        "standard, c = " + format_short(least) +
-            ": amplitude of the error that alternates from node to node over the peak of "
-            "the bound",
+        fmt::format("standard, c = {}: amplitude of the error that alternates from node to node "
+                    "over the peak of the bound",
+                    format_short(least)),
         "extremes_steps"},
        {"... and does not for c = 1", "5", not_given, wiggle(1), "1",
         holds_if({below(p.limits.wiggle)}), "the same for c = 1", "extremes_steps"}});

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -38,7 +40,7 @@ std::vector<Scheme> schemes_except(const std::vector<std::string>& names) {
     if (name != "standard") continue;
     for (const std::string_view basis : basis_names()) {
       if (basis == basis_of(entry).name()) continue;
-      add(entry, make_basis(basis), name + " " + std::string(basis));
+      add(entry, make_basis(basis), fmt::format("{} {}", name, basis));
     }
   }
   const auto rank = [](const Scheme& s) { return s.entry->safe_steps ? 0 : s.entry->order; };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/fractional_power.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -167,7 +169,7 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const CostTabl
         holds_if({within(1e-9, 0)}), "largest error of a unit pulse after the least such n",
         no_figure},
        {"a single one: huge wiggles", "8", not_given, pulse, "1", holds_if({above(0.05)}),
-        "largest value below zero after " + format_short(middle) + " steps",
+        fmt::format("largest value below zero after {} steps", format_short(middle)),
         "fractional_power_shapes"},
        {"a relatively smooth traction prevents wiggles", "8", not_given, pyramid, "1",
         holds_if(
@@ -175,15 +177,16 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const CostTabl
         "the same for the pyramid", "fractional_power_shapes"},
        {"solutions of all c are on spot with c = 1 after whole distances", "8", 0, spot, "N/mm^2",
         holds_if({within(1e-9, 0)}, {within(0.1, 0)}),
-        "largest difference without the trailing node; " +
-            format_short(std::round(1000 * trailing) / 1000) + " with it",
+        fmt::format("largest difference without the trailing node; {} with it",
+                    format_short(std::round(1000 * trailing) / 1000)),
         "fractional_power_traction"},
        {"sharp edges are kept that the direct scheme smooths", "8", not_given, fractional / direct,
         "1", holds_if({below(0.7)}),
-        "error after " + format_short(part) + " dx, over that of the direct scheme",
+        fmt::format("error after {} dx, over that of the direct scheme", format_short(part)),
         "fractional_power_traction"},
        {"wiggles arise after parts of elements", "8", not_given, extrema, "1", holds_if({above(4)}),
-        "local extrema after " + format_short(part) + " dx; exact: 3", "fractional_power_traction"},
+        fmt::format("local extrema after {} dx; exact: 3", format_short(part)),
+        "fractional_power_traction"},
        {"non-integer powers cost too much", "8", 3, growth, "1", holds_if({above(1.5)}),
         "exponent of work against N: solves of O(N) instead of a Schur method of O(N^3)",
         "fractional_power_cost"},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/frequency_response.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -82,7 +84,6 @@ Table claims_of(const FrequencyResponseParameters& p, const Table& curves, const
                                  column);
   };
   const double peak = motion("remembered", "peak") / motion("remembered", "exact_peak");
-  const std::string finest = std::to_string(p.motion_sizes.back());
   return claims_table(
       {{"where everything adheres, waves are answered in second order, for any step", "none", 2,
         extreme(waves.orders, "order", true, adhering("remembered")), "1",
@@ -101,16 +102,16 @@ Table claims_of(const FrequencyResponseParameters& p, const Table& curves, const
         "response",
         "none", not_given, extreme(curves, "from_winkler", false, half_space), "1",
         ours_if({above(0.2)}),
-        "largest difference of H where everything adheres, L0 = " +
-            format_short(p.plane.length() / p.bound.half_width()) + " a",
+        fmt::format("largest difference of H where everything adheres, L0 = {} a",
+                    format_short(p.plane.length() / p.bound.half_width())),
         "frequency_response_nyquist"},
        {"after a step of the force the creepage has a peak where the first traction peak leaves "
         "the "
         "contact, and the remembered scheme has it",
         "none", 1, peak, "1", ours_if({within(0.05, 1)}),
-        "largest mean over an element next to q = 2 a, over that of the exact solution there, c = "
-        "1, N = " +
-            finest,
+        fmt::format("largest mean over an element next to q = 2 a, over that of the exact solution "
+                    "there, c = 1, N = {}",
+                    p.motion_sizes.back()),
         "frequency_response_steps"}});
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/fretting.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -267,7 +269,7 @@ Table claims_of(const Parameters& p, const Table& loops, const Errors& errors, c
   const auto n = static_cast<double>(p.sizes.back());
   const auto [tau, ratio] = smallest_resolved(curve, n);
   const double least = p.all_forces.front();
-  const std::string finest = "N = " + std::to_string(p.sizes.back());
+  const std::string finest = fmt::format("N = {}", p.sizes.back());
   const auto error = [&](const char* bound) {
     return errors.errors.latest({{"bound", bound}, {"scheme", "remembered"}, {"elements", n}},
                                 "dissipation");
@@ -297,15 +299,16 @@ Table claims_of(const Parameters& p, const Table& loops, const Errors& errors, c
         ours_if({within(1e-3, 0)}), "likewise, a bound that is no Hertz's and not symmetric",
         "fretting_error"},
        {"small forces lose their cube", "none", 1, ratio, "1", ours_if({within_percent(5, 1)}),
-        "dissipation over the exact, a third of the cube of the amplitude, at " +
-            format_short(tau) + ", the least with " + format_short(resolved) +
-            " elements in a slip zone",
+        fmt::format("dissipation over the exact, a third of the cube of the amplitude, at {}, the "
+                    "least with {} elements in a slip zone",
+                    format_short(tau), format_short(resolved)),
         "fretting_dissipation"},
        {"slip zones that no element resolves lose nothing", "none", 0,
         curve.latest({{"scheme", "direct"}, {"elements", n}, {"amplitude", least}}, "cubes"), "1",
         ours_if({within(1e-7, 0)}),
-        "dissipation over the exact at the least amplitude, " + format_short(least) +
-            ", grid of the contact, " + finest,
+        fmt::format(
+            "dissipation over the exact at the least amplitude, {}, grid of the contact, {}",
+            format_short(least), finest),
         "fretting_dissipation", 1e-7},
        {"L0 changes the shift, not the dissipation", "none", 0, largest(lengths, "difference"), "1",
         ours_if({within(length_rounding, 0)}), "largest relative difference", no_figure},
@@ -363,8 +366,9 @@ FrettingParameters read_fretting(Scene& scene) {
   demand_rising(scene, "cycle.force_ratios", p.forces);
   demand_rising(scene, "cycle.error_force_ratios", p.error_forces);
   demand_rising(scene, "cycle.all_force_ratios", p.all_forces);
-  require(p.length >= p.bound.half_width(), "kernel.length", p.length,
-          [&] { return "at least half_width = " + format_short(p.bound.half_width()) + " mm"; });
+  require(p.length >= p.bound.half_width(), "kernel.length", p.length, [&] {
+    return fmt::format("at least half_width = {} mm", format_short(p.bound.half_width()));
+  });
   scene.demand("run.force_ratio", p.run_force, p.run_force != 0);
   scene.demand("run.swing", p.run_swing, std::abs(p.run_force) + p.run_swing < 1);
   return p;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/leading_edge.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -205,8 +207,8 @@ double geometric_mean(const std::vector<Gain>& gains) {
 }
 
 std::string described(const Series& s) {
-  return "beta = " + format_short(s.offset) + ", alpha = " + format_short(s.trailing_offset) +
-         ", a' = " + format_short(s.stick_ratio);
+  return fmt::format("beta = {}, alpha = {}, a' = {}", format_short(s.offset),
+                     format_short(s.trailing_offset), format_short(s.stick_ratio));
 }
 
 /// p_N over its exact value for trimmed hats: the smallest over all offsets at one stick ratio.
@@ -286,9 +288,9 @@ Table claims_of(const LeadingEdgeParameters& p, const std::vector<Series>& all,
                  "1",
                  holds_if({{"the nearest of all alignments and both bases at " + ratio, close}},
                           {{"the nearest at any a'", anywhere, close}}),
-                 "nearest at " + ratio + ": " + s.scheme + ", " + described(s) + "; at any: " +
-                     format_short(anywhere) + " at " + described(pair.anywhere.series) +
-                     "; mean over all settings " + format_short(average),
+                 fmt::format("nearest at {}: {}, {}; at any: {} at {}; mean over all settings {}",
+                             ratio, s.scheme, described(s), format_short(anywhere),
+                             described(pair.anywhere.series), format_short(average)),
                  "leading_edge_reductions"};
   };
   const std::vector<Gain> gains = gains_over(all, "standard linear", "trimmed linear");
@@ -330,8 +332,8 @@ Table claims_of(const LeadingEdgeParameters& p, const std::vector<Series>& all,
         mean(gain_values), "1",
         not_comparable(
             "the thesis does not give the alignment of its grids, on which this depends"),
-        "mean over all settings and N; " + format_short(*nearest_gain) + " at " +
-            described(nearest_trimmed),
+        fmt::format("mean over all settings and N; {} at {}", format_short(*nearest_gain),
+                    described(nearest_trimmed)),
         no_figure},
        {"the trimmed hat overestimates the traction at the last node", "10.4", not_given,
         overestimate, "1", holds_if({above(1)}),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/open_problems.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -86,8 +88,8 @@ Table claims_of(const OpenProblemsParameters& p, const SteadyTables& steady,
         "open_problems_convergence"},
        {"a better leading edge will decrease the cost of a given accuracy drastically", "11",
         not_given, gain, "1", holds_if({above(100)}),
-        "median error of the standard scheme over that of calibrated elements, N = " +
-            std::to_string(p.sizes.back()),
+        fmt::format("median error of the standard scheme over that of calibrated elements, N = {}",
+                    p.sizes.back()),
         "open_problems_convergence"},
        {"further tests show odd behaviour in a world-fixed frame in certain cases", "11", not_given,
         between, "N/mm", corrected_if({below(1e-3)}, "reproduced"),

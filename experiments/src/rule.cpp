@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/rule.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -25,7 +27,8 @@ std::string in_prose(std::string verdict) {
 std::string sentence(const std::vector<Condition>& conditions) {
   std::string text;
   for (const Condition& condition : conditions) {
-    text += (text.empty() ? "" : " and ") + condition.quantity + ' ' + condition.range.words;
+    text += fmt::format("{}{} {}", text.empty() ? "" : " and ", condition.quantity,
+                        condition.range.words);
   }
   return text;
 }
@@ -39,7 +42,7 @@ Range below(double limit) { return {.most = limit, .words = "is below " + format
 Range between(double least, double most) {
   return {.least = least,
           .most = most,
-          .words = "is between " + format_short(least) + " and " + format_short(most),
+          .words = fmt::format("is between {} and {}", format_short(least), format_short(most)),
           .tolerance = (most - least) / 2};
 }
 
@@ -55,13 +58,13 @@ Range within(double tolerance, double of) {
   return {.least = of - tolerance,
           .most = of + tolerance,
           .with_ends = true,
-          .words = "is within " + format_short(tolerance) + " of " + format_short(of),
+          .words = fmt::format("is within {} of {}", format_short(tolerance), format_short(of)),
           .tolerance = tolerance};
 }
 
 Range within_percent(double percent, double of) {
   Range range = within(percent / 100 * std::abs(of), of);
-  range.words = "is within " + format_short(percent) + " % of " + format_short(of);
+  range.words = fmt::format("is within {} % of {}", format_short(percent), format_short(of));
   return range;
 }
 
@@ -106,11 +109,11 @@ std::string sentence(const Rule& rule) {
   std::string text;
   for (const Ruling& ruling : rule.rulings) {
     if (ruling.conditions.empty()) throw std::logic_error("a ruling without a condition");
-    text += in_prose(ruling.verdict) + " if " + sentence(ruling.conditions) + "; ";
+    text += fmt::format("{} if {}; ", in_prose(ruling.verdict), sentence(ruling.conditions));
   }
   if (!text.empty()) return text + "otherwise " + in_prose(rule.otherwise);
   if (rule.reason.empty()) throw std::logic_error("a rule without rulings and without a reason");
-  return in_prose(rule.otherwise) + ": " + rule.reason;
+  return fmt::format("{}: {}", in_prose(rule.otherwise), rule.reason);
 }
 
 double tolerance(const Rule& rule) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/smoothing.hpp"
 
+#include <fmt/core.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -143,7 +145,10 @@ std::vector<Claim> pulse_claims(const Parameters& p) {
   const double fast = motion(0.8), even = motion(0.5), slow = motion(0.2);
   const double highest = std::max(peak_of(after(0.8)).height, peak_of(after(0.5)).height);
   const VectorXd wiggly = after(0.05);
-  const std::string over = " dx of the peak after " + format_short(p.distance) + " dx";
+  const auto motion_at = [&](double c) {
+    return fmt::format("motion at c = {} in dx of the peak after {} dx", c,
+                       format_short(p.distance));
+  };
   return {
       {"c = 1: A^-1 A' has a one before the diagonal and zeros elsewhere, except for a column", "4",
        0, off_shift, "1", holds_if({within(1e-9, 0)}), "largest deviation from that",
@@ -155,13 +160,13 @@ std::vector<Claim> pulse_claims(const Parameters& p) {
        "largest height of a unit pulse after the distance, c = 0.8 or 0.5; 1 for c = 1",
        "smoothing_pulse"},
       {"c > 1/2: the forward motion is overestimated", "4", not_given, fast, "dx",
-       holds_if({above(p.distance + 0.5)}), "motion at c = 0.8 in" + over, "smoothing_pulse"},
+       holds_if({above(p.distance + 0.5)}), motion_at(0.8), "smoothing_pulse"},
       {"c = 1/2: the forward motion is overestimated", "4", not_given, even, "dx",
        holds_if({above(p.distance + 0.01)}, {within(0.01, p.distance)}),
-       "motion at c = 0.5 in" + over + ": by symmetry all frequencies travel at the right speed",
+       motion_at(0.5) + ": by symmetry all frequencies travel at the right speed",
        "smoothing_pulse"},
       {"c < 1/2: the forward motion is underestimated", "4", not_given, slow, "dx",
-       holds_if({below(p.distance - 0.5)}), "motion at c = 0.2 in" + over, "smoothing_pulse"},
+       holds_if({below(p.distance - 0.5)}), motion_at(0.2), "smoothing_pulse"},
       {"a small c may even add or amplify wiggles", "4", not_given, total_variation(wiggly), "1",
        holds_if({above(2),
                  {"the number of its local extrema",
@@ -181,8 +186,9 @@ Table claims_of(const Parameters& p, const Table& summary) {
   }
   claims.push_back({"Cattaneo to Carter looks very similar", "4", not_given, slow, "dx",
                     holds_if({below(-0.5), {"that for c > 1/2", fast, above(0.5)}}),
-                    "the flank is ahead of the reference by this for c < 1/2, by " +
-                        format_short(std::round(100 * fast) / 100) + " dx for c > 1/2",
+                    fmt::format("the flank is ahead of the reference by this for c < 1/2, by {} "
+                                "dx for c > 1/2",
+                                format_short(std::round(100 * fast) / 100)),
                     "smoothing_traction"});
   return claims_table(claims);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/speed_accuracy.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -52,7 +54,7 @@ Table times_table(const std::vector<Run>& runs) {
   std::vector<Column> columns = contestant_columns();
   columns.push_back({"elements", "1", "N; unknowns of chebyshev; nodes shown of inversion"});
   for (const char* quantity : quantity_names) {
-    columns.push_back({std::string(quantity) + "_error", "1", "as in runs"});
+    columns.push_back({fmt::format("{}_error", quantity), "1", "as in runs"});
   }
   columns.insert(columns.end(),
                  {{"work", "1", "counted operations"},

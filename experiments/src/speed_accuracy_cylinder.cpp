@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -78,8 +80,8 @@ std::vector<RunSeries> cylinder_contest(const SpeedAccuracyParameters& p) {
             };
           };
           all.push_back(
-              {{"cylinder", frame + " " + rule, frame == "remembered" ? "calibrated" : "standard",
-                "constant", c, name_of(type)},
+              {{"cylinder", fmt::format("{} {}", frame, rule),
+                frame == "remembered" ? "calibrated" : "standard", "constant", c, name_of(type)},
                p.sizes,
                p.rolling.limit,
                1,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "speed_accuracy_fronts.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -134,7 +136,7 @@ Table fronts_table(const std::string& name, const Cost& cost, const std::vector<
 }
 
 Table cheapest_table(const std::string& name, const Cost& cost, const std::vector<Run>& runs) {
-  Table table(name, "the least " + cost.name + " for an accuracy",
+  Table table(name, fmt::format("the least {} for an accuracy", cost.name),
               columns_of(cost, {{"accuracy", "1", "that the error must not exceed"}}));
   for (const Contest& contest : contests(cost, runs)) {
     for (const double accuracy : accuracies) {

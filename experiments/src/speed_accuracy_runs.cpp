@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "speed_accuracy_runs.hpp"
 
-#include <cstdio>
+#include <fmt/core.h>
 
 #include "campaign.hpp"
 
@@ -12,12 +12,6 @@ namespace {
 /// A combination of a scheme with a basis or solver, of any size.
 const std::string not_there = "does not exist: ";
 
-std::string with_two_digits(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.1e", value);
-  return text.data();
-}
-
 std::string status_of(const Attempt& attempt, double limit) {
   switch (attempt.status) {
     case Status::refused:
@@ -25,8 +19,7 @@ std::string status_of(const Attempt& attempt, double limit) {
     case Status::no_solution:
       return "not converged: " + attempt.message;
     case Status::not_run:
-      return "not run: about " + with_two_digits(attempt.expected) + " operations, limit " +
-             with_two_digits(limit);
+      return fmt::format("not run: about {:.1e} operations, limit {:.1e}", attempt.expected, limit);
     default:
       return "ok";
   }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -13,8 +15,8 @@ namespace {
 
 /// The scheme that ran, and why it is not the one asked for.
 std::string method_of(const SteadySolution& solution) {
-  return "by " + name_of(solution.scheme) +
-         (solution.fallback.empty() ? "" : ", because " + solution.fallback);
+  return fmt::format("by {}{}", name_of(solution.scheme),
+                     solution.fallback.empty() ? "" : ", because " + solution.fallback);
 }
 
 /// That another scheme ran, except for tables and bodies of different material, which are meant to
@@ -34,7 +36,7 @@ Table nodes(const SteadySolution& solution) {
 Table summary_of(const std::string& description, const SteadySolution& solution,
                  const SteadyProblem& problem, const std::optional<double>& error = std::nullopt) {
   const double full_sliding = full_sliding_force(problem.bound);
-  Table summary = empty_summary(description + "; " + method_of(solution));
+  Table summary = empty_summary(fmt::format("{}; {}", description, method_of(solution)));
   summary.add({"force", solution.force, "N/mm"});
   summary.add({"creepage", solution.creepage, "1"});
   summary.add({"force_ratio", solution.force / full_sliding, "1"});
@@ -77,11 +79,11 @@ std::vector<Table> scene_tables(const SteadyTarget& target, const Progress& prog
         [&](double done) { progress(static_cast<std::size_t>(done / unit), unknown_total); });
     return solve_steady_to(target.contact, target.error);
   }();
-  const std::string unknowns = std::to_string(found.unknowns);
   const std::string picked =
       found.solution.scheme == SteadyScheme::inversion
           ? "leading_edge inversion"
-          : "leading_edge calibrated, basis constant, grid.elements " + unknowns;
+          : fmt::format("leading_edge calibrated, basis constant, grid.elements {}",
+                        found.unknowns);
   Table summary = summary_of("steady rolling, the whole contact; picked: " + picked, found.solution,
                              found.problem, found.error);
   summary.add({"unknowns", static_cast<double>(found.unknowns), "1"});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/under_relaxation.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -158,7 +160,7 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const Paramete
   return claims_table(
       {{"in transients, too, small steps wiggle (direct scheme)", "5", not_given, direct_turns, "1",
         holds_if({above(expected + 4)}),
-        "local extrema at the smallest c; " + format_short(expected) + " at the largest",
+        fmt::format("local extrema at the smallest c; {} at the largest", format_short(expected)),
         "under_relaxation_traction"},
        {"with c* = 1 there are no artificial wiggles, however small the step", "7.1", expected,
         relaxed_turns, "1", holds_if({{"the largest number for any c", worst, equal_to(expected)}}),
@@ -168,7 +170,7 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const Paramete
         "largest difference up to where they part", "under_relaxation_comparison"},
        {"... and not where the partitions differ", "7.1", not_given, differences.after, "N/mm^2",
         holds_if({above(1e-4)}),
-        "largest difference from " + format_short(differences.first) + " dx on",
+        fmt::format("largest difference from {} dx on", format_short(differences.first)),
         "under_relaxation_comparison"},
        {"... so they agree whenever the partitions do", "7.1", 0, factor, "1",
         holds_if({equal_to(0)}, {within(0.01, 1 - theta)}),
@@ -177,8 +179,9 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const Paramete
        {"c < c* stays near c = 1 in a big part of the domain, but not around sharp edges", "7.1",
         not_given, near, "1",
         holds_if({above(0.5), {"the largest error over the peak", largest, above(0.05)}}),
-        "part of the nodes within 1 % of the peak, at the smallest c; largest error " +
-            format_short(std::round(1000 * largest) / 1000) + " of the peak",
+        fmt::format("part of the nodes within 1 % of the peak, at the smallest c; largest error {} "
+                    "of the peak",
+                    format_short(std::round(1000 * largest) / 1000)),
         "under_relaxation_traction"},
        {"relaxed solutions depend much less on c than direct ones", "7.1", not_given, dependence,
         "1", holds_if({below(0.5)}, {below(1)}),

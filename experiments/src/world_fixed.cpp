@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/world_fixed.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -200,7 +202,7 @@ double rounded(double value) { return std::round(1e4 * value) / 1e4; }
 
 Table claims_of(const Tables& tables, const Parameters& p) {
   const double c = p.noise_step_ratio;
-  const std::string where = "N = " + std::to_string(p.noise_elements) + ", c = " + format_short(c);
+  const std::string where = fmt::format("N = {}, c = {}", p.noise_elements, format_short(c));
   const double at_node = noise_at(tables, "at_node", c);
   const double direct = noise_at(tables, "direct", c);
   const double whole = noise_at(tables, "at_node", 1, "drift");
@@ -212,8 +214,9 @@ Table claims_of(const Tables& tables, const Parameters& p) {
   return claims_table(
       {{"the world-fixed implementation shows odd behaviour", "9, 11", not_given, at_node, "1",
         holds_if({{"its ratio to the one of the direct scheme", at_node / direct, above(10)}}),
-        "noise of the creepage, nodes switched on and off, " + where + "; direct scheme " +
-            format_short(rounded(direct)) + "; the thesis does not say what it saw",
+        fmt::format("noise of the creepage, nodes switched on and off, {}; direct scheme {}; the "
+                    "thesis does not say what it saw",
+                    where, format_short(rounded(direct))),
         "world_fixed_noise"},
        {"... in certain cases", "9, 11", not_given, whole, "1",
         holds_if({{"its difference to the one of the direct scheme", whole - direct_whole,
@@ -228,10 +231,10 @@ Table claims_of(const Tables& tables, const Parameters& p) {
         "world_fixed_creepage"},
        {"... with the cause removed", "11", not_given, std::max(mean, cut), "1",
         corrected_if({below(target)}, "not_comparable"),
-        "the largest noise of averaged bounds (" + format_short(rounded(mean)) +
-            ") and cut elements (" + format_short(rounded(cut)) + "), " + where + "; " +
-            format_short(rounded(releasing)) +
-            " of the jumps of the former where an element begins to slip",
+        fmt::format("the largest noise of averaged bounds ({}) and cut elements ({}), {}; {} of "
+                    "the jumps of the former where an element begins to slip",
+                    format_short(rounded(mean)), format_short(rounded(cut)), where,
+                    format_short(rounded(releasing))),
         "world_fixed_creepage"}});
 }
 
