@@ -2,6 +2,7 @@
 #include "machine.hpp"
 
 #include <benchmark/benchmark.h>
+#include <fmt/core.h>
 #include <sched.h>
 
 #include <fstream>
@@ -39,14 +40,14 @@ Table machine_table() {
               {{"quantity", "1", "what is known"}, {"value", "1", "as the system tells it"}});
   const benchmark::CPUInfo& cpu = benchmark::CPUInfo::Get();
   table.add({"processor", processor("model name")});
-  table.add({"family, model",
-             processor("vendor_id") + ' ' + processor("cpu family") + ' ' + processor("model")});
+  table.add({"family, model", fmt::format("{} {} {}", processor("vendor_id"),
+                                          processor("cpu family"), processor("model"))});
   table.add({"cores", std::to_string(cpu.num_cpus)});
   table.add({"clock", format_short(cpu.cycles_per_second / 1e9) + " GHz"});
   for (const auto& cache : cpu.caches) {
-    table.add({"cache L" + std::to_string(cache.level) + ' ' + cache.type,
-               std::to_string(cache.size / 1024) + " kB for " + std::to_string(cache.num_sharing) +
-                   (cache.num_sharing == 1 ? " core" : " cores")});
+    table.add({fmt::format("cache L{} {}", cache.level, cache.type),
+               fmt::format("{} kB for {} core{}", cache.size / 1024, cache.num_sharing,
+                           cache.num_sharing == 1 ? "" : "s")});
   }
   table.add({"compiler", MICROSLIP_COMPILER});
   table.add({"flags", MICROSLIP_FLAGS});

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <memory>
 
 #include "bench.hpp"
@@ -32,7 +34,8 @@ void add_steady(std::vector<Case>& cases, const BenchParameters& p, Index n) {
   for (const NamedKernel& kernel : p.kernels) {
     const auto add_elements = [&](const std::string& solver, Solver::Type type) {
       for (const std::string scheme : steady_by_elements) {
-        add(kernel, scheme + "_" + solver, problem_of(p, kernel.kernel, scheme, n, type));
+        add(kernel, fmt::format("{}_{}", scheme, solver),
+            problem_of(p, kernel.kernel, scheme, n, type));
       }
     };
     add(kernel, "inversion", problem_of(p, kernel.kernel, "inversion", n, Solver::Type::automatic));

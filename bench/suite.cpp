@@ -2,6 +2,7 @@
 #include "suite.hpp"
 
 #include <benchmark/benchmark.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <map>
@@ -12,8 +13,8 @@ namespace microslip::bench {
 namespace {
 
 std::string name_of(const Subject& subject) {
-  return subject.quantity + '/' + subject.kernel + '/' + subject.method + '/' +
-         std::to_string(subject.elements);
+  return fmt::format("{}/{}/{}/{}", subject.quantity, subject.kernel, subject.method,
+                     subject.elements);
 }
 
 /// Google Benchmark calls a benchmark several times with more and more repeats; what was prepared
@@ -59,7 +60,8 @@ class Collector : public benchmark::BenchmarkReporter {
     std::vector<Run> runs;
     for (const Run& run : reported) {
       if (run.error_occurred) {
-        throw std::runtime_error(run.run_name.function_name + ": " + run.error_message);
+        throw std::runtime_error(
+            fmt::format("{}: {}", run.run_name.function_name, run.error_message));
       }
       if (run.run_type == Run::RT_Iteration) runs.push_back(run);
     }

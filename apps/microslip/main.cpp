@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <string>
 
 #include "microslip/experiments/converge_scene.hpp"
@@ -19,9 +21,9 @@ using namespace microslip;
 void reject_sweep(const Scene& scene) {
   for (const std::string& key : scene.keys()) {
     if (!key.starts_with("sweep.")) continue;
-    throw BadParameter(key, "key '" + key +
-                                "': expected a scene without a sweep; for many see "
-                                "'microslip sweep --help'");
+    throw BadParameter(key, fmt::format("key '{}': expected a scene without a sweep; for many see "
+                                        "'microslip sweep --help'",
+                                        key));
   }
 }
 
@@ -41,8 +43,8 @@ program::Work prepare_to_save(Scene& scene, std::string& state) {
   const Model model = read_model(scene);
   const auto* transient = std::get_if<TransientScene>(&model);
   if (transient == nullptr) {
-    throw BadParameter("problem",
-                       "problem = '" + scene.text("problem") + "': expected transient with --save");
+    throw BadParameter("problem", fmt::format("problem = '{}': expected transient with --save",
+                                              scene.text("problem")));
   }
   if (!std::holds_alternative<Remembered>(transient->problem.scheme)) {
     reject("step.scheme", scene.text("step.scheme"), "remembered with --save");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -97,9 +99,10 @@ const Load& require_step(const microslip_rolling& handle, double dq) {
   const double elements = dq / spacing;
   microslip::require(elements >= microslip::min_step_ratio && elements <= most_elements, "dq", dq,
                      [&] {
-                       return "from " + microslip::format_short(microslip::min_step_ratio) +
-                              " to " + microslip::format_short(most_elements) +
-                              " elements, one of which is " + microslip::format_short(spacing);
+                       return fmt::format("from {} to {} elements, one of which is {}",
+                                          microslip::format_short(microslip::min_step_ratio),
+                                          microslip::format_short(most_elements),
+                                          microslip::format_short(spacing));
                      });
   if (!handle.load) throw std::invalid_argument("load: expected a creepage or a force to be set");
   const auto* force = std::get_if<microslip::PrescribedForce>(&*handle.load);
@@ -153,7 +156,7 @@ microslip_status copy_values(microslip_rolling* handle, Value* to, std::size_t l
     require_pointer(to, "values");
     const auto size = static_cast<std::size_t>(of.contact->x().size());
     microslip::require(length >= size, "length", static_cast<double>(length),
-                       [&] { return "at least " + std::to_string(size); });
+                       [&] { return fmt::format("at least {}", size); });
     const auto from = values(*of.contact);
     std::transform(from.begin(), from.end(), to,
                    [](auto value) { return static_cast<Value>(value); });
@@ -208,7 +211,8 @@ microslip_status microslip_restore(microslip_rolling* rolling, const char* path)
     try {
       of.contact->restore({microslip::file_text(name)});
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("path = '" + microslip::shown(name) + "': " + error.what());
+      throw std::invalid_argument(
+          fmt::format("path = '{}': {}", microslip::shown(name), error.what()));
     }
   });
 }

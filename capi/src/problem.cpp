@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "problem.hpp"
 
+#include <fmt/core.h>
+
 #include <stdexcept>
 #include <string>
 
@@ -30,7 +32,7 @@ TractionBound make_bound(const microslip_contact& contact) {
   try {
     return TabulatedBound(contact.half_width, column(contact.bound_x), column(contact.bound_value));
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument("contact, table of the bound: " + std::string(error.what()));
+    throw std::invalid_argument(fmt::format("contact, table of the bound: {}", error.what()));
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <new>
@@ -54,7 +56,7 @@ microslip_status guarded(const Message& message, const Work& work) noexcept {
 template <class Value>
 Value& require_pointer(Value* pointer, std::string_view name) {
   if (pointer == nullptr) {
-    throw std::invalid_argument(std::string(name) + " = null: expected a pointer");
+    throw std::invalid_argument(fmt::format("{} = null: expected a pointer", name));
   }
   return *pointer;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text_file.hpp"
 
+#include <fmt/core.h>
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -17,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 std::invalid_argument cannot_write(const std::string& path, const std::string& why) {
-  return std::invalid_argument("path = '" + shown(path) + "': cannot write it: " + why);
+  return std::invalid_argument(fmt::format("path = '{}': cannot write it: {}", shown(path), why));
 }
 
 }  // namespace
@@ -26,8 +28,9 @@ void write_text(const std::string& path, const std::string& text) {
   const fs::path target(path);
   if (!target.has_filename()) throw cannot_write(path, "expected the name of a file");
   if (fs::is_directory(target)) throw cannot_write(path, std::strerror(EISDIR));
-  const std::string own = "." + std::to_string(std::random_device{}()) + ".part";
-  const fs::path part = target.parent_path() / ("." + target.filename().string() + own);
+  const fs::path part =
+      target.parent_path() /
+      fmt::format(".{}.{}.part", target.filename().string(), std::random_device{}());
   std::error_code error, ignored;
   std::ofstream out(part, std::ios::binary);
   out << text;

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file with a bound, with tractions to start from at the nodes, and at any positions.
+#include <fmt/core.h>
+
 #include <sstream>
 
 #include "microslip/scene/text.hpp"
@@ -27,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     for (const bool is_bound : {true, false}) {
       std::istringstream text(good);
       Scene scene = Scene::parse(text, "good");
-      scene.set(std::string("step.scheme=") + scheme);
+      scene.set(fmt::format("step.scheme={}", scheme));
       scene.set(is_bound ? "contact.bound_file=b.tsv" : "contact.peak_traction=1");
       scene.set(is_bound ? "start.type=rest" : "start.type=file");
       if (!is_bound) scene.set("start.file=s.tsv");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A folder that `microslip merge` is pointed at: plan.tsv, and behind lines of ----, the files of
 // its cases.
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -20,7 +21,7 @@ class Folder {
  public:
   Folder()
       : path_((fs::exists("/dev/shm") ? fs::path("/dev/shm") : fs::temp_directory_path()) /
-              ("microslip_fuzz_" + std::to_string(getpid()))) {
+              fmt::format("microslip_fuzz_{}", getpid())) {
     fs::create_directories(path_ / "cases");
   }
   ~Folder() {
@@ -59,7 +60,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::vector<std::string> parts = parts_of(fuzz::text_of(data, size));
   folder.write("plan.tsv", parts[0]);
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    folder.write("cases/" + std::to_string(i) + ".tsv", parts[i]);
+    folder.write(fmt::format("cases/{}.tsv", i), parts[i]);
   }
   fuzz::accepts_or_rejects(
       [&] { program::SweepFolder::open(folder.path(), "microslip").merged(); });

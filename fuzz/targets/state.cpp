@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A saved state without its last line, the checksum, which is put right. A state that is read is
 // saved again as one that reads the same, and a step from it ends or is refused.
+#include <fmt/core.h>
+
 #include "microslip/rolling/transient.hpp"
 #include "microslip/support/checksum.hpp"
 #include "reader.hpp"
@@ -14,7 +16,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                         .scheme = Remembered{}};
   const std::string members = fuzz::text_of(data, size);
   fuzz::accepts_or_rejects([&] {
-    TransientRolling rolling(problem, SavedState{members + "checksum " + checksum(members) + "\n"});
+    TransientRolling rolling(
+        problem, SavedState{fmt::format("{}checksum {}\n", members, checksum(members))});
     const std::string saved = rolling.save();
     const std::string again = TransientRolling(problem, SavedState{saved}).save();
     fuzz::require_that(again == saved, saved, again);

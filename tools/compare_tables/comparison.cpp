@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "comparison.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -78,8 +80,8 @@ std::string difference_of_rounding(const Table& table, const Table& reference) {
       const double bound = table.rounding(row, column.name);
       const double expected = reference.rounding(row, column.name);
       if (bound == expected) continue;
-      return column.name + " in row " + std::to_string(row + 1) + " is rounding up to " +
-             format_short(bound) + ", reference " + format_short(expected);
+      return fmt::format("{} in row {} is rounding up to {}, reference {}", column.name, row + 1,
+                         format_short(bound), format_short(expected));
     }
   }
   return "";
@@ -92,22 +94,23 @@ std::string difference_of_heads(const WrittenTable& table, const WrittenTable& r
         std::mismatch(table.parameters.begin(), table.parameters.end(),
                       reference.parameters.begin(), reference.parameters.end());
     const auto text = [](const auto& at, const Parameters& all) {
-      return at == all.end() ? "none" : "'" + at->first + " = " + at->second + "'";
+      return at == all.end() ? "none" : fmt::format("'{} = {}'", at->first, at->second);
     };
-    return "parameter " + text(here, table.parameters) + ", reference " +
-           text(there, reference.parameters);
+    return fmt::format("parameter {}, reference {}", text(here, table.parameters),
+                       text(there, reference.parameters));
   }
   const auto names = [](const Table& of) {
     std::string all;
-    for (const Column& column : of.columns()) all += " " + column.name + " [" + column.unit + "]";
+    for (const Column& column : of.columns()) {
+      all += fmt::format(" {} [{}]", column.name, column.unit);
+    }
     return all;
   };
   if (names(table.table) != names(reference.table)) {
-    return "columns" + names(table.table) + ", reference" + names(reference.table);
+    return fmt::format("columns{}, reference{}", names(table.table), names(reference.table));
   }
   if (table.table.rows() != reference.table.rows()) {
-    return std::to_string(table.table.rows()) + " rows, reference " +
-           std::to_string(reference.table.rows());
+    return fmt::format("{} rows, reference {}", table.table.rows(), reference.table.rows());
   }
   return difference_of_rounding(table.table, reference.table);
 }
@@ -117,7 +120,7 @@ std::string difference_of_heads(const WrittenTable& table, const WrittenTable& r
 WrittenTable thinned(const WrittenTable& whole, std::size_t kept) {
   const Table& table = whole.table;
   if (table.rows() <= kept) return whole;
-  const std::string rows = std::to_string(kept) + " of " + std::to_string(table.rows());
+  const std::string rows = fmt::format("{} of {}", kept, table.rows());
   WrittenTable part{Table(table.name(), "rows of a larger table", table.columns()),
                     {{"rows", rows}}};
   part.parameters.insert(part.parameters.end(), whole.parameters.begin(), whole.parameters.end());
@@ -164,16 +167,14 @@ Comparison compare(const std::string& name, const WrittenTable& table,
       if (size > 1) ++beyond;
       if (size <= worst) continue;
       worst = size;
-      where =
-          column + " in row " + std::to_string(row + 1) + ": " + text + ", reference " + expected;
+      where = fmt::format("{} in row {}: {}, reference {}", column, row + 1, text, expected);
     }
   }
   if (different == 0) return {Verdict::identical, ""};
-  std::ostringstream text;
-  text.precision(2);
-  text << (beyond > 0 ? beyond : different) << (beyond > 0 ? " cells beyond" : " cells within")
-       << " the tolerance; the largest difference is " << worst << " of it, in " << where;
-  return {beyond > 0 ? Verdict::differs : Verdict::agrees, text.str()};
+  return {
+      beyond > 0 ? Verdict::differs : Verdict::agrees,
+      fmt::format("{} cells {} the tolerance; the largest difference is {:.2g} of it, in {}",
+                  beyond > 0 ? beyond : different, beyond > 0 ? "beyond" : "within", worst, where)};
 }
 
 }  // namespace microslip::tools

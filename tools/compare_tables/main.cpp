@@ -4,6 +4,8 @@
 // compare_tables --update TABLES REFERENCES [STUDY]  makes them the references, and says what
 // changed Both folders hold one of each study, with tables *.tsv; *_timing.tsv are left out. The
 // tolerances are those of tolerances.txt among the references.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <exception>
 #include <filesystem>
@@ -41,12 +43,12 @@ Tables tables_in(const fs::path& folder, const tools::Tolerances& tolerances) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().stem();
     if (entry.path().extension() != ".tsv" || name.ends_with("_timing")) continue;
-    if (!tolerances.has_reference(folder.filename().string() + "/" + name)) continue;
+    if (!tolerances.has_reference(fmt::format("{}/{}", folder.filename().string(), name))) continue;
     try {
       const WrittenTable whole = read_table(name, text_of(entry.path()));
       tables.emplace(name, tools::thinned(whole, kept_rows));
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(entry.path().string() + ": " + error.what());
+      throw std::invalid_argument(fmt::format("{}: {}", entry.path().string(), error.what()));
     }
   }
   return tables;
@@ -66,7 +68,7 @@ bool compare(const std::string& study, const Tables& tables, const Tables& refer
   }
   bool all = true;
   for (const std::string& name : names) {
-    const std::string table = study + "/" + name;
+    const std::string table = fmt::format("{}/{}", study, name);
     std::cout << table << ": ";
     if (tables.count(name) == 0 || references.count(name) == 0) {
       std::cout << "differs: " << (tables.count(name) == 0 ? "no table" : "no reference") << '\n';

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tolerances.hpp"
 
+#include <fmt/core.h>
 #include <fnmatch.h>
 
 #include <algorithm>
@@ -19,8 +20,8 @@ Tolerances::Tolerances(std::istream& in) {
     words >> line.table >> line.column;
     if (line.column != "none") words >> relative >> of_largest >> absolute;
     if (!words || words >> rest || std::min({relative, of_largest, absolute}) < 0) {
-      throw std::invalid_argument("tolerances: '" + text +
-                                  "': expected patterns of table and column, and three numbers");
+      throw std::invalid_argument(fmt::format(
+          "tolerances: '{}': expected patterns of table and column, and three numbers", text));
     }
     lines_.push_back(line);
   }
@@ -44,7 +45,7 @@ bool Tolerances::has_reference(const std::string& table) const {
 Tolerance Tolerances::of(const std::string& table, const std::string& column) const {
   const Line* line = last(table, column);
   if (line == nullptr) {
-    throw std::invalid_argument("tolerances: none for column " + column + " of " + table);
+    throw std::invalid_argument(fmt::format("tolerances: none for column {} of {}", column, table));
   }
   return line->tolerance;
 }
