@@ -33,8 +33,8 @@ Table times_table(const std::string& name, const std::string& description,
                {"repeats", "1", "over which times are means"},
                {"iterations", "1", "of GMRES; partitions tried; evaluations of a curve"}});
   for (const auto& [subject, time, real_time, repeats, iterations] : measurements) {
-    table.add({subject.quantity, subject.kernel, subject.method,
-               static_cast<double>(subject.elements), time, real_time, repeats, iterations});
+    table.add({subject.quantity, subject.kernel, subject.method, subject.elements, time, real_time,
+               repeats, iterations});
   }
   return table;
 }

@@ -102,7 +102,7 @@ Table memory_table(const BenchParameters& p) {
     for (const std::string method : {"standard", "calibrated", "inversion"}) {
       const SteadyProblem problem = problem_of(p, p.strip(), method, n, Solver::Type::fft);
       const double peak = peak_memory([&] { solve_steady(problem); });
-      table.add({p.kernels.front().name, method, static_cast<double>(n), peak});
+      table.add({p.kernels.front().name, method, n, peak});
     }
   }
   return table;

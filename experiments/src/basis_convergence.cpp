@@ -93,8 +93,8 @@ std::vector<Table> basis_convergence(const BasisConvergenceParameters& p,
       series.force.push_back(std::abs(force / exact.force() - 1));
       series.point.push_back(std::abs(difference[n / 2]));
       series.mean.push_back(difference.cwiseAbs().mean());
-      errors.add({basis.name(), static_cast<double>(n), series.force.back(), series.point.back(),
-                  series.mean.back(), static_cast<double>(s.iterations)});
+      errors.add({basis.name(), n, series.force.back(), series.point.back(), series.mean.back(),
+                  s.iterations});
       progress(errors.rows(), all.size() * p.sizes.size());
     }
   }

@@ -135,10 +135,8 @@ std::vector<Table> carter(const CarterParameters& parameters, const Progress& pr
     add_solution(traction, step_ratio, solution, at_nodes);
     summary.add({step_ratio, solution.force, exact.force(), solution.force / exact.force() - 1,
                  (solution.traction - at_nodes).lpNorm<Eigen::Infinity>(),
-                 static_cast<double>(turning_points(solution.traction)),
-                 static_cast<double>(solution.adhesion_elements()),
-                 static_cast<double>(solution.slip_elements()),
-                 static_cast<double>(solution.iterations)});
+                 turning_points(solution.traction), solution.adhesion_elements(),
+                 solution.slip_elements(), solution.iterations});
     progress(summary.rows(), parameters.step_ratios.size());
   }
   const Table accuracy = accuracy_table(parameters, exact);

@@ -312,7 +312,7 @@ std::vector<Table> converge_tables(const ConvergeScene& converge, const Progress
   }
   Table summary = empty_summary("the reference that errors are measured against");
   summary.add({"reference", reference.name, "1"});
-  summary.add({"reference_elements", static_cast<double>(reference.elements), "1"});
+  summary.add({"reference_elements", reference.elements, "1"});
   summary.add({"reference_error", reference.error, "1"}, Rounding{"value", 1e-9});
   return {table, timing, summary,
           advice(candidates, {.error = converge.error,

@@ -63,9 +63,9 @@ void add(Table& history, const RollingCylinder& body) {
   const TransientState& contact = body.contact().state();
   const EnergyLedger energy = body.ledger();
   history.add({state.time, state.position, state.velocity, state.angular_velocity, state.force,
-               state.creepage, static_cast<double>(contact.adhesion_elements),
-               static_cast<double>(contact.slip_elements), energy.potential, energy.translation,
-               energy.rotation, energy.elastic, energy.dissipated, energy.total()});
+               state.creepage, contact.adhesion_elements, contact.slip_elements, energy.potential,
+               energy.translation, energy.rotation, energy.elastic, energy.dissipated,
+               energy.total()});
 }
 
 }  // namespace
@@ -95,14 +95,14 @@ std::vector<Table> scene_tables(const CylinderScene& scene, const Progress& prog
   Table summary = empty_summary("a cylinder rolls down a slope, the end");
   summary.add({"time", state.time, "s"});
   summary.add({"distance", state.position, "mm"});
-  summary.add({"steps", static_cast<double>(history.rows() - 1), "1"});
+  summary.add({"steps", history.rows() - 1, "1"});
   summary.add({"velocity", state.velocity, "mm/s"});
   summary.add({"angular_velocity", state.angular_velocity, "1/s"});
   summary.add({"force", state.force, "N/mm"});
   summary.add({"creepage", state.creepage, "1"});
   summary.add({"full_sliding_force", full_sliding_force(scene.contact.bound), "N/mm"});
-  summary.add({"adhesion_elements", static_cast<double>(last.adhesion_elements), "1"});
-  summary.add({"slip_elements", static_cast<double>(last.slip_elements), "1"});
+  summary.add({"adhesion_elements", last.adhesion_elements, "1"});
+  summary.add({"slip_elements", last.slip_elements, "1"});
   summary.add(
       {"energy_error", energy.total() / energy_turned_over(scene.cylinder, state.position), "1"},
       {"value", relative_rounding});

@@ -51,8 +51,8 @@ Table coefficients_table(const Parameters& p) {
       const VectorXcd found = coefficients_of(difference(p, shape, p.elements, c));
       const VectorXcd inverse = reciprocals(found);
       for (Index m = 0; m < found.size(); ++m) {
-        table.add({name, c, static_cast<double>(m), found[m].real(), found[m].imag(),
-                   std::abs(found[m]), std::abs(inverse[m])});
+        table.add({name, c, m, found[m].real(), found[m].imag(), std::abs(found[m]),
+                   std::abs(inverse[m])});
       }
     }
   }
@@ -74,7 +74,7 @@ Table columns_table(const Parameters& p) {
       const VectorXd dropped = approximate_inverse_column(b, ZeroFrequency::drop);
       const MatrixXd exact = exact_columns(b);
       for (Index i = 0; i < b.size(); ++i) {
-        table.add({name, c, static_cast<double>(i + 1), approximate[i], dropped[i], exact(i, 1)});
+        table.add({name, c, i + 1, approximate[i], dropped[i], exact(i, 1)});
       }
     }
   }

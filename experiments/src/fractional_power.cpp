@@ -75,8 +75,7 @@ void add_shape(Tables& tables, const Parameters& p, const std::string& name, con
   }
   const double above = std::max(0.0, moved.maxCoeff() - 1);
   const double below = std::max(0.0, -moved.minCoeff());
-  tables.shapes_summary.add({name, static_cast<double>(steps),
-                             p.step_ratio * static_cast<double>(steps), above, below,
+  tables.shapes_summary.add({name, steps, p.step_ratio * static_cast<double>(steps), above, below,
                              total_variation(moved), total_variation(start)});
 }
 

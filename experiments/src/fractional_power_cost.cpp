@@ -65,8 +65,7 @@ class Sized {
 void add_eigenvalues(CostTables& tables, const Parameters& p, Index elements) {
   const Eigen::VectorXcd values = Sized(p, elements).matrix().eigenvalues();
   for (const auto& value : values) {
-    tables.eigenvalues.add({static_cast<double>(elements), value.real(), value.imag(),
-                            is_negative(value) ? 1.0 : 0.0});
+    tables.eigenvalues.add({elements, value.real(), value.imag(), is_negative(value) ? 1.0 : 0.0});
   }
 }
 
@@ -84,8 +83,8 @@ void add_agreement(CostTables& tables, const Parameters& p, Index elements) {
       difference =
           (power * pulse - moved).lpNorm<Eigen::Infinity>() / moved.lpNorm<Eigen::Infinity>();
     }
-    tables.agreement.add({static_cast<double>(elements), c, negative ? 1.0 : 0.0,
-                          powers.residual(power, c), difference});
+    tables.agreement.add(
+        {elements, c, negative ? 1.0 : 0.0, powers.residual(power, c), difference});
   }
 }
 
@@ -94,7 +93,7 @@ void add_cost(CostTables& tables, const Parameters& p, Index elements) {
   const FractionalShift shift = sized.shift();
   const VectorXd pulse = VectorXd::Unit(elements, elements - 1);
   const auto n = static_cast<double>(elements);
-  tables.cost.add({n, static_cast<double>(shift.move(pulse, p.step_ratio).solves)});
+  tables.cost.add({n, shift.move(pulse, p.step_ratio).solves});
   const double setup = least_time([&] { return sized.shift(); });
   const double action = least_time([&] { return shift.move(pulse, p.step_ratio); });
   const MatrixXd difference = sized.difference(p.step_ratio);

@@ -216,9 +216,9 @@ MotionTables motion_tables(const FrequencyResponseParameters& p, const Progress&
     const Answer creepages = motions.after_force(entry, c, n);
     const std::size_t peak = peak_of(creepages);
     const double dx = motions.spacing(n) / p.bound.half_width();
-    tables.errors.add({std::string(entry.name), c, static_cast<double>(n),
-                       largest_error(forces, force), largest_error(creepages, creepage),
-                       creepages.value[peak], mean_of(creepage, creepages.distance[peak], dx)});
+    tables.errors.add({std::string(entry.name), c, n, largest_error(forces, force),
+                       largest_error(creepages, creepage), creepages.value[peak],
+                       mean_of(creepage, creepages.distance[peak], dx)});
     if (c != 1 || n != p.motion_sizes.back()) return;
     show("force", entry, forces);
     show("creepage", entry, creepages);
@@ -232,8 +232,8 @@ MotionTables motion_tables(const FrequencyResponseParameters& p, const Progress&
         if (!entry.safe_steps.holds(c)) continue;
         const Attempt attempt = runs.run(static_cast<double>(n), [&] { solve(entry, c, n); });
         if (attempt.status == Status::ok) continue;
-        tables.errors.add({std::string(entry.name), c, static_cast<double>(n), not_given, not_given,
-                           not_given, not_given});
+        tables.errors.add(
+            {std::string(entry.name), c, n, not_given, not_given, not_given, not_given});
       }
     }
   }

@@ -248,9 +248,8 @@ class Campaign {
       const double spacing = 2 * p_.bound.half_width() / static_cast<double>(n);
       squares += waves[j].squares / count;
       tables_.measured.add({states.front().kernel_name, states.front().stick_ratio,
-                            std::string(entry.name), c, static_cast<double>(n),
-                            length / p_.bound.half_width(), length / spacing,
-                            ok ? std::abs(waves[j].ratio) / count : not_given,
+                            std::string(entry.name), c, n, length / p_.bound.half_width(),
+                            length / spacing, ok ? std::abs(waves[j].ratio) / count : not_given,
                             ok ? std::arg(waves[j].ratio) : not_given,
                             ok ? std::sqrt(waves[j].squares / count) : not_given, name_of(status)});
     }

@@ -87,8 +87,8 @@ Table loops_table(const Parameters& p) {
       for (int i = 0; i <= p.points; ++i) {
         const double force = i == p.points ? to : from + (to - from) * i / p.points;
         displacement -= rolling.shift(PrescribedForce{force}).distance;
-        table.add({amplitude, way, static_cast<double>(n), force / bound.total(), displacement,
-                   exact(force), sticking * force, (displacement - exact(force)) / scale});
+        table.add({amplitude, way, n, force / bound.total(), displacement, exact(force),
+                   sticking * force, (displacement - exact(force)) / scale});
       }
     };
     go("out", 0, most,
@@ -167,9 +167,9 @@ Errors errors_of(const Parameters& p, const Progress& progress) {
           const Cycle cycle = cycle_of(start, p.error_forces[k] * p.bound.total());
           lost_errors.push_back(cycle.dissipation / exact.dissipations[k] - 1);
           shift_errors.push_back(cycle.shift / exact.shifts[k] - 1);
-          tables.cycles.add({bound, scheme, static_cast<double>(n), p.error_forces[k],
-                             cycle.dissipation, exact.dissipations[k], lost_errors.back(),
-                             shift_errors.back(), cycle.work / cycle.dissipation - 1});
+          tables.cycles.add({bound, scheme, n, p.error_forces[k], cycle.dissipation,
+                             exact.dissipations[k], lost_errors.back(), shift_errors.back(),
+                             cycle.work / cycle.dissipation - 1});
         }
         sizes.push_back(static_cast<double>(n));
         lost.push_back(root_mean_square(lost_errors));

@@ -33,8 +33,8 @@ Table errors_table(const LeadingEdgeParameters& p, const std::vector<Series>& al
        {"force_error", "1", "|force / exact - 1|"}});
   for (const Series& s : all) {
     for (std::size_t i = 0; i < p.sizes.size(); ++i) {
-      table.add({s.scheme, s.offset, s.trailing_offset, s.stick_ratio,
-                 static_cast<double>(p.sizes[i]), s.traction[i], s.force[i]});
+      table.add({s.scheme, s.offset, s.trailing_offset, s.stick_ratio, p.sizes[i], s.traction[i],
+                 s.force[i]});
     }
   }
   return table;
@@ -85,8 +85,8 @@ Table summary_table(const std::vector<Series>& all) {
     if (f.empty()) continue;
     const auto count = std::count_if(all.begin(), all.end(),
                                      [&](const Series& s) { return s.scheme == scheme.name; });
-    table.add({scheme.name, static_cast<double>(count), mean(f), f.front(), f[f.size() / 4],
-               f[f.size() / 2], f[3 * f.size() / 4], f.back()});
+    table.add({scheme.name, count, mean(f), f.front(), f[f.size() / 4], f[f.size() / 2],
+               f[3 * f.size() / 4], f.back()});
   }
   return table;
 }

@@ -76,8 +76,8 @@ Series series_of(const OpenProblemsParameters& p, const SteadyEntry& treatment, 
       const Compared found = compared(problem, truth);
       series.force.back().push_back(found.force_error);
       series.traction.back().push_back(found.mean_error);
-      table.add({std::string(treatment.name), static_cast<double>(n), stick_ratio, leading,
-                 trailing, found.force_error, found.mean_error});
+      table.add({std::string(treatment.name), n, stick_ratio, leading, trailing, found.force_error,
+                 found.mean_error});
     }
     done();
   }
@@ -173,7 +173,7 @@ SteadyTables steady_tables(const OpenProblemsParameters& p, const Progress& prog
     const Series series = series_of(p, treatment, tables.cases, [&] { progress(++done, total); });
     const std::string name(treatment.name);
     for (std::size_t k = 0; k < p.sizes.size(); ++k) {
-      tables.errors.add({name, static_cast<double>(p.sizes[k]), median(series.force[k]),
+      tables.errors.add({name, p.sizes[k], median(series.force[k]),
                          std::ranges::min(series.force[k]), std::ranges::max(series.force[k]),
                          median(series.traction[k]), std::ranges::max(series.traction[k])});
     }
@@ -222,7 +222,7 @@ CurveTables curve_tables(const OpenProblemsParameters& p) {
         worst = std::max({worst, std::abs(point.creepage / exact.creepage - 1),
                           std::abs(point.force / exact.force - 1)});
       }
-      tables.digits.add({width, static_cast<double>(n), worst});
+      tables.digits.add({width, n, worst});
     }
   }
   return tables;

@@ -84,7 +84,7 @@ StepTables step_tables(const OpenProblemsParameters& p, const Progress& progress
                         dx * (rolled.traction - same).lpNorm<1>(),
                         peak_near(rolled, peak_at, p.motion.grid.half_width()) / peak,
                         total_variation(rolled.traction),
-                        static_cast<double>(turning_points(rolled.traction, threshold)),
+                        turning_points(rolled.traction, threshold),
                         std::abs(rolled.creep.tail(1)[0] - reference.creep.tail(1)[0])});
       progress(done, names.size() * p.motion_ratios.size());
     }

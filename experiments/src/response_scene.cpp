@@ -153,7 +153,7 @@ std::vector<Table> response_tables(const ResponseScene& scene, const Progress& p
   summary.add({"stick_edge", state.begin, "mm"});
   summary.add({"stick_end", state.end, "mm"});
   summary.add({"steady_slope", steady, "N/mm"});
-  summary.add({"terms", static_cast<double>(response.terms()), "1"});
+  summary.add({"terms", response.terms(), "1"});
   summary.add({"estimated_error", error, "1"}, Rounding{"value", 1e-8});
   return {table, summary};
 }

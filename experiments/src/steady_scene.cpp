@@ -42,9 +42,9 @@ Table summary_of(const std::string& description, const SteadySolution& solution,
   summary.add({"force_ratio", solution.force / full_sliding, "1"});
   summary.add({"full_sliding_force", full_sliding, "N/mm"});
   if (solution.stick_edge) summary.add({"stick_edge", *solution.stick_edge, "mm"});
-  summary.add({"adhesion_elements", static_cast<double>(solution.adhesion_elements()), "1"});
-  summary.add({"slip_elements", static_cast<double>(solution.slip_elements()), "1"});
-  summary.add({"iterations", static_cast<double>(solution.iterations), "1"});
+  summary.add({"adhesion_elements", solution.adhesion_elements(), "1"});
+  summary.add({"slip_elements", solution.slip_elements(), "1"});
+  summary.add({"iterations", solution.iterations, "1"});
   summary.add({"dissipation", solution.dissipation, "N/mm"});
   summary.add({"method", name_of(solution.scheme), "1"});
   if (error) summary.add({"estimated_error", *error, "1"});
@@ -86,7 +86,7 @@ std::vector<Table> scene_tables(const SteadyTarget& target, const Progress& prog
                         found.unknowns);
   Table summary = summary_of("steady rolling, the whole contact; picked: " + picked, found.solution,
                              found.problem, found.error);
-  summary.add({"unknowns", static_cast<double>(found.unknowns), "1"});
+  summary.add({"unknowns", found.unknowns, "1"});
   return {nodes(found.solution), summary};
 }
 

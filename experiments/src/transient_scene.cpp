@@ -145,18 +145,18 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   const double full_sliding = full_sliding_of(scene, last);
   Table summary = empty_summary("transient rolling, the whole contact at the end");
   summary.add({"distance", last.distance, "mm"});
-  summary.add({"steps", static_cast<double>(steps), "1"});
+  summary.add({"steps", steps, "1"});
   summary.add({"force", last.force, "N/mm"});
   summary.add({"creepage", last.creepage, "1"});
   summary.add({"cumulative_creep", cumulative_creep, "mm"});
   summary.add({"force_ratio", full_sliding > 0 ? last.force / full_sliding : 0, "1"});
   summary.add({"full_sliding_force", full_sliding, "N/mm"});
-  summary.add({"adhesion_elements", static_cast<double>(last.adhesion_elements), "1"});
-  summary.add({"slip_elements", static_cast<double>(last.slip_elements), "1"});
+  summary.add({"adhesion_elements", last.adhesion_elements, "1"});
+  summary.add({"slip_elements", last.slip_elements, "1"});
   summary.add({"dissipation", last.dissipation, "N/mm"});
   summary.add({"dissipated_energy", dissipated, "N"});
   if (!scene.shifts.empty()) {
-    summary.add({"shifts", static_cast<double>(scene.shifts.size()), "1"});
+    summary.add({"shifts", scene.shifts.size(), "1"});
     summary.add({"shift_sum", shifts.distance, "mm"});
     summary.add({"shift_dissipated_energy", shifts.dissipation, "N"});
   }

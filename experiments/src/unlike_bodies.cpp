@@ -95,7 +95,7 @@ Curves curves_of(const Parameters& p, const Progress& progress) {
     add_zones(curves.zones, "free", ratio, p, solution);
     curves.free.add({ratio, solution.creepage / (ratio * unit),
                      solution.dissipation / (full_sliding_force(p.bound) * ratio * unit),
-                     static_cast<double>(curves.zones.rows() - before)});
+                     curves.zones.rows() - before});
     progress(++done, total);
   }
   constexpr double most = 0.95;

@@ -74,8 +74,7 @@ Table matrix_table(const Parameters& p) {
       const Eigen::MatrixXd inverse = b.partialPivLu().inverse();
       for (Eigen::Index i = 0; i < p.elements; ++i) {
         for (Eigen::Index j = 0; j < p.elements; ++j) {
-          table.add({name, c, static_cast<double>(i + 1), static_cast<double>(j + 1), b(i, j),
-                     inverse(i, j)});
+          table.add({name, c, i + 1, j + 1, b(i, j), inverse(i, j)});
         }
       }
     }

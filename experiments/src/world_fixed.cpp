@@ -145,8 +145,7 @@ void add_creepage(Tables& tables, const Parameters& p, const std::string& treatm
   for (auto step = first; step != steps.end(); ++step) {
     const double change = (step->creepage - (step - 1)->creepage) / mean;
     tables.creepage.add({treatment, step->q, step->creepage, step->creepage / mean, change,
-                         static_cast<double>(step->entered), static_cast<double>(step->left),
-                         static_cast<double>(step->released)});
+                         step->entered, step->left, step->released});
     Sum& sum = sums[event_of(*(step - 1), *step)];
     ++sum.steps;
     sum.largest = std::max(sum.largest, std::abs(change));
@@ -165,9 +164,8 @@ Noise add_noise(Tables& tables, const Parameters& p, const std::string& treatmen
   const Noise noise = creepage_noise(rolling, treatment, distance, step_ratio);
   const double predicted =
       treatment == "at_node" ? predicted_noise(rolling, noise, distance, step_ratio) : not_given;
-  tables.noise.add({treatment, series, static_cast<double>(elements), step_ratio,
-                    static_cast<double>(noise.steps), noise.mean, noise.deviation, noise.largest,
-                    noise.drift, noise.noise, predicted});
+  tables.noise.add({treatment, series, elements, step_ratio, noise.steps, noise.mean,
+                    noise.deviation, noise.largest, noise.drift, noise.noise, predicted});
   return noise;
 }
 

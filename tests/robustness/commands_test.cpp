@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands beside a run: scenes to start from, what they will cost, and the figures of results.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -328,9 +329,9 @@ TEST_F(Commands, ATableNamesItsResult) {
               "");
     EXPECT_TRUE(fs::exists(folder_ / "out.svg")) << result;
   }
-  expect_error("plot steady.info", "'" + fs::canonical(folder_).string() +
-                                       "': expected the folder of a result; it has no "
-                                       "provenance.txt");
+  expect_error("plot steady.info",
+               fmt::format("'{}': expected the folder of a result; it has no provenance.txt",
+                           fs::canonical(folder_).string()));
 }
 
 TEST_F(Commands, StudiesAreDrawn) {

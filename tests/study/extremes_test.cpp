@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/extremes.hpp"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -117,7 +118,7 @@ TEST_F(Extremes, AllOfTheCataloguesTakePart) {
 TEST_F(Extremes, SteadyDifferencesAreSafeWhereTheReaderSaysSo) {
   const SafeRange safe_difference = steady_scheme("standard").safe_steps.value();
   for (const std::string_view basis : basis_names()) {
-    const std::string scheme = "standard" + (basis == "constant" ? "" : " " + std::string(basis));
+    const std::string scheme = basis == "constant" ? "standard" : fmt::format("standard {}", basis);
     const SafeRange elements = safe_elements(make_basis(basis));
     for_rows("steps", scheme, [&](const Table& rows, std::size_t i) {
       const double c = rows.number(i, "step_ratio");

@@ -96,7 +96,7 @@ Scene scene_with(const Settings& settings) {
 std::string answer(const Settings& settings) {
   return message([&] {
     Scene scene = scene_with(settings);
-    read_model(scene);
+    with_places(scene, [&] { read_model(scene); });
     scene.reject_unread();
   });
 }

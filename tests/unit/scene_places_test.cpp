@@ -2,6 +2,7 @@
 // The text of a scene, and the places of its keys in it, which messages name.
 #include <gtest/gtest.h>
 
+#include "microslip/friction/traction_bound.hpp"
 #include "microslip/scene/scene.hpp"
 #include "microslip/scene/sweep.hpp"
 #include "scene_text.hpp"
@@ -45,6 +46,20 @@ TEST(ScenePlaces, AreLinesOfKeys) {
     EXPECT_EQ(scene.place_of("empty"), "test:9: ");
     EXPECT_EQ(scene.place_of("other"), "");
   }
+}
+
+// Errors of core name arguments; those of a scene name the key that gives the argument.
+TEST(ScenePlaces, AreThoseOfTheKeyThatGivesAnArgument) {
+  const Scene scene = scene_of("contact {\n half_width -1\n bound_polynomial 1\n}\n");
+  const auto of = [&](const std::string& name) {
+    return said(scene, [&](Scene&) { require(false, name, -1, "more"); });
+  };
+  EXPECT_EQ(of("half_width"), "test:2: contact.half_width = -1: expected more");
+  EXPECT_EQ(of("least value of coefficients"),
+            "test:3: least value of contact.bound_polynomial = -1: expected more");
+  EXPECT_EQ(of("length"), "kernel.length = -1: expected more");
+  EXPECT_EQ(of("step length"), "step length = -1: expected more");
+  EXPECT_EQ(message([] { HertzBound(-1, 1); }), "half_width = -1: expected a number > 0");
 }
 
 TEST(ScenePlaces, AreInFrontOfMessages) {

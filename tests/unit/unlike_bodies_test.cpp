@@ -175,7 +175,7 @@ TEST(UnlikeBodies, AreRefusedWhereThereIsNoModel) {
     return message([&] {
       Scene from = scene_of(scene);
       for (const std::string& setting : settings) from.set(setting);
-      read_model(from);
+      with_places(from, [&] { read_model(from); });
       from.reject_unread();
     });
   };

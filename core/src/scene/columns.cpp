@@ -57,7 +57,8 @@ Header header_of(const std::vector<std::string>& words) {
     const bool ends = word.ends_with(']');
     const std::size_t begin = in_unit ? 0 : 1;
     std::string& unit = header.units.back();
-    unit += (unit.empty() ? "" : " ") + word.substr(begin, word.size() - begin - (ends ? 1 : 0));
+    if (!unit.empty()) unit += ' ';
+    unit += word.substr(begin, word.size() - begin - (ends ? 1 : 0));
     in_unit = !ends;
   }
   return header;

@@ -291,7 +291,7 @@ std::string written(double value, Key::Type type) {
   }
   if (type != whole && type != wholes) return text;
   text = fmt::format("{:.0f}", value);
-  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, " ");
+  for (std::size_t at = text.size(); at > 3;) text.insert(at -= 3, 1, ' ');
   return text;
 }
 

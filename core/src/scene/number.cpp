@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "number.hpp"
 
+#include <algorithm>
 #include <boost/algorithm/string/replace.hpp>
 
 #include "microslip/support/format.hpp"
+#include "microslip/support/nearest.hpp"
 
 namespace microslip {
 
@@ -16,9 +18,9 @@ std::optional<Eigen::Index> whole_number(std::string_view text) {
 }
 
 std::string joined_numbers(const std::vector<double>& values) {
-  std::string all;
-  for (const double value : values) all += (all.empty() ? "" : " ") + format_short(value);
-  return all;
+  std::vector<std::string> texts(values.size());
+  std::ranges::transform(values, texts.begin(), format_short);
+  return joined(texts, " ");
 }
 
 std::string advice(const std::string& text) {

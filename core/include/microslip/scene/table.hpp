@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <concepts>
 #include <iosfwd>
 #include <map>
 #include <string>
@@ -12,7 +13,12 @@
 
 namespace microslip {
 
-using Cell = std::variant<double, std::string>;
+/// A number or a text of a table. Whole numbers are converted.
+struct Cell : std::variant<double, std::string> {
+  using variant::variant;
+  template <std::integral Whole>
+  requires(!std::same_as<Whole, bool>) Cell(Whole number) : variant(static_cast<double>(number)) {}
+};
 
 /// A column of a table.
 struct Column {
