@@ -25,4 +25,15 @@ inline std::string message(const std::function<void()>& action) {
   return "";
 }
 
+/// The same in the keys of scenes, without places.
+inline std::string message_in_keys(const std::function<void()>& action) {
+  return message([&] {
+    try {
+      action();
+    } catch (const BadParameter& error) {
+      throw in_keys(error);
+    }
+  });
+}
+
 }  // namespace microslip

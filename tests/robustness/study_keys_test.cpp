@@ -149,7 +149,7 @@ TEST_F(Studies, DemandWhatTheyPrint) {
   expect_refused("smoothing", "pulse.elements=200", "odd");
   for (const char* key : {"step.ratios", "comparison.step_ratio", "wiggles.relaxed_step_ratios",
                           "wiggles.direct_step_ratios"}) {
-    expect_refused("under_relaxation", std::string(key) + "=1.1", "at most the relaxation");
+    expect_refused("under_relaxation", std::string(key) + "=1.1", "at most step.relaxation");
   }
   expect_refused("under_relaxation", "motion.elements_rolled=25 24", "in rising order");
   expect_refused("energy_balance", "snapshots.positions=1 0.5", "in rising order");

@@ -78,7 +78,8 @@ TEST(SavedState, ThatIsDamagedIsRefused) {
 
 TEST(SavedState, OfAnotherVersionIsRefused) {
   const std::string other = replaced(rolled(3).save(), "microslip state 3", "microslip state 1");
-  EXPECT_EQ(refusal(sealed(other)), "version = '1': expected 3, that of this program's states");
+  EXPECT_EQ(refusal(sealed(other)),
+            "version = '1': expected 3, the version of this program's states");
 }
 
 TEST(SavedState, OfAnotherProblemIsRefused) {

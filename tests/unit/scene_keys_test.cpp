@@ -94,9 +94,9 @@ Scene scene_with(const Settings& settings) {
 }
 
 std::string answer(const Settings& settings) {
-  return message([&] {
+  return message_in_keys([&] {
     Scene scene = scene_with(settings);
-    with_places(scene, [&] { read_model(scene); });
+    read_model(scene);
     scene.reject_unread();
   });
 }

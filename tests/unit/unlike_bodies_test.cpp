@@ -172,10 +172,10 @@ TEST(UnlikeBodies, AreReadFromScenes) {
 
 TEST(UnlikeBodies, AreRefusedWhereThereIsNoModel) {
   const auto refusal = [](const std::vector<std::string>& settings) {
-    return message([&] {
+    return message_in_keys([&] {
       Scene from = scene_of(scene);
       for (const std::string& setting : settings) from.set(setting);
-      with_places(from, [&] { read_model(from); });
+      read_model(from);
       from.reject_unread();
     });
   };

@@ -51,7 +51,11 @@ void require_contacts(const LoadHistory& loads, const TransientProblem& problem)
   for (const double distance : loads.distances()) {
     widest = std::max(widest, loads.contact_at(distance).half_width);
   }
-  require_definite(problem.kernel, widest * (problem.grid.half_width() + problem.grid.spacing()));
+  try {
+    require_definite(problem.kernel, widest * (problem.grid.half_width() + problem.grid.spacing()));
+  } catch (const BadParameter& error) {
+    throw in_keys(error);
+  }
 }
 
 }  // namespace
