@@ -19,11 +19,13 @@ std::string method_of(const SteadySolution& solution) {
                      solution.fallback.empty() ? "" : ", because " + solution.fallback);
 }
 
-/// That another scheme ran, except for tables and bodies of different material, which are meant to
-/// be solved over the whole contact.
+/// That another scheme ran, except for tables, and for other bounds than Hertz's of bodies of
+/// different material, which are meant to be solved over the whole contact.
 std::optional<std::string> doubt_of(const SteadySolution& solution, const SteadyProblem& problem) {
   const bool table = std::holds_alternative<TabulatedBound>(problem.bound);
-  if (solution.fallback.empty() || table || problem.has_unlike_bodies()) return std::nullopt;
+  const bool elements =
+      problem.has_unlike_bodies() && !std::holds_alternative<HertzBound>(problem.bound);
+  if (solution.fallback.empty() || table || elements) return std::nullopt;
   return method_of(solution);
 }
 

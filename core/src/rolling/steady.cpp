@@ -10,6 +10,7 @@
 #include "microslip/rolling/inverted_rolling.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
+#include "unlike_rolling.hpp"
 
 namespace microslip {
 
@@ -26,8 +27,8 @@ namespace {
 
 /// -du/dx of the tractions, the last row of which may have been replaced.
 SquareMatrix strain_of(const SteadyProblem& problem, const Differences& differences) {
-  const auto& [kernel, bound, grid, basis, method, load, solver, accepted, pressure_strain] =
-      problem;
+  const auto& [kernel, bound, grid, basis, method, load, solver, accepted, pressure_strain,
+               coupling] = problem;
   const Index n = grid.size();
   const double dx = grid.spacing();
   if (!differences.edge_displacement) {
@@ -70,7 +71,9 @@ VectorXd pressed_bound_of(const SteadyProblem& problem, const Differences& diffe
   const VectorXd x = problem.grid.nodes();
   if (!differences.mean_bounds) return bound_at(problem.bound, x);
   const double reach = differences.step_ratio * problem.grid.spacing();
-  return mean_bound_around(problem.bound, (x.array() + reach / 2).matrix(), reach);
+  VectorXd means = mean_bound_around(problem.bound, (x.array() + reach / 2).matrix(), reach);
+  if (problem.basis.name() == "constant") means[x.size() - 1] *= pressure_seen_at_edge;
+  return means;
 }
 
 ActiveSet active_set_of(const SteadyProblem& problem, const Differences& differences) {
@@ -208,9 +211,20 @@ SteadySolution instead_of_inversion(const SteadyProblem& problem, const std::str
   return over_whole_contact(problem, why);
 }
 
+SteadySolution unlike_zones(const SteadyProblem& problem) {
+  const std::string differ = "bodies differ in material";
+  if (!std::holds_alternative<HertzBound>(problem.bound)) {
+    return instead_of_inversion(problem, differ + ", and the bound is not Hertz's");
+  }
+  try {
+    if (auto found = unlike_by_inversion(problem)) return *found;
+  } catch (const NotConverged&) {
+  }
+  return instead_of_inversion(problem, differ + ", and the inversion finds no zones");
+}
+
 SteadySolution by_inversion(const SteadyProblem& problem) {
-  if (problem.has_unlike_bodies())
-    return instead_of_inversion(problem, "bodies differ in material");
+  if (problem.has_unlike_bodies()) return unlike_zones(problem);
   const InvertedRolling rolling(problem.kernel, problem.bound);
   if (const auto why = rolling.obstacle()) return instead_of_inversion(problem, *why);
   try {

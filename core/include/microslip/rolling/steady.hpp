@@ -46,11 +46,11 @@ using SteadyMethod = std::variant<Differences, Calibrated, Inversion, ChebyshevC
 
 /// Steady rolling in 2D: s = w - du/dx, thesis (3.2). For bodies of different material, u includes
 /// what the pressure displaces: du/dx has the term pressure_strain times the bound. There may then
-/// be several zones, of both directions of slip. Inversion is replaced by Calibrated elements,
-/// ChebyshevCollocation and a known u_LE are refused.
-/// Accuracy then: creepage of free rolling with beta/mu = 2.88 to 5e-6 of that of the pressure from
-/// N = 100 on; where all sticks first order, 4e-4 at N = 100, as elements do not resolve a trailing
-/// edge that sticks (tests/unit/unlike_bodies_test.cpp).
+/// be several zones, of both directions of slip. Inversion takes Hertz's bound alone, and is
+/// replaced by Calibrated elements else; ChebyshevCollocation and a known u_LE are refused.
+/// Accuracy then: by inversion 1e-8 of the creepage of free rolling without slip; by elements, with
+/// beta/mu = 2.88, 5e-6 from N = 200 on, and where all sticks 3e-7 from N = 100 on
+/// (tests/unit/unlike_bodies_test.cpp).
 struct SteadyProblem {
   Kernel kernel;
   TractionBound bound;
@@ -61,6 +61,8 @@ struct SteadyProblem {
   Solver solver = {};
   Acceptance accepted = {};    ///< for require_evidence
   double pressure_strain = 0;  ///< microslip::pressure_strain(), for PlaneKernel  [mm^2/N]
+  /// beta mu: of this order are the changes of pressure that Goodman's approximation leaves out  [1]
+  double coupling = 0;
 
   bool has_unlike_bodies() const { return pressure_strain != 0; }
 };

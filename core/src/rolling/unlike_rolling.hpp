@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "microslip/rolling/steady.hpp"
+
+namespace microslip {
+
+/// Steady rolling of bodies of different material under Hertz's bound, by StickZones, from the zones
+/// of elements on.
+///
+/// Accuracy: 1e-8 of the creepage of free rolling without slip, and as much of tractions,
+/// tests/unit/unlike_bodies_test.cpp. Cost: some 20 ms, and 1e-5 s for each node.
+/// \param problem  with bodies of different material and Hertz's bound
+/// \return its scheme is inversion; none if no zones are found that meet the conditions
+std::optional<SteadySolution> unlike_by_inversion(const SteadyProblem& problem);
+
+}  // namespace microslip
