@@ -39,6 +39,7 @@ struct ContactOf {
     if (!scene.loads.distances().empty()) {
       throw std::invalid_argument("load.file: expected one load, of which there is a steady state");
     }
+    if (scene.problem.has_unlike_bodies()) refuse("the bodies differ in material");
     return {scene.problem.kernel, scene.problem.bound, scene.loads.at(0)};
   }
   SteadyContact operator()(const CylinderScene&) const {

@@ -15,9 +15,10 @@ ContactGrid::ContactGrid(const TransientProblem& problem)
     : RollingGrid(influence_operator(problem.kernel, problem.basis, problem.grid.spacing(),
                                      problem.grid.size(), problem.solver),
                   problem.basis.weights(problem.grid.spacing(), problem.grid.size()),
-                  problem.solver),
+                  problem.solver, problem.pressure_strain),
       scheme_(problem.scheme),
       spacing_(problem.grid.spacing()),
+      traction_bound_(problem.bound),
       advection_(problem.kernel, problem.basis, spacing_, problem.grid.size(), problem.scheme,
                  problem.solver) {
   x_ = problem.grid.nodes();
@@ -58,6 +59,11 @@ void ContactGrid::solve_step(const TransientState& before, double length, const 
   const double step_ratio = length / spacing_;
   const double solved_length = advection_.solved_step_ratio(step_ratio) * spacing_;
   advection_.advect(before.traction, step_ratio, conditions_);
+  if (has_unlike_bodies()) {
+    const VectorXd centres = x_.array() + solved_length / 2;
+    conditions_.offset -= pressure_strain_ * solved_length *
+                          mean_bound_around(traction_bound_, centres, solved_length);
+  }
   contact_.zones = before.zones;
   active_set_.solve(conditions_, load_of_step(load, solved_length), contact_);
   const double fraction = advection_.fraction(step_ratio);

@@ -29,6 +29,7 @@ class ContactGrid final : public RollingGrid {
 
   AdvectionScheme scheme_;
   double spacing_;
+  TractionBound traction_bound_;
   Eigen::VectorXd mean_bound_;
   Advection advection_;
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/rolling/edge_calibration.hpp"
 #include "microslip/support/interpolation.hpp"
 #include "microslip/support/require.hpp"
 
@@ -23,6 +24,22 @@ VectorXd influence_at_distances(const Kernel& kernel, const ReferenceNodes& node
   return VectorXd::NullaryExpr(nodes.size + 2, [&](Index distance) {
     return influence(kernel, constant_shape(), nodes.spacing, static_cast<double>(distance));
   });
+}
+
+/// Displacement by the pressure, zero in the middle of a symmetric contact.
+/// \param x  of the nodes  [mm]
+/// \return at nodes, entry and exit  [mm]
+VectorXd pressed_at(const TransientProblem& problem, const VectorXd& x, double spacing) {
+  const Index n = x.size();
+  const auto integral = [&](double place) {
+    return std::visit([&](const auto& bound) { return bound.integral(place); }, problem.bound);
+  };
+  VectorXd pressed(n + 2);
+  for (Index i = 0; i < n; ++i) pressed[i] = integral(x[i]);
+  pressed[n] = std::lerp(pressed[n - 1], integral(x[n - 1] + spacing), pressure_seen_at_edge);
+  pressed[n + 1] = integral(x[0] - spacing);
+  const double middle = full_sliding_force(problem.bound) / 2;
+  return problem.pressure_strain * (pressed.array() - middle);
 }
 
 }  // namespace
@@ -48,7 +65,8 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
                                const Grid& grid)
     : RollingGrid(influence_operator(problem.kernel, constant_basis(), grid.spacing(), grid.size(),
                                      problem.solver),
-                  VectorXd::Constant(grid.size(), grid.spacing()), problem.solver),
+                  VectorXd::Constant(grid.size(), grid.spacing()), problem.solver,
+                  problem.pressure_strain),
       traction_bound_(problem.bound),
       problem_nodes_(problem.grid.nodes()),
       edge_(edge),
@@ -72,6 +90,7 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
     slope.conditions.bound = zeros;
   }
   influence_ = influence_at_distances(kernel_, nodes_);
+  if (has_unlike_bodies()) pressed_ = pressed_at(problem, x_, grid.spacing());
 }
 
 std::unique_ptr<RollingGrid> RememberedGrid::clone() const {
@@ -129,6 +148,23 @@ VectorXd RememberedGrid::displaced_by(const VectorXd& traction) const {
   return displacement;
 }
 
+/// Adds what the pressure displaces at the nodes.
+void RememberedGrid::press_nodes(RememberedPoints& nodes) const {
+  if (has_unlike_bodies()) nodes.at.head(nodes_.size) += pressed_.head(nodes_.size);
+}
+
+/// The same at entry and exit.
+void RememberedGrid::press_ends(RememberedPoints& nodes) const {
+  if (!has_unlike_bodies()) return;
+  nodes.at[nodes_.size] += pressed_[nodes_.size];
+  nodes.exit += pressed_[nodes_.size + 1];
+}
+
+/// By which the pressure's strain moves tractions, over the distance rolled  [N/mm]
+double RememberedGrid::work_of_pressure(const VectorXd& traction) const {
+  return has_unlike_bodies() ? pressure_strain_ * nodes_.spacing * traction.dot(problem_bound_) : 0;
+}
+
 /// \param entry  traction of the element there, on the problem's contact
 VectorXd RememberedGrid::displaced_by_entry(double entry) const {
   return entry * (influence_.segment(1, nodes_.size).reverse().array() +
@@ -146,6 +182,7 @@ void RememberedGrid::displace_ends(RememberedPoints& nodes, const VectorXd& trac
 }
 
 void RememberedGrid::set_contact(const ContactScale& scale) {
+  require_lasting(scale);
   require(scale.half_width >= 0, "half_width", scale.half_width, "a number >= 0");
   require(scale.bound >= 0, "bound", scale.bound, "a number >= 0");
   if (scale.carries()) require_definite(kernel_, scale.half_width * reach_);
@@ -164,6 +201,8 @@ RememberedState RememberedGrid::start_of(const VectorXd& traction,
   state.nodes.at.head(nodes_.size) = displaced_by(traction);
   displace_ends(state.nodes, traction, 0);
   state.stored = nodes_.spacing * traction.dot(state.nodes.at.head(nodes_.size)) / 2;
+  press_nodes(state.nodes);
+  press_ends(state.nodes);
   state.remember_all();
   return state;
 }

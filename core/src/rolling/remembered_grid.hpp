@@ -30,6 +30,7 @@ namespace microslip {
 ///   not depend on the step.
 /// - StickSlipPoint gives the mean of the solutions of four partitions, so that the stick-slip
 ///   point moves evenly through the elements.
+/// - Bodies of different material remember what the pressure displaces, too.
 /// - A shift without rolling has an element at the entry besides, and the mean at the leading end
 ///   of adhesion, too (remembered_shift.cpp).
 /// - On a contact that changes its size, nodes keep their places over its half-width. Whatever
@@ -91,6 +92,7 @@ class RememberedGrid final : public RollingGrid {
     double moved = 0;           ///< shift by the partition in the part, with the lead  [mm]
     double creepage = 0;        ///< shift by the mean in the part  [mm]
     double part_force = 0;      ///< mean of the force over the part  [N/mm]
+    double part_pressed = 0;    ///< work of the pressure per mm rolled in the part  [N/mm]
     double entry = 0;           ///< traction of the element at the entry  [N/mm^2]
 
     // Summed over the parts.
@@ -124,6 +126,9 @@ class RememberedGrid final : public RollingGrid {
   void displace_ends(RememberedPoints& nodes, const Eigen::VectorXd& traction, double entry) const;
   Eigen::VectorXd displaced_by_entry(double entry) const;
   Eigen::VectorXd displaced_by(const Eigen::VectorXd& traction) const;
+  void press_nodes(RememberedPoints& nodes) const;
+  void press_ends(RememberedPoints& nodes) const;
+  double work_of_pressure(const Eigen::VectorXd& traction) const;
   void give_tractions(const RememberedState& now, TransientState& state) const;
   StandingContact& standing();
   void shift_standing(const Load& load);
@@ -158,7 +163,9 @@ class RememberedGrid final : public RollingGrid {
   LeadingEdgeConstants edge_;
   Kernel kernel_;
   Solver solver_;
-  double response_to_ = 1;     ///< half-width, over the problem's, of the response
+  double response_to_ = 1;   ///< half-width, over the problem's, of the response
+  Eigen::VectorXd pressed_;  ///< displacement by the pressure, of bodies of different material, at
+                             ///< nodes, entry and exit; else none  [mm]
   Eigen::VectorXd influence_;  ///< displacement by an element 0 ... N + 1 elements away  [mm^3/N]
   MeanSpring spring_;
   CompliantElement exit_;  ///< the first element

@@ -110,6 +110,7 @@ bool RememberedGrid::search_standing(const Load& load, SlipConditions& condition
   const auto search = [&] {
     for (Index i = 0; i < n; ++i) conditions.offset[i] = -state.remembered_at(i, end);
     conditions.offset[n] = -state.shifts->at_entry;
+    if (has_unlike_bodies()) conditions.offset += pressed_.head(n + 1);
     contact.zones = state_.zones;
     contact.zones.push_back(state_.zones.back());
     standing().active_set.solve(conditions, of_standing_partition(load), contact);
@@ -182,13 +183,16 @@ void RememberedGrid::shift_standing(const Load& load) {
   state.points.subtract(moved);
   state.shifts->at_entry -= moved;
   state.nodes.at.head(n) = rolled.displacement.head(n);
+  press_nodes(state.nodes);
   state.shifts->entry_displaced = rolled.displacement[n];
+  if (has_unlike_bodies()) state.shifts->entry_displaced += pressed_[n];
   average_standing(load, conditions, rolled);
 
   const VectorXd traction = contact.traction + state.shifts->mean.traction;
   state.entry = traction[n];
   state.traction = traction.head(n);
   displace_ends(state.nodes, state.traction, state.entry);
+  press_ends(state.nodes);
   state.traction[n - 1] += state.entry;
   next_.shift = moved + state.shifts->mean.shift - state.lead;
   state.lead = state.shifts->mean.shift;

@@ -149,6 +149,7 @@ void RememberedGrid::recall(Step& step, const Part& part) const {
     step.conditions.offset[i] = -step.state.remembered_at(i, part);
   }
   if (step.entry != 0) step.conditions.offset += displaced_by_entry(step.entry);
+  if (has_unlike_bodies() && &step == &next_) step.conditions.offset += pressed_.head(nodes_.size);
 }
 
 /// Adds the slip of a part. Next to the stick-slip point, slip is counted since a point was in
@@ -216,18 +217,21 @@ void RememberedGrid::displace(Step& step) const {
   step.displacement = (step.contact.slip - step.conditions.offset).array() - step.moved;
   step.state.nodes.at.head(nodes_.size) = step.displacement;
   if (step.entry != 0) step.state.nodes.at.head(nodes_.size) += displaced_by_entry(step.entry);
+  if (&step == &next_) press_nodes(step.state.nodes);
 }
 
 /// Moves to the end of a part, with the mean over partitions.
 void RememberedGrid::finish_part(Step& step, const Part& part, bool stuck_again) const {
   RememberedState& state = step.state;
   const ContactState& contact = step.contact;
+  step.part_pressed = work_of_pressure(state.traction + contact.traction) / 2;
   step.part_force =
       nodes_.spacing * (state.traction.sum() + contact.traction.sum() + step.entry) / 2;
   step.creepage = contact.creepage - state.lead;
   step.shift += step.creepage;
   state.lead = contact.creepage - step.moved;
   displace_ends(state.nodes, contact.traction, step.entry);
+  if (&step == &next_) press_ends(state.nodes);
   state.nodes.at[nodes_.size] += state.lead;
   state.nodes.exit += state.lead;
   state.traction = contact.traction;
@@ -283,7 +287,7 @@ void RememberedGrid::roll_part(const Part& part) {
   }
   next_.state.stored = nodes_.spacing * p.dot(next_.displacement) / 2;
   next_.mean_force += next_.part_force * part.length;
-  next_.work += next_.part_force * next_.creepage;
+  next_.work += next_.part_force * next_.creepage - next_.part_pressed * part.length;
   for (std::size_t k = 0; k < slopes; ++k) {
     Step& slope = slopes_[k];
     slope.state.stored =
@@ -291,7 +295,9 @@ void RememberedGrid::roll_part(const Part& part) {
         (slope.state.traction.dot(next_.displacement) + p.dot(slope.displacement)) / 2;
     slope.mean_force += slope.part_force * part.length;
     if (k == 1 && part.is_last) slope.mean_force += next_.part_force;
-    slope.work += slope.part_force * next_.creepage + next_.part_force * slope.creepage;
+    slope.work += slope.part_force * next_.creepage + next_.part_force * slope.creepage -
+                  slope.part_pressed * part.length;
+    if (k == 1 && part.is_last) slope.work -= next_.part_pressed;
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "rolling_grid.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <variant>
@@ -30,6 +31,10 @@ void RollingGrid::fill_state(double distance, const ContactState& contact, doubl
   state.evidence = evidence_by_elements({weights_, bound, mean_bound, state.traction, state.slip},
                                         state.force, state.creepage);
   state.evidence.residual = contact.residuals.equations;
+  if (has_unlike_bodies()) {
+    state.evidence.load = weights_.dot(state.traction.cwiseAbs());
+    state.evidence.power = std::max(state.evidence.power, state.evidence.dissipated);
+  }
   state.adhesion_elements = 0;
   state.slip_elements = 0;
   for (Index i = 0; i < bound.size(); ++i) {
@@ -37,6 +42,12 @@ void RollingGrid::fill_state(double distance, const ContactState& contact, doubl
     const bool sticks = state.zones[static_cast<std::size_t>(i)] == Zone::adhesion;
     ++(sticks ? state.adhesion_elements : state.slip_elements);
   }
+}
+
+void RollingGrid::require_lasting(const ContactScale& scale) const {
+  if (!has_unlike_bodies() || scale == ContactScale{}) return;
+  throw std::invalid_argument(
+      "contact: expected one that stays as it is, as bodies differ in material");
 }
 
 void RollingGrid::set_contact(const ContactScale& scale) {

@@ -90,8 +90,17 @@ class RollingGrid {
  protected:
   /// \param influence  A, n x n
   /// \param weights    n, > 0  [mm]
-  RollingGrid(SquareMatrix influence, const Eigen::VectorXd& weights, const Solver& solver)
-      : weights_(weights), active_set_(std::move(influence), weights, solver) {}
+  /// \param pressure_strain  of the problem  [mm^2/N]
+  RollingGrid(SquareMatrix influence, const Eigen::VectorXd& weights, const Solver& solver,
+              double pressure_strain)
+      : weights_(weights),
+        active_set_(std::move(influence), weights, solver),
+        pressure_strain_(pressure_strain) {}
+
+  bool has_unlike_bodies() const { return pressure_strain_ != 0; }
+
+  /// \throws std::invalid_argument for another contact where bodies differ in material
+  void require_lasting(const ContactScale& scale) const;
 
   /// Fills a state from a solved contact, on the problem's contact. Dissipation and mean force are
   /// those at the end, and the creepage over an element is that of the step.
@@ -114,6 +123,7 @@ class RollingGrid {
   ContactScale placed_;      ///< the contact of x_ and bound_
   ContactScale target_;      ///< that at the end of the next step
   ActiveSet active_set_;
+  double pressure_strain_;  ///< strain by the pressure, over the bound  [mm^2/N]
 };
 
 /// \throws std::invalid_argument unless null

@@ -103,6 +103,12 @@ class Schedule {
 
 }  // namespace
 
+void validate(const TransientProblem& problem) {
+  if (problem.has_unlike_bodies() && !std::holds_alternative<PlaneKernel>(problem.kernel)) {
+    reject("kernel", "strip", "plane for bodies of different material");
+  }
+}
+
 void require_definite(const TransientProblem& problem) {
   require_definite(problem.kernel, problem.grid.half_width() + problem.grid.spacing());
 }
@@ -131,6 +137,7 @@ void require_within_bound(const VectorXd& x, const VectorXd& bound, const Vector
 TransientRolling::TransientRolling(const TransientProblem& problem, const Start& start,
                                    const ContactScale& contact)
     : problem_(problem) {
+  validate(problem);
   require_definite(problem);
   grid_ = rolling_grid(problem);
   if (const auto* saved = std::get_if<SavedState>(&start)) {

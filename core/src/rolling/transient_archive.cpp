@@ -71,6 +71,7 @@ void archive_problem(Archive& archive, const TransientProblem& problem) {
   const Material& material = material_of(problem.kernel);
   archive.same("material.shear_modulus", material.shear_modulus);
   archive.same("material.poisson_ratio", material.poisson_ratio);
+  if (problem.has_unlike_bodies()) archive.same("pressure_strain", problem.pressure_strain);
   archive.same("grid.elements", static_cast<double>(n));
   archive.same("contact.half_width", problem.grid.half_width());
   archive.same("basis", problem.basis.name());

@@ -27,7 +27,8 @@ constexpr std::string_view whole_contact =
 
 constexpr std::string_view elements = "scenes without method chebyshev and target_error";
 constexpr std::string_view with_load = "scenes with contact.normal_load";
-constexpr std::string_view unlike = "problem steady with kernel.type plane, without target_error";
+constexpr std::string_view unlike =
+    "problem steady or transient with kernel.type plane, without target_error";
 constexpr std::string_view rolls = "problem transient or cylinder";
 constexpr std::string_view response = "microslip response";
 constexpr std::string_view converge = "microslip converge";

@@ -229,6 +229,17 @@ SteadyProblem read_steady(Scene& scene, const SteadyMethod& method, const Materi
           .accepted = elements ? read_acceptance(scene) : Acceptance{}};
 }
 
+/// Across the rolling, pressure displaces nothing in plane strain.
+template <class Problem>
+void press(Scene& scene, const Bodies& bodies, Problem& problem) {
+  if (bodies.dundurs_beta == 0 || scene.word("direction") != "longitudinal") return;
+  problem.pressure_strain = pressure_strain(bodies, 1);
+  validate(problem);  // first: where no method takes such bodies, friction is not what is missing
+  const double friction = read_friction(scene);
+  problem.pressure_strain /= friction;
+  problem.coupling = bodies.dundurs_beta * friction;
+}
+
 }  // namespace
 
 SteadyProblem read_steady(Scene& scene) {
@@ -238,12 +249,7 @@ SteadyProblem read_steady(Scene& scene) {
   const Bodies bodies = read_bodies(scene);
   SteadyProblem problem =
       solved_by(entry, read_steady(scene, entry.method(step_ratio), bodies.combined), step_ratio);
-  // Across the rolling, pressure displaces nothing in plane strain.
-  if (bodies.dundurs_beta != 0 && scene.word("direction") == "longitudinal") {
-    problem.pressure_strain = pressure_strain(bodies, 1);
-    validate(problem);  // first: where no method takes such bodies, friction is not what is missing
-    problem.pressure_strain /= read_friction(scene);
-  }
+  press(scene, bodies, problem);
   const std::string instead = "leading_edge inversion";
   if (entry.safe_steps) warn_outside(scene, *entry.safe_steps, "step.ratio", step_ratio, instead);
   if (entry.by_elements) {
@@ -274,15 +280,17 @@ std::vector<double> TransientScene::step_lengths() const {
 }
 
 TransientScene read_transient(Scene& scene) {
-  const Material material = read_material(scene);
+  const Bodies bodies = read_bodies(scene);
+  const Material& material = bodies.combined;
   const ContactModel model = read_contact(scene, material, read_tangential(scene, material));
-  const TransientProblem problem{.kernel = model.kernel,
-                                 .bound = model.bound,
-                                 .grid = model.grid,
-                                 .basis = read_basis(scene, model.grid),
-                                 .scheme = read_scheme(scene),
-                                 .solver = read_solver(scene),
-                                 .accepted = read_acceptance(scene)};
+  TransientProblem problem{.kernel = model.kernel,
+                           .bound = model.bound,
+                           .grid = model.grid,
+                           .basis = read_basis(scene, model.grid),
+                           .scheme = read_scheme(scene),
+                           .solver = read_solver(scene),
+                           .accepted = read_acceptance(scene)};
+  press(scene, bodies, problem);
   require_definite(problem);
   const LoadHistory loads = read_loads(scene, problem);
   const std::vector<double> step_ratios = read_steps(scene, problem, loads);

@@ -47,6 +47,11 @@ void require_contacts(const LoadHistory& loads, const TransientProblem& problem)
            "remembered, which alone rolls on a contact that changes, as columns of load.file have "
            "it");
   }
+  if (problem.has_unlike_bodies()) {
+    throw std::invalid_argument(
+        "columns normal_load, half_width, peak_traction and friction: expected none of them where "
+        "bodies differ in material");
+  }
   double widest = 0;
   for (const double distance : loads.distances()) {
     widest = std::max(widest, loads.contact_at(distance).half_width);

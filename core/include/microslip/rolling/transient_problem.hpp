@@ -18,8 +18,10 @@
 
 namespace microslip {
 
-/// Transient rolling of quasi-identical bodies in 2D: s = w + (1/V) Du/Dt, thesis (3.9). The grid
-/// stands in the contact.
+/// Transient rolling in 2D: s = w + (1/V) Du/Dt, thesis (3.9). The grid stands in the contact. For
+/// bodies of different material, u includes what the pressure displaces, which has the strain
+/// pressure_strain times the bound and stands in the contact. They begin with no tractions under
+/// that pressure, and the contact does not change.
 struct TransientProblem {
   Kernel kernel;
   TractionBound bound;
@@ -27,8 +29,17 @@ struct TransientProblem {
   Basis basis;
   AdvectionScheme scheme;
   Solver solver = {};
-  Acceptance accepted = {};  ///< for require_evidence
+  Acceptance accepted = {};    ///< for require_evidence
+  double pressure_strain = 0;  ///< microslip::pressure_strain(), for PlaneKernel  [mm^2/N]
+  /// beta mu: of this order are the changes of pressure that Goodman's approximation leaves out  [1]
+  double coupling = 0;
+
+  bool has_unlike_bodies() const { return pressure_strain != 0; }
 };
+
+/// \throws std::invalid_argument for bodies of different material, if the strain by the pressure is
+///         not local, as in strips
+void validate(const TransientProblem& problem);
 
 /// A transient is about displacements, and so wants a contact that resists them: with an L0 of
 /// plane strain up to (a + dx)/2, half the half-length of elements that reach beyond the edges by
