@@ -35,7 +35,7 @@ enum microslip_status {
   MICROSLIP_INTERNAL = 4       /**< an error of microslip itself: please report the message */
 };
 
-/** Combined elastic constants of two like bodies. */
+/** Combined elastic constants of two bodies: 1/G and nu/G are means over both. */
 struct microslip_material {
   double shear_modulus; /**< G, > 0  [N/mm^2] */
   double poisson_ratio; /**< nu, 0 ... 0.5  [1] */
@@ -50,6 +50,15 @@ struct microslip_contact {
   const double* bound_x;     /**< positions, ascending, in [-a, a]; null for Hertz's  [mm] */
   const double* bound_value; /**< as many, >= 0, not all 0; null for Hertz's  [N/mm^2] */
   size_t bound_rows;         /**< of the table, copied; 0 for Hertz's */
+};
+
+/** Bodies of different material in rolling, by Goodman's approximation: the pressure stretches the
+ * softer surface more, so that they creep and slip in free rolling, too. In plane strain. */
+struct microslip_unlike {
+  double
+      dundurs_beta; /**< Dundurs' beta, -0.5 ... 0.5; above 0 if the driven body is the stiffer one;
+                          0 for like bodies  [1] */
+  double friction;  /**< coefficient of friction mu of the bound, above 0, at most 10  [1] */
 };
 
 enum microslip_kernel_type {
@@ -136,6 +145,14 @@ MICROSLIP_API enum microslip_status microslip_create(const struct microslip_mate
                                                      const struct microslip_grid* grid,
                                                      microslip_rolling** rolling, char* message,
                                                      size_t message_size);
+
+/** The same for bodies of different material, with their combined constants. They are pressed
+ * together without tractions. microslip_set_contact() takes 1 and 1 alone. */
+MICROSLIP_API enum microslip_status microslip_create_unlike(
+    const struct microslip_material* material, const struct microslip_unlike* unlike,
+    const struct microslip_contact* contact, const struct microslip_kernel* kernel,
+    const struct microslip_grid* grid, microslip_rolling** rolling, char* message,
+    size_t message_size);
 
 /** An independent contact that goes on like this one, to the bit; to come back to after steps that
  * are rejected. microslip_attempt() is cheaper where one step alone is tried. */

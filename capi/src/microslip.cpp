@@ -180,6 +180,22 @@ microslip_status microslip_create(const microslip_material* material,
   });
 }
 
+microslip_status microslip_create_unlike(const microslip_material* material,
+                                         const microslip_unlike* unlike,
+                                         const microslip_contact* contact,
+                                         const microslip_kernel* kernel, const microslip_grid* grid,
+                                         microslip_rolling** rolling, char* message,
+                                         size_t message_size) {
+  if (rolling != nullptr) *rolling = nullptr;
+  return guarded({message, message_size}, [&] {
+    microslip_rolling*& made = require_pointer(rolling, "rolling");
+    made = new microslip_rolling(microslip::capi::make_problem(
+        require_pointer(material, "material"), require_pointer(unlike, "unlike"),
+        require_pointer(contact, "contact"), require_pointer(kernel, "kernel"),
+        require_pointer(grid, "grid")));
+  });
+}
+
 microslip_status microslip_copy(microslip_rolling* rolling, microslip_rolling** copy) {
   if (copy != nullptr) *copy = nullptr;
   return with(rolling, [&](const microslip_rolling& from) {

@@ -12,4 +12,9 @@ namespace microslip::capi {
 TransientProblem make_problem(const microslip_material& material, const microslip_contact& contact,
                               const microslip_kernel& kernel, const microslip_grid& grid);
 
+/// The same for bodies of different material.
+TransientProblem make_problem(const microslip_material& material, const microslip_unlike& unlike,
+                              const microslip_contact& contact, const microslip_kernel& kernel,
+                              const microslip_grid& grid);
+
 }  // namespace microslip::capi
