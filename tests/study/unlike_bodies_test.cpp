@@ -20,8 +20,7 @@ const std::vector<Table>& tables() {
                                                        .ratios = {0.5, 2.87667},
                                                        .zones_ratio = 2.87667,
                                                        .tractive_points = 39,
-                                                       .sizes = {100, 200, 400, 800},
-                                                       .reference = 6401},
+                                                       .sizes = {100, 200, 400, 800}},
                                                       [](std::size_t, std::size_t) {});
   return all;
 }

@@ -24,7 +24,6 @@ struct UnlikeBodiesParameters {
   double zones_ratio;               ///< beta/mu of the zones of tractive rolling, and of errors
   int tractive_points;              ///< forces
   std::vector<Eigen::Index> sizes;  ///< N of errors, rising
-  Eigen::Index reference;           ///< N of what counts as exact
 };
 
 /// The keys that `unlike_bodies --print-keys` lists, each held to what that says it accepts.
