@@ -35,6 +35,11 @@ std::string elements_of(const Grid& grid) {
 }
 
 std::string method_of(const SteadyProblem& problem) {
+  if (problem.has_unlike_bodies() && std::holds_alternative<Inversion>(problem.method)) {
+    return "inversion on all stick zones, under Hertz's bound; else elements over the whole "
+           "contact, "
+           "constant functions, which row 'method' of the summary says";
+  }
   const auto* differences = std::get_if<Differences>(&problem.method);
   const double c = differences == nullptr ? 1 : differences->step_ratio;
   return fmt::format(fmt::runtime(entry_of(problem).text),
