@@ -110,14 +110,15 @@ const std::string details =
 const std::string details_of_unlike =
     "creepage in the other direction, spin, friction that depends on slip, heat, wear";
 
-/// In full sliding the pressure is Hertz's times ((a + x)/(a - x))^e, tan(pi e) = -+beta mu: K. L.
-/// Johnson, Contact Mechanics, 1985, section 7.1. Where (a + x)/(a - x) = e^pi, at 0.917 a, that is
-/// beta mu more or less.
+/// In full sliding the singular integral equation of the pressure has the solution Hertz's pressure
+/// times ((a + x)/(a - x))^e with tan(pi e) = -+beta mu. Where (a + x)/(a - x) = e^pi, at 0.917 a, the
+/// factor differs from 1 by beta mu, to first order.
 std::string goodman(double coupling) {
   return fmt::format(
-      "what tangential tractions change of the pressure of bodies of different material (Goodman): "
-      "in full sliding the part beta mu = {:.2g} of it at 0.92 half-widths, less in the middle and "
-      "with less load",
+      "the change of pressure by tangential tractions on bodies of different material (Goodman): "
+      "in "
+      "full sliding it is the fraction beta mu = {:.2g} of the pressure at 0.92 half-widths, and "
+      "less in the middle or under less load",
       std::abs(coupling));
 }
 
