@@ -66,4 +66,16 @@ TransientProblem make_problem(const microslip_material& material, const microsli
           .scheme = make_scheme(grid.scheme)};
 }
 
+SteadyProblem make_steady_problem(const microslip_material& material,
+                                  const microslip_contact& contact, const microslip_kernel& kernel,
+                                  int elements) {
+  const TractionBound bound = make_bound(contact);
+  return {.kernel = make_kernel(
+              {.shear_modulus = material.shear_modulus, .poisson_ratio = material.poisson_ratio},
+              kernel),
+          .bound = bound,
+          .grid = Grid({.half_width = contact.half_width, .elements = elements}),
+          .load = PrescribedCreepage{0}};
+}
+
 }  // namespace microslip::capi

@@ -273,7 +273,7 @@ std::vector<double> TransientScene::step_lengths() const {
   return lengths;
 }
 
-TransientScene read_transient(Scene& scene) {
+TransientProblem read_transient_problem(Scene& scene) {
   const Material material = read_material(scene);
   const ContactModel model = read_contact(scene, material, read_tangential(scene, material));
   const TransientProblem problem{.kernel = model.kernel,
@@ -284,6 +284,11 @@ TransientScene read_transient(Scene& scene) {
                                  .solver = read_solver(scene),
                                  .accepted = read_acceptance(scene)};
   require_definite(problem);
+  return problem;
+}
+
+TransientScene read_transient(Scene& scene) {
+  const TransientProblem problem = read_transient_problem(scene);
   const LoadHistory loads = read_loads(scene, problem);
   const std::vector<double> step_ratios = read_steps(scene, problem, loads);
   const std::vector<double> judged = judged_steps(scene, step_ratios);
