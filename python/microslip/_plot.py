@@ -53,10 +53,10 @@ def plot_result(result: Any, axes: Any = None) -> Any:
 def plot_curve(steady: Any, axes: Any = None) -> Any:
     """|F| over |w|, with full sliding."""
     axes = _new_axes() if axes is None else axes
-    axes.plot(100 * np.abs(steady.creepage), np.abs(steady.force), label="steady rolling")
+    (line,) = axes.plot(100 * np.abs(steady.creepage), np.abs(steady.force), label="steady rolling")
+    line.sticky_edges.x[:] = line.sticky_edges.y[:] = [0]  # axes begin there, and still grow with other curves
     axes.axhline(steady.full_sliding, color="0.6", linewidth=0.8, linestyle="--", label="full sliding")
     axes.set(xlabel="creepage [%]", ylabel="force [N/mm]")
-    axes.set_xlim(left=0)
-    axes.set_ylim(bottom=0)
+    axes.autoscale_view()
     axes.legend()
     return axes

@@ -36,8 +36,8 @@ case "$part" in
   notebook)
     python=$(python_with numpy, nbconvert, ipykernel, matplotlib) ||
       skip "no python3 with nbconvert, ipykernel and matplotlib"
-    export HOME=$work PYTHONPATH=$build/python MPLBACKEND=Agg
-    export JUPYTER_PREFER_ENV_PATH=0 IPYTHONDIR=$work/ipython
+    export HOME=$work PYTHONPATH=$build/python PYDEVD_DISABLE_FILE_VALIDATION=1
+    export IPYTHONDIR=$work/ipython
     "$python" -m nbconvert --to notebook --execute --output-dir "$work" --log-level ERROR \
       "$source/examples/python/rolling.ipynb"
     # Each cell of code has run, and figures are there.
@@ -58,7 +58,7 @@ TEXT
     tar -C "$source" --exclude=./build --exclude=./.git --exclude=./results -cf - . | tar -C tree -xf -
     "$python" -m venv --system-site-packages here
     MICROSLIP_BUILD_FOLDER=$build \
-      here/bin/python -m pip install --quiet --no-build-isolation --no-index --disable-pip-version-check tree
+      here/bin/python -m pip install --quiet --no-build-isolation --no-index --disable-pip-version-check ./tree
     cat >try.py <<'TEXT'
 import pathlib, subprocess, sys
 import microslip as ms
