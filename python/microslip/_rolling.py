@@ -8,19 +8,17 @@ import copy as copying
 import ctypes as c
 import os
 import weakref
-from typing import Any, Dict, Iterator, Mapping, NamedTuple, Optional, Tuple, Union
+from typing import Any, Dict, Iterator, Mapping, NamedTuple, Optional, Union
 
 import numpy as np
 
 from . import _plot
+from ._arrays import Values, broadcast, numbers, record
 from ._errors import Error, InputError
 from ._library import (JACOBIAN, SHIFT, STATE, Steps, call, error_of, require, require_ok, text_of)
 from ._result import Progress, shown_progress
 from ._scene import Scene, SceneArguments
 from ._table import html_table
-
-#: A number, or an array with one a step.
-Values = Union[float, "np.typing.ArrayLike", None]
 
 _UNITS = {"distance": "mm", "force": "N/mm", "mean_force": "N/mm", "creepage": "1", "dissipation": "N/mm",
           "residual": "1", "violation": "1", "adhesion_elements": "1", "slip_elements": "1", "iterations": "1"}
@@ -74,10 +72,10 @@ class Rolling:
     units: Dict[str, str] = dict(_UNITS)
 
     def __init__(self, scene: Scene = None, **overrides: Any):
-        self._arguments: Tuple[Scene, Mapping[str, Any]] = (copying.deepcopy(scene), copying.deepcopy(overrides))
+        self._scene = SceneArguments(scene, overrides)
         self._load: Optional[Load] = None
         self._contact = (1.0, 1.0)
-        self._own(require(call("py_rolling", SceneArguments(scene, overrides).in_c())))
+        self._own(require(call("py_rolling", self._scene.in_c())))
 
     def _own(self, handle: int) -> None:
         self._handle = handle
@@ -122,8 +120,7 @@ class Rolling:
     def __setstate__(self, state: Dict[str, Any]) -> None:
         saved = state.pop("_saved")
         vars(self).update(state)
-        scene, overrides = self._arguments
-        self._own(require(call("py_rolling", SceneArguments(scene, overrides).in_c())))
+        self._own(require(call("py_rolling", self._scene.in_c())))
         self._call("set_contact", *self._contact)
         require_ok(call("py_restore", self._handle, saved))
         if self._load is not None:
@@ -168,12 +165,12 @@ class Rolling:
         InputError, NoSolution
             No step has been made then; the message names the first that fails, from 0.
         """
-        given = {"dq": dq, "creepage": creepage, "force": force, "half_width": half_width, "bound": bound}
+        given = {"dq": numbers("dq", dq), "creepage": creepage, "force": force, "half_width": half_width, "bound": bound}
         self._require_load(creepage, force)
         if (half_width is None) != (bound is None):
             given["half_width"] = self._contact[0] if half_width is None else half_width
             given["bound"] = self._contact[1] if bound is None else bound
-        columns = _broadcast(given)
+        columns = broadcast(given)
         if columns["dq"].ndim == 0:
             self._roll_once(**{name: float(value) for name, value in columns.items()})
             self._remember(columns)
@@ -258,9 +255,9 @@ class Rolling:
             self._set_load(creepage, force)
             if not jacobian:
                 self._call("attempt", float(dq), state.ctypes.data)
-                return _record(state)
+                return record(state)
             self._call("attempt_with_jacobian", float(dq), state.ctypes.data, slopes.ctypes.data)
-        return _record(state), _record(slopes)
+        return record(state), record(slopes)
 
     def _require_load(self, creepage: Any, force: Any) -> None:
         if creepage is not None and force is not None:
@@ -326,7 +323,7 @@ class Rolling:
         shift = np.zeros((), SHIFT)
         name, value = ("shift_to_force", force) if force is not None else ("shift_by_distance", distance)
         self._call(name, float(value), shift.ctypes.data)  # type: ignore[arg-type]
-        return _record(shift)
+        return record(shift)
 
     # What is there now
 
@@ -335,7 +332,7 @@ class Rolling:
         """The state now, and the step that led there: a numpy.record, see ``Rolling.units``."""
         state = np.zeros((), STATE)
         self._call("get_state", state.ctypes.data)
-        return _record(state)
+        return record(state)
 
     @property
     def elastic_energy(self) -> float:
@@ -353,8 +350,8 @@ class Rolling:
         return text_of("method", self._open())
 
     @property
-    def nodes(self) -> np.ndarray:
-        """x in the contact's frame, ascending; the leading edge is x = +half_width  [mm]."""
+    def x(self) -> np.ndarray:
+        """The nodes in the contact's frame, ascending; the leading edge is x = +half_width  [mm]."""
         return self._values("nodes")
 
     @property
@@ -391,7 +388,7 @@ class Rolling:
 
     def plot(self, axes: Any = None) -> Any:
         """Draws tractions within their bound; returns the axes of matplotlib."""
-        return _plot.plot_traction(self.nodes, self.bound, self.traction, axes)
+        return _plot.plot_traction(self.x, self.bound, self.traction, axes)
 
     def __repr__(self) -> str:
         if not self._finalizer.alive:
@@ -435,31 +432,3 @@ class Rolling:
         values = np.empty(len(self), kind)
         self._call(f"get_{name}", values.ctypes.data, values.size)
         return values
-
-
-def _record(values: np.ndarray) -> Any:
-    """A structured array without dimensions as a record."""
-    return values.reshape(1).view(np.recarray)[0]
-
-
-def _broadcast(given: Mapping[str, Any]) -> Dict[str, np.ndarray]:
-    """Arrays of one shape, of no or one dimension."""
-    columns: Dict[str, np.ndarray] = {}
-    for name, value in given.items():
-        if value is None:
-            continue
-        try:
-            columns[name] = np.asarray(value, dtype=float)
-        except (TypeError, ValueError):
-            raise InputError(f"{name} = {value!r}: expected numbers", name, repr(value), "numbers") from None
-        if columns[name].ndim > 1:
-            raise InputError(f"{name}: expected a number or an array of one dimension, not of {columns[name].ndim}",
-                             name, "", "a number or an array of one dimension")
-    try:
-        arrays = np.broadcast_arrays(*columns.values())
-    except ValueError:
-        lengths = ", ".join(f"{name} {value.size}" for name, value in columns.items() if value.ndim)
-        raise InputError(f"dq: expected arrays of one length, not of {lengths}", "dq", lengths,
-                         "arrays of one length") from None
-    return {name: np.ascontiguousarray(array) if array.ndim else array.copy()
-            for name, array in zip(columns, arrays)}

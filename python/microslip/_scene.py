@@ -62,7 +62,7 @@ def _names_file(key: str) -> bool:
 
 
 class SceneArguments:
-    """A scene in the form of the C interface; what it points to lives as long as this object."""
+    """A scene that has been given, with its text and arrays as they were then, but not other files."""
 
     def __init__(self, scene: Scene, overrides: Mapping[str, Any]):
         self._assignments: List[bytes] = []
@@ -81,7 +81,7 @@ class SceneArguments:
         if "\0" in text:
             raise InputError(f"{name}: expected a text, not NUL bytes", "scene", "", "a text")
         self._assign_all(overrides)
-        self._keep = [text.encode(), name.encode(), folder.encode()]
+        self._texts = [text.encode(), name.encode(), folder.encode()]
 
     def _assign_all(self, given: Mapping[str, Any]) -> None:
         for key, value in _items(given):
@@ -124,12 +124,13 @@ class SceneArguments:
         return name
 
     def in_c(self) -> SceneText:
-        text, name, folder = self._keep
+        text, name, folder = self._texts
         assignments = (c.c_char_p * len(self._assignments))(*self._assignments)
         names = (c.c_char_p * len(self._files))(*(one.encode() for one in self._files))
         texts = (c.c_char_p * len(self._files))(*self._files.values())
-        self._arrays = (assignments, names, texts)
-        return SceneText(text, name, folder, assignments, len(assignments), names, texts, len(names))
+        scene = SceneText(text, name, folder, assignments, len(assignments), names, texts, len(names))
+        scene.keep = (assignments, names, texts)  # as long as what points to them
+        return scene
 
 
 def _text_of_file(name: str) -> str:

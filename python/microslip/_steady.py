@@ -12,11 +12,11 @@ from typing import Any, Dict, List, Optional
 import numpy as np
 
 from . import _plot
+from ._arrays import Values, numbers
 from ._errors import InputError
 from ._library import (CREEPAGE, FORCE, STATUS_OF_NO_SOLUTION, STEADY, SteadyNodes, call, error_of, require, require_ok,
                        text_of)
 from ._result import Progress, shown_progress, warn_of
-from ._rolling import Values
 from ._scene import Scene, SceneArguments
 from ._table import html_table, to_pandas
 
@@ -119,13 +119,6 @@ def threads_of(threads: Optional[int]) -> int:
                      "a whole number >= 1")
 
 
-def _loads(name: str, values: Any) -> np.ndarray:
-    try:
-        return np.asarray(values, dtype=float)
-    except (TypeError, ValueError):
-        raise InputError(f"{name} = {values!r}: expected numbers", name, repr(values), "numbers") from None
-
-
 def steady(scene: Scene = None, *, creepage: Values = None, force: Values = None, threads: Optional[int] = None,
            progress: Progress = None, missing: str = "raise", **overrides: Any) -> Steady:
     """Steady rolling: the force of a creepage, or the creepage of a force, with tractions.
@@ -170,7 +163,7 @@ def steady(scene: Scene = None, *, creepage: Values = None, force: Values = None
                          "'raise' or 'nan'")
     contact = _read(scene, overrides)
     name, loads = ("creepage", creepage) if force is None else ("force", force)
-    found = contact.solve(CREEPAGE if force is None else FORCE, _loads(name, loads), threads_of(threads),
+    found = contact.solve(CREEPAGE if force is None else FORCE, numbers(name, loads), threads_of(threads),
                           shown_progress(progress))
     _raise_first(found, missing)
     return found

@@ -24,7 +24,7 @@ def started(scene, kind=ms.Rolling):
 def everything(contact):
     return [contact.state.item(), contact.elastic_energy, contact.load,
             *(getattr(contact, name).tolist() for name in
-              ("nodes", "traction", "bound", "slip", "displacement", "zones"))]
+              ("x", "traction", "bound", "slip", "displacement", "zones"))]
 
 
 class Named(ms.Rolling):
@@ -69,6 +69,15 @@ def test_a_pickled_contact_of_arrays_needs_no_file(scene):
     direct = ms.Rolling(scene, step_scheme="direct")
     with pytest.raises(ms.InputError, match="expected 'remembered'"):
         pickle.dumps(direct)
+
+
+def test_a_pickled_contact_of_a_file_is_that_of_the_file_as_it_was(source, tmp_path, monkeypatch):
+    (tmp_path / "a.info").write_text((source / "examples/steady.info").read_text())
+    monkeypatch.chdir(tmp_path)
+    contact = ms.Rolling("a.info", grid_elements=20)
+    contact.roll(0.3, creepage=0.001)
+    (tmp_path / "a.info").unlink()
+    assert everything(pickle.loads(pickle.dumps(contact))) == everything(contact)
 
 
 def test_changing_what_was_given_does_not_change_the_contact(scene):
