@@ -21,9 +21,9 @@ using namespace microslip;
 using namespace microslip::python;
 
 struct Case {
-  std::string warnings;  ///< a line each
-  Parameters origin;
+  Scene scene;
   program::Work work;
+  std::string warnings;  ///< a line each
 };
 
 /// What fails to converge while it is read fails when it is solved: others may have solutions.
@@ -37,7 +37,7 @@ Case read_case(Scene scene) {
       return [error](const Progress&) -> std::vector<Table> { throw error; };
     }
   });
-  return {lines_of(scene.warnings()), scene.origin(), work};
+  return {scene, work, lines_of(scene.warnings())};
 }
 
 std::string label(const Sweep& sweep, std::size_t index) {
@@ -128,9 +128,10 @@ microslip_py_tables* microslip_py_solve(const microslip_py_cases* cases, std::si
   return or_null([&] {
     const Case& one = cases->all[at];
     microslip_py_tables written;
-    for (const Table& table : one.work(progress_by(progress))) {
+    const auto tables = placed(one.scene, [&] { return one.work(progress_by(progress)); });
+    for (const Table& table : tables) {
       std::ostringstream text;
-      table.write(text, "microslip", one.origin);
+      table.write(text, "microslip", one.scene.origin());
       written.all.emplace_back(table.name(), text.str());
     }
     return new microslip_py_tables(std::move(written));
