@@ -183,8 +183,7 @@ TEST(CSteady, RefusesWhatMakesNoContact) {
     return solved.message;
   };
   EXPECT_EQ(refused({.material = {0, 0.3}}), "shear_modulus = 0: expected a number > 0");
-  EXPECT_EQ(refused({.grid = {0, 0}}),
-            "elements = 0: expected a whole number in [1, 4000000]");
+  EXPECT_EQ(refused({.grid = {0, 0}}), "elements = 0: expected a whole number in [1, 4000000]");
   EXPECT_EQ(refused({}, 2), "load_type = 2: expected 0 for creepages or 1 for forces");
   const Parts p;
   char text[64] = "";
