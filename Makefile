@@ -11,7 +11,7 @@ FUZZ_SECONDS ?= 60
 PREFIX ?= /usr/local
 READERS := $(patsubst fuzz/targets/%.cpp,%,$(wildcard fuzz/targets/*.cpp))
 STUDIES := $(patsubst studies/%/study.info,%,$(wildcard studies/*/study.info))
-SOURCES = $(shell find core thesis capi experiments program apps studies bench examples tests tools fuzz \
+SOURCES = $(shell find core thesis capi python experiments program apps studies bench examples tests tools fuzz \
   -name '*.[ch]pp' -o -name '*.[ch]')
 
 .PHONY: help deps build install package docs figures report quick bench test verify references coverage mutants sanitize fuzz keep-corpus \

@@ -33,6 +33,14 @@ LIST
     coverage) echo "gcovr gcovr" ;;
     languages) cat <<'LIST'
 python3-numpy /usr/lib/python3/dist-packages/numpy
+python3-pytest /usr/lib/python3/dist-packages/pytest
+python3-pip /usr/lib/python3/dist-packages/pip
+python3-venv /usr/share/doc/python3-venv
+python3-setuptools /usr/lib/python3/dist-packages/setuptools
+python3-wheel /usr/lib/python3/dist-packages/wheel
+python3-matplotlib /usr/lib/python3/dist-packages/matplotlib
+python3-nbconvert /usr/lib/python3/dist-packages/nbconvert
+python3-ipykernel /usr/lib/python3/dist-packages/ipykernel
 octave-dev mkoctfile
 pkg-config pkg-config
 LIST

@@ -5,41 +5,25 @@
 
 #include "microslip/experiments/converge_scene.hpp"
 #include "microslip/experiments/response_scene.hpp"
-#include "microslip/experiments/scene_tables.hpp"
 #include "microslip/program/commands.hpp"
-#include "microslip/program/memory.hpp"
 #include "microslip/program/sweep.hpp"
-#include "microslip/scene/cost.hpp"
-#include "microslip/support/require.hpp"
+#include "solver.hpp"
 #include "templates.hpp"
 
 namespace {
 
 using namespace microslip;
 
-/// In a case of a sweep, its section has been taken out.
-void reject_sweep(const Scene& scene) {
-  for (const std::string& key : scene.keys()) {
-    if (!key.starts_with("sweep.")) continue;
-    throw BadParameter(key, fmt::format("key '{}': expected a scene without a sweep; for many see "
-                                        "'microslip sweep --help'",
-                                        key));
-  }
-}
+constexpr const char* for_many = "for many see 'microslip sweep --help'";
 
 program::Work prepare(Scene& scene) {
-  reject_sweep(scene);
-  const Model model = read_model(scene);
-  program::require_memory("grid.elements", elements_of(model), memory_needed(model));
-  return [model](const Progress& progress) {
-    return std::visit([&](const auto& read) { return experiments::scene_tables(read, progress); },
-                      model);
-  };
+  reject_sweep(scene, for_many);
+  return solver_of(scene);
 }
 
 /// \param state  in which the scene ends, filled by the work
 program::Work prepare_to_save(Scene& scene, std::string& state) {
-  reject_sweep(scene);
+  reject_sweep(scene, for_many);
   const Model model = read_model(scene);
   const auto* transient = std::get_if<TransientScene>(&model);
   if (transient == nullptr) {
@@ -60,14 +44,14 @@ program::Work prepare_to_save(Scene& scene, std::string& state) {
 }
 
 program::Work prepare_response(Scene& scene) {
-  reject_sweep(scene);
+  reject_sweep(scene, for_many);
   return [read = experiments::read_response(scene)](const Progress& progress) {
     return experiments::response_tables(read, progress);
   };
 }
 
 program::Work prepare_converge(Scene& scene) {
-  reject_sweep(scene);
+  reject_sweep(scene, for_many);
   const experiments::ConvergeScene read = experiments::read_converge(scene);
   program::require_memory("converge.elements", read.elements.back(), read.memory);
   return [read](const Progress& progress) { return experiments::converge_tables(read, progress); };

@@ -226,6 +226,26 @@ MICROSLIP_API enum microslip_status microslip_shift_by_distance(microslip_rollin
  * force, rounding is more than 1 % of the creepage below 1e-13 N elements. */
 MICROSLIP_API enum microslip_status microslip_advance(microslip_rolling* rolling, double dq);
 
+/** Steps to make in one call, arrays of `count` numbers each. */
+struct microslip_steps {
+  size_t count;
+  const double* dq;         /**< as microslip_advance() takes it  [mm] */
+  const double* creepage;   /**< of each step; null under forces, or under the load that is set */
+  const double* force;      /**< likewise, null under creepages  [N/mm] */
+  const double* half_width; /**< of the contact at the end of each step, with bound: as
+                               microslip_set_contact() takes them; both null where it stays  [1] */
+  const double* bound;
+};
+
+/** Makes many steps, to the bit like one by one; a step costs no more than its work. The load and
+ * the contact of the last one remain set. If a step fails, none has been made, and the message
+ * names it, from 0: "steps[17]: dq = -1: ..."; states of those before it are written.
+ *
+ * states  out, `count` of them, after each step; may be null */
+MICROSLIP_API enum microslip_status microslip_roll(microslip_rolling* rolling,
+                                                   const struct microslip_steps* steps,
+                                                   struct microslip_state* states);
+
 /** The state to which that step would lead, without rolling. If microslip_advance() makes the same
  * step next, that costs nothing. */
 MICROSLIP_API enum microslip_status microslip_attempt(microslip_rolling* rolling, double dq,
@@ -275,6 +295,64 @@ MICROSLIP_API enum microslip_status microslip_get_displacement(microslip_rolling
                                                                double* values, size_t length);
 MICROSLIP_API enum microslip_status microslip_get_zones(microslip_rolling* rolling, int* values,
                                                         size_t length);
+
+/** What steady rolling is solved under. */
+enum microslip_load {
+  MICROSLIP_CREEPAGE = 0, /**< w, finite  [1] */
+  MICROSLIP_FORCE = 1     /**< F, less in absolute value than full sliding  [N/mm] */
+};
+
+enum microslip_steady_method {
+  MICROSLIP_INVERSION = 0, /**< ten digits */
+  MICROSLIP_ELEMENTS = 1   /**< elements over the whole contact, second order: where there is more
+                              than one zone of stick or of slip, at least 11 of them */
+};
+
+/** Steady rolling under one load. If `status` is not 0, other numbers are not a number, or 0. */
+struct microslip_steady {
+  double creepage;    /**< w  [1] */
+  double force;       /**< F  [N/mm] */
+  double dissipation; /**< -w F, energy lost per mm rolled  [N/mm] */
+  double stick_edge;  /**< x where the one stick zone begins, a in full sliding; not a number
+                               by elements  [mm] */
+  double residual;    /**< slip left in adhesion, over the largest term of its equations [1] */
+  double violation;   /**< of the bound or of the direction of slip, relative  [1] */
+  double dissipation_error; /**< of the integral of -p s at the nodes, relative  [1] */
+  double condition;         /**< of the equations in adhesion, estimate  [1] */
+  int adhesion_elements;
+  int slip_elements;
+  int method; /**< of microslip_steady_method */
+  int status; /**< of microslip_status */
+};
+
+/** Values at the nodes under each load: arrays with room for `count` rows of `elements` numbers,
+ * load by load. Each may be null. Slip is 0 in adhesion. */
+struct microslip_steady_nodes {
+  double* x;            /**< ascending; by elements they are others than by inversion  [mm] */
+  double* bound;        /**< [N/mm^2] */
+  double* traction;     /**< [N/mm^2] */
+  double* slip;         /**< relative slip s  [1] */
+  double* displacement; /**< [mm] */
+};
+
+/** Steady rolling under each of many loads: the force of a creepage, or the creepage of a force.
+ * It needs no handle. Plane strain of any length: the creepage does not depend on it.
+ *
+ * Returns the first status of a load that is not 0, and others are solved all the same. The message
+ * then names the load, from 0: "loads[3]: ..."
+ *
+ * elements   N nodes, 1 ... 4 000 000; they say where values are given, and take part in the
+ *            solution by elements only
+ * load_type  of microslip_load
+ * loads      `count` of them
+ * states     out, `count` of them
+ * nodes      out, may be null
+ * message    out, may be null, as that of microslip_create() */
+MICROSLIP_API enum microslip_status microslip_solve_steady(
+    const struct microslip_material* material, const struct microslip_contact* contact,
+    const struct microslip_kernel* kernel, int elements, int load_type, const double* loads,
+    size_t count, struct microslip_steady* states, const struct microslip_steady_nodes* nodes,
+    char* message, size_t message_size);
 
 #ifdef __cplusplus
 }

@@ -4,124 +4,20 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string>
 
-#include "microslip/halfspace/influence.hpp"
-#include "microslip/rolling/schemes.hpp"
+#include "handle.hpp"
 #include "microslip/scene/text.hpp"
-#include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 #include "microslip/support/shown.hpp"
 #include "problem.hpp"
-#include "status.hpp"
 #include "text_file.hpp"
 #include "version.hpp"
 
-using microslip::Load;
-using microslip::TransientProblem;
-using microslip::TransientRolling;
-using microslip::TransientState;
-using microslip::capi::guarded;
-using microslip::capi::require_pointer;
-
-struct microslip_rolling {
-  explicit microslip_rolling(const TransientProblem& problem)
-      : contact(std::make_unique<TransientRolling>(problem)),
-        method(name_of(problem.scheme)),
-        spacing(problem.grid.spacing()),
-        full_sliding(spacing * contact->bound().sum()) {}
-
-  microslip_rolling(const microslip_rolling& other)
-      : contact(std::make_unique<TransientRolling>(*other.contact)),
-        method(other.method),
-        spacing(other.spacing),
-        full_sliding(other.full_sliding),
-        load(other.load) {}
-
-  std::unique_ptr<TransientRolling> contact;  ///< null if it was lost
-  std::string method;                         ///< name of its scheme
-  double spacing;                             ///< dx  [mm]
-  double full_sliding;                        ///< as the elements have it  [N/mm]
-  std::optional<Load> load;
-  char message[512] = "";  ///< of the last call that failed
-};
+using namespace microslip::capi;
 
 namespace {
-
-/// A step of more elements would look like a program that hangs.
-constexpr double most_elements = 1e6;
-
-/// Does the work with what a handle stands for.
-template <class Work>
-microslip_status with(microslip_rolling* handle, const Work& work) noexcept {
-  if (handle == nullptr) return MICROSLIP_BAD_INPUT;
-  const microslip::capi::Message message{handle->message, sizeof handle->message};
-  if (!handle->contact) {
-    message.say("out of memory in an earlier step: expected no more than to be destroyed");
-    return MICROSLIP_OUT_OF_MEMORY;
-  }
-  return guarded(message, [&] { work(*handle); });
-}
-
-/// The same for work that changes the contact. Where memory runs out in between, the contact is
-/// lost, and leaks: see TransientRolling.
-template <class Work>
-microslip_status roll_with(microslip_rolling* handle, const Work& work) noexcept {
-  const microslip_status status = with(handle, work);
-  if (status == MICROSLIP_OUT_OF_MEMORY) static_cast<void>(handle->contact.release());
-  return status;
-}
-
-double full_sliding_of(const microslip_rolling& handle) {
-  return handle.full_sliding * handle.contact->contact().full_sliding();
-}
-
-void require_force(const microslip_rolling& handle, double force) {
-  if (!handle.contact->contact().carries()) {
-    microslip::require(force == 0, "force", force, "0 where bodies do not touch");
-    return;
-  }
-  const double most = full_sliding_of(handle);
-  microslip::require(std::abs(force) < most, "force", force, [&] {
-    return "an absolute value below full sliding, " + microslip::format_short(most);
-  });
-}
-
-/// \return the load of a step
-const Load& require_step(const microslip_rolling& handle, double dq) {
-  const double now = handle.contact->state().scale.half_width;
-  const double larger = std::max(now, handle.contact->contact().half_width);
-  const double spacing = handle.spacing * (larger > 0 ? larger : 1);
-  const double elements = dq / spacing;
-  microslip::require(elements >= microslip::min_step_ratio && elements <= most_elements, "dq", dq,
-                     [&] {
-                       return fmt::format("from {} to {} elements, one of which is {}",
-                                          microslip::format_short(microslip::min_step_ratio),
-                                          microslip::format_short(most_elements),
-                                          microslip::format_short(spacing));
-                     });
-  if (!handle.load) throw std::invalid_argument("load: expected a creepage or a force to be set");
-  const auto* force = std::get_if<microslip::PrescribedForce>(&*handle.load);
-  if (force != nullptr) require_force(handle, force->value);
-  return *handle.load;
-}
-
-microslip_state in_c(const TransientState& state) {
-  return {.distance = state.distance,
-          .force = state.force,
-          .mean_force = state.mean_force,
-          .creepage = state.creepage,
-          .dissipation = state.dissipation,
-          .residual = state.evidence.residual,
-          .violation = state.evidence.violation(),
-          .adhesion_elements = static_cast<int>(state.adhesion_elements),
-          .slip_elements = static_cast<int>(state.slip_elements),
-          .iterations = state.iterations};
-}
 
 microslip_slopes in_c(const microslip::StepSlopes& slopes) {
   return {.force = slopes.force,

@@ -70,15 +70,26 @@ TransientProblem make_problem(const microslip_material& material, const microsli
                               const microslip_contact& contact, const microslip_kernel& kernel,
                               const microslip_grid& grid) {
   const auto [beta, friction] = unlike;
-  require(beta >= -0.5 && beta <= 0.5, "unlike.dundurs_beta", beta, "a number in [-0.5, 0.5]");
-  require(friction > 0 && friction <= 10, "unlike.friction", friction,
-          "a number above 0, at most 10");
-  require(beta == 0 || kernel.type == MICROSLIP_PLANE, "kernel.type", kernel.type,
+  require(beta >= -0.5 && beta <= 0.5, "dundurs_beta", beta, "a number in [-0.5, 0.5]");
+  require(friction > 0 && friction <= 10, "friction", friction, "a number above 0, at most 10");
+  require(beta == 0 || kernel.type == MICROSLIP_PLANE, "kernel type", kernel.type,
           "1, plane strain, for bodies of different material");
   TransientProblem problem = make_problem(material, contact, kernel, grid);
   problem.pressure_strain = pressure_strain({material_of(problem.kernel), beta}, friction);
   problem.coupling = beta * friction;
   return problem;
+}
+
+SteadyProblem make_steady_problem(const microslip_material& material,
+                                  const microslip_contact& contact, const microslip_kernel& kernel,
+                                  int elements) {
+  const TractionBound bound = make_bound(contact);
+  return {.kernel = make_kernel(
+              {.shear_modulus = material.shear_modulus, .poisson_ratio = material.poisson_ratio},
+              kernel),
+          .bound = bound,
+          .grid = Grid({.half_width = contact.half_width, .elements = elements}),
+          .load = PrescribedCreepage{0}};
 }
 
 }  // namespace microslip::capi

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "microslip.h"
+#include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/transient.hpp"
 
 namespace microslip::capi {
@@ -16,5 +17,12 @@ TransientProblem make_problem(const microslip_material& material, const microsli
 TransientProblem make_problem(const microslip_material& material, const microslip_unlike& unlike,
                               const microslip_contact& contact, const microslip_kernel& kernel,
                               const microslip_grid& grid);
+
+/// The same of steady rolling by its default method, free for now.
+/// \param elements  N nodes, and elements where the method needs some
+/// \throws std::invalid_argument likewise
+SteadyProblem make_steady_problem(const microslip_material& material,
+                                  const microslip_contact& contact, const microslip_kernel& kernel,
+                                  int elements);
 
 }  // namespace microslip::capi

@@ -18,11 +18,22 @@
  *   s = microslip_mex('shift_to_force', h, F)
  *                                           a struct as microslip_shift; likewise
  *                                           shift_by_distance, with a rigid shift
+ *   s = microslip_mex('roll', h, dq, 'creepage', w)
+ *                                           many steps in one call, or likewise 'force', F: arrays of
+ *                                           one length; a struct as microslip_state, of columns, a row
+ *                                           a step. If a step fails, none has been made
+ *   s = microslip_mex('steady', problem, 'creepage', w)
+ *                                           steady rolling under each of an array of loads, likewise
+ *                                           'force', F: a struct as microslip_steady, of columns, a
+ *                                           row a load, and matrices x, bound, traction, slip,
+ *                                           displacement, a column a load. It needs no handle
  *
  * Octave: mkoctfile --mex microslip_mex.c -lmicroslip;  MATLAB: mex microslip_mex.c -lmicroslip */
 #include <mex.h>
 #include <microslip.h>
 #include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static void check(enum microslip_status status, const char* message) {
@@ -87,9 +98,17 @@ static double number(const mxArray* problem, const char* name, int needed) {
   return value ? mxGetScalar(value) : 0;
 }
 
-static mxArray* create(const mxArray* p) {
+/* What a struct describes; the arrays of its bound remain those of the struct. */
+struct problem {
+  struct microslip_material material;
+  struct microslip_contact contact;
+  struct microslip_kernel kernel;
+  struct microslip_grid grid;
+};
+
+static struct problem read_problem(const mxArray* p) {
   const mxArray *x = field(p, "bound_x", 0), *value = field(p, "bound_value", 0);
-  char kernel_name[8] = "", scheme_name[16] = "remembered", message[512];
+  char kernel_name[8] = "", scheme_name[16] = "remembered";
   mxGetString(field(p, "kernel", 1), kernel_name, sizeof kernel_name);
   const struct microslip_material material = {number(p, "shear_modulus", 1),
                                               number(p, "poisson_ratio", 1)};
@@ -104,11 +123,18 @@ static mxArray* create(const mxArray* p) {
   const int scheme = !strcmp(scheme_name, "remembered") ? MICROSLIP_REMEMBERED
                      : !strcmp(scheme_name, "direct")   ? MICROSLIP_DIRECT
                                                         : -1;
-  const struct microslip_grid grid = {(int)number(p, "elements", 1), scheme};
-  microslip_rolling* rolling;
   if (x && value && mxGetNumberOfElements(x) != mxGetNumberOfElements(value))
     mexErrMsgIdAndTxt("microslip:bad_input", "bound_value: expected as many as bound_x");
-  check(microslip_create(&material, &contact, &kernel, &grid, &rolling, message, sizeof message),
+  const struct problem read = {material, contact, kernel, {(int)number(p, "elements", 1), scheme}};
+  return read;
+}
+
+static mxArray* create(const mxArray* p) {
+  const struct problem read = read_problem(p);
+  char message[512];
+  microslip_rolling* rolling;
+  check(microslip_create(&read.material, &read.contact, &read.kernel, &read.grid, &rolling, message,
+                         sizeof message),
         message);
   return handle_array(rolling);
 }
@@ -195,12 +221,109 @@ static mxArray* answer(const char* command, microslip_rolling* h, double argumen
   return mxCreateDoubleScalar(result);
 }
 
+/* Of many, the message names one from 0; here they are counted from 1. */
+static void check_many(enum microslip_status status, const char* message, const char* one) {
+  const char *number = strchr(message, '['), *rest = strstr(message, "]: ");
+  char text[640];
+  if (status != MICROSLIP_OK && number && rest) {
+    snprintf(text, sizeof text, "%s %ld: %s", one, strtol(number + 1, NULL, 10) + 1, rest + 3);
+    message = text;
+  }
+  check(status, message);
+}
+
+/* Whether numbers are creepages or forces: a type of microslip_load. */
+static int load_type(const mxArray* name) {
+  char text[16] = "";
+  mxGetString(name, text, sizeof text);
+  if (!is(text, "creepage") && !is(text, "force"))
+    mexErrMsgIdAndTxt("microslip:bad_input", "'%s': expected creepage or force", text);
+  return is(text, "force") ? MICROSLIP_FORCE : MICROSLIP_CREEPAGE;
+}
+
+/* A column of a struct, a number for each of many C structs. */
+static double* new_column(mxArray* array, const char* name, size_t rows, size_t columns) {
+  mxArray* values = mxCreateDoubleMatrix(rows, columns, mxREAL);
+  mxAddField(array, name);
+  mxSetField(array, 0, name, values);
+  return mxGetPr(values);
+}
+
+#define PUT_COLUMN(array, structs, name, count)                         \
+  do {                                                                  \
+    double* column = new_column(array, #name, count, 1);                \
+    for (size_t i = 0; i < (count); ++i) column[i] = (structs)[i].name; \
+  } while (0)
+
+static mxArray* roll(microslip_rolling* h, const mxArray* dq, const mxArray* name,
+                     const mxArray* load) {
+  const size_t count = mxGetNumberOfElements(dq);
+  const int by_force = load_type(name) == MICROSLIP_FORCE;
+  if (!mxIsDouble(dq) || !mxIsDouble(load) || mxGetNumberOfElements(load) != count)
+    mexErrMsgIdAndTxt("microslip:bad_input", "expected arrays of as many numbers as dq has");
+  const struct microslip_steps steps = {
+      count, mxGetPr(dq), by_force ? NULL : mxGetPr(load), by_force ? mxGetPr(load) : NULL,
+      NULL,  NULL};
+  struct microslip_state* s = mxCalloc(count ? count : 1, sizeof *s);
+  check_many(microslip_roll(h, &steps, s), microslip_message(h), "step");
+  mxArray* array = mxCreateStructMatrix(1, 1, 0, NULL);
+  PUT_COLUMN(array, s, distance, count);
+  PUT_COLUMN(array, s, force, count);
+  PUT_COLUMN(array, s, mean_force, count);
+  PUT_COLUMN(array, s, creepage, count);
+  PUT_COLUMN(array, s, dissipation, count);
+  PUT_COLUMN(array, s, residual, count);
+  PUT_COLUMN(array, s, violation, count);
+  PUT_COLUMN(array, s, adhesion_elements, count);
+  PUT_COLUMN(array, s, slip_elements, count);
+  PUT_COLUMN(array, s, iterations, count);
+  mxFree(s);
+  return array;
+}
+
+static mxArray* steady(const mxArray* p, const mxArray* name, const mxArray* loads) {
+  const struct problem read = read_problem(p);
+  const int type = load_type(name), elements = read.grid.elements;
+  const size_t count = mxGetNumberOfElements(loads), nodes = elements > 0 ? elements : 0;
+  if (!mxIsDouble(loads)) mexErrMsgIdAndTxt("microslip:bad_input", "loads: expected numbers");
+  struct microslip_steady* s = mxCalloc(count ? count : 1, sizeof *s);
+  mxArray* array = mxCreateStructMatrix(1, 1, 0, NULL);
+  struct microslip_steady_nodes values;
+  char message[512] = "";
+  values.x = new_column(array, "x", nodes, count);
+  values.bound = new_column(array, "bound", nodes, count);
+  values.traction = new_column(array, "traction", nodes, count);
+  values.slip = new_column(array, "slip", nodes, count);
+  values.displacement = new_column(array, "displacement", nodes, count);
+  check_many(microslip_solve_steady(&read.material, &read.contact, &read.kernel, elements, type,
+                                    mxGetPr(loads), count, s, &values, message, sizeof message),
+             message, "load");
+  PUT_COLUMN(array, s, creepage, count);
+  PUT_COLUMN(array, s, force, count);
+  PUT_COLUMN(array, s, dissipation, count);
+  PUT_COLUMN(array, s, stick_edge, count);
+  PUT_COLUMN(array, s, residual, count);
+  PUT_COLUMN(array, s, violation, count);
+  PUT_COLUMN(array, s, dissipation_error, count);
+  PUT_COLUMN(array, s, condition, count);
+  PUT_COLUMN(array, s, adhesion_elements, count);
+  PUT_COLUMN(array, s, slip_elements, count);
+  PUT_COLUMN(array, s, method, count);
+  PUT_COLUMN(array, s, status, count);
+  mxFree(s);
+  return array;
+}
+
 void mexFunction(int outputs, mxArray* out[], int inputs, const mxArray* in[]) {
   char command[32] = "";
   if (inputs < 2 || mxGetString(in[0], command, sizeof command) != 0)
     mexErrMsgIdAndTxt("microslip:bad_input", "expected a command, and a handle or a struct");
   if (is(command, "create")) {
     out[0] = create(in[1]);
+    return;
+  }
+  if (is(command, "steady") && inputs > 3) {
+    out[0] = steady(in[1], in[2], in[3]);
     return;
   }
   if (!mxIsUint64(in[1])) mexErrMsgIdAndTxt("microslip:bad_input", "expected a handle");
@@ -212,6 +335,10 @@ void mexFunction(int outputs, mxArray* out[], int inputs, const mxArray* in[]) {
   if (is(command, "set_contact") && inputs > 3) {
     check(microslip_set_contact(handle, mxGetScalar(in[2]), mxGetScalar(in[3])),
           microslip_message(handle));
+    return;
+  }
+  if (is(command, "roll") && inputs > 4) {
+    out[0] = roll(handle, in[2], in[3], in[4]);
     return;
   }
   if ((is(command, "save") || is(command, "restore")) && inputs > 2) {

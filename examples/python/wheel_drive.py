@@ -8,12 +8,12 @@ rule: mean velocities over a step move the contact, whose mean force moves the w
 for the mean force is solved by Newton's method with the derivatives of the step. Then energy is
 balanced to rounding, whatever the steps.
 
-  MICROSLIP_LIBRARY=lib/libmicroslip.so python3 wheel_drive.py
+  pip install . && python3 examples/python/wheel_drive.py
 """
 
 import math
 
-import microslip
+import microslip as ms
 
 steps, elements = 400, 100
 mass = 0.8  # m  [N s^2/mm^2]
@@ -21,7 +21,7 @@ inertia = 6000  # I  [N s^2]
 radius = 460  # R  [mm]
 time_step = 0.001  # [s]
 most_torque = 0.9  # of full sliding times R  [1]
-contact = microslip.Contact(half_width=5, peak_traction=300)
+half_width = 5  # a  [mm]
 
 columns = """t [s]: time
 v [mm/s]: velocity
@@ -60,8 +60,7 @@ def motion_with(wheel, force):
 def excess(rolling, wheel, force):
     """By how much a mean force is above the one to which it leads, and the derivative of that."""
     (creepage, creepage_slope), (dq, dq_slope) = motion_with(wheel, force)
-    rolling.set_creepage(creepage)
-    state, jacobian = rolling.attempt_with_jacobian(dq)
+    state, jacobian = rolling.attempt(dq, creepage=creepage, jacobian=True)
     slope = (1 - jacobian.by_load.mean_force * creepage_slope
              - jacobian.by_length.mean_force * dq_slope)
     return force - state.mean_force, slope
@@ -80,11 +79,11 @@ def find_mean_force(rolling, wheel, force, scale):
     raise RuntimeError("the midpoint rule finds no force")
 
 
-rolling = microslip.Rolling(microslip.Material(82000, 0.28), contact,
-                            microslip.Kernel(microslip.Kernel.STRIP, 10),
-                            microslip.Grid(elements, microslip.Grid.REMEMBERED))
+rolling = ms.Rolling(material={"shear_modulus": 82000, "poisson_ratio": 0.28},
+                     contact={"half_width": half_width, "peak_traction": 300},
+                     kernel={"type": "strip", "width": 10}, grid={"elements": elements})
 full_sliding = rolling.full_sliding
-dx = 2 * contact.half_width / elements
+dx = 2 * half_width / elements
 end = steps * time_step
 wheel = Wheel(1)
 start = wheel.kinetic()
@@ -105,12 +104,11 @@ for k in range(steps):
     force_before = force
     force = find_mean_force(rolling, wheel, guess, full_sliding)
     _, (dq, _) = motion_with(wheel, force)
-    rolling.advance(dq)
+    state = rolling.roll(dq)  # under the creepage that was tried last
     spin_before = wheel.spin
     wheel.velocity += time_step * force / mass
     wheel.spin += time_step * (wheel.torque - radius * force) / inertia
 
-    state = rolling.state
     elastic = rolling.elastic_energy
     kinetic = wheel.kinetic()
     work += wheel.torque * time_step * (spin_before + wheel.spin) / 2

@@ -20,6 +20,32 @@ double force_after_a_step_in_c99(void) {
   return state.force;
 }
 
+double force_after_steps_in_c99(void) {
+  const struct microslip_material material = {1, 0.28};
+  const struct microslip_contact contact = {1, 1, NULL, NULL, 0};
+  const struct microslip_kernel kernel = {MICROSLIP_STRIP, 4};
+  const struct microslip_grid grid = {20, MICROSLIP_REMEMBERED};
+  const double dq[] = {0.07, 0.01, 0.2}, creepage[] = {0.5, 0.5, 0.5};
+  const struct microslip_steps steps = {3, dq, creepage, NULL, NULL, NULL};
+  microslip_rolling* rolling;
+  struct microslip_state states[3] = {{0}};
+  if (microslip_create(&material, &contact, &kernel, &grid, &rolling, NULL, 0)) return 0;
+  microslip_roll(rolling, &steps, states);
+  microslip_destroy(rolling);
+  return states[2].force;
+}
+
+double steady_force_in_c99(double creepage) {
+  const struct microslip_material material = {1, 0.28};
+  const struct microslip_contact contact = {1, 1, NULL, NULL, 0};
+  const struct microslip_kernel kernel = {MICROSLIP_PLANE, 20};
+  struct microslip_steady state;
+  if (microslip_solve_steady(&material, &contact, &kernel, 20, MICROSLIP_CREEPAGE, &creepage, 1,
+                             &state, NULL, NULL, 0))
+    return 0;
+  return state.force;
+}
+
 double loss_of_a_cycle_in_c99(int scheme, int elements, double force, int n, double* shift) {
   const struct microslip_material material = {1, 0.28};
   const struct microslip_contact contact = {1, 1, NULL, NULL, 0};

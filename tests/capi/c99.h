@@ -8,6 +8,12 @@ extern "C" {
 /* G = 1, nu = 0.28, a = 1, peak 1, a strip of 4, 20 elements: w = 0.5 over 0.07  [N/mm] */
 double force_after_a_step_in_c99(void);
 
+/* The same after steps of 0.07, 0.01 and 0.2 in one call  [N/mm] */
+double force_after_steps_in_c99(void);
+
+/* The same material and bound in plane strain, steady rolling; 0 if a call fails  [N/mm] */
+double steady_force_in_c99(double creepage);
+
 /* The same material and bound in plane strain, L0 = 20: a shift to the force, then one cycle to and
  * fro between -+force without rolling. Returns what the cycle loses, -1 if a call fails  [N]
  * shift  out, n + 1 of them: the rigid shift so far after the first shift and after each of n equal

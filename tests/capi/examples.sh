@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # The coupling example in one language: it balances energy, over steps far below an element and of
-# some, and its table is that in C; in Python, after the tests of its module. Status 77 where the language is not
-# installed.
-# Usage: examples.sh c|python|octave C_PROGRAM LIBRARY SOURCE_FOLDER WORK_FOLDER
+# some, and its table is that in C; in Octave, after a test of
+# what else its functions do. Status 77 where the language is not installed.
+# Usage: examples.sh c|python|octave C_PROGRAM LIBRARY SOURCE_FOLDER WORK_FOLDER PYTHON_FOLDER
 set -euo pipefail
-language=$1 c_program=$2 library=$3 source=$4 work=$5
+language=$1 c_program=$2 library=$3 source=$4 work=$5 packages=$6
 examples=$source/examples
 rm -rf "$work"
 mkdir -p "$work"
@@ -20,8 +20,7 @@ case "$language" in
       [ "$candidate" != none ] || skip "no python3 with numpy"
       ! "$candidate" -c 'import numpy' 2>"$work/log" || break
     done
-    export MICROSLIP_LIBRARY=$library PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$examples/python
-    "$candidate" "$source/tests/capi/python_test.py"
+    export PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$packages
     run_example() {
       "$candidate" "$examples/python/wheel_drive.py"
     }
@@ -35,6 +34,7 @@ case "$language" in
       -I"$source/capi/include" -L"$folder" -lmicroslip "-Wl,-rpath,$folder" >"$work/log" 2>&1 ||
       { cat "$work/log" >&2; exit 1; }
     [ ! -s "$work/log" ] || { cat "$work/log" >&2; exit 1; }
+    octave-cli --no-init-file --no-history --path "$work" --path "$source/tests/capi" --eval octave_test
     run_example() {
       octave-cli --no-init-file --no-history --path "$work" --path "$examples/octave" --eval wheel_drive
     }

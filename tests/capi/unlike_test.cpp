@@ -66,14 +66,13 @@ TEST(UnlikeInC, SayWhatIsWrong) {
     EXPECT_EQ(handle.get(), nullptr);
     return text;
   };
-  EXPECT_EQ(why({}, {0.6, 0.1}), "unlike.dundurs_beta = 0.6: expected a number in [-0.5, 0.5]");
-  EXPECT_EQ(why({}, {std::nan(""), 0.1}),
-            "unlike.dundurs_beta = nan: expected a number in [-0.5, 0.5]");
-  EXPECT_EQ(why({}, {0.1, 0}), "unlike.friction = 0: expected a number above 0, at most 10");
+  EXPECT_EQ(why({}, {0.6, 0.1}), "dundurs_beta = 0.6: expected a number in [-0.5, 0.5]");
+  EXPECT_EQ(why({}, {std::nan(""), 0.1}), "dundurs_beta = nan: expected a number in [-0.5, 0.5]");
+  EXPECT_EQ(why({}, {0.1, 0}), "friction = 0: expected a number above 0, at most 10");
   Parts strip;
   strip.kernel = {MICROSLIP_STRIP, 2};
   EXPECT_EQ(why(strip, {0.1, 0.1}),
-            "kernel.type = 0: expected 1, plane strain, for bodies of different material");
+            "kernel type = 0: expected 1, plane strain, for bodies of different material");
   const Handle handle = created(Parts{}, {0.1, 0.1});
   EXPECT_EQ(microslip_set_contact(handle.get(), 1, 1), MICROSLIP_OK);
   EXPECT_EQ(microslip_set_contact(handle.get(), 1.1, 1), MICROSLIP_BAD_INPUT);

@@ -279,7 +279,7 @@ std::vector<double> TransientScene::step_lengths() const {
   return lengths;
 }
 
-TransientScene read_transient(Scene& scene) {
+TransientProblem read_transient_problem(Scene& scene) {
   const Bodies bodies = read_bodies(scene);
   const Material& material = bodies.combined;
   const ContactModel model = read_contact(scene, material, read_tangential(scene, material));
@@ -292,6 +292,11 @@ TransientScene read_transient(Scene& scene) {
                            .accepted = read_acceptance(scene)};
   press(scene, bodies, problem);
   require_definite(problem);
+  return problem;
+}
+
+TransientScene read_transient(Scene& scene) {
+  const TransientProblem problem = read_transient_problem(scene);
   const LoadHistory loads = read_loads(scene, problem);
   const std::vector<double> step_ratios = read_steps(scene, problem, loads);
   const std::vector<double> judged = judged_steps(scene, step_ratios);

@@ -99,6 +99,10 @@ struct TransientScene {
   std::vector<double> step_lengths() const;  ///< dq, taken in turn  [mm]
 };
 
+/// The contact of a transient: all of a steady scene except for leading_edge and load.*, and
+/// step.scheme with step.relaxation as read_transient() takes them.
+TransientProblem read_transient_problem(Scene& scene);
+
 /// All of a steady scene except for leading_edge, with load.file as another load, and:
 /// step.ratio (one or more numbers; with load.file, its rows), step.scheme
 /// remembered|direct|relaxed|relaxed_traction|fractional (remembered), step.relaxation (1)

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmt/core.h>
+
+#include <string>
+
+#include "microslip/experiments/scene_tables.hpp"
+#include "microslip/program/memory.hpp"
+#include "microslip/program/run.hpp"
+#include "microslip/scene/cost.hpp"
+#include "microslip/support/require.hpp"
+
+/// \file
+/// How a scene is solved, from the command line and from Python.
+
+namespace microslip {
+
+/// In a case of a sweep, its section has been taken out.
+inline void reject_sweep(const Scene& scene, const std::string& advice) {
+  for (const std::string& key : scene.keys()) {
+    if (!key.starts_with("sweep.")) continue;
+    throw BadParameter(key,
+                       fmt::format("key '{}': expected a scene without a sweep; {}", key, advice));
+  }
+}
+
+/// Reads a scene of any problem.
+/// \return its tables
+inline program::Work solver_of(Scene& scene) {
+  const Model model = read_model(scene);
+  program::require_memory("grid.elements", elements_of(model), memory_needed(model));
+  return [model](const Progress& progress) {
+    return std::visit([&](const auto& read) { return experiments::scene_tables(read, progress); },
+                      model);
+  };
+}
+
+}  // namespace microslip

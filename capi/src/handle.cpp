@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "handle.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "microslip/halfspace/influence.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip::capi {
+
+namespace {
+
+/// A step of more elements would look like a program that hangs.
+constexpr double most_elements = 1e6;
+
+}  // namespace
+
+double full_sliding_of(const microslip_rolling& handle) {
+  return handle.full_sliding * handle.contact->contact().full_sliding();
+}
+
+void require_force(const microslip_rolling& handle, double force) {
+  if (!handle.contact->contact().carries()) {
+    require(force == 0, "force", force, "0 where bodies do not touch");
+    return;
+  }
+  const double most = full_sliding_of(handle);
+  require(std::abs(force) < most, "force", force,
+          [&] { return "an absolute value below full sliding, " + format_short(most); });
+}
+
+const Load& require_step(const microslip_rolling& handle, double dq) {
+  const double now = handle.contact->state().scale.half_width;
+  const double larger = std::max(now, handle.contact->contact().half_width);
+  const double spacing = handle.spacing * (larger > 0 ? larger : 1);
+  const double elements = dq / spacing;
+  require(elements >= min_step_ratio && elements <= most_elements, "dq", dq, [&] {
+    return fmt::format("from {} to {} elements, one of which is {}", format_short(min_step_ratio),
+                       format_short(most_elements), format_short(spacing));
+  });
+  if (!handle.load) throw std::invalid_argument("load: expected a creepage or a force to be set");
+  const auto* force = std::get_if<PrescribedForce>(&*handle.load);
+  if (force != nullptr) require_force(handle, force->value);
+  return *handle.load;
+}
+
+microslip_state in_c(const TransientState& state) {
+  return {.distance = state.distance,
+          .force = state.force,
+          .mean_force = state.mean_force,
+          .creepage = state.creepage,
+          .dissipation = state.dissipation,
+          .residual = state.evidence.residual,
+          .violation = state.evidence.violation(),
+          .adhesion_elements = static_cast<int>(state.adhesion_elements),
+          .slip_elements = static_cast<int>(state.slip_elements),
+          .iterations = state.iterations};
+}
+
+}  // namespace microslip::capi

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "microslip.h"
+#include "microslip/rolling/schemes.hpp"
+#include "microslip/rolling/transient.hpp"
+#include "status.hpp"
+
+/// What a handle of the C interface stands for.
+struct microslip_rolling {
+  explicit microslip_rolling(const microslip::TransientProblem& problem)
+      : contact(std::make_unique<microslip::TransientRolling>(problem)),
+        method(microslip::name_of(problem.scheme)),
+        spacing(problem.grid.spacing()),
+        full_sliding(spacing * contact->bound().sum()) {}
+
+  microslip_rolling(const microslip_rolling& other)
+      : contact(std::make_unique<microslip::TransientRolling>(*other.contact)),
+        method(other.method),
+        spacing(other.spacing),
+        full_sliding(other.full_sliding),
+        load(other.load) {}
+
+  std::unique_ptr<microslip::TransientRolling> contact;  ///< null if it was lost
+  std::string method;                                    ///< name of its scheme
+  double spacing;                                        ///< dx  [mm]
+  double full_sliding;                                   ///< as the elements have it  [N/mm]
+  std::optional<microslip::Load> load;
+  char message[512] = "";  ///< of the last call that failed
+};
+
+namespace microslip::capi {
+
+/// Does the work with what a handle stands for.
+template <class Work>
+microslip_status with(microslip_rolling* handle, const Work& work) noexcept {
+  if (handle == nullptr) return MICROSLIP_BAD_INPUT;
+  const Message message{handle->message, sizeof handle->message};
+  if (!handle->contact) {
+    message.say("out of memory in an earlier step: expected no more than to be destroyed");
+    return MICROSLIP_OUT_OF_MEMORY;
+  }
+  return guarded(message, [&] { work(*handle); });
+}
+
+/// The same for work that changes the contact. Where memory runs out in between, the contact is
+/// lost, and leaks: see TransientRolling.
+template <class Work>
+microslip_status roll_with(microslip_rolling* handle, const Work& work) noexcept {
+  const microslip_status status = with(handle, work);
+  if (status == MICROSLIP_OUT_OF_MEMORY) static_cast<void>(handle->contact.release());
+  return status;
+}
+
+/// The largest force that the bound allows, of the contact that is set  [N/mm]
+double full_sliding_of(const microslip_rolling& handle);
+
+/// \throws std::invalid_argument for a force that is not below full sliding
+void require_force(const microslip_rolling& handle, double force);
+
+/// Rejects a length dq that is out of its range, and a step without a load.
+/// \return the load of the step
+const Load& require_step(const microslip_rolling& handle, double dq);
+
+microslip_state in_c(const TransientState& state);
+
+}  // namespace microslip::capi

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cstdio>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "handle.hpp"
+#include "microslip/support/require.hpp"
+
+namespace {
+
+using namespace microslip::capi;
+
+void validate(const microslip_steps& steps) {
+  if (steps.count > 0) require_pointer(steps.dq, "steps.dq");
+  if (steps.creepage != nullptr && steps.force != nullptr) {
+    throw std::invalid_argument("steps.force: expected null where there are creepages");
+  }
+  if ((steps.half_width == nullptr) != (steps.bound == nullptr)) {
+    throw std::invalid_argument(
+        "steps.bound: expected an array where steps.half_width is one, else null");
+  }
+}
+
+void make_step(microslip_rolling& of, const microslip_steps& steps, std::size_t k) {
+  if (steps.half_width != nullptr) {
+    of.contact->set_contact({.half_width = steps.half_width[k], .bound = steps.bound[k]});
+  }
+  if (steps.creepage != nullptr) {
+    microslip::require(true, "creepage", steps.creepage[k], "a finite number");
+    of.load = microslip::PrescribedCreepage{steps.creepage[k]};
+  } else if (steps.force != nullptr) {
+    of.load = microslip::PrescribedForce{steps.force[k]};
+  }
+  of.contact->step(steps.dq[k], require_step(of, steps.dq[k]));
+}
+
+/// Says in front of a message which step it is about. Allocates nothing.
+void name_step(microslip_rolling& of, std::size_t k) {
+  char text[sizeof of.message];
+  std::snprintf(text, sizeof text, "steps[%zu]: %.*s", k, static_cast<int>(sizeof text) - 40,
+                of.message);
+  Message{of.message, sizeof of.message}.say(text);
+}
+
+}  // namespace
+
+microslip_status microslip_roll(microslip_rolling* rolling, const microslip_steps* steps,
+                                microslip_state* states) {
+  std::optional<std::size_t> at;
+  const microslip_status status = roll_with(rolling, [&](microslip_rolling& of) {
+    const microslip_steps& all = require_pointer(steps, "steps");
+    validate(all);
+    microslip_rolling before(of);
+    try {
+      for (std::size_t k = 0; k < all.count; ++k) {
+        at = k;
+        make_step(of, all, k);
+        if (states != nullptr) states[k] = in_c(of.contact->state());
+      }
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (...) {
+      std::swap(of.contact, before.contact);
+      of.load = before.load;
+      throw;
+    }
+  });
+  if (status != MICROSLIP_OK && at) name_step(*rolling, *at);
+  return status;
+}

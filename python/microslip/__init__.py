@@ -1,0 +1,34 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""2D tractive rolling contact by boundary elements, for any time step.
+
+    import microslip as ms
+
+    result = ms.solve("steady.info", load_force=-1500)   # a scene: a file, a text, or a dictionary
+    result.summary["creepage"], result.traction["x"]     # numpy structured arrays; result.units
+
+    ms.steady(scene, creepage=[...])                     # forces and tractions of many loads
+    ms.creep_curve(scene).plot()
+    ms.sweep(scene, {"contact.half_width": [4, 5, 6]})   # many scenes on all cores
+
+    rolling = ms.Rolling(scene)                          # step by step, for simulations
+    rolling.roll(dq, creepage=w)                         # of numbers or arrays
+
+Units are mm and N, per mm of width, so forces are in N/mm. Rolling is towards +x. A positive creepage
+w = (v - omega R)/v gives negative tractions and a negative force, which is what acts on v.
+
+Keys of scenes: ms.keys(), and docs/scenes.md. Errors are ms.InputError, a ValueError, and ms.NoSolution.
+"""
+
+from ._errors import Error, InputError, LoadWarning, NoSolution
+from ._keys import Key, Keys, keys
+from ._library import text_of as _text_of
+from ._result import Result, solve
+from ._rolling import Load, Rolling
+from ._steady import Steady, creep_curve, steady
+from ._sweep import Sweep, sweep
+from ._table import Column, Table, read_table
+
+__version__ = _text_of("version")
+
+__all__ = ["Column", "Error", "InputError", "Key", "Keys", "Load", "LoadWarning", "NoSolution", "Result", "Rolling",
+           "Steady", "Sweep", "Table", "creep_curve", "keys", "read_table", "solve", "steady", "sweep"]

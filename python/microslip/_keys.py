@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The keys of scenes."""
+
+from __future__ import annotations
+
+import functools
+import html
+from typing import Dict, NamedTuple
+
+from ._library import text_of
+
+
+class Key(NamedTuple):
+    """A key of scenes."""
+
+    name: str
+    type: str  #: word, number, whole, list, wholes or file
+    unit: str  #: of a number without one; "1" if it has none
+    meaning: str
+    accepted: str
+    default: str  #: empty if there is none
+    role: str  #: scenes that the key is for; empty if it is for all
+
+
+class Keys(Dict[str, Key]):
+    """Keys by their names, which are shown as a table."""
+
+    def __repr__(self) -> str:
+        width = max(map(len, self), default=0)
+        return "\n".join(f"{name:{width}}  {_unit(key):10} {key.meaning}: {_accepted(key)}"
+                         for name, key in self.items())
+
+    def _repr_html_(self) -> str:
+        rows = "".join("<tr>" + "".join(f"<td>{html.escape(cell)}</td>" for cell in (
+            name, _unit(key), key.meaning, _accepted(key), key.role)) + "</tr>" for name, key in self.items())
+        return ("<table><tr><th>key</th><th>unit</th><th>meaning</th><th>accepted, [default]</th><th>for</th></tr>"
+                f"{rows}</table>")
+
+
+def _unit(key: Key) -> str:
+    return "" if key.unit == "1" else key.unit
+
+
+def _accepted(key: Key) -> str:
+    return key.accepted + (f" [{key.default}]" if key.default else "")
+
+
+@functools.lru_cache(maxsize=None)
+def _all_keys() -> Keys:
+    return Keys((line.split("\t")[0], Key(*line.split("\t"))) for line in text_of("py_keys").splitlines())
+
+
+def keys(part: str = "") -> Keys:
+    """Keys of scenes with units, meanings and accepted values.
+
+    Parameters
+    ----------
+    part : str
+        Only those that have this in their name.
+
+    >>> import microslip as ms
+    >>> ms.keys("half_width")
+    contact.half_width  mm         half-width a of the contact: > 0
+    >>> ms.keys()["load.force"].unit
+    'N/mm'
+    """
+    return _all_keys() if not part else Keys((name, key) for name, key in _all_keys().items() if part in name)

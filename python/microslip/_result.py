@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scenes solved, alone or in sweeps."""
+
+from __future__ import annotations
+
+import html
+import os
+import pathlib
+import warnings
+import weakref
+from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Union
+
+import numpy as np
+
+from . import _plot
+from ._errors import LoadWarning
+from ._library import as_progress, call, require, text_of
+from ._scene import Scene, SceneArguments
+from ._table import Table, html_table
+
+_EVIDENCE = ("residual", "bound_violation", "slip_violation", "bound_resolution", "dissipation_error", "condition")
+
+#: True prints a line; a function is called with what is done and the total, which is 0 if not known.
+Progress = Union[bool, Callable[[int, int], Any], None]
+
+
+def shown_progress(progress: Progress) -> Optional[Callable[[int, int], Any]]:
+    """A function to call, or None."""
+    if not isinstance(progress, bool):
+        return progress
+    return _plot.print_progress if progress else None
+
+
+class Result:
+    """The solution of a scene: its tables as numpy structured arrays.
+
+    Attributes
+    ----------
+    summary : numpy.record
+        A field a quantity: ``result.summary["force"]`` or ``result.summary.force``.
+    traction : numpy.ndarray
+        A row a node: x, bound, traction, slip, displacement and region, "A" in adhesion and "S" in slip.
+    history : numpy.ndarray or None
+        A row a step; None for steady rolling.
+    shifts : numpy.ndarray or None
+        A row a shift before rolling, if there are several.
+    tables : dict of Table
+        The same with descriptions, units and parameters.
+    units : dict of str
+        Of all columns and quantities: ``result.units["force"]`` is "N/mm".
+    evidence : dict of float
+        What the result shows of its own correctness.
+    warnings : list of str
+        Doubts about values, and about the result; each has been a LoadWarning, too.
+    parameters : dict of str
+        Keys and values of the scene, with defaults and what follows from them.
+    """
+
+    def __init__(self, tables: Dict[str, Table]):
+        self.tables = tables
+        summary = tables["summary"]
+        self.units: Dict[str, str] = {**{str(row["quantity"]): str(row["unit"]) for row in summary.data}}
+        for table in tables.values():
+            if table is not summary:
+                self.units.update(table.units)
+        self.parameters = summary.parameters
+        self.summary = _record_of(summary)
+        self.traction = tables["traction"].data
+        self.history = tables["history"].data if "history" in tables else None
+        self.shifts = tables["shifts"].data if "shifts" in tables else None
+        self.evidence: Dict[str, float] = {name: float(self.summary[name]) for name in _EVIDENCE
+                                           if name in self.summary.dtype.names}
+        doubt = str(self.summary["warning"])
+        self.warnings: List[str] = summary.warnings + ([] if doubt == "none" else [doubt])
+
+    def __repr__(self) -> str:
+        shown = ", ".join(f"{name} = {self.summary[name]:.6g}" + _with_unit(self.units[name])
+                          for name in ("force", "creepage", "distance") if name in self.summary.dtype.names)
+        return f"<microslip.Result: {self.tables['summary'].description}: {shown}>"
+
+    def _repr_html_(self) -> str:
+        table = self.tables["summary"]
+        doubts = "".join(f"<p>warning: {html.escape(line)}</p>" for line in self.warnings)
+        rows = "".join(f"<tr><td>{html.escape(row['quantity'])}</td><td>{html.escape(_short(row['value']))}"
+                       f"{html.escape(_with_unit(row['unit']))}</td></tr>" for row in table.data)
+        return f"<table><caption>{html.escape(table.description)}</caption>{rows}</table>{doubts}"
+
+    def to_pandas(self, table: str = "") -> Any:
+        """A pandas.DataFrame of a table: that of the steps if there is one, else of the tractions."""
+        return self.tables[table or ("history" if self.history is not None else "traction")].to_pandas()
+
+    def write(self, folder: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes the tables as files, as the program does, which ms.read_table and `microslip plot` read."""
+        path = pathlib.Path(folder)
+        path.mkdir(parents=True, exist_ok=True)
+        for name, table in self.tables.items():
+            table.write(path / f"{name}.tsv")
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draws tractions within their bound and, of what is not steady, the force over the distance.
+
+        Parameters
+        ----------
+        axes : matplotlib axes, optional
+            One of them, for the tractions alone.
+
+        Returns
+        -------
+        The axes that were drawn into.
+        """
+        return _plot.plot_result(self, axes)
+
+
+def _with_unit(unit: str) -> str:
+    return "" if unit == "1" else f" {unit}"
+
+
+def _short(text: str) -> str:
+    try:
+        return f"{float(text):.6g}"
+    except ValueError:
+        return str(text)
+
+
+def _record_of(summary: Table) -> np.record:
+    """The rows quantity, value, unit as one record."""
+    names = [str(name) for name in summary["quantity"]]
+    values = []
+    for text in summary["value"]:
+        try:
+            values.append(float(text))
+        except ValueError:
+            values.append(str(text))
+    types = [(name, float if isinstance(value, float) else f"U{len(value)}") for name, value in zip(names, values)]
+    return np.rec.array([tuple(values)], dtype=types)[0]
+
+
+class Cases:
+    """Scenes that have been read by the library, to be solved."""
+
+    def __init__(self, scene: Scene, overrides: Mapping[str, Any], is_swept: bool):
+        self.arguments = SceneArguments(scene, overrides)
+        self._handle = require(call("py_read", self.arguments.in_c(), is_swept))
+        weakref.finalize(self, call, "py_cases_destroy", self._handle)
+
+    def __len__(self) -> int:
+        return call("py_case_count", self._handle)
+
+    @property
+    def swept(self) -> List[str]:
+        return [text_of("py_swept_key", self._handle, k) for k in range(call("py_swept_count", self._handle))]
+
+    def values(self, case: int) -> List[str]:
+        return [text_of("py_swept_value", self._handle, case, k) for k in range(len(self.swept))]
+
+    def warnings(self, case: int) -> List[str]:
+        return text_of("py_warnings", self._handle, case).splitlines()
+
+    def solve(self, case: int, told: Optional[Callable[[int, int], Any]]) -> Result:
+        """Raises what `told` raises, too, which ends the work."""
+        raised: List[BaseException] = []
+        handle = call("py_solve", self._handle, case, as_progress(told, raised))
+        if raised:
+            raise raised[0]
+        require(handle)
+        try:
+            return Result({table.name: table for table in (
+                Table(text_of("py_table_name", handle, k), text_of("py_table_text", handle, k))
+                for k in range(call("py_table_count", handle)))})
+        finally:
+            call("py_tables_destroy", handle)
+
+
+def warn_of(lines: Iterable[str], depth: int = 3) -> None:
+    """Tells the user who called, `depth` frames above."""
+    for line in lines:
+        warnings.warn(line, LoadWarning, stacklevel=depth)
+
+
+def solve(scene: Scene = None, *, progress: Progress = None, **overrides: Any) -> Result:
+    """Solves a scene: steady rolling, a transient or a rolling cylinder.
+
+    Parameters
+    ----------
+    scene : str, path or dict
+        A file ``scene.info``; or its text, which has a brace or several lines; or a dictionary of keys,
+        whose sections may be dictionaries. All keys: ``ms.keys()``, and docs/scenes.md.
+    progress : bool or function
+        True prints a line; a function gets what is done and the total, which is 0 if it is not known.
+    **overrides
+        Keys over the scene, as sections, ``load={"force": -1500}``, or with underscores,
+        ``load_force=-1500``. Numbers may have a unit: ``"1.5 kN/mm"``. None takes a key away. A key that
+        names a file takes arrays instead: ``contact={"bound_file": (x, values)}``,
+        ``load={"file": {"q": q, "force": force}}``.
+
+    Returns
+    -------
+    Result
+
+    Raises
+    ------
+    InputError
+        A ValueError that names key, value and what is accepted.
+    NoSolution
+        If there is none, or none that is accepted.
+
+    >>> import microslip as ms
+    >>> result = ms.solve(problem="steady",
+    ...                   material={"shear_modulus": "82 GPa", "poisson_ratio": 0.28},
+    ...                   contact={"half_width": 5, "peak_traction": 300},
+    ...                   kernel={"type": "strip", "width": 10},
+    ...                   grid={"elements": 100}, load={"force": -1500})
+    >>> result
+    <microslip.Result: steady rolling, the whole contact; by inversion: force = -1500 N/mm, creepage = 0.00187727>
+    >>> round(float(result.traction["traction"].min()), 1)
+    -290.5
+    """
+    cases = Cases(scene, overrides, False)
+    warn_of(cases.warnings(0))
+    result = cases.solve(0, shown_progress(progress))
+    warn_of(line for line in result.warnings if line not in cases.warnings(0))
+    return result
+
+
+__all__ = ["Result", "solve", "html_table"]

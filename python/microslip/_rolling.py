@@ -1,0 +1,434 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A contact that rolls, step by step or over arrays of steps."""
+
+from __future__ import annotations
+
+import contextlib
+import copy as copying
+import ctypes as c
+import os
+import weakref
+from typing import Any, Dict, Iterator, Mapping, NamedTuple, Optional, Union
+
+import numpy as np
+
+from . import _plot
+from ._arrays import Values, broadcast, numbers, record
+from ._errors import Error, InputError
+from ._library import (JACOBIAN, SHIFT, STATE, Steps, call, error_of, require, require_ok, text_of)
+from ._result import Progress, shown_progress
+from ._scene import Scene, SceneArguments
+from ._table import html_table
+
+_UNITS = {"distance": "mm", "force": "N/mm", "mean_force": "N/mm", "creepage": "1", "dissipation": "N/mm",
+          "residual": "1", "violation": "1", "adhesion_elements": "1", "slip_elements": "1", "iterations": "1"}
+
+# So that an interrupt is noticed: some ten milliseconds.
+_STEPS_AT_ONCE = 1000
+
+
+class Load(NamedTuple):
+    """What steps are made under."""
+
+    kind: str  #: creepage or force
+    value: float
+
+
+class Rolling:
+    """A contact that rolls by any distances, under creepages or forces that are free to change.
+
+    Parameters
+    ----------
+    scene : str, path or dict
+        As ms.solve() takes it, of which the contact is taken: material, contact, kernel, grid, basis,
+        solver, direction, step.scheme and step.relaxation. What it says about its problem, load, steps,
+        start and motion is left out.
+    **overrides
+        Likewise: ``contact={"half_width": 5, "bound_file": (x, values)}`` has a bound of arrays.
+
+    Notes
+    -----
+    A contact begins without tractions and with nothing rolled. A call that fails leaves it as it was.
+    Contacts may be used in several threads at once, each in one at a time. ``copy.copy`` and
+    ``copy.deepcopy`` make contacts of their own, and ``pickle`` keeps state and load (scheme remembered). In a
+    ``with`` block it is closed at the end; it is closed anyhow when it is no longer used.
+
+    A positive creepage w = (v - omega R)/v gives negative tractions and a negative force.
+
+    >>> import microslip as ms
+    >>> rolling = ms.Rolling(material={"shear_modulus": 82000, "poisson_ratio": 0.28},
+    ...                      contact={"half_width": 5, "peak_traction": 300},
+    ...                      kernel={"type": "strip", "width": 10}, grid={"elements": 100})
+    >>> state = rolling.roll(0.37, creepage=0.002)
+    >>> round(float(state["force"]), 1)
+    -71.0
+    >>> import numpy as np
+    >>> run = rolling.roll(np.full(1000, 0.01), creepage=np.linspace(0, 0.004, 1000))
+    >>> run["force"].shape
+    (1000,)
+    """
+
+    #: Units of the fields of a state.
+    units: Dict[str, str] = dict(_UNITS)
+
+    def __init__(self, scene: Scene = None, **overrides: Any):
+        self._scene = SceneArguments(scene, overrides)
+        self._load: Optional[Load] = None
+        self._contact = (1.0, 1.0)
+        self._own(require(call("py_rolling", self._scene.in_c())))
+
+    def _own(self, handle: int) -> None:
+        self._handle = handle
+        self._finalizer = weakref.finalize(self, call, "destroy", handle)
+
+    # Life
+
+    def close(self) -> None:
+        """Frees the contact; only a second close() is accepted then."""
+        self._finalizer()
+
+    def __enter__(self) -> "Rolling":
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    def copy(self) -> "Rolling":
+        """An independent contact that goes on like this one, to the bit; other attributes are shared."""
+        return self._copy_with(vars(self))
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: Dict[int, Any]) -> "Rolling":
+        own = {name: value for name, value in vars(self).items() if name not in ("_handle", "_finalizer")}
+        other = memo[id(self)] = self._copy_with({})
+        vars(other).update(copying.deepcopy(own, memo))
+        return other
+
+    def _copy_with(self, attributes: Mapping[str, Any]) -> "Rolling":
+        handle = c.c_void_p()
+        self._call("copy", c.byref(handle))
+        other = type(self).__new__(type(self))
+        vars(other).update(attributes)
+        other._own(handle.value)  # type: ignore[arg-type]
+        return other
+
+    def __getstate__(self) -> Dict[str, Any]:
+        own = {name: value for name, value in vars(self).items() if name not in ("_handle", "_finalizer")}
+        return {**own, "_saved": require(call("py_save", self._open()))}
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        saved = state.pop("_saved")
+        vars(self).update(state)
+        self._own(require(call("py_rolling", self._scene.in_c())))
+        self._call("set_contact", *self._contact)
+        require_ok(call("py_restore", self._handle, saved))
+        if self._load is not None:
+            self._set_load(**{self._load.kind: self._load.value})
+
+    def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes the state to a file, but not the load: for restore(), or a scene's start.state."""
+        self._call("save", os.fsencode(path))
+
+    def restore(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Goes on from the file of a like contact, to the bit; the load stays as it was set."""
+        self._call("restore", os.fsencode(path))
+
+    # Steps
+
+    def roll(self, dq: Values, *, creepage: Values = None, force: Values = None, half_width: Values = None,
+             bound: Values = None, progress: Progress = None) -> Any:
+        """Rolls on, by one step or by many.
+
+        Parameters
+        ----------
+        dq : float or array
+            Lengths of the steps, from 1e-15 to 1e6 elements  [mm]. Arrays and numbers go together as
+            numpy broadcasts them.
+        creepage : float or array, optional
+            w of each step  [1].
+        force : float or array, optional
+            F at the end of each step, less in absolute value than full sliding  [N/mm]; instead of
+            creepage. Without either the load of the last step goes on.
+        half_width, bound : float or array, optional
+            The contact at the end of each step, as set_contact() takes it  [1].
+        progress : bool or function
+            As of ms.solve().
+
+        Returns
+        -------
+        numpy.record or structured array
+            The state after the step; of arrays, after each. Units are in ``Rolling.units``.
+
+        Raises
+        ------
+        InputError, NoSolution
+            No step has been made then; the message names the first that fails, from 0.
+        """
+        given = {"dq": numbers("dq", dq), "creepage": creepage, "force": force, "half_width": half_width, "bound": bound}
+        self._require_load(creepage, force)
+        if (half_width is None) != (bound is None):
+            given["half_width"] = self._contact[0] if half_width is None else half_width
+            given["bound"] = self._contact[1] if bound is None else bound
+        columns = broadcast(given)
+        if columns["dq"].ndim == 0:
+            self._roll_once(**{name: float(value) for name, value in columns.items()})
+            self._remember(columns)
+            return self.state
+        states = np.zeros(columns["dq"].shape, STATE)
+        self._roll_all(columns, states, shown_progress(progress))
+        return states
+
+    def _roll_once(self, dq: float, creepage: Optional[float] = None, force: Optional[float] = None,
+                   half_width: Optional[float] = None, bound: Optional[float] = None) -> None:
+        """Without the copy that an array of steps takes, which costs about as much as a step."""
+        with self._settings_kept():
+            if half_width is not None:
+                self._call("set_contact", half_width, bound)
+            self._set_load(creepage, force)
+            self._call("advance", dq)
+
+    @contextlib.contextmanager
+    def _settings_kept(self) -> Iterator[None]:
+        """Puts load and contact back if a call fails."""
+        before = self._load
+        try:
+            yield
+        except Error:
+            if self._finalizer.alive:
+                call("set_contact", self._handle, *self._contact)
+                self._load = None
+                if before is not None:
+                    self._set_load(**{before.kind: before.value})
+            raise
+
+    def _roll_all(self, columns: Dict[str, np.ndarray], states: np.ndarray, told: Any) -> None:
+        """On a copy, so that an error or an interrupt changes nothing."""
+        count = len(states)
+        work = self._copy_with({})
+        for at in range(0, count, _STEPS_AT_ONCE):
+            part = slice(at, at + _STEPS_AT_ONCE)
+            work._roll_at_once({name: value[part] for name, value in columns.items()}, states[part], at)
+            if told is not None:
+                told(min(at + _STEPS_AT_ONCE, count), count)
+        self._finalizer()
+        work._finalizer.detach()
+        self._own(work._handle)
+        if count > 0:
+            self._remember(columns)
+
+    def _roll_at_once(self, columns: Dict[str, np.ndarray], states: np.ndarray, before: int = 0) -> None:
+        pointers = {name: value.ctypes.data for name, value in columns.items()}
+        steps = Steps(len(states), *(pointers.get(name) for name, _ in Steps._fields_[1:]))
+        self._check(call("roll", self._open(), c.byref(steps), states.ctypes.data), before)
+
+    def _remember(self, columns: Mapping[str, np.ndarray]) -> None:
+        for kind in ("creepage", "force"):
+            if kind in columns:
+                self._load = Load(kind, float(columns[kind].flat[-1]))
+        if "bound" in columns:
+            self._contact = (float(columns["half_width"].flat[-1]), float(columns["bound"].flat[-1]))
+
+    def attempt(self, dq: float, *, creepage: Optional[float] = None, force: Optional[float] = None,
+                jacobian: bool = False) -> Any:
+        """The state to which a step would lead; the contact stays as it is, and the load is set.
+
+        If roll() makes the same step next, it costs nothing.
+
+        Parameters
+        ----------
+        dq, creepage, force : float
+            As of roll().
+        jacobian : bool
+            Whether derivatives of the step are wanted, for the scheme remembered.
+
+        Returns
+        -------
+        state : numpy.record
+        jacobian : numpy.record
+            If it is wanted: fields ``by_load`` and ``by_length``, each with force, mean_force, creepage
+            and dissipation; derivatives by the creepage or force, and by dq.
+        """
+        self._require_load(creepage, force)
+        state, slopes = np.zeros((), STATE), np.zeros((), JACOBIAN)
+        with self._settings_kept():
+            self._set_load(creepage, force)
+            if not jacobian:
+                self._call("attempt", float(dq), state.ctypes.data)
+                return record(state)
+            self._call("attempt_with_jacobian", float(dq), state.ctypes.data, slopes.ctypes.data)
+        return record(state), record(slopes)
+
+    def _require_load(self, creepage: Any, force: Any) -> None:
+        if creepage is not None and force is not None:
+            raise InputError("force: expected a creepage or a force, not both", "force", str(force),
+                             "a creepage or a force")
+        if self._load is None and creepage is None and force is None:
+            raise InputError("load: expected a creepage or a force to be set", "load", "", "a creepage or a force")
+
+    def _set_load(self, creepage: Optional[float] = None, force: Optional[float] = None) -> None:
+        for kind, value in (("creepage", creepage), ("force", force)):
+            if value is not None:
+                self._call(f"set_{kind}", float(value))
+                self._load = Load(kind, float(value))
+
+    @property
+    def load(self) -> Optional[Load]:
+        """What the next step is made under, if nothing else is given; None before the first."""
+        return self._load
+
+    def set_contact(self, half_width: float, bound: float) -> None:
+        """The contact at the end of the next step or shift, to which it changes linearly on the way.
+
+        Parameters
+        ----------
+        half_width, bound : float
+            Over those that the contact began with, >= 0: both are sqrt(P/P0) under another normal load by
+            Hertz's theory, and another friction coefficient changes the bound alone. With 0, bodies do not
+            touch. Scheme remembered  [1].
+        """
+        self._call("set_contact", float(half_width), float(bound))
+        self._contact = (float(half_width), float(bound))
+
+    def start_from_shift(self, force: float) -> float:
+        """From no tractions, shifts the bodies without rolling until they carry a force, Cattaneo's problem.
+
+        Returns
+        -------
+        float
+            The rigid shift  [mm].
+        """
+        shift = np.zeros(())
+        self._call("start_from_shift", float(force), shift.ctypes.data)
+        return float(shift)
+
+    def shift(self, *, force: Optional[float] = None, distance: Optional[float] = None) -> Any:
+        """Shifts the bodies without rolling, from the tractions now, to a force or by a rigid shift.
+
+        Parameters
+        ----------
+        force : float
+            To which, less in absolute value than full sliding  [N/mm].
+        distance : float
+            By which, instead; a positive one gives negative tractions  [mm].
+
+        Returns
+        -------
+        numpy.record
+            distance [mm], force [N/mm], dissipation [N] and work [N].
+        """
+        if (force is None) == (distance is None):
+            raise InputError("force: expected either a force or a distance", "force", str(force),
+                             "either a force or a distance")
+        shift = np.zeros((), SHIFT)
+        name, value = ("shift_to_force", force) if force is not None else ("shift_by_distance", distance)
+        self._call(name, float(value), shift.ctypes.data)  # type: ignore[arg-type]
+        return record(shift)
+
+    # What is there now
+
+    @property
+    def state(self) -> Any:
+        """The state now, and the step that led there: a numpy.record, see ``Rolling.units``."""
+        state = np.zeros((), STATE)
+        self._call("get_state", state.ctypes.data)
+        return record(state)
+
+    @property
+    def elastic_energy(self) -> float:
+        """Stored in the bodies  [N]. Costs about as much as a step."""
+        return self._number("get_elastic_energy")
+
+    @property
+    def full_sliding(self) -> float:
+        """The largest force that the bound allows, of the contact that is set  [N/mm]."""
+        return self._number("get_full_sliding")
+
+    @property
+    def method(self) -> str:
+        """The scheme, as scenes name it."""
+        return text_of("method", self._open())
+
+    @property
+    def x(self) -> np.ndarray:
+        """The nodes in the contact's frame, ascending; the leading edge is x = +half_width  [mm]."""
+        return self._values("nodes")
+
+    @property
+    def traction(self) -> np.ndarray:
+        """p at the nodes  [N/mm^2]."""
+        return self._values("traction")
+
+    @property
+    def bound(self) -> np.ndarray:
+        """At the nodes  [N/mm^2]."""
+        return self._values("bound")
+
+    @property
+    def slip(self) -> np.ndarray:
+        """Relative slip of the last step at the nodes  [1]."""
+        return self._values("slip")
+
+    @property
+    def displacement(self) -> np.ndarray:
+        """At the nodes  [mm]. Costs about as much as a step."""
+        return self._values("displacement")
+
+    @property
+    def zones(self) -> np.ndarray:
+        """0 in adhesion, else the sign of the traction that slips; no meaning where the bound is 0."""
+        return self._values("zones", np.intc)
+
+    def __len__(self) -> int:
+        """The number of nodes."""
+        return call("size", self._open())
+
+    def __bool__(self) -> bool:
+        return True
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draws tractions within their bound; returns the axes of matplotlib."""
+        return _plot.plot_traction(self.x, self.bound, self.traction, axes)
+
+    def __repr__(self) -> str:
+        if not self._finalizer.alive:
+            return f"<microslip.{type(self).__name__}, closed>"
+        state = self.state
+        return (f"<microslip.{type(self).__name__} by {self.method}, {len(self)} nodes: distance = "
+                f"{state.distance:.6g} mm, force = {state.force:.6g} N/mm, creepage = {state.creepage:.6g}>")
+
+    def _repr_html_(self) -> str:
+        return html_table(np.array([self.state], STATE), self.units, caption=f"rolling by {self.method}")
+
+    # Calls
+
+    def _open(self) -> int:
+        if not self._finalizer.alive:
+            raise Error("this contact is closed")
+        return self._handle
+
+    def _check(self, status: int, before: int = 0) -> None:
+        """Raises what the library says.
+
+        before  steps that were made before those of this call
+        """
+        if status == 0:
+            return
+        message = text_of("message", self._handle)
+        if message.startswith("steps["):
+            number, _, rest = message[len("steps["):].partition("]: ")
+            message = f"step {int(number) + before}: {rest}"
+        raise error_of(status, message)
+
+    def _call(self, name: str, *arguments: Any) -> None:
+        self._check(call(name, self._open(), *arguments))
+
+    def _number(self, name: str) -> float:
+        number = np.zeros(())
+        self._call(name, number.ctypes.data)
+        return float(number)
+
+    def _values(self, name: str, kind: Any = float) -> np.ndarray:
+        values = np.empty(len(self), kind)
+        self._call(f"get_{name}", values.ctypes.data, values.size)
+        return values

@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Steady rolling under many loads."""
+
+from __future__ import annotations
+
+import ctypes as c
+import html
+import os
+import weakref
+from typing import Any, Dict, List, Optional
+
+import numpy as np
+
+from . import _plot
+from ._arrays import Values, numbers
+from ._errors import InputError
+from ._library import (CREEPAGE, FORCE, STATUS_OF_NO_SOLUTION, STEADY, SteadyNodes, call, error_of, require, require_ok,
+                       text_of)
+from ._result import Progress, shown_progress, warn_of
+from ._scene import Scene, SceneArguments
+from ._table import html_table, to_pandas
+
+_ROOM = 512  # of a message, in bytes
+
+
+class Steady:
+    """Steady rolling under one or many loads; fields and tractions have the shape of the loads.
+
+    Attributes
+    ----------
+    creepage, force, dissipation : numpy.ndarray
+        w [1], F [N/mm], and -w F [N/mm].
+    states : numpy.ndarray
+        The same and the evidence of each load, structured: stick_edge [mm], where the one stick zone begins
+        (nan where elements replace the inversion), residual, violation, dissipation_error, condition,
+        adhesion_elements, slip_elements, method (0 inversion, 1 elements) and status (0, or 2 where there is no
+        solution).
+    x, bound, traction, slip, displacement : numpy.ndarray
+        At the nodes, in the last dimension.
+    full_sliding : float
+        The largest force that the bound allows  [N/mm].
+    messages : list of str
+        Of each load in turn, why it has no solution; empty if it has one.
+    units : dict of str
+    """
+
+    units: Dict[str, str] = {
+        "creepage": "1", "force": "N/mm", "dissipation": "N/mm", "stick_edge": "mm", "residual": "1", "violation": "1",
+        "dissipation_error": "1", "condition": "1", "adhesion_elements": "1", "slip_elements": "1", "method": "1",
+        "status": "1", "x": "mm", "bound": "N/mm^2", "traction": "N/mm^2", "slip": "1", "displacement": "mm"}
+
+    def __init__(self, states: np.ndarray, nodes: Dict[str, np.ndarray], full_sliding: float, messages: List[str]):
+        self.states, self.full_sliding, self.messages = states, full_sliding, messages
+        self.creepage, self.force = states["creepage"], states["force"]
+        self.dissipation = states["dissipation"]
+        self.x, self.bound, self.traction = nodes["x"], nodes["bound"], nodes["traction"]
+        self.slip, self.displacement = nodes["slip"], nodes["displacement"]
+
+    def __len__(self) -> int:
+        return self.states.size
+
+    def __repr__(self) -> str:
+        if self.states.size == 1:
+            return (f"<microslip.Steady: creepage = {self.creepage.flat[0]:.6g}, force = {self.force.flat[0]:.6g} "
+                    "N/mm>")
+        return f"<microslip.Steady: {self.states.size} loads>"
+
+    def _repr_html_(self) -> str:
+        lines = "".join(f"<p>{html.escape(line)}</p>" for line in self.messages if line)
+        return html_table(self.states.reshape(-1), self.units, caption="steady rolling") + lines
+
+    def to_pandas(self) -> Any:
+        """A pandas.DataFrame, a row a load."""
+        return to_pandas(self.states.reshape(-1), self.units)
+
+    def plot(self, axes: Any = None) -> Any:
+        """Draws the force over the creepage; of one load, tractions within their bound."""
+        if self.states.size == 1:
+            return _plot.plot_traction(self.x.reshape(-1), self.bound.reshape(-1), self.traction.reshape(-1), axes)
+        return _plot.plot_curve(self, axes)
+
+
+class _Contact:
+    """A contact that has been read by the library."""
+
+    def __init__(self, scene: Scene, overrides: Any):
+        self.handle = require(call("py_steady_read", SceneArguments(scene, overrides).in_c()))
+        weakref.finalize(self, call, "py_steady_destroy", self.handle)
+        self.nodes = call("py_steady_size", self.handle)
+        self.full_sliding = call("py_full_sliding", self.handle)
+
+    def solve(self, kind: int, loads: np.ndarray, threads: int, told: Any = None) -> Steady:
+        """Of loads of any shape."""
+        count = loads.size
+        flat = np.ascontiguousarray(loads, dtype=float).reshape(-1)
+        states = np.zeros(count, STEADY)
+        nodes = {name: np.empty((count, self.nodes)) for name, _ in SteadyNodes._fields_}
+        messages = np.zeros(count, f"S{_ROOM}")
+        at_once = 16 * threads  # so that an interrupt is noticed
+        for at in range(0, count, at_once):
+            part = slice(at, min(at + at_once, count))
+            rows = SteadyNodes(*(values[part].ctypes.data for values in nodes.values()))
+            require_ok(call("py_steady_solve", self.handle, kind, flat[part].ctypes.data, part.stop - at, threads,
+                            states[part].ctypes.data, c.byref(rows), messages[part].ctypes.data, _ROOM))
+            if told is not None:
+                told(part.stop, count)
+        return Steady(states.reshape(loads.shape),
+                      {name: values.reshape(loads.shape + (self.nodes,)) for name, values in nodes.items()},
+                      self.full_sliding, [line.decode() for line in messages])
+
+
+def threads_of(threads: Optional[int]) -> int:
+    """All cores that this process may use, if it is None."""
+    if threads is None:
+        return len(os.sched_getaffinity(0))
+    if isinstance(threads, int) and threads >= 1:
+        return threads
+    raise InputError(f"threads = {threads!r}: expected a whole number >= 1", "threads", repr(threads),
+                     "a whole number >= 1")
+
+
+def steady(scene: Scene = None, *, creepage: Values = None, force: Values = None, threads: Optional[int] = None,
+           progress: Progress = None, missing: str = "raise", **overrides: Any) -> Steady:
+    """Steady rolling: the force of a creepage, or the creepage of a force, with tractions.
+
+    Parameters
+    ----------
+    scene : str, path or dict
+        As ms.solve() takes it. Its load and motion are left out, and its method is taken if its problem is
+        steady; otherwise, and if it names none, it is `inversion`, with ten digits.
+    creepage : float or array
+        w, finite  [1].
+    force : float or array
+        F, less in absolute value than full sliding  [N/mm]; instead of creepage.
+    threads : int, optional
+        At once; all cores if it is not given. Results do not depend on it.
+    progress : bool or function
+        As of ms.solve().
+    missing : {"raise", "nan"}
+        What becomes of loads that have no solution.
+    **overrides
+        As of ms.solve().
+
+    Returns
+    -------
+    Steady
+
+    >>> import microslip as ms
+    >>> wheel = {"material": {"shear_modulus": 82000, "poisson_ratio": 0.28},
+    ...          "contact": {"half_width": 5, "peak_traction": 300},
+    ...          "kernel": {"type": "plane", "length": 100}, "grid": {"elements": 100}}
+    >>> result = ms.steady(wheel, force=[-500, -1500])
+    >>> result.creepage.round(6)
+    array([0.000592, 0.002093])
+    >>> result.traction.shape
+    (2, 100)
+    """
+    if (creepage is None) == (force is None):
+        raise InputError("creepage: expected either creepages or forces", "creepage", str(creepage),
+                         "either creepages or forces")
+    if missing not in ("raise", "nan"):
+        raise InputError(f"missing = {missing!r}: expected 'raise' or 'nan'", "missing", repr(missing),
+                         "'raise' or 'nan'")
+    contact = _read(scene, overrides)
+    name, loads = ("creepage", creepage) if force is None else ("force", force)
+    found = contact.solve(CREEPAGE if force is None else FORCE, numbers(name, loads), threads_of(threads),
+                          shown_progress(progress))
+    _raise_first(found, missing)
+    return found
+
+
+def _read(scene: Scene, overrides: Any) -> _Contact:
+    contact = _Contact(scene, overrides)
+    warn_of(text_of("py_steady_warnings", contact.handle).splitlines(), depth=4)
+    return contact
+
+
+def _raise_first(found: Steady, missing: str) -> None:
+    """What is out of range is an error in any case."""
+    for number, (status, message) in enumerate(zip(found.states["status"].flat, found.messages)):
+        if status and not (missing == "nan" and status == STATUS_OF_NO_SOLUTION):
+            raise error_of(int(status), f"load {number}: {message}" if len(found) > 1 else message)
+
+
+def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, threads: Optional[int] = None,
+                progress: Progress = None, **overrides: Any) -> Steady:
+    """The curve of force and creepage in steady rolling, from rest to full sliding and beyond.
+
+    Parameters
+    ----------
+    scene : str, path or dict
+        As of ms.steady().
+    points : int
+        On the curve, >= 5: three quarters of them up to `most`, closer to one another where it bends, and the rest
+        up to half as much creepage again, where all slides.
+    most : float
+        Largest part of full sliding below it, above 0, below 1.
+    threads, progress, **overrides
+        As of ms.steady().
+
+    Returns
+    -------
+    Steady
+        For creepages >= 0 in ascending order; the force is negative. Bodies of different material have another
+        curve for creepages below zero: ms.steady() takes any.
+
+    >>> import microslip as ms
+    >>> curve = ms.creep_curve(material={"shear_modulus": 82000, "poisson_ratio": 0.28},
+    ...                        contact={"half_width": 5, "peak_traction": 300},
+    ...                        kernel={"type": "strip", "width": 10}, grid={"elements": 50}, points=9)
+    >>> (curve.force / curve.full_sliding).round(2) + 0
+    array([ 0.  , -0.31, -0.55, -0.75, -0.89, -0.97, -1.  , -1.  , -1.  ])
+    """
+    if not isinstance(points, (int, np.integer)) or points < 5:
+        raise InputError(f"points = {points!r}: expected a whole number >= 5", "points", repr(points),
+                         "a whole number >= 5")
+    if not 0 < most < 1:
+        raise InputError(f"most = {most!r}: expected a number above 0, below 1", "most", repr(most),
+                         "a number above 0, below 1")
+    contact = _read(scene, overrides)
+    told, cores = shown_progress(progress), threads_of(threads)
+    below = (3 * points + 3) // 4
+    ratios = most * (1 - (1 - np.linspace(0, 1, below)) ** 2)
+    rising = contact.solve(FORCE, -ratios * contact.full_sliding, cores, told)
+    _raise_first(rising, "raise")
+    last = float(rising.creepage[-1])
+    sliding = contact.solve(CREEPAGE, last * np.linspace(1, 1.5, points - below + 1)[1:], cores, told)
+    _raise_first(sliding, "raise")
+    return _joined(rising, sliding)
+
+
+def _joined(first: Steady, second: Steady) -> Steady:
+    nodes = {name: np.concatenate([getattr(first, name), getattr(second, name)])
+             for name in ("x", "bound", "traction", "slip", "displacement")}
+    return Steady(np.concatenate([first.states, second.states]), nodes, first.full_sliding,
+                  first.messages + second.messages)

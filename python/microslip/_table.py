@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables as microslip writes them: tab-separated, behind a block of comments."""
+
+from __future__ import annotations
+
+import html
+import io
+import os
+import pathlib
+import re
+from typing import Any, Dict, List, NamedTuple, Tuple, Union
+
+import numpy as np
+
+from ._errors import InputError
+
+
+class Column(NamedTuple):
+    """What a column holds."""
+
+    name: str
+    unit: str  #: "1" if it has none
+    meaning: str
+
+
+class Table:
+    """A table as a structured array, with what its comments say.
+
+    Columns of numbers are floats, all others texts. A table is indexed like the array.
+
+    Attributes
+    ----------
+    data : numpy.ndarray
+        Structured, a row a row.
+    name, description : str
+    columns : dict of Column
+        By their names, in their order.
+    units : dict of str
+        Likewise.
+    parameters : dict of str
+        Keys and values of the scene that made it, with defaults.
+    warnings : list of str
+    text : str
+        As it was read.
+    """
+
+    def __init__(self, name: str, text: str):
+        self.name, self.text = name, text
+        comments, rest = _split(name, text)
+        self.description, self.parameters, self.warnings, self.columns = _read_comments(comments)
+        header, self.data = _read_rows(name, rest)
+        self.columns.update({column.name: column for column in header if column.name not in self.columns})
+        self.units: Dict[str, str] = {column.name: column.unit for column in self.columns.values()}
+
+    def __getitem__(self, which: Any) -> Any:
+        return self.data[which]
+
+    def __len__(self) -> int:
+        return len(self.data)
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> np.ndarray:
+        return np.array(self.data, dtype=dtype) if copy else np.asarray(self.data, dtype=dtype)
+
+    def __repr__(self) -> str:
+        names = ", ".join(f"{name} [{unit}]" for name, unit in self.units.items())
+        return f"<microslip.Table {self.name}: {len(self)} rows of {names}>"
+
+    def _repr_html_(self) -> str:
+        return html_table(self.data, self.units, caption=self.description)
+
+    def to_pandas(self) -> Any:
+        """A pandas.DataFrame; units are in its attrs["units"]."""
+        return to_pandas(self.data, self.units)
+
+    def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes the text that it was read from, to the byte."""
+        pathlib.Path(path).write_text(self.text, encoding="utf-8", newline="\n")
+
+
+def _split(name: str, text: str) -> Tuple[List[str], str]:
+    comments, at = [], 0
+    while text.startswith("#", at):
+        end = text.find("\n", at)
+        end = len(text) if end < 0 else end
+        comments.append(text[at + 1:end].rstrip())
+        at = end + 1
+    if at >= len(text):
+        raise InputError(f"{name}: expected a line of column names, as microslip writes tables", "path", name,
+                         "a table")
+    return comments, text[at:]
+
+
+def _read_comments(comments: List[str]) -> Tuple[str, Dict[str, str], List[str], Dict[str, Column]]:
+    """Description, parameters, warnings and columns; a table of somebody else may have none."""
+    description = comments[0].strip().partition(": ")[2] if comments else ""
+    part, parameters, warnings, columns = "", {}, [], {}
+    for line in comments[1:]:
+        if not line.startswith("   "):
+            part = line.strip()
+        elif part == "parameters":
+            key, _, value = line.strip().partition(" = ")
+            if key == "warning":
+                warnings.append(value)
+            else:
+                parameters[key] = value
+        elif part == "columns":
+            column, _, rest = line.strip().partition(" [")
+            unit, _, meaning = rest.partition("]: ")
+            columns[column] = Column(column, unit, meaning)
+    return description, parameters, warnings, columns
+
+
+def _read_rows(name: str, text: str) -> Tuple[List[Column], np.ndarray]:
+    """The columns as the header has them, perhaps with units, and the rows, separated by tabs or by blanks."""
+    header, _, rows = text.partition("\n")
+    separator = "\t" if "\t" in header else None
+    named = [_named(one) for one in (header.split("\t") if separator else re.sub(r"\s+\[", "[", header).split())]
+    lines = [line for line in rows.splitlines() if line and not line.startswith("#")]
+    columns = _columns_of_lines(name, [line.split(separator) for line in lines], len(named))
+    data = np.empty(len(lines), [(one.name, column.dtype) for one, column in zip(named, columns)])
+    for one, column in zip(named, columns):
+        data[one.name] = column
+    return named, data
+
+
+def _named(header: str) -> Column:
+    """q, q [mm] or q[mm]."""
+    name, _, unit = header.strip().partition("[")
+    return Column(name.strip(), unit.rstrip("] ") or "1", "")
+
+
+def _columns_of_lines(name: str, cells: List[List[str]], width: int) -> List[np.ndarray]:
+    for number, row in enumerate(cells, 1):
+        if len(row) != width:
+            raise InputError(f"{name}, row {number}: expected {width} cells, not {len(row)}", "path", name,
+                             "as many cells as columns")
+    return [_column(list(texts)) for texts in zip(*cells)] or [np.empty(0) for _ in range(width)]
+
+
+def _column(texts: List[str]) -> np.ndarray:
+    try:
+        return np.array(texts, dtype=float)
+    except ValueError:
+        return np.array(texts)
+
+
+def read_table(path: Union[str, "os.PathLike[str]", io.TextIOBase]) -> Table:
+    """Reads a table that microslip wrote, with its units and parameters.
+
+    Parameters
+    ----------
+    path : str or path
+        The file, such as ``out/traction.tsv``.
+
+    Raises
+    ------
+    InputError
+        For a file that cannot be read or is no table.
+
+    >>> import tempfile
+    >>> import microslip as ms
+    >>> wheel = {"material": {"shear_modulus": 82000, "poisson_ratio": 0.28},
+    ...          "contact": {"half_width": 5, "peak_traction": 300},
+    ...          "kernel": {"type": "strip", "width": 10}, "grid": {"elements": 50}}
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     ms.solve(wheel, problem="steady", load_force=-500).write(folder)
+    ...     table = ms.read_table(f"{folder}/traction.tsv")
+    >>> table["x"][:2], table.units["x"], table.parameters["load.force"]
+    (array([-4.9, -4.7]), 'mm', '-500')
+    """
+    try:
+        text = pathlib.Path(path).read_text(encoding="utf-8")  # type: ignore[arg-type]
+    except (OSError, UnicodeDecodeError) as error:
+        why = error.strerror if isinstance(error, OSError) else "expected UTF-8"
+        raise InputError(f"table '{path}': cannot read it: {why}", "path", str(path),
+                         "a file that can be read") from None
+    return Table(pathlib.Path(path).stem, text)  # type: ignore[arg-type]
+
+
+def to_pandas(data: np.ndarray, units: Dict[str, str]) -> Any:
+    """A frame of a structured array."""
+    try:
+        import pandas  # pylint: disable=import-outside-toplevel
+    except ImportError:
+        raise ImportError("to_pandas wants pandas, which is not installed: python3-pandas of Debian, "
+                          "or pip install pandas") from None
+    frame = pandas.DataFrame({name: data[name] for name in data.dtype.names})
+    frame.attrs["units"] = dict(units)
+    return frame
+
+
+def html_table(data: np.ndarray, units: Dict[str, str], caption: str = "", most: int = 10) -> str:
+    """A table of the first and the last rows."""
+    names = data.dtype.names
+
+    def with_unit(name: str) -> str:
+        unit = units.get(name, "1")
+        return html.escape(name if unit == "1" else f"{name} [{unit}]")
+
+    def row(values: Any) -> str:
+        cells = (f"{value:.6g}" if isinstance(value, (float, np.floating)) else html.escape(str(value))
+                 for value in values)
+        return "<tr>" + "".join(f"<td>{cell}</td>" for cell in cells) + "</tr>"
+
+    rows = [row(one) for one in (data if len(data) <= most else data[:most // 2])]
+    if len(data) > most:
+        rows += [f'<tr><td colspan="{len(names)}">... {len(data) - most} more</td></tr>',
+                 *(row(one) for one in data[-(most // 2):])]
+    head = "".join(f"<th>{with_unit(name)}</th>" for name in names)
+    return (f"<table><caption>{html.escape(caption)}</caption><tr>{head}</tr>{''.join(rows)}</table>")

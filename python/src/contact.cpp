@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contacts of scenes: what rolls step by step, and steady rolling under many loads.
+#include "error.hpp"
+#include "handle.hpp"
+#include "interface.hpp"
+#include "microslip/support/parallel.hpp"
+#include "scene.hpp"
+#include "steady.hpp"
+
+using namespace microslip;
+using namespace microslip::python;
+
+microslip_rolling* microslip_py_rolling(const microslip_py_scene* scene) {
+  return or_null([&] { return new microslip_rolling(rolling_of(scene_of(*scene))); });
+}
+
+const char* microslip_py_save(microslip_rolling* rolling) {
+  static thread_local std::string text;
+  return or_null([&] {
+    text = rolling->contact->save();
+    return text.c_str();
+  });
+}
+
+int microslip_py_restore(microslip_rolling* rolling, const char* text) {
+  return python::status_of([&] { rolling->contact->restore({text}); });
+}
+
+struct microslip_py_steady {
+  SteadyProblem problem;
+  std::string warnings;
+};
+
+microslip_py_steady* microslip_py_steady_read(const microslip_py_scene* scene) {
+  return or_null([&] {
+    Scene read = scene_of(*scene);
+    const SteadyProblem problem = steady_of(read);
+    return new microslip_py_steady{problem, lines_of(read.warnings())};
+  });
+}
+
+void microslip_py_steady_destroy(microslip_py_steady* steady) { delete steady; }
+
+std::size_t microslip_py_steady_size(const microslip_py_steady* steady) {
+  return static_cast<std::size_t>(steady->problem.grid.size());
+}
+
+double microslip_py_full_sliding(const microslip_py_steady* steady) {
+  return full_sliding_force(steady->problem.bound);
+}
+
+const char* microslip_py_steady_warnings(const microslip_py_steady* steady) {
+  return steady->warnings.c_str();
+}
+
+int microslip_py_steady_solve(const microslip_py_steady* steady, int load_type, const double* loads,
+                              std::size_t count, int threads, microslip_steady* states,
+                              const microslip_steady_nodes* nodes, char* messages,
+                              std::size_t room) {
+  return python::status_of([&] {
+    capi::require_load_type(load_type);
+    const std::size_t size = microslip_py_steady_size(steady);
+    for_each_case(count, threads, [&](std::size_t i) {
+      states[i] = capi::solve_load(steady->problem, load_type, loads[i],
+                                   capi::NodesOut(nodes, i, size), {messages + i * room, room});
+    });
+  });
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <microslip.h>
+
+#include <cstddef>
+
+/// \file
+/// What the Python package calls besides microslip.h: scenes, which that has not. It is private: it
+/// changes with the package, which loads no other library than its own.
+
+extern "C" {
+
+/// Where a scene comes from. Texts are UTF-8.
+struct microslip_py_scene {
+  const char* text;
+  const char* name;                ///< of the text, for messages
+  const char* folder;              ///< to which its file names refer, with '/' at its end, or empty
+  const char* const* assignments;  ///< "key=value" over the text; of no value: without that key
+  std::size_t assignment_count;
+  const char* const* file_names;  ///< of files that are in memory
+  const char* const* file_texts;
+  std::size_t file_count;
+};
+
+/// Called now and then; work ends if it answers other than 0.
+typedef int (*microslip_py_progress)(std::size_t done, std::size_t total);
+
+/// microslip_status, and one more.
+enum { MICROSLIP_PY_STOPPED = 5 };
+
+// Of the last call of this thread that failed, which answered null or a status.
+MICROSLIP_API int microslip_py_error_status(void);
+MICROSLIP_API const char* microslip_py_error_key(void);  ///< empty if it is about none
+MICROSLIP_API const char* microslip_py_error_message(void);
+
+/// A line a key of scenes: name, type, unit, meaning, what is accepted, default and role, with tabs.
+MICROSLIP_API const char* microslip_py_keys(void);
+
+/// Scenes that have been read: one, or all cases of one with a sweep.
+struct microslip_py_cases;
+MICROSLIP_API microslip_py_cases* microslip_py_read(const microslip_py_scene* scene, int is_swept);
+MICROSLIP_API void microslip_py_cases_destroy(microslip_py_cases* cases);
+MICROSLIP_API std::size_t microslip_py_case_count(const microslip_py_cases* cases);
+MICROSLIP_API std::size_t microslip_py_swept_count(const microslip_py_cases* cases);
+MICROSLIP_API const char* microslip_py_swept_key(const microslip_py_cases* cases, std::size_t key);
+MICROSLIP_API const char* microslip_py_swept_value(const microslip_py_cases* cases, std::size_t at,
+                                                   std::size_t key);
+/// Doubts about values, a line each, as they are told before a case is solved.
+MICROSLIP_API const char* microslip_py_warnings(const microslip_py_cases* cases, std::size_t at);
+
+/// Tables of a solution. Cases may be solved in several threads at once, one in each.
+struct microslip_py_tables;
+MICROSLIP_API microslip_py_tables* microslip_py_solve(const microslip_py_cases* cases,
+                                                      std::size_t at,
+                                                      microslip_py_progress progress);
+MICROSLIP_API void microslip_py_tables_destroy(microslip_py_tables* tables);
+MICROSLIP_API std::size_t microslip_py_table_count(const microslip_py_tables* tables);
+MICROSLIP_API const char* microslip_py_table_name(const microslip_py_tables* tables,
+                                                  std::size_t table);
+/// As the program writes it.
+MICROSLIP_API const char* microslip_py_table_text(const microslip_py_tables* tables,
+                                                  std::size_t table);
+
+/// The contact of a scene, to roll: for the functions of microslip.h. What the scene says about its
+/// problem, load, steps, start and motion is left out.
+MICROSLIP_API microslip_rolling* microslip_py_rolling(const microslip_py_scene* scene);
+/// As microslip_save() and microslip_restore(), without a file.
+/// \return a text that is valid until this thread's next call; null if it fails
+MICROSLIP_API const char* microslip_py_save(microslip_rolling* rolling);
+MICROSLIP_API int microslip_py_restore(microslip_rolling* rolling, const char* text);
+
+/// Steady rolling of the contact of a scene, by the method of that if its problem is steady.
+struct microslip_py_steady;
+MICROSLIP_API microslip_py_steady* microslip_py_steady_read(const microslip_py_scene* scene);
+MICROSLIP_API void microslip_py_steady_destroy(microslip_py_steady* steady);
+MICROSLIP_API std::size_t microslip_py_steady_size(const microslip_py_steady* steady);
+MICROSLIP_API double microslip_py_full_sliding(const microslip_py_steady* steady);
+MICROSLIP_API const char* microslip_py_steady_warnings(const microslip_py_steady* steady);
+/// As microslip_solve_steady(), on several threads.
+/// \param messages  `count` rows of `room` bytes: why a load has no solution
+MICROSLIP_API int microslip_py_steady_solve(const microslip_py_steady* steady, int load_type,
+                                            const double* loads, std::size_t count, int threads,
+                                            microslip_steady* states,
+                                            const microslip_steady_nodes* nodes, char* messages,
+                                            std::size_t room);
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <string_view>
+
+#include "microslip/scene/model.hpp"
+#include "microslip/scene/text.hpp"
+
+namespace microslip::python {
+
+namespace {
+
+using Files = std::map<std::string, std::string>;
+
+/// Of a key that is not there nothing is removed: it is an argument that was not given.
+void assign(Scene& scene, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  const std::string key = assignment.substr(0, equals);
+  const bool removes = equals + 1 == assignment.size();
+  if (removes && !scene.has(key) && !scene.has("sweep." + key)) return;
+  scene.set(assignment);
+}
+
+void leave_out(Scene& scene, std::initializer_list<std::string_view> names) {
+  for (const std::string& key : scene.keys()) {
+    const bool goes = std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+      return name.ends_with('.') ? key.starts_with(name) : key == name;
+    });
+    if (goes) scene.set(key + '=');
+  }
+}
+
+template <class Read>
+auto read_all(Scene& scene, const Read& read) {
+  return placed(scene, [&] {
+    auto problem = read();
+    scene.reject_unread();
+    return problem;
+  });
+}
+
+}  // namespace
+
+Scene scene_of(const microslip_py_scene& given) {
+  std::istringstream in(given.text);
+  Scene scene = Scene::parse(in, given.name, given.folder);
+  for (std::size_t i = 0; i < given.assignment_count; ++i) assign(scene, given.assignments[i]);
+  const auto files = std::make_shared<Files>();
+  for (std::size_t i = 0; i < given.file_count; ++i) {
+    files->emplace(given.file_names[i], given.file_texts[i]);
+  }
+  scene.read_files_by([files](const std::string& path) {
+    const auto found = files->find(path);
+    return found == files->end() ? file_text(path) : found->second;
+  });
+  return scene;
+}
+
+TransientProblem rolling_of(Scene scene) {
+  leave_out(scene, {"problem", "method", "leading_edge", "target_error", "load.", "motion.",
+                    "start.", "cylinder.", "step.ratio", "step.tolerance"});
+  return read_all(scene, [&] { return read_transient_problem(scene); });
+}
+
+SteadyProblem steady_of(Scene& scene) {
+  const bool is_steady = !scene.has("problem") || scene.text("problem") == "steady";
+  leave_out(scene, {"problem", "load.", "motion.", "start.", "cylinder.", "step.scheme",
+                    "step.relaxation", "step.tolerance"});
+  if (!is_steady) leave_out(scene, {"step."});
+  scene.set("load.creepage=0");
+  return read_all(scene, [&] { return read_steady(scene); });
+}
+
+std::string lines_of(const std::vector<Warning>& warnings) {
+  std::string lines;
+  for (const Warning& warning : warnings) lines += warning.line + '\n';
+  return lines;
+}
+
+}  // namespace microslip::python

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "interface.hpp"
+#include "microslip/rolling/steady.hpp"
+#include "microslip/rolling/transient_problem.hpp"
+#include "microslip/scene/scene.hpp"
+
+namespace microslip::python {
+
+/// \throws std::invalid_argument for what is none
+Scene scene_of(const microslip_py_scene& given);
+
+/// As with_places(), but the error still knows its key.
+template <class Action>
+auto placed(const Scene& scene, Action action) {
+  try {
+    return action();
+  } catch (const BadParameter& error) {
+    const BadParameter of_key = in_keys(error);
+    throw BadParameter(of_key.name(), scene.place_of(of_key.name()) + of_key.what());
+  }
+}
+
+/// What a scene says about a contact that rolls.
+/// \throws std::invalid_argument as read_transient_problem, and for a key that nobody reads
+TransientProblem rolling_of(Scene scene);
+
+/// The same in steady rolling, free for now.
+/// \param scene  gets the warnings
+SteadyProblem steady_of(Scene& scene);
+
+/// The lines of warnings.
+std::string lines_of(const std::vector<Warning>& warnings);
+
+}  // namespace microslip::python

@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the package says about the library holds against its headers, and its examples against themselves."""
+import doctest
+import importlib
+import pkgutil
+import re
+
+import numpy as np
+import pytest
+
+import microslip
+from microslip import _library
+
+KINDS = {"double": np.dtype(float), "int": np.dtype(np.intc), "struct microslip_slopes": _library.SLOPES}
+
+
+def struct(header, name):
+    """Names and types of a struct in C, without comments."""
+    body = re.search(r"struct %s \{(.*?)\};" % name, header, re.DOTALL).group(1)
+    fields = re.sub(r"/\*.*?\*/|///<[^\n]*", "", body, flags=re.DOTALL)
+    return re.findall(r"([\w ]+?(?: ?\*)?(?:const\*)?) ?(\w+);", fields)
+
+
+@pytest.mark.parametrize("name", ["state", "steady", "shift", "slopes", "jacobian"])
+def test_records_are_the_structs_of_the_header(name, source):
+    header = (source / "capi/include/microslip.h").read_text()
+    dtype = getattr(_library, name.upper())
+    fields = [(field, KINDS[kind.strip()]) for kind, field in struct(header, f"microslip_{name}")]
+    assert [(field, dtype[field]) for field in dtype.names] == fields
+    assert dtype.isalignedstruct
+
+
+@pytest.mark.parametrize("name, file, kind", [
+    ("microslip_steps", "capi/include/microslip.h", _library.Steps),
+    ("microslip_steady_nodes", "capi/include/microslip.h", _library.SteadyNodes),
+    ("microslip_py_scene", "python/src/interface.hpp", _library.SceneText)])
+def test_structures_have_the_fields_of_the_header(name, file, kind, source):
+    fields = [field for _, field in struct((source / file).read_text(), name)]
+    assert [field for field, *_ in kind._fields_] == fields
+
+
+@pytest.mark.parametrize("module", [name for _, name, _ in pkgutil.iter_modules(microslip.__path__)
+                                    if name != "_microslip"])
+def test_examples_in_docstrings(module):
+    found = importlib.import_module(f"microslip.{module}")
+    result = doctest.testmod(found)
+    assert result.failed == 0
+
+
+def test_all_that_is_public_has_a_docstring():
+    for name in microslip.__all__:
+        thing = getattr(microslip, name)
+        assert thing.__doc__, name
+        if isinstance(thing, type):
+            for member, value in vars(thing).items():
+                if not member.startswith("_") and (callable(value) or isinstance(value, property)):
+                    assert value.__doc__, f"{name}.{member}"
+
+
+def test_examples_are_tried():
+    finder = doctest.DocTestFinder()
+    tried = {test.name for name in microslip.__all__ for test in finder.find(getattr(microslip, name), name)
+             if test.examples}
+    assert {"solve", "steady", "creep_curve", "sweep", "read_table", "keys", "Rolling", "InputError"} <= tried

@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# The Python package. Status 77 where something for it is not installed.
+#   package   its tests, on the package in the build folder
+#   notebook  the notebook of examples/ runs from top to bottom
+#   install   pip makes a wheel in a virtual environment, without a network, and that solves a scene elsewhere
+# Usage: run.sh package|notebook|install SOURCE_FOLDER BUILD_FOLDER WORK_FOLDER
+set -euo pipefail
+part=$1 source=$(realpath "$2") build=$(realpath "$3") work=$4
+export PYTHONDONTWRITEBYTECODE=1
+rm -rf "$work"
+mkdir -p "$work"
+cd "$work"
+
+# $@ modules; the first Python that has all of them
+python_with() {
+  local candidate
+  for candidate in python3 /usr/bin/python3; do
+    if "$candidate" -c "import ${*// /, }" 2>>log; then
+      echo "$candidate"
+      return
+    fi
+  done
+  return 1
+}
+skip() {
+  echo "skipped: $1 (tools/deps.sh languages installs it)"
+  exit 77
+}
+
+case "$part" in
+  package)
+    python=$(python_with numpy, pytest) || skip "no python3 with numpy and pytest"
+    MICROSLIP=$build/bin/microslip PYTHONPATH=$build/python "$python" -W error::ResourceWarning -m pytest -q \
+      -p no:cacheprovider -o python_files='*_test.py' "$source/tests/python"
+    ;;
+  notebook)
+    python=$(python_with numpy, nbconvert, ipykernel, matplotlib) ||
+      skip "no python3 with nbconvert, ipykernel and matplotlib"
+    export HOME=$work PYTHONPATH=$build/python PYDEVD_DISABLE_FILE_VALIDATION=1
+    export IPYTHONDIR=$work/ipython
+    "$python" -m nbconvert --to notebook --execute --output-dir "$work" --log-level ERROR \
+      "$source/examples/python/rolling.ipynb"
+    # Each cell of code has run, and figures are there.
+    "$python" - rolling.ipynb <<'TEXT'
+import json, sys
+cells = [cell for cell in json.load(open(sys.argv[1]))["cells"] if cell["cell_type"] == "code"]
+figures = sum("image/png" in output.get("data", {}) for cell in cells for output in cell["outputs"])
+assert cells and all(cell["execution_count"] for cell in cells), "a cell did not run"
+assert figures >= 3, f"{figures} figures"
+print(f"{len(cells)} cells, {figures} figures")
+TEXT
+    ;;
+  install)
+    python=$(python_with numpy, setuptools, wheel, venv, ensurepip) ||
+      skip "no python3 with numpy, setuptools, wheel and venv"
+    # From a copy, as setuptools writes beside the sources; the library is that of the build folder.
+    mkdir tree
+    tar -C "$source" --exclude=./build --exclude=./.git --exclude=./results -cf - . | tar -C tree -xf -
+    "$python" -m venv --system-site-packages here
+    MICROSLIP_BUILD_FOLDER=$build \
+      here/bin/python -m pip install --quiet --no-build-isolation --no-index --disable-pip-version-check ./tree
+    cat >try.py <<'TEXT'
+import pathlib, subprocess, sys
+import microslip as ms
+assert pathlib.Path(ms.__file__).is_relative_to(sys.prefix), ms.__file__
+result = ms.solve(sys.argv[1], load_force=-1000)
+assert abs(result.summary["creepage"] / 0.00112813 - 1) < 1e-5, result
+print(f"microslip {ms.__version__} of pip: {result}")
+TEXT
+    here/bin/python try.py "$source/examples/steady.info"
+    here/bin/python -m pip uninstall --quiet --yes microslip
+    ! here/bin/python -c "import microslip" 2>>log
+    ;;
+esac

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables of the program, and those of somebody else."""
+import numpy as np
+import pytest
+
+import microslip as ms
+
+
+def test_round_trip_has_columns_units_and_parameters(scene, tmp_path):
+    result = ms.solve(scene, problem="steady", load_force=-1000)
+    result.write(tmp_path / "out")
+    table = ms.read_table(tmp_path / "out/traction.tsv")
+    assert np.array_equal(table.data, result.traction)
+    assert table.units["traction"] == "N/mm^2" and table.columns["x"].meaning.startswith("position")
+    assert table.parameters["load.force"] == "-1000" and table.name == "traction"
+    assert table.description.startswith("steady rolling")
+    assert np.asarray(table).dtype == table.data.dtype and len(table) == len(table["x"]) == 40
+    assert "traction [N/mm^2]" in repr(table) and "<caption>" in table._repr_html_()
+
+
+def test_tables_of_studies_are_read(source):
+    for file in sorted((source / "tests/reference_tables").rglob("*.tsv"))[:40]:
+        table = ms.read_table(file)
+        text = [line for line in file.read_text().splitlines() if not line.startswith("#")]
+        assert list(table.data.dtype.names) == text[0].split("\t")
+        assert len(table) == len(text) - 1
+        assert table.columns.keys() == set(table.data.dtype.names)
+
+
+@pytest.mark.parametrize("text, rows", [("x\tbound\n1\t2\n3\t4\n", 2), ("# c\nx bound\n1 2\n", 1), ("x\n", 0),
+                                        ("# run: a run\nx [mm]\tF [N/mm]\n1\t2\n", 1)])
+def test_plain_tables_are_read(text, rows, tmp_path):
+    (tmp_path / "a.tsv").write_text(text)
+    table = ms.read_table(tmp_path / "a.tsv")
+    assert len(table) == rows and table.data.dtype.names[0] == "x"
+    assert table.data["x"].dtype == float
+
+
+@pytest.mark.parametrize("text, why", [("", "a line of column names"), ("# only\n", "a line of column names"),
+                                       ("x\ty\n1\n", "row 1: expected 2 cells, not 1")])
+def test_what_is_no_table_is_an_error(text, why, tmp_path):
+    (tmp_path / "a.tsv").write_text(text)
+    with pytest.raises(ms.InputError, match=why):
+        ms.read_table(tmp_path / "a.tsv")
+    with pytest.raises(ms.InputError, match="cannot read it: No such file"):
+        ms.read_table(tmp_path / "none.tsv")
+
+
+def test_frames_of_pandas_have_units(scene):
+    pytest.importorskip("pandas")
+    result = ms.solve(scene, problem="steady", load_force=-1000)
+    frame = result.to_pandas()
+    assert list(frame["x"]) == list(result.traction["x"]) and frame.attrs["units"]["x"] == "mm"
+    contact = {"half_width": 5, "peak_traction": None, "bound_file": frame[["x", "bound"]]}
+    assert ms.solve(scene, problem="steady", load_force=-900, contact=contact).summary["force"] == -900
+
+
+def test_figures_are_drawn_or_refused_in_a_line(scene, monkeypatch):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    curve = ms.creep_curve(scene, points=9)
+    line = curve.plot().lines[0]
+    assert np.allclose(line.get_ydata(), -curve.force)
+    result = ms.solve(scene, problem="transient", load_creepage=0.001, motion_distance=2, step_ratio=1,
+                      start_type="rest")
+    axes = result.plot()
+    assert np.array_equal(axes[0].lines[0].get_ydata(), result.traction["traction"])
+    assert np.array_equal(axes[1].lines[0].get_ydata(), result.history["force"])
+    assert ms.steady(scene, force=-500).plot().get_xlabel().startswith("x [mm]")
+    ms.Rolling(scene).plot()
+    matplotlib.pyplot.close("all")
+    monkeypatch.setitem(__import__("sys").modules, "matplotlib", None)
+    with pytest.raises(ImportError, match="^plot wants matplotlib"):
+        curve.plot()
