@@ -36,7 +36,7 @@ help:
 	@echo 'make install      into PREFIX=$(PREFIX)'
 	@echo 'make package      a Debian package into $(BUILD)/package'
 	@echo 'make format       clang-format all sources; make check-format only looks'
-	@echo 'make clean        remove the build and the results'
+	@echo 'make clean        remove the build, and the results that make has made; others in results stay'
 	@echo 'Missing Debian packages are installed first (DEPS=skip: not). JOBS=$(JOBS) compilers at once.'
 
 deps:
@@ -168,5 +168,6 @@ format:
 check-format:
 	@clang-format --dry-run --Werror $(SOURCES)
 
+# Other folders in results are of those who made them.
 clean:
-	rm -rf build results/*/ results/report.html
+	rm -rf build $(STUDIES:%=results/%) results/quick results/figures results/bench results/report.html

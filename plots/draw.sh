@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
-# Draws one figure. Usage: plots/draw.sh FIGURE.gp TABLES_FOLDER OUTPUT.svg|OUTPUT.png|OUTPUT.pdf
+# Draws one figure. Usage: plots/draw.sh FIGURE.gp TABLES_FOLDER OUTPUT.svg|OUTPUT.png|OUTPUT.pdf [COMMANDS]
+# The last word has commands of gnuplot that come first.
 # A gnuplot warning is a failure, as is a table without content, and a failure leaves no figure.
 # The comment that the script begins with says what the figure shows, and becomes the title of an SVG.
 set -euo pipefail
-script=$1 tables=$2 output=$3
+script=$1 tables=$2 output=$3 commands=${4-}
 plots=$(dirname "$0")
 fail() {
   echo "draw: $script: $1" >&2
@@ -48,7 +49,7 @@ titled() {
     cat
   fi
 }
-gnuplot -e "format='$format'; tables='${tables//\'/\'\'}'; scripts='${plots//\'/\'\'}'" "$plots/style.gp" "$script" 2>"$partial.log" |
+gnuplot -e "format='$format'; tables='${tables//\'/\'\'}'; scripts='${plots//\'/\'\'}'; $commands" "$plots/style.gp" "$script" 2>"$partial.log" |
   titled >"$partial" || status=$?
 # gnuplot takes no notice of a full disk: is the end there?
 case "$format" in

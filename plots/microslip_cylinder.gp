@@ -1,24 +1,30 @@
-# A cylinder that rolls down a slope: tractions at the end, velocity, force of the contact, and what
-# the balance of energy misses with tractions at the end of each step.
-history = tables."/history.tsv"
+# A cylinder that rolls down a slope: tractions at the end, velocity, force of the contact, and what the balance of
+# energy misses with tractions at the end of each step; of several results over one another.
+load scripts."/microslip.gpi"
 traction = tables."/traction.tsv"
-eval page(640, 900)
-set multiplot layout 4,1 margins 0.15,0.97,0.06,0.98 spacing 0.07
+history = tables."/history.tsv"
+rows_of_key = rows(lines + 1)
+height = 860 + key_height(lines + 1)
+eval page(640, height)
+set multiplot layout 4,1 margins 0.15,0.97,57./height,1-key_height(lines + 1)/height spacing 0.07
+eval "set xrange ".x_range
 set xlabel "x [mm], rolling to the right"
 set ylabel "traction p [N/mm^2]"
-set key at graph 0.66,0.9
-plot traction using "x":"bound" with @bound_line title "bound ±g", \
-     traction using "x":(-column("bound")) with @bound_line notitle, \
-     traction using "x":"traction" with lines linetype 1 title "traction at the end"
+eval above(height)
+plot for [k=1:lines] traction using (of(k, column("x"))):"bound" with @bound_line title k == 1 ? "bound ±g" : "", \
+     for [k=1:lines] traction using (of(k, column("x"))):(-column("bound")) with @bound_line notitle, \
+     for [k=1:lines] traction using (of(k, column("x"))):"traction" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k) title label(k)
+unset key
 set autoscale xfix
+eval "set xrange ".q_range
 set format x "%g"
 set xlabel "distance rolled X [mm]"
 set ylabel "velocity v [mm/s]"
-plot history using "X":"v" with lines linetype 1 notitle
+plot for [k=1:lines] history using (of(k, column("X"))):"v" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
 set ylabel "force F [N/mm]"
-plot history using "X":"force" with lines linetype 3 notitle
+plot for [k=1:lines] history using (of(k, column("X"))):"force" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
 set ylabel "energy missing, of F_{cm} X"
 set logscale y
 set format y "10^{%L}"
-plot history using (column("X") > 0 ? column("X") : NaN):(shown(abs(column("total") / column("potential")))) with lines linetype 4 notitle
+plot for [k=1:lines] history using (column("X") > 0 ? of(k, column("X")) : NaN):(shown(abs(column("total") / column("potential")))) with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
 unset multiplot

@@ -8,4 +8,5 @@ set xzeroaxis linecolor "gray60"
 set yzeroaxis linecolor "gray60"
 set key off
 set xtics format "%g"
+eval "set xrange ".x_range
 plot shifts using "total_shift":"force" with linespoints linetype 1 pointtype 7 pointsize 0.6

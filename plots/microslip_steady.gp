@@ -1,16 +1,21 @@
-# Steady rolling: tractions within their bound, and slip.
+# Steady rolling: tractions within their bounds, and slip; of several results over one another, and with Carter's
+# exact solution where it is one.
+load scripts."/microslip.gpi"
 traction = tables."/traction.tsv"
-eval page(640, 520)
-set multiplot layout 2,1 margins 0.15,0.97,0.11,0.96 spacing 0.04
+rows_of_key = rows(lines + 1)
+height = 490 + key_height(lines + 1)
+eval page(640, height)
+set multiplot layout 2,1 margins 0.15,0.97,57./height,1-key_height(lines + 1)/height spacing 0.04
+eval "set xrange ".x_range
 set format x ""
 set ylabel "traction p [N/mm^2]"
-set key at graph 0.66,0.9
-plot traction using "x":"bound" with @bound_line title "bound ±g", \
-     traction using "x":(-column("bound")) with @bound_line notitle, \
-     traction using "x":"traction" with lines linetype 1 title "traction"
+eval above(height)
+plot for [k=1:lines] traction using (of(k, column("x"))):"bound" with @bound_line title k == 1 ? "bound ±g" : "", \
+     for [k=1:lines] traction using (of(k, column("x"))):(-column("bound")) with @bound_line notitle, \
+     for [k=1:lines] traction using (of(k, column("x"))):"traction" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k) title label(k)
 set format x
 set xlabel "x [mm], rolling to the right"
 set ylabel "relative slip s"
-set key top right
-plot traction using "x":"slip" with lines linetype 2 title "slip"
+unset key
+plot for [k=1:lines] traction using (of(k, column("x"))):"slip" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
 unset multiplot

@@ -1,24 +1,34 @@
-# A transient: tractions within their bound at the end, and force and creepage on the way.
+# A transient: tractions within their bounds at the end, and force and creepage on the way; of several results over one
+# another.
+load scripts."/microslip.gpi"
 traction = tables."/traction.tsv"
 history = tables."/history.tsv"
-eval page(640, 620)
-set multiplot layout 2,1 margins 0.15,0.83,0.11,0.96 spacing 0.13
+rows_of_key = rows(lines + 1)
+height = 690 + key_height(lines + 1)
+top = 1 - key_height(lines + 1) / height
+eval page(640, height)
+set multiplot
+set lmargin at screen 0.15; set rmargin at screen 0.97
+set tmargin at screen top; set bmargin at screen top - 250./height
+eval "set xrange ".x_range
 set xlabel "x [mm], rolling to the right"
-set ylabel "traction p [N/mm^2]"
-set key at graph 0.66,0.9
-plot traction using "x":"bound" with @bound_line title "bound ±g", \
-     traction using "x":(-column("bound")) with @bound_line notitle, \
-     traction using "x":"traction" with lines linetype 1 title "traction at the end"
+set ylabel "traction p at the end [N/mm^2]"
+eval above(height)
+plot for [k=1:lines] traction using (of(k, column("x"))):"bound" with @bound_line title k == 1 ? "bound ±g" : "", \
+     for [k=1:lines] traction using (of(k, column("x"))):(-column("bound")) with @bound_line notitle, \
+     for [k=1:lines] traction using (of(k, column("x"))):"traction" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k) title label(k)
+unset key
 set autoscale xfix
-set xlabel "distance rolled q [mm]"
-set ylabel "force F [N/mm]"
-set y2label "creepage w" offset -1,0
-set ytics nomirror
-set y2tics
+eval "set xrange ".q_range
 set yrange [*<0:0<*]
-set y2range [*<0:0<*]
-set key at graph 0.97,1.06 horizontal
-# The first row is the start, where there is no creepage.
-plot history using "q":"force" with lines linetype 3 title "force, left", \
-     history using (column("q") > 0 ? column("q") : NaN):"creepage" axes x1y2 with lines linetype 2 title "creepage, right"
+unset xlabel
+set format x ""
+set tmargin at screen top - 320./height; set bmargin at screen top - 465./height
+set ylabel "force F [N/mm]"
+plot for [k=1:lines] history using (of(k, column("q"))):"force" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
+set format x "%g"
+set xlabel "distance rolled q [mm]"
+set ylabel "creepage w"
+set tmargin at screen top - 480./height; set bmargin at screen top - 625./height
+plot for [k=1:lines] history using (of(k, column("q"))):"creepage" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
 unset multiplot

@@ -4,8 +4,11 @@
 #include <string>
 
 #include "microslip/experiments/converge_scene.hpp"
+#include "microslip/experiments/curve_scene.hpp"
 #include "microslip/experiments/response_scene.hpp"
 #include "microslip/program/commands.hpp"
+#include "microslip/program/memory.hpp"
+#include "microslip/program/run_joined.hpp"
 #include "microslip/program/sweep.hpp"
 #include "solver.hpp"
 #include "templates.hpp"
@@ -57,6 +60,12 @@ program::Work prepare_converge(Scene& scene) {
   return [read](const Progress& progress) { return experiments::converge_tables(read, progress); };
 }
 
+program::Work prepare_curve(Scene& scene) {
+  const experiments::CurveScene read = experiments::read_curve(scene);
+  program::require_memory("grid.elements", read.problem.grid.size(), memory_needed(read.problem));
+  return [read](const Progress& progress) { return experiments::curve_tables(read, progress); };
+}
+
 program::Preview preview(Scene& scene) {
   const Model model = read_model(scene);
   return {explain(model), work_needed(model), memory_needed(model)};
@@ -99,8 +108,26 @@ int main(int argc, char** argv) {
       .key_options = {{"elements", "converge.elements", "numbers N (default: 15 31 63 127 255)"},
                       {"error", "converge.error", "relative error wanted (default: 1e-3)"},
                       {"step-time", "converge.step_time",
-                       "time that a step of a transient may take, as '0.1 ms'"}},
+                       "time that a step of a transient may take, as '0.1 ms'"},
+                      {"reference", "converge.reference",
+                       "best, chebyshev or fine (default: best)"}},
       .prepare = prepare_converge};
+  const program::Program curve{
+      .name = solver.name,
+      .command = "curve",
+      .question = "makes the curve of creepage and force of a scene, or of all cases of a sweep",
+      .scene = "",
+      .quick = "",
+      .default_out = "out",
+      .key_options = {{"creepages", "curve.creepages",
+                       "numbers and ranges, as '0:1e-4:5e-3' (default: 51 up to full sliding)"},
+                      {"points", "curve.points", "how many, evenly spaced (default: 51)"},
+                      {"largest", "curve.largest", "largest creepage"},
+                      {"half-widths", "sweep.contact.half_width",
+                       "numbers and ranges, a curve for each; likewise any key by "
+                       "--set sweep.KEY=..."},
+                      {"beside", "curve.beside", "fastsim: its curve, too"}},
+      .prepare = prepare_curve};
   using Arguments = const char* const*;
   const std::vector<program::Command> commands{
       {"init", "writes a commented scene to start from",
@@ -111,6 +138,8 @@ int main(int argc, char** argv) {
        [&](int n, Arguments words) { return program::explain(solver, preview, n, words); }},
       {"response", "says how the force follows a creepage that oscillates a little",
        [&](int n, Arguments words) { return program::run(response, n, words); }},
+      {"curve", "makes curves of creepage and force",
+       [&](int n, Arguments words) { return program::run_joined(curve, n, words); }},
       {"converge", "says what an accuracy costs in a scene, by every scheme",
        [&](int n, Arguments words) { return program::run(converge, n, words); }},
       {"plot", "draws the figures of a result, or of a study",

@@ -166,9 +166,18 @@ Contestant second_order(bool steady) {
 
 Index reference_elements(const ConvergeScene& converge) { return 4 * converge.elements.back() + 3; }
 
+/// The scheme of that name, with as many nodes shown.
+Reference by_chebyshev(const ConvergeScene& converge, Index nodes) {
+  constexpr double of_chebyshev = 1e-10;
+  const std::vector<Contestant> all = contestants_for(true);
+  const Contestant& scheme = *std::ranges::find(all, "chebyshev", &Contestant::name);
+  return {solved(model_of(converge, scheme, nodes)), scheme.name, nodes, of_chebyshev};
+}
+
 Reference reference_of(const ConvergeScene& converge) {
   const Index fine = reference_elements(converge), half = fine / 2;
-  if (converge.steady) {
+  if (converge.reference == "chebyshev") return by_chebyshev(converge, fine);
+  if (converge.steady && converge.reference == "best") {
     if (auto reference = inverted(converge, fine)) return *reference;
   }
   const Contestant scheme = second_order(converge.steady);
@@ -246,7 +255,11 @@ ConvergeScene read_converge(Scene& scene) {
                      .step_time = std::nullopt,
                      .steady = steady != nullptr,
                      .under_force = std::holds_alternative<PrescribedForce>(load),
-                     .memory = 0};
+                     .memory = 0,
+                     .reference = scene.word("converge.reference")};
+  if (read.reference == "chebyshev" && !read.steady) {
+    reject("converge.reference", read.reference, "best or fine in a transient");
+  }
   constexpr const char* elements = "converge.elements";
   if (scene.has(elements)) {
     read.elements = scene.wholes(elements);

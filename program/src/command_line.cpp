@@ -59,14 +59,15 @@ void add_common_options(Options& options, const std::string& default_out) {
       "version", "print version and revision")("help", "print this");
 }
 
-Given parse(const Options& options, int argc, const char* const* argv, const std::string& word) {
+Given parse(const Options& options, int argc, const char* const* argv, const std::string& word,
+            int words) {
   Given given;
-  options::positional_options_description words;
-  if (!word.empty()) words.add(word.c_str(), 1);
+  options::positional_options_description positional;
+  if (!word.empty()) positional.add(word.c_str(), words);
   try {
     options::store(options::command_line_parser(argc, argv)
                        .options(options)
-                       .positional(words)
+                       .positional(positional)
                        .style(options::command_line_style::default_style ^
                               options::command_line_style::allow_guessing)
                        .run(),

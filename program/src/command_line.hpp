@@ -18,11 +18,15 @@ void add_scene_options(Options& options, const Program& program);
 /// Adds --out, --quiet, --version and --help.
 void add_common_options(Options& options, const std::string& default_out);
 
-/// \param argv  without the program's name, or with it as its first
-/// \param word  the option that a word without -- before it is for; with none, words are rejected
+/// For parse: as many words as there are.
+inline constexpr int any_number = -1;
+
+/// \param argv   without the program's name, or with it as its first
+/// \param word   the option that words without -- before them are for; with none, words are rejected
+/// \param words  how many of them there may be
 /// \throws boost::program_options::error or std::invalid_argument
-Given parse(const Options& options, int argc, const char* const* argv,
-            const std::string& word = "");
+Given parse(const Options& options, int argc, const char* const* argv, const std::string& word = "",
+            int words = 1);
 
 /// Prints what --help or --version asks for; false if neither is given.
 bool answers(const Given& given, const Options& options, const std::string& name,

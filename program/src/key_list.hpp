@@ -14,7 +14,7 @@ namespace microslip::program {
 using KeyList = std::vector<std::pair<Key, std::string>>;
 
 /// Prints keys as text, as Markdown or man pages have them, or for completion: a line a key, with
-/// its words behind it, or a slash if it names a file.
+/// its words behind it, a slash if it names a file, or =DEFAULT if it is a number.
 /// \throws std::invalid_argument for another format
 void print_keys(const KeyList& keys, const std::string& format);
 

@@ -105,12 +105,18 @@ std::string shortened(std::string list) {
   return fmt::format("{} {} ... {}", words[0], words[1], words.back());
 }
 
-/// Each key with its words; of one that names a file with a slash, which no word has.
+/// Each key with its words; of one that names a file with a slash, and of one that is a number with
+/// an equals sign and the default, neither of which a word has.
 void print_completion(const KeyList& keys) {
   for (const auto& [key, value] : keys) {
-    std::cout << key.name;
-    if (key.type == Key::Type::file) std::cout << " /";
-    if (key.type == Key::Type::word) std::cout << ' ' << joined(words_of(key), " ");
+    std::cout << key.name << ' ';
+    if (key.type == Key::Type::file) {
+      std::cout << '/';
+    } else if (key.type == Key::Type::word) {
+      std::cout << joined(words_of(key), " ");
+    } else {
+      std::cout << '=' << value;
+    }
     std::cout << '\n';
   }
 }

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "folder_lock.hpp"
+#include "microslip/support/format.hpp"
 #include "microslip/support/shown.hpp"
 
 namespace microslip::program {
@@ -118,6 +119,13 @@ class Folder {
   std::vector<fs::path> made_;
 };
 
+std::string csv_cell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + '"';
+}
+
 /// Errors of the file system in the words of the others.
 [[noreturn]] void rethrow(const fs::path& folder) {
   try {
@@ -133,6 +141,28 @@ OutputFile output_of(const Table& table, const std::string& program, const Param
   std::ostringstream text;
   table.write(text, program, parameters);
   return {table.name() + ".tsv", text.str()};
+}
+
+OutputFile csv_of(const Table& table) {
+  std::string text;
+  for (const Column& column : table.columns()) {
+    text += (text.empty() ? "" : ",") +
+            csv_cell(column.unit == "1" ? column.name
+                                        : fmt::format("{} [{}]", column.name, column.unit));
+  }
+  text += '\n';
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    const char* separator = "";
+    for (const Column& column : table.columns()) {
+      const Cell& cell = table.at(i, column.name);
+      const auto* number = std::get_if<double>(&cell);
+      text += separator;
+      text += number != nullptr ? format_short(*number) : csv_cell(std::get<std::string>(cell));
+      separator = ",";
+    }
+    text += '\n';
+  }
+  return {table.name() + ".csv", text};
 }
 
 OutputFile provenance_of(const std::string& text, const std::vector<OutputFile>& tables) {

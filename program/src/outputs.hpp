@@ -17,6 +17,10 @@ struct OutputFile {
 /// <name of the table>.tsv
 OutputFile output_of(const Table& table, const std::string& program, const Parameters& parameters);
 
+/// <name of the table>.csv, for programs that read no comments: columns as "force [N/mm]", commas
+/// between them, quotes around texts that need them, numbers that read back as the same double.
+OutputFile csv_of(const Table& table);
+
 /// provenance.txt: a text that differs from run to run, and the names of the run's tables.
 OutputFile provenance_of(const std::string& text, const std::vector<OutputFile>& tables);
 

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -13,7 +17,11 @@
 #include <vector>
 
 #include "command_line.hpp"
+#include "drawing.hpp"
+#include "interrupts.hpp"
 #include "microslip/program/commands.hpp"
+#include "microslip/scene/units.hpp"
+#include "microslip/support/format.hpp"
 #include "microslip/support/nearest.hpp"
 #include "microslip/support/shown.hpp"
 #include "process.hpp"
@@ -41,9 +49,17 @@ std::string header_of(const fs::path& table) {
       fmt::format("'{}': expected the folder of a result; {}", shown(folder.string()), why));
 }
 
+/// Whether it is that of a case of a sweep, which is there as a whole or not at all.
+bool is_case(const fs::path& folder) {
+  const fs::path cases = fs::absolute(folder).lexically_normal().parent_path();
+  return cases.filename() == "cases" && fs::exists(cases.parent_path() / "plan.tsv");
+}
+
 /// Which program wrote a result: the first word of its provenance.
-std::string program_of(const fs::path& folder) {
+/// \param name  of the program of scenes
+std::string program_of(const fs::path& folder, const std::string& name) {
   if (!fs::is_directory(folder)) reject(folder, "there is no such folder");
+  if (is_case(folder)) return name;
   std::ifstream in(folder / "provenance.txt");
   std::string program;
   if (!(in >> program)) reject(folder, "it has no provenance.txt");
@@ -52,11 +68,12 @@ std::string program_of(const fs::path& folder) {
 
 /// Of those that have a figure of their own.
 std::string kind_of(const fs::path& folder) {
-  if (fs::exists(folder / "sweep.tsv")) {
-    reject(folder, "it is that of a sweep, the columns of sweep.tsv are for plots of your own");
-  }
-  for (const char* kind : {"response", "converge"}) {
+  for (const char* kind : {"sweep", "curve", "response", "converge"}) {
     if (fs::exists(folder / fmt::format("{}.tsv", kind))) return kind;
+  }
+  if (fs::exists(folder / "plan.tsv")) {
+    reject(folder,
+           "it is that of a sweep that has not ended; 'microslip merge' makes its sweep.tsv");
   }
   if (!fs::exists(folder / "traction.tsv")) reject(folder, "it has no traction.tsv");
   const std::string history = header_of(folder / "history.tsv");
@@ -79,19 +96,6 @@ bool has_loop(const fs::path& folder) {
   return rows >= least;
 }
 
-std::vector<Figure> figures_of_scene(const fs::path& plots, const std::string& program,
-                                     const fs::path& folder) {
-  const auto script = [&](const std::string& kind) {
-    return plots / fmt::format("{}_{}.gp", program, kind);
-  };
-  const std::string kind = kind_of(folder);
-  std::vector<Figure> figures{{kind, script(kind), ""}};
-  if (kind == "transient" && has_loop(folder)) {
-    figures.push_back({"shifts", script("shifts"), "_shifts"});
-  }
-  return figures;
-}
-
 /// All that the scripts know of a study, in the order of their names.
 std::vector<Figure> figures_of_study(const fs::path& plots, const std::string& study) {
   std::vector<Figure> figures;
@@ -105,26 +109,95 @@ std::vector<Figure> figures_of_study(const fs::path& plots, const std::string& s
   return figures;
 }
 
-/// Runs a program of this machine. Returns its exit status, 127 if it cannot be started.
+/// Runs a program of this machine, which takes the signals that this one holds back. Returns its
+/// exit status, 127 if it cannot be started.
 int run_tool(std::vector<std::string> words) {
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t none;
+  sigemptyset(&none);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
   pid_t child = 0;
-  if (posix_spawnp(&child, arguments[0], nullptr, nullptr, arguments.data(), environ) != 0)
-    return 127;
+  const int error =
+      posix_spawnp(&child, arguments[0], nullptr, &attributes, arguments.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  if (error != 0) return 127;
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
-void draw(const fs::path& plots, const fs::path& script, const fs::path& folder,
-          const fs::path& figure) {
-  if (run_tool({plots / "draw.sh", script, folder, figure}) != 0) {
+/// \param settings  commands of gnuplot, before those of the script
+void draw(const fs::path& script, const fs::path& tables, const fs::path& figure,
+          const std::string& settings = "") {
+  if (run_tool({script.parent_path() / "draw.sh", script, tables, figure, settings}) != 0) {
     throw std::runtime_error("cannot draw " + shown(figure.string()));
   }
   std::cout << "drew " << figure.string() << '\n';
 }
+
+/// Options that only some results take.
+void reject_options_of(const Given& given, const std::vector<const char*>& names,
+                       const std::string& kinds) {
+  for (const char* name : names) {
+    if (given.count(name) == 0 || given[name].defaulted()) continue;
+    throw std::invalid_argument(fmt::format("--{}: expected {} with it", name, kinds));
+  }
+}
+
+/// What --x or --q asks for, as gnuplot wants it.
+std::string axis_of(const char* option, const Given& given, const Extent& extent,
+                    const std::string& unit) {
+  const std::string text = given[option].as<std::string>();
+  const auto fail = [&](const std::string& expected) {
+    throw std::invalid_argument(
+        fmt::format("--{} '{}': expected {}", option, shown(text), expected));
+  };
+  const std::size_t colon = text.find(':');
+  const std::string from = text.substr(0, colon);
+  const std::string to = colon == std::string::npos ? "" : text.substr(colon + 1);
+  const auto least = from.empty() ? extent.least : quantity(from, unit);
+  const auto most = to.empty() ? extent.most : quantity(to, unit);
+  const std::string in = unit == "1" ? "" : " " + unit;
+  if (colon == std::string::npos || !least || !most || !(*least < *most)) {
+    fail("two rising numbers as 1:2, of which one may be left out" +
+         (in.empty() ? in : ", in" + in));
+  }
+  if (*least > extent.most || *most < extent.least) {
+    fail(fmt::format("a range that meets {} to {}{}", format_short(extent.least),
+                     format_short(extent.most), in));
+  }
+  return fmt::format("[{}:{}]", from.empty() ? "*" : format_full(*least),
+                     to.empty() ? "*" : format_full(*most));
+}
+
+/// A folder for tables that are drawn, which goes with it.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = fs::temp_directory_path() / "microslip_XXXXXX";
+    if (mkdtemp(name.data()) == nullptr) {
+      throw std::runtime_error(
+          fmt::format("cannot write {}: {}", shown(name), std::strerror(errno)));
+    }
+    path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
 
 /// The figures of a result, or the one of them that is asked for.
 std::vector<Figure> chosen(const std::vector<Figure>& figures, const Given& given) {
@@ -155,43 +228,149 @@ fs::path target_of(const Given& given) {
       fmt::format("--to '{}': expected a name that ends in .svg, .png or .pdf", shown(name)));
 }
 
-/// \param name  of the program of scenes; the others are studies
-void draw_all(const std::string& name, const fs::path& folder, const Given& given) {
-  const std::string program = program_of(folder);
+fs::path folder_of_scripts() {
   const fs::path plots = share_folder() / "plots";
-  if (!fs::is_directory(plots)) {
-    throw std::runtime_error(fmt::format("cannot read {}: expected the scripts of figures there",
-                                         shown(plots.string())));
-  }
-  const std::vector<Figure> all =
-      program == name ? figures_of_scene(plots, program, folder) : figures_of_study(plots, program);
-  if (all.empty()) reject(folder, fmt::format("that of {} has no figures", shown(program)));
+  if (fs::is_directory(plots)) return plots;
+  throw std::runtime_error(
+      fmt::format("cannot read {}: expected the scripts of figures there", shown(plots.string())));
+}
+
+void draw_study(const std::string& study, const fs::path& folder, const Given& given) {
+  reject_options_of(given, {"x", "q", "over", "value", "by", "only"}, "a result of a scene");
+  const std::vector<Figure> all = figures_of_study(folder_of_scripts(), study);
+  if (all.empty()) reject(folder, fmt::format("that of {} has no figures", shown(study)));
   const std::vector<Figure> figures = chosen(all, given);
   if (given.count("to") != 0) {
     if (figures.size() > 1) throw std::invalid_argument("--to: expected --figure with it here");
-    return draw(plots, figures.front().script, folder, target_of(given));
+    return draw(figures.front().script, folder, target_of(given));
   }
   for (const Figure& figure : figures) {
-    draw(plots, figure.script, folder, folder.string() + figure.ending + ".svg");
+    draw(figure.script, folder, folder.string() + figure.ending + ".svg");
   }
+}
+
+/// Figures of results that one script has as they are.
+Drawing drawing_of_tables(const Result& result, const std::string& column) {
+  Drawing drawing{.kind = result.kind};
+  const Table table = table_in(result.folder, result.kind).table;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    drawing.horizontal.include(number_of(table.at(i, column)).value_or(NAN));
+  }
+  if (column == "elements") drawing.unit = "1";
+  return drawing;
+}
+
+Drawing drawing_of(const std::vector<Result>& results, const Given& given) {
+  const std::string& kind = results.front().kind;
+  if (kind == "sweep" || kind == "curve") {
+    reject_options_of(given, {"q"}, "a transient or a cylinder");
+    const auto text = [&](const char* name) {
+      return given.count(name) == 0 ? std::string() : given[name].as<std::string>();
+    };
+    return drawing_of_sweeps(results, {.over = text("over"),
+                                       .value = text("value"),
+                                       .by = text("by"),
+                                       .only = given["only"].as<std::vector<std::string>>()});
+  }
+  reject_options_of(given, {"over", "value", "by", "only"}, "a sweep or a curve");
+  if (kind != "converge" && kind != "shifts") return drawing_of_scenes(results);
+  if (results.size() > 1) {
+    throw std::invalid_argument(fmt::format("'{}': expected one result, as figures of {} take one",
+                                            shown(results[1].name), kind));
+  }
+  return drawing_of_tables(results.front(), kind == "shifts" ? "total_shift" : "elements");
+}
+
+/// Draws one figure of results.
+void draw_results(const std::string& name, const std::vector<Result>& results, const Given& given,
+                  const fs::path& figure) {
+  const Drawing drawing = drawing_of(results, given);
+  std::string settings;
+  if (given.count("x") != 0) {
+    settings += fmt::format("x_range='{}';", axis_of("x", given, drawing.horizontal, drawing.unit));
+  }
+  if (given.count("q") != 0) {
+    if (!(drawing.distance.least <= drawing.distance.most)) {
+      reject_options_of(given, {"q"}, "a transient or a cylinder");
+    }
+    settings += fmt::format("q_range='{}';", axis_of("q", given, drawing.distance, "mm"));
+  }
+  const fs::path script = folder_of_scripts() / fmt::format("{}_{}.gp", name, drawing.kind);
+  if (drawing.tables.empty()) return draw(script, results.front().folder, figure, settings);
+  const ScratchFolder scratch;
+  write_drawing(drawing, scratch.path());
+  draw(script, scratch.path(), figure, settings);
+}
+
+/// Behind the folder of the first result.
+fs::path name_of_comparison(const std::vector<Result>& results) {
+  fs::path name = results.front().folder;
+  if (results.size() == 2) name += "_and_" + results[1].folder.filename().string();
+  if (results.size() > 2) name += fmt::format("_and_{}_others", results.size() - 1);
+  return name;
+}
+
+/// \param name  of the program of scenes
+void draw_scenes(const std::string& name, std::vector<Result> results, const Given& given) {
+  const fs::path first = results.front().folder;
+  std::vector<Figure> all{{results.front().kind, "", ""}};
+  if (results.size() == 1 && all.front().name == "transient" && has_loop(first)) {
+    all.push_back({"shifts", "", "_shifts"});
+  }
+  const std::vector<Figure> figures = chosen(all, given);
+  if (given.count("to") != 0 && figures.size() > 1) {
+    throw std::invalid_argument("--to: expected --figure with it here");
+  }
+  for (const Figure& figure : figures) {
+    results.front().kind = figure.name;
+    draw_results(name, results, given,
+                 given.count("to") != 0
+                     ? target_of(given)
+                     : fs::path(name_of_comparison(results).string() + figure.ending + ".svg"));
+  }
+}
+
+/// \param name  of the program of scenes; the others are studies
+void draw_all(const std::string& name, const Given& given) {
+  std::vector<Result> results;
+  for (const std::string& word : given["result"].as<std::vector<std::string>>()) {
+    const fs::path folder = folder_of(word);
+    const std::string program = program_of(folder, name);
+    const bool is_alone = given["result"].as<std::vector<std::string>>().size() == 1;
+    if (program != name && is_alone) return draw_study(program, folder, given);
+    if (program != name) reject(folder, "those of studies are drawn one at a time");
+    results.push_back({folder, word, kind_of(folder)});
+  }
+  draw_scenes(name, results, given);
 }
 
 }  // namespace
 
 int plot(const std::string& name, int argc, const char* const* argv) {
   return run_process(name, [&] {
+    using Words = std::vector<std::string>;
     Options known("Options of plot");
-    known.add_options()("result", options::value<std::string>()->default_value("out"),
-                        "the first word: folder of a result, or of a study, or a table there")(
-        "figure", options::value<std::string>(), "this one instead of all")(
-        "to", options::value<std::string>(),
+    const auto word = [] { return options::value<std::string>(); };
+    known.add_options()("result", options::value<Words>()->default_value({"out"}, "out"),
+                        "the first words: folders of results, or of a study, or tables there; "
+                        "several are drawn over one another")("figure", word(),
+                                                              "this one instead of all")(
+        "to", word(),
         "file that ends in .svg, .png or .pdf (default: RESULT.svg, or RESULT_FIGURE.svg of one "
-        "figure of several)")("version", "print version and revision")("help", "print this");
-    const Given given = parse(known, argc - 1, argv + 1, "result");
-    if (answers(given, known, name + " plot", "draws the figures of a result, with gnuplot")) {
+        "figure of several)")("x", word(), "a:b, range of the horizontal axis")(
+        "q", word(), "a:b, range of the distance rolled")(
+        "over", word(), "of a sweep: the key on the horizontal axis")(
+        "value", word(), "of a sweep: the quantity on the vertical axis")(
+        "by", word(), "of a sweep: the key that colours tell apart")(
+        "only", options::value<Words>()->default_value({}, ""),
+        "of a sweep: key=value, cases with that; repeatable")(
+        "version", "print version and revision")("help", "print this");
+    const Given given = parse(known, argc - 1, argv + 1, "result", any_number);
+    if (answers(given, known, name + " plot", "draws the figures of results, with gnuplot")) {
       return 0;
     }
-    draw_all(name, folder_of(given["result"].as<std::string>()), given);
+    Interrupts interrupts(name + ": interrupted, no figure is drawn");
+    interrupts.critical([&] { draw_all(name, given); });
     return 0;
   });
 }

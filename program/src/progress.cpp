@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "command_line.hpp"
+#include "progress_line.hpp"
 
 namespace microslip::program {
 
@@ -28,54 +29,46 @@ std::string duration(double seconds) {
   return fmt::format("{} s", whole);
 }
 
-/// A line on a terminal that is written again and again, and ends with its life.
-class ProgressLine {
- public:
-  explicit ProgressLine(std::string name) : name_(std::move(name)), start_(Clock::now()) {}
-  ProgressLine(const ProgressLine&) = delete;
-  ProgressLine& operator=(const ProgressLine&) = delete;
-  ~ProgressLine() {
-    if (shown_) std::cerr << std::endl;
-  }
-
-  void tell(std::size_t done, std::size_t total) {
-    const auto now = Clock::now();
-    if (!first_) first_ = {now, done};
-    if (now - start_ < patience || (shown_ && now - *shown_ < between && done != total)) return;
-    shown_ = now;
-    std::cerr << '\r' << name_ << ": " << line(done, total, now) << "\x1b[K" << std::flush;
-  }
-
- private:
-  struct Mark {
-    Clock::time_point time;
-    std::size_t done;
-  };
-
-  std::string line(std::size_t done, std::size_t total, Clock::time_point now) const {
-    const std::string taken = duration(Seconds(now - start_).count());
-    if (total == unknown_total) return taken + " so far";
-    if (done == total) return fmt::format("{} of {} in {}", done, total, taken);
-    const double seconds = Seconds(now - first_->time).count();
-    const double rate = static_cast<double>(done - first_->done) / seconds;
-    if (!(seconds > 0 && rate > 0)) return fmt::format("{} of {}", done, total);
-    return fmt::format("{} of {}, {} a second, {} left", done, total,
-                       rate < 100 ? fmt::format("{:.2g}", rate) : fmt::format("{:.0f}", rate),
-                       duration(static_cast<double>(total - done) / rate));
-  }
-
-  std::string name_;
-  Clock::time_point start_;
-  std::optional<Mark> first_;
-  std::optional<Clock::time_point> shown_;
-};
-
 }  // namespace
 
+ProgressLine::ProgressLine(std::string name, bool quiet)
+    : name_(std::move(name)), start_(Clock::now()), off_(quiet || isatty(STDERR_FILENO) == 0) {}
+
+ProgressLine::~ProgressLine() {
+  if (shown_) std::cerr << std::endl;
+}
+
+bool ProgressLine::wants_one() const {
+  const auto now = Clock::now();
+  return !off_ && now - start_ >= patience && !(shown_ && now - *shown_ < between);
+}
+
+void ProgressLine::tell(double done, std::size_t total, const std::string& behind) {
+  if (off_) return;
+  const auto now = Clock::now();
+  if (!first_) first_ = {now, done};
+  const bool is_last = done == static_cast<double>(total);
+  if (!wants_one() && (!is_last || now - start_ < patience)) return;
+  shown_ = now;
+  std::cerr << '\r' << name_ << ": " << line(done, total, now) << behind << "\x1b[K" << std::flush;
+}
+
+std::string ProgressLine::line(double done, std::size_t total, Clock::time_point now) const {
+  const std::string taken = duration(Seconds(now - start_).count());
+  if (total == unknown_total) return taken + " so far";
+  const auto whole = static_cast<std::size_t>(done);
+  if (whole == total) return fmt::format("{} of {} in {}", whole, total, taken);
+  const double seconds = Seconds(now - first_->time).count();
+  const double rate = (done - first_->done) / seconds;
+  if (!(seconds > 0 && rate > 0)) return fmt::format("{} of {}", whole, total);
+  return fmt::format("{} of {}, {} a second, {} left", whole, total,
+                     rate < 100 ? fmt::format("{:.2g}", rate) : fmt::format("{:.0f}", rate),
+                     duration((static_cast<double>(total) - done) / rate));
+}
+
 Progress progress_on_terminal(const std::string& name, bool quiet) {
-  if (quiet || isatty(STDERR_FILENO) == 0) return [](std::size_t, std::size_t) {};
-  return [line = std::make_shared<ProgressLine>(name)](std::size_t done, std::size_t total) {
-    line->tell(done, total);
+  return [line = std::make_shared<ProgressLine>(name, quiet)](std::size_t done, std::size_t total) {
+    line->tell(static_cast<double>(done), total);
   };
 }
 

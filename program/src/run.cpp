@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -11,7 +12,9 @@
 
 #include "command_line.hpp"
 #include "interrupts.hpp"
+#include "joined_sweep.hpp"
 #include "key_list.hpp"
+#include "microslip/program/run_joined.hpp"
 #include "microslip/support/shown.hpp"
 #include "outputs.hpp"
 #include "process.hpp"
@@ -38,13 +41,19 @@ Options options_of(const Program& program) {
     add("save", options::value<std::string>(),
         "file for the state of a transient at its end, from which start.state goes on");
   }
+  known.add_options()("format", options::value<std::string>()->default_value("tsv"),
+                      "csv: each table as comma-separated NAME.csv, too, without comments");
   add_common_options(known, program.default_out);
   return known;
 }
 
-/// The doubt that a summary names, if it does.
+bool has_column(const Table& table, const std::string& name) {
+  return std::ranges::find(table.columns(), name, &Column::name) != table.columns().end();
+}
+
+/// The first doubt that a summary names, if it does.
 std::optional<std::string> warning_of(const Table& table) {
-  if (table.name() != "summary" || table.columns().front().name != "quantity") return std::nullopt;
+  if (table.name() != "summary" || !has_column(table, "quantity")) return std::nullopt;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const auto* quantity = std::get_if<std::string>(&table.at(i, "quantity"));
     if (quantity == nullptr || *quantity != "warning") continue;
@@ -82,16 +91,28 @@ fs::path place_to_save(const std::string& name) {
   return file;
 }
 
+/// Whether --format asks for CSV, too.
+bool wants_csv(const Given& given) {
+  const std::string format = given["format"].as<std::string>();
+  if (format == "csv") return true;
+  if (format == "tsv") return false;
+  throw std::invalid_argument(fmt::format("--format '{}': expected tsv or csv", shown(format)));
+}
+
 /// A run is written when all of it is done: the longest study takes a minute, and tables of half a
 /// study would need parameters of their own. Many cases that must not be lost are a sweep.
-void run_scene(const Program& program, Scene& scene, const Given& given, int argc,
+/// \param joins  whether there may be a sweep
+void run_scene(const Program& program, bool joins, Scene& scene, const Given& given, int argc,
                const char* const* argv) {
   const auto start = std::chrono::steady_clock::now();
   Interrupts interrupts(program.name + ": interrupted, nothing is written");
   const std::string out = given["out"].as<std::string>();
+  const bool with_csv = wants_csv(given);
   std::string state;
   const bool saves = given.count("save") != 0;
-  const auto work = with_places(scene, [&] {
+  std::optional<JoinedSweep> sweep;
+  if (joins && has_sweep(scene)) sweep = joined_sweep(program, scene);
+  const auto work = sweep ? sweep->work : with_places(scene, [&] {
     Work prepared = saves ? program.prepare_to_save(scene, state) : program.prepare(scene);
     scene.reject_unread();
     return prepared;
@@ -101,8 +122,10 @@ void run_scene(const Program& program, Scene& scene, const Given& given, int arg
   const std::vector<Table> tables = with_places(
       scene, [&] { return work(progress_on_terminal(program.name, given.count("quiet") != 0)); });
   std::vector<OutputFile> files;
+  const Parameters origin = sweep ? sweep->parameters : scene.origin();
   for (const Table& table : tables) {
-    files.push_back(output_of(table, program.name, scene.origin()));
+    files.push_back(output_of(table, program.name, origin));
+    if (with_csv) files.push_back(csv_of(table));
   }
   files.push_back(provenance_of(
       provenance(program.name, argc, argv, std::chrono::steady_clock::now() - start), files));
@@ -118,9 +141,7 @@ void run_scene(const Program& program, Scene& scene, const Given& given, int arg
   }
 }
 
-}  // namespace
-
-int run(const Program& program, int argc, const char* const* argv) {
+int run(const Program& program, bool joins, int argc, const char* const* argv) {
   return run_process(program.name, [&] {
     const Options known = options_of(program);
     const int word = program.command.empty() ? 0 : 1;
@@ -136,9 +157,19 @@ int run(const Program& program, int argc, const char* const* argv) {
       return 0;
     }
     Scene scene = read_scene(program, given);
-    run_scene(program, scene, given, argc, argv);
+    run_scene(program, joins, scene, given, argc, argv);
     return 0;
   });
+}
+
+}  // namespace
+
+int run(const Program& program, int argc, const char* const* argv) {
+  return run(program, false, argc, argv);
+}
+
+int run_joined(const Program& program, int argc, const char* const* argv) {
+  return run(program, true, argc, argv);
 }
 
 }  // namespace microslip::program

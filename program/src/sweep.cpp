@@ -19,6 +19,7 @@
 #include "sweep_folder.hpp"
 #include "sweep_options.hpp"
 #include "sweep_plan.hpp"
+#include "sweep_progress.hpp"
 
 namespace microslip::program {
 
@@ -29,11 +30,12 @@ using Clock = std::chrono::steady_clock;
 
 constexpr const char* sweep_purpose =
     "solves all cases of a scene with a section 'sweep'; what is done already is left out";
+constexpr const char* solved = "ok";  // status of a case
 constexpr const char* merge_purpose = "puts the cases of a sweep into one table, sweep.tsv";
 
-CaseResult solve(const Work& work) {
+CaseResult solve(const Work& work, const Progress& progress) {
   try {
-    return {work([](std::size_t, std::size_t) {}), "ok"};
+    return {work(progress), solved};
   } catch (const std::bad_alloc&) {  // not of the case, but of what else the machine does
     throw;
   } catch (const std::exception& error) {
@@ -60,15 +62,17 @@ Outcome solve_cases(const Program& program, const SweepPlan& plan, const SweepFo
     outcome.statuses.push_back(status.value_or(""));
   }
   outcome.finished_before = outcome.cases.size() - open.size();
-  std::size_t done = outcome.finished_before;
-  const Progress progress = progress_on_terminal(program.name, settings.quiet);
+  const auto failed = static_cast<std::size_t>(std::ranges::count_if(
+      outcome.statuses, [](const auto& status) { return !status.empty() && status != solved; }));
+  SweepProgress progress(program.name, settings.quiet, outcome.finished_before, failed,
+                         outcome.cases.size());
   const auto solve_open = [&](std::size_t k) {
     const std::size_t i = outcome.cases[open[k]];
-    const CaseResult result = solve(plan.cases[i].work);
+    const CaseResult result = solve(plan.cases[i].work, progress.begin(i + 1));
     interrupts.critical([&] {
       folder.finish(i, plan.cases[i].parameters, result, settings.keeps_tables);
       outcome.statuses[open[k]] = result.status;
-      progress(++done, outcome.cases.size());
+      progress.end(i + 1, result.status == solved);
     });
   };
   try {
@@ -99,7 +103,7 @@ void report_warnings(const Program& program, const SweepPlan& plan) {
 
 /// The exit status, with one line on stderr if a case has no solution.
 int report_failures(const Program& program, const Table& plan, const Outcome& outcome) {
-  const auto failed = [](const std::string& status) { return status != "ok"; };
+  const auto failed = [](const std::string& status) { return status != solved; };
   const auto& statuses = outcome.statuses;
   const auto first = std::find_if(statuses.begin(), statuses.end(), failed);
   if (first == statuses.end()) return 0;

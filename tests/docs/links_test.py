@@ -56,6 +56,20 @@ class Commands(unittest.TestCase):
                 if match := re.match(r"make ([a-z_-]+)", command):
                     self.assertIn(match[1], targets, f"{page.name}: {command}")
 
+    def test_write_where_git_does_not_look(self):
+        """Files and folders that a command writes in the top folder are ignored."""
+        if not (ROOT / ".git").exists():
+            self.skipTest("no repository")
+        for page in PAGES:
+            for command in commands(page):
+                places = re.findall(r"--(?:out|to|save) (\S+)", command)
+                if match := re.match(r"microslip init (\w+)", command):
+                    places.append(f"{match[1]}.info")
+                for place in places:
+                    with self.subTest(page=page.name, command=command):
+                        ignored = subprocess.run(["git", "check-ignore", "--quiet", "--no-index", place], cwd=ROOT)
+                        self.assertEqual(ignored.returncode, 0, f"{place} would be new to git")
+
     def test_of_programs_have_their_options(self):
         """Each option in a command line is one that --help of the program, and of its command, lists."""
         seen = 0

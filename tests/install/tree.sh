@@ -66,18 +66,33 @@ expect 'microslip steady.info --set contact.h' 'contact.half_width='
 expect 'microslip sweep steady.info --th' '--threads'
 expect 'microslip steady.info --set step.scheme=rel' 'relaxed relaxed_traction'
 expect 'microslip steady.info --set=solver.type=' 'auto dense fft'
-expect 'microslip steady.info --set load.force=' ''
+expect 'microslip steady.info --set load.force=' '-1500'
+expect 'microslip steady.info --set grid.elements=' '100'
+expect 'microslip steady.info --set solver.violation=' '0.05'
+expect 'microslip --set solver.violation=' '0.05'
 expect 'microslip steady.info --set contact.bound_file=ste' 'steady.info'
 expect 'microslip sweep steady.info --set sw' 'sweep.'
 expect 'microslip steady.info --set sw' ''
+expect 'microslip curve steady.info --set sw' 'sweep.'
+expect 'microslip sweep steady.info --set sweep.to' 'sweep.together.'
+expect 'microslip sweep steady.info --set sweep.together_2.grid.e' 'sweep.together_2.grid.elements='
+expect 'microslip sweep steady.info --set sweep.ta' 'sweep.table='
+expect 'microslip sweep steady.info --set sweep.table=ste' 'steady.info'
 expect 'microslip sweep steady.info --set sweep.grid.e' 'sweep.grid.elements='
 expect 'microslip sweep steady.info --set sweep.kernel.type=p' 'plane'
 expect 'microslip keys --format comp' 'completion'
+expect 'microslip steady.info --format ' 'tsv csv'
+expect 'microslip curve steady.info --beside ' 'nothing fastsim'
+expect 'microslip converge steady.info --reference f' 'fine'
+microslip sweep steady.info --quiet --set 'sweep.load.force=-1 -2' >/dev/null
+expect 'microslip plot out/sweep --over load' 'load.force'
+expect 'microslip plot out/sweep --value cree' 'creepage'
+expect 'microslip plot out/sweep --only load' 'load.force='
 expect 'microslip-fourier_inverse --set grid.s' 'grid.spacing= grid.sizes='
 expect 'microslip-fourier_inverse --quick --set basis=' 'both constant linear'
 expect 'microslip-carter --print-keys=t' 'text'
 # Every option that --help lists is offered.
-for command in 'microslip' microslip\ {init,explain,response,converge,plot,sweep,merge,keys} microslip-carter; do
+for command in 'microslip' microslip\ {init,explain,response,curve,converge,plot,sweep,merge,keys} microslip-carter; do
   for option in $($command --help | grep -oE '^  --[a-z-]+'); do
     expect "$command $option" "$option"
   done

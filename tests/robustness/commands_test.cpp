@@ -36,14 +36,14 @@ class Commands : public Executables {
 
 TEST_F(Commands, AWordThatIsNone) {
   const std::string known =
-      "; commands: init, keys, explain, response, converge, plot, sweep, merge";
+      "; commands: init, keys, explain, response, curve, converge, plot, sweep, merge";
   expect_error("swep",
                "'swep': expected a scene's file or a command (did you mean 'sweep'?)" + known);
   expect_error("my.info", "'my.info': expected a scene's file or a command" + known);
   expect_error("", "missing a scene: expected its file, as in 'microslip scene.info'; see --help");
   const Outcome help = run_in_folder("--help");
   for (const char* command :
-       {"init", "keys", "explain", "response", "converge", "plot", "sweep", "merge"}) {
+       {"init", "keys", "explain", "response", "curve", "converge", "plot", "sweep", "merge"}) {
     EXPECT_NE(help.output.find(std::string("\n  microslip ") + command), std::string::npos);
     EXPECT_EQ(run_in_folder(std::string(command) + " --help").status, 0);
   }
@@ -280,68 +280,6 @@ TEST_F(Commands, ResponseRefusesWhatHasNoSingleStickZone) {
         "microslip: key 'response.shortest' has no role here: it is for microslip response; known"))
         << outcome.error;
   }
-}
-
-TEST_F(Commands, OnlyResultsAreDrawn) {
-  const auto rejected = [](const std::string& folder, const std::string& why) {
-    return "'" + folder + "': expected the folder of a result; " + why;
-  };
-  expect_error("plot", rejected("out", "there is no such folder"));
-  run_in_folder("init steady");
-  run_in_folder("steady.info");
-  fs::remove(folder_ / "out/provenance.txt");
-  expect_error("plot out/", rejected("out", "it has no provenance.txt"));
-  run_in_folder("sweep steady.info --set 'sweep.load.force=-1 -2' --quiet");
-  expect_error(
-      "plot out/sweep",
-      rejected("out/sweep",
-               "it is that of a sweep, the columns of sweep.tsv are for plots of your own"));
-  EXPECT_FALSE(fs::exists(folder_ / "out.svg"));
-}
-
-TEST_F(Commands, FiguresAreWhatTheirNamesSay) {
-  run_in_folder("init steady");
-  run_in_folder("steady.info --set grid.elements=20");
-  const std::vector<std::pair<std::string, std::string>> begins{
-      {"a.svg", "<?xml"}, {"a.png", "\x89PNG\r\n"}, {"a.pdf", "%PDF-1."}};
-  for (const auto& [name, begin] : begins) {
-    EXPECT_EQ(run_in_folder("plot --to " + name).output, "drew " + name + "\n");
-    EXPECT_TRUE(text_of(folder_ / name).starts_with(begin)) << name;
-  }
-  for (const std::string name : {"a.jpg", "a", "a.PNG", "svg"}) {
-    expect_error("plot --to " + name,
-                 "--to '" + name + "': expected a name that ends in .svg, .png or .pdf");
-    EXPECT_FALSE(fs::exists(folder_ / name));
-  }
-}
-
-TEST_F(Commands, ATableNamesItsResult) {
-  run_in_folder("init steady");
-  run_in_folder("steady.info --set grid.elements=20");
-  for (const std::string result : {"out/traction.tsv", "out/", "./out", "out/../out/summary.tsv"}) {
-    EXPECT_EQ(run_in_folder("plot " + result).output, "drew out.svg\n") << result;
-  }
-  for (const std::string result : {"traction.tsv", "."}) {
-    fs::remove(folder_ / "out.svg");
-    EXPECT_EQ(run_command("cd '" + (folder_ / "out").string() +
-                          "' && " MICROSLIP_BIN "/microslip plot " + result)
-                  .error,
-              "");
-    EXPECT_TRUE(fs::exists(folder_ / "out.svg")) << result;
-  }
-  expect_error("plot steady.info",
-               fmt::format("'{}': expected the folder of a result; it has no provenance.txt",
-                           fs::canonical(folder_).string()));
-}
-
-TEST_F(Commands, StudiesAreDrawn) {
-  run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/carter --quick --out mine");
-  EXPECT_EQ(run_in_folder("plot mine").output, "drew mine_accuracy.svg\ndrew mine_traction.svg\n");
-  EXPECT_EQ(run_in_folder("plot mine --figure traction --to one.svg").output, "drew one.svg\n");
-  EXPECT_EQ(text_of(folder_ / "one.svg"), text_of(folder_ / "mine_traction.svg"));
-  expect_error("plot mine --figure tractions",
-               "--figure 'tractions': expected accuracy, traction (did you mean 'traction'?)");
-  expect_error("plot mine --to one.svg", "--to: expected --figure with it here");
 }
 
 /// In the first column of the tables of keys, without marks of Markdown.

@@ -74,3 +74,12 @@ for signal in INT TERM; do
   make quick JOBS=2 >"$work/log" 2>&1
   [ -z "$(find results -newer "$work/third")" ] || fail "the third make did something"
 done
+
+# What make has made goes, and what a user has made stays.
+mkdir -p results/mine
+cp -r $quick/carter results/carter
+echo kept >results/mine/traction.tsv
+make clean >"$work/log" 2>&1 || fail "make clean failed"
+[ "$(ls results)" = mine ] || fail "left in results: $(ls results)"
+[ "$(cat results/mine/traction.tsv)" = kept ] || fail "a user's result is gone"
+[ ! -e build ] || fail "the build is still there"

@@ -289,6 +289,66 @@ TEST_F(Sweeps, BadInput) {
       << outcome.error;
 }
 
+TEST_F(Sweeps, KeysTogetherAndTablesAreTheCasesOfTheirRows) {
+  const std::string together =
+      good_scene +
+      "sweep { together { contact { half_width \"1 2\"\n peak_traction \"3 1.5\" } }\n"
+      "load { creepage \"0.1 0.2\" } }";
+  ASSERT_EQ(sweep("", together).error, "");
+  const auto columns = [&](const char* name) { return column(out() / "sweep.tsv", name); };
+  EXPECT_EQ(columns("contact.half_width"), (std::vector<std::string>{"1", "1", "2", "2"}));
+  EXPECT_EQ(columns("contact.peak_traction"), (std::vector<std::string>{"3", "3", "1.5", "1.5"}));
+  const auto forces = columns("force");
+  fs::remove_all(out());
+
+  std::ofstream(folder_ / "cases.tsv") << "contact.half_width [m] contact.peak_traction\n"
+                                          "0.001 3\n0.002 1.5\n";
+  const std::string by_table =
+      good_scene + "sweep { table cases.tsv\n load { creepage \"0.1 0.2\" } }";
+  ASSERT_EQ(sweep("", by_table).error, "");
+  EXPECT_EQ(columns("force"), forces);
+  EXPECT_NE(text_of(out() / "plan.tsv").find("checksum of cases.tsv"), std::string::npos);
+
+  // The plan of a sweep is a table of cases for another one.
+  fs::copy_file(out() / "plan.tsv", folder_ / "plan.tsv");
+  fs::remove_all(out());
+  ASSERT_EQ(sweep("", good_scene + "sweep { table plan.tsv }").error, "");
+  EXPECT_EQ(columns("force"), forces);
+}
+
+TEST_F(Sweeps, BadGroupsAndTables) {
+  expect_rejected("--set 'sweep.together.kernel.width=1 2' --set 'sweep.together.load.force=1'",
+                  "sweep.together.load.force = '1': expected as many values as kernel.width has");
+  const std::string by_table = good_scene + "sweep { table cases.tsv }";
+  expect_rejected("", "cases.tsv", by_table);
+  std::ofstream(folder_ / "cases.tsv") << "kernel.width\tforce\n1\t2\n";
+  expect_rejected(
+      "",
+      "scene.info:12: sweep.table = 'cases.tsv': column 'force': expected the name of a "
+      "key",
+      by_table);
+  std::ofstream(folder_ / "cases.tsv") << "kernel.width grid.elements\n40 20\n40 many\n";
+  expect_rejected("",
+                  "case 2 of 2 (kernel.width = 40, grid.elements = many): grid.elements = 'many': "
+                  "expected a whole number",
+                  by_table);
+}
+
+// On a terminal, which `script` provides: how far the cases that run are, and which have failed.
+TEST_F(Sweeps, ProgressIsThatOfTheCasesThatRun) {
+  if (std::system("command -v script >/dev/null") != 0) GTEST_SKIP() << "no script";
+  std::ofstream(scene_file()) << good_transient;
+  const std::string output =
+      run_command("cd '" + folder_.string() +
+                  "' && script -qec \"timeout -s INT 5 " MICROSLIP_BIN
+                  "/microslip sweep scene.info --threads 1 --set grid.elements=2001 --set "
+                  "motion.distance=4 --set step.ratio=0.01 --set 'sweep.load.force=-1 -1.1 "
+                  "-1.2'\" /dev/null")
+          .output;
+  EXPECT_NE(output.find("microslip: 0 of 3, "), std::string::npos) << output;
+  EXPECT_NE(output.find(" left; case 1 at "), std::string::npos) << output;
+}
+
 TEST_F(Sweeps, TheJobArrayIsTheSameSweep) {
   ASSERT_EQ(sweep().status, 0);
   const Files once = files();

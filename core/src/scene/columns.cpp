@@ -17,16 +17,35 @@ namespace microslip {
 
 namespace {
 
-/// The words of the next line that is neither empty nor a comment; none at the end.
-std::vector<std::string> next_words(std::istream& in, int& line_number) {
+std::vector<std::string> words_of(const std::string& line) {
+  std::istringstream stream(line);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// The next line that is neither empty nor a comment; empty at the end.
+std::string next_line(std::istream& in, int& line_number) {
   for (std::string line; std::getline(in, line);) {
     ++line_number;
-    if (line.starts_with('#')) continue;
-    std::istringstream stream(line);
-    std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
-    if (!words.empty()) return words;
+    if (!line.starts_with('#') && line.find_first_not_of(" \t\v\f\r") != std::string::npos) {
+      return line;
+    }
   }
-  return {};
+  return "";
+}
+
+/// Its words; none at the end.
+std::vector<std::string> next_words(std::istream& in, int& line_number) {
+  return words_of(next_line(in, line_number));
+}
+
+/// With one blank between words. A cell without words is empty.
+std::vector<std::string> cells_between_tabs(const std::string& line) {
+  std::vector<std::string> cells;
+  std::istringstream stream(line + '\t');
+  for (std::string cell; std::getline(stream, cell, '\t');) {
+    cells.push_back(joined(words_of(cell), " "));
+  }
+  return cells;
 }
 
 /// The first name that stands twice; empty if none does.
@@ -62,6 +81,12 @@ Header header_of(const std::vector<std::string>& words) {
     in_unit = !ends;
   }
   return header;
+}
+
+void require_as_many(std::size_t found, std::size_t expected, int line) {
+  if (found == expected) return;
+  throw std::invalid_argument(
+      fmt::format("line {}: expected {} values, found {}", line, expected, found));
 }
 
 /// A wanted column in a file.
@@ -107,9 +132,7 @@ std::vector<std::optional<Eigen::VectorXd>> read_columns(std::istream& in,
   }
   std::size_t rows = 0;
   for (auto row = next_words(in, line); !row.empty(); row = next_words(in, line), ++rows) {
-    if (row.size() != header.names.size()) {
-      fail(fmt::format("expected {} values, found {}", header.names.size(), row.size()));
-    }
+    require_as_many(row.size(), header.names.size(), line);
     for (std::size_t k = 0; k < wanted.size(); ++k) {
       if (!found[k]) continue;
       const std::string& word = row[found[k]->place];
@@ -129,6 +152,34 @@ std::vector<std::optional<Eigen::VectorXd>> read_columns(std::istream& in,
     columns.back() = Eigen::Map<const Eigen::VectorXd>(
         column->values.data(), static_cast<Eigen::Index>(column->values.size()));
   }
+  return columns;
+}
+
+std::vector<TextColumn> read_text_columns(std::istream& in) {
+  int line = 0;
+  const auto fail = [&](const std::string& what) {
+    throw std::invalid_argument(fmt::format("line {}: {}", line, what));
+  };
+  const std::string names = next_line(in, line);
+  if (names.empty()) throw std::invalid_argument("expected a line of column names, found none");
+  const Header header = header_of(words_of(names));
+  if (const std::string name = repeated(header.names); !name.empty()) {
+    fail(fmt::format("expected one column '{}', found more of that name", shown(name)));
+  }
+  std::vector<TextColumn> columns;
+  for (std::size_t k = 0; k < header.names.size(); ++k) {
+    columns.push_back({header.names[k], header.units[k], {}});
+  }
+  const bool by_tabs = names.find('\t') != std::string::npos;
+  for (std::string row = next_line(in, line); !row.empty(); row = next_line(in, line)) {
+    const std::vector<std::string> cells = by_tabs ? cells_between_tabs(row) : words_of(row);
+    require_as_many(cells.size(), columns.size(), line);
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      if (cells[k].empty()) fail(fmt::format("column '{}': expected a value", columns[k].name));
+      columns[k].cells.push_back(cells[k]);
+    }
+  }
+  if (columns.front().cells.empty()) fail("expected at least one row below the names");
   return columns;
 }
 

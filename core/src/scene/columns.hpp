@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <iosfwd>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "microslip/scene/scene.hpp"
@@ -15,5 +16,17 @@ namespace microslip {
 /// \throws std::invalid_argument in one line, with the line's number
 std::vector<std::optional<Eigen::VectorXd>> read_columns(std::istream& in,
                                                          const std::vector<FileColumn>& wanted);
+
+/// A column whose cells may be words.
+struct TextColumn {
+  std::string name;
+  std::string unit;  ///< empty if there is none
+  std::vector<std::string> cells;
+};
+
+/// All columns, each with at least one cell. Cells are separated by tabs if the names are, and may
+/// then have blanks; else by blanks or tabs.
+/// \throws std::invalid_argument as read_columns
+std::vector<TextColumn> read_text_columns(std::istream& in);
 
 }  // namespace microslip

@@ -32,6 +32,7 @@ constexpr std::string_view unlike =
 constexpr std::string_view rolls = "problem transient or cylinder";
 constexpr std::string_view response = "microslip response";
 constexpr std::string_view converge = "microslip converge";
+constexpr std::string_view curve = "microslip curve";
 
 constexpr auto keys = std::to_array<Key>({
     {.name = "problem",
@@ -273,6 +274,25 @@ constexpr auto keys = std::to_array<Key>({
      .range = {.least = 2, .most = 1e5},
      .role = response,
      .fallback = 60},
+    {.name = "curve.creepages",
+     .type = list,
+     .meaning = "creepages w of the curve",
+     .note = "in rising order, with ranges as in a sweep; evenly spaced without it",
+     .role = curve},
+    {.name = "curve.points",
+     .type = whole,
+     .meaning = "how many creepages, evenly spaced from 0 on",
+     .range = {.least = 2, .most = 10000},
+     .role = curve,
+     .fallback = 51},
+    {"curve.largest", number, "1", "largest of these", above_zero,
+     "a quarter beyond that of 0.999 of full sliding without it", curve},
+    {.name = "curve.beside",
+     .type = word,
+     .meaning = "another curve for comparison",
+     .role = curve,
+     .words = {"nothing", "fastsim"},
+     .first_is_default = true},
     {"converge.elements", wholes, "1", "numbers N that are tried", range(2, 100000),
      "in rising order, 15 31 63 127 255 without it", converge},
     {.name = "converge.error",
@@ -282,6 +302,14 @@ constexpr auto keys = std::to_array<Key>({
      .fallback = 1e-3},
     {"converge.step_time", number, "s", "time that the longest step of a transient may take",
      above_zero, "off without it", converge},
+    {.name = "converge.reference",
+     .type = word,
+     .meaning = "what errors are measured against: the inversion where it holds and else fine, "
+                "method chebyshev, or the default scheme with more elements",
+     .note = "chebyshev in steady rolling",
+     .role = converge,
+     .words = {"best", "chebyshev", "fine"},
+     .first_is_default = true},
 });
 
 /// "1e13", and "4 000 000" of whole numbers.

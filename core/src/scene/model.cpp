@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -12,6 +13,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/straight_steps.hpp"
 #include "microslip/scene/units.hpp"
+#include "microslip/scene/unloaded.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 #include "run_file.hpp"
@@ -215,7 +217,20 @@ const SteadyEntry& read_steady_scheme(Scene& scene) {
   return steady_scheme(chebyshev ? "chebyshev" : scene.word("leading_edge"));
 }
 
-SteadyProblem read_steady(Scene& scene, const SteadyMethod& method, const Material& material) {
+/// Of steady rolling.
+constexpr std::array load_keys = {"load.creepage", "load.force", "load.force_ratio",
+                                  "load.stick_ratio"};
+
+/// Takes notice of a load that has no part in the model.
+Load read_no_load(Scene& scene) {
+  for (const char* key : load_keys) {
+    if (scene.has(key)) scene.number(key);
+  }
+  return PrescribedCreepage{0};
+}
+
+SteadyProblem read_steady(Scene& scene, const SteadyMethod& method, const Material& material,
+                          bool with_load) {
   const ContactModel model = read_contact(scene, material, read_tangential(scene, material),
                                           std::holds_alternative<Differences>(method));
   const bool elements = !std::holds_alternative<ChebyshevCollocation>(method);
@@ -224,7 +239,7 @@ SteadyProblem read_steady(Scene& scene, const SteadyMethod& method, const Materi
           .grid = model.grid,
           .basis = elements ? read_basis(scene, model.grid) : constant_basis(),
           .method = method,
-          .load = read_load(scene, model.kernel, model.bound),
+          .load = with_load ? read_load(scene, model.kernel, model.bound) : read_no_load(scene),
           .solver = elements ? read_solver(scene) : Solver{},
           .accepted = elements ? read_acceptance(scene) : Acceptance{}};
 }
@@ -242,13 +257,13 @@ void press(Scene& scene, const Bodies& bodies, Problem& problem) {
 
 }  // namespace
 
-SteadyProblem read_steady(Scene& scene) {
+SteadyProblem read_steady(Scene& scene, bool with_load) {
   const SteadyEntry& entry = read_steady_scheme(scene);
   const double step_ratio = entry.safe_steps ? scene.number("step.ratio") : 1;
   require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
   const Bodies bodies = read_bodies(scene);
-  SteadyProblem problem =
-      solved_by(entry, read_steady(scene, entry.method(step_ratio), bodies.combined), step_ratio);
+  SteadyProblem problem = solved_by(
+      entry, read_steady(scene, entry.method(step_ratio), bodies.combined, with_load), step_ratio);
   press(scene, bodies, problem);
   const std::string instead = "leading_edge inversion";
   if (entry.safe_steps) warn_outside(scene, *entry.safe_steps, "step.ratio", step_ratio, instead);
@@ -258,6 +273,12 @@ SteadyProblem read_steady(Scene& scene) {
   }
   return problem;
 }
+
+}  // namespace
+
+SteadyProblem read_steady(Scene& scene) { return read_steady(scene, true); }
+
+SteadyProblem read_unloaded_steady(Scene& scene) { return read_steady(scene, false); }
 
 SteadyTarget read_steady_target(Scene& scene) {
   const double target = scene.number("target_error");
@@ -270,7 +291,7 @@ SteadyTarget read_steady_target(Scene& scene) {
 }
 
 SteadyProblem read_steady(Scene& scene, const SteadyMethod& method) {
-  return read_steady(scene, method, read_material(scene));
+  return read_steady(scene, method, read_material(scene), true);
 }
 
 std::vector<double> TransientScene::step_lengths() const {

@@ -13,6 +13,7 @@
 #include "columns.hpp"
 #include "info.hpp"
 #include "microslip/scene/keys.hpp"
+#include "microslip/scene/sweep.hpp"
 #include "microslip/scene/text.hpp"
 #include "microslip/scene/units.hpp"
 #include "microslip/support/format.hpp"
@@ -36,6 +37,15 @@ std::string meant(const std::string& key, const std::vector<std::string>& known)
     return last_name(candidate) == last_name(key);
   });
   return found == known.end() ? "" : *found;
+}
+
+/// Removes all that sweeps a key, alone or together with others, except for one name. Returns how
+/// many these were.
+template <class Values>
+std::size_t remove_swept(Values& values, const std::string& key, const std::string& except = "") {
+  return std::erase_if(values, [&](const auto& entry) {
+    return entry.first != except && swept_key(entry.first) == key;
+  });
 }
 
 }  // namespace
@@ -136,13 +146,13 @@ void Scene::set(std::string_view assignment) {
   if (value.empty()) {
     remove(key);
   } else {
-    values_.erase("sweep." + key);
+    remove_swept(values_, swept_key(key).value_or(key), key);
     put(key, value, {});
   }
 }
 
 void Scene::remove(const std::string& key) {
-  if (values_.erase(key) + values_.erase("sweep." + key) > 0) return;
+  if (values_.erase(key) + remove_swept(values_, key) > 0) return;
   std::vector<std::string> below;
   for (const std::string& one : keys()) {
     if (one.starts_with(key + '.')) below.push_back(one);

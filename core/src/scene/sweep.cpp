@@ -12,6 +12,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "columns.hpp"
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/units.hpp"
 #include "microslip/support/format.hpp"
@@ -97,11 +98,70 @@ std::string without_unit(const std::string& key, const std::string& value) {
   return numbers ? joined_numbers(*numbers) : value;
 }
 
+/// The section of keys that take their values together; empty of a key that does so alone.
+std::string group_of(const std::string& key) {
+  const std::string first = key.substr(0, key.find('.'));
+  return first.starts_with("together") && first.size() < key.size() ? first : "";
+}
+
+constexpr const char* table_key = "table";
+constexpr const char* table_name = "sweep.table";
+
+/// Keys of scenes, for a message about one that is none.
+std::string nearest_key(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Key& key : keys_of_scenes()) names.emplace_back(key.name);
+  return nearest(name, names);
+}
+
+std::vector<std::string> values_of(const TextColumn& column) {
+  const std::string unit = unit_of_key(column.name);
+  if (!column.unit.empty() && !quantity("1 " + column.unit, unit)) {
+    throw std::invalid_argument(fmt::format("column '{}': unit '{}': expected {}", column.name,
+                                            shown(column.unit), accepted_units(unit)));
+  }
+  std::vector<std::string> values;
+  for (const std::string& cell : column.cells) {
+    values.push_back(
+        without_unit(column.name, column.unit.empty() ? cell : cell + " " + column.unit));
+  }
+  return values;
+}
+
+/// The columns of the table that the section names, except for the numbers of cases that a plan
+/// has, and for keys that are fixed.
+std::vector<SweptKey> columns_of(Scene scene) {
+  return scene.with_file(table_name, [&] {
+    std::istringstream in(scene.file(table_name));
+    std::vector<SweptKey> columns;
+    for (const TextColumn& column : read_text_columns(in)) {
+      if (column.name == "case") continue;
+      if (scene.known(column.name) == nullptr) {
+        throw std::invalid_argument(fmt::format("column '{}': expected the name of a key{}",
+                                                shown(column.name),
+                                                question(nearest_key(column.name))));
+      }
+      const bool is_fixed = scene.has(column.name) && scene.place_of(column.name).empty();
+      if (!is_fixed) columns.push_back({column.name, values_of(column)});
+    }
+    return columns;
+  });
+}
+
 }  // namespace
 
-std::vector<std::string> swept_values(const std::string& key, const std::string& text) {
+std::optional<std::string> swept_key(const std::string& key) {
+  constexpr std::string_view section = "sweep.";
+  if (!key.starts_with(section)) return std::nullopt;
+  const std::string below = key.substr(section.size());
+  const std::string group = group_of(below);
+  return group.empty() ? below : below.substr(group.size() + 1);
+}
+
+std::vector<std::string> swept_values(const std::string& name, const std::string& text) {
+  const std::string key = swept_key(name).value_or(name);
   const auto reject_list = [&](const std::string& list, const std::string& accepted) {
-    reject("sweep." + key, list, accepted);
+    reject(name, list, accepted);
   };
   const bool has_lists = text.find('|') != std::string::npos;
   std::vector<std::string> values;
@@ -129,14 +189,69 @@ std::vector<std::string> swept_values(const std::string& key, const std::string&
   return values;
 }
 
-Sweep::Sweep(Scene scene) : common_(std::move(scene)), section_(common_.take_section("sweep")) {
+/// Adds a key to the group that is open.
+void Sweep::add(const std::string& name, const std::string& key, std::vector<std::string> values) {
+  const auto same = [&](const SweptKey& other) { return other.key == key; };
+  if (std::ranges::any_of(keys_, same)) {
+    throw BadParameter(
+        name,
+        fmt::format("{}: expected one list of values of {}, found more of them", name, shown(key)));
+  }
+  const std::size_t begin = groups_.empty() ? 0 : groups_.back();
+  if (keys_.size() > begin && values.size() != keys_[begin].values.size()) {
+    reject(name, joined(values, " "),
+           fmt::format("as many values as {} has, which are {}", keys_[begin].key,
+                       keys_[begin].values.size()));
+  }
+  keys_.push_back({key, std::move(values)});
+}
+
+/// \param name  for messages
+void Sweep::close_group(const std::string& name) {
+  const std::size_t begin = groups_.empty() ? 0 : groups_.back();
+  if (begin == keys_.size()) return;
+  groups_.push_back(keys_.size());
+  size_ *= keys_[begin].values.size();
+  if (size_ > max_cases) {
+    throw BadParameter(name, fmt::format("sweep: expected at most {} cases, not {} with {}",
+                                         max_cases, size_, shown(name)));
+  }
+}
+
+/// \param name  "together" or another one
+void Sweep::add_group(const std::string& name) {
+  const Scene group = section_.take_section(name);
+  for (const std::string& key : group.keys()) {
+    const std::string full = fmt::format("sweep.{}.{}", name, key);
+    add(full, key, swept_values(full, group.text(key)));
+  }
+  section_.overlay(group);
+  close_group("sweep." + name);
+}
+
+void Sweep::add_columns(const std::vector<SweptKey>& columns) {
+  for (const SweptKey& column : columns) {
+    add(table_name, column.key, column.values);
+    section_.set(column.key + "=" + column.values.front());
+  }
+  close_group(table_name);
+  section_.set(std::string(table_key) + "=");
+}
+
+Sweep::Sweep(Scene scene) : common_(std::move(scene)) {
+  const std::vector<SweptKey> columns =
+      common_.has(table_name) ? columns_of(common_) : std::vector<SweptKey>{};
+  section_ = common_.take_section("sweep");
   for (const std::string& key : section_.keys()) {
-    keys_.push_back({key, swept_values(key, section_.text(key))});
-    size_ *= keys_.back().values.size();
-    if (size_ > max_cases) {
-      throw BadParameter("sweep." + key,
-                         fmt::format("sweep: expected at most {} cases, not {} with sweep.{}",
-                                     max_cases, size_, shown(key)));
+    const std::string group = group_of(key);
+    if (!section_.has(key)) continue;  // with the first one of its group
+    if (!group.empty()) {
+      add_group(group);
+    } else if (key == table_key) {
+      add_columns(columns);
+    } else {
+      add("sweep." + key, key, swept_values("sweep." + key, section_.text(key)));
+      close_group("sweep." + key);
     }
   }
   if (keys_.empty()) {
@@ -146,9 +261,11 @@ Sweep::Sweep(Scene scene) : common_(std::move(scene)), section_(common_.take_sec
 
 std::vector<std::string> Sweep::values(std::size_t index) const {
   std::vector<std::string> chosen(keys_.size());
-  for (std::size_t k = keys_.size(); k-- > 0;) {
-    chosen[k] = keys_[k].values[index % keys_[k].values.size()];
-    index /= keys_[k].values.size();
+  for (std::size_t g = groups_.size(); g-- > 0;) {
+    const std::size_t begin = g == 0 ? 0 : groups_[g - 1];
+    const std::size_t rows = keys_[begin].values.size();
+    for (std::size_t k = begin; k < groups_[g]; ++k) chosen[k] = keys_[k].values[index % rows];
+    index /= rows;
   }
   return chosen;
 }

@@ -21,21 +21,23 @@ struct ConvergeScene {
   bool steady;                         ///< else a transient
   bool under_force;                    ///< so that the creepage is the answer, else the force
   double memory;                       ///< that the reference takes  [bytes]
+  std::string reference;               ///< best, chebyshev or fine
 };
 
 /// All keys of a steady or transient scene; converge.elements (15 31 63 127 255), converge.error
-/// (1e-3) and converge.step_time.
-/// \throws std::invalid_argument for a cylinder, target_error, start.type state and a reference of
-///         more than 1e13 operations
+/// (1e-3), converge.step_time and converge.reference best|chebyshev|fine (best).
+/// \throws std::invalid_argument for a cylinder, target_error, start.type state, the reference
+///         chebyshev of a transient, and a reference of more than 1e13 operations
 ConvergeScene read_converge(Scene& scene);
 
 /// Tables: converge (errors and work of every scheme and N), converge_timing (measured time),
 /// summary (the reference) and advice_timing (a line of text for the error, and for the time of a
-/// step). Steady rolling is compared with the inversion where it holds; all else with the default
-/// scheme and 4 N + 3 elements for the largest N, of which the difference to 2 N + 1 elements is
-/// the reference's error.
+/// step). The best reference of steady rolling is the inversion where it holds; that of all else is
+/// fine: the default scheme of those by elements with 4 N + 3 elements for the largest N, of which
+/// the difference to 2 N + 1 elements is the reference's error.
 ///
-/// \throws std::invalid_argument if the answer is zero all the way
+/// \throws std::invalid_argument if the answer is zero all the way, or chebyshev does not take it
+/// \throws NotConverged         if the reference has no solution
 std::vector<Table> converge_tables(const ConvergeScene& scene, const Progress& progress);
 
 }  // namespace microslip::experiments

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace microslip {
+
+/// Steady rolling of a strip by Kalker's simplified theory, as his program FASTSIM has it (Vehicle
+/// System Dynamics 11, 1982, 1-13): the displacement is L times the traction at the same place, so
+/// that a traction grows by |w|/L a length from the leading edge on, up to a parabola of the same
+/// width and force as the bound. In two dimensions the sum of its slices has a closed form,
+/// \f[ \frac{|F|}{F_{\max}} = 3\xi - 3\xi^2 + \xi^3, \quad
+///     \xi = \min\Bigl(1, \frac{2a^2|w|}{3L\,F_{\max}}\Bigr) . \f]
+/// The flexibility L is that of Kalker's linear theory: without slip the force is 2 a^2 w/L, so that
+/// L = 2 a^2/|dF/dw|. In plane strain that is 4 a (1 - nu)/(pi G).
+class Fastsim {
+ public:
+  /// \param half_width  a, in (0, inf)  [mm]
+  /// \param most        F_max, the force of full sliding, in (0, inf)  [N/mm]
+  /// \param slope       |dF/dw| at w = 0, in (0, inf)  [N/mm]
+  /// \throws std::invalid_argument outside the ranges
+  Fastsim(double half_width, double most, double slope);
+
+  double flexibility() const;  ///< L  [mm^3/N]
+
+  /// The least creepage at which all slides, 3 F_max/|dF/dw|  [1]
+  double full_sliding_creepage() const { return 3 * most_ / slope_; }
+
+  /// F, against the creepage  [N/mm]
+  /// \param creepage  w, finite
+  double force(double creepage) const;
+
+  /// p(x), zero outside the contact  [N/mm^2]
+  double traction(double x, double creepage) const;
+
+ private:
+  double half_width_;
+  double most_;
+  double slope_;
+};
+
+}  // namespace microslip

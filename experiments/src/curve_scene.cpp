@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/curve_scene.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "microslip/experiments/contact_tables.hpp"
+#include "microslip/reference/fastsim.hpp"
+#include "microslip/scene/keys.hpp"
+#include "microslip/scene/sweep.hpp"
+#include "microslip/scene/unloaded.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/not_converged_at.hpp"
+#include "microslip/support/require.hpp"
+#include "study_keys.hpp"
+
+namespace microslip::experiments {
+
+namespace {
+
+constexpr const char* creepages_key = "curve.creepages";
+
+/// The contact of what rolls otherwise.
+SteadyProblem contact_of(const TransientProblem& problem) {
+  return {.kernel = problem.kernel,
+          .bound = problem.bound,
+          .grid = problem.grid,
+          .load = PrescribedCreepage{0},
+          .solver = problem.solver,
+          .accepted = problem.accepted};
+}
+
+SteadyProblem read_contact_of_curve(Scene& scene) {
+  if (scene.has("target_error")) {
+    throw BadParameter("target_error",
+                       "target_error: expected a scene without it, as a curve has a method");
+  }
+  if (scene.word("problem") == "steady") return read_unloaded_steady(scene);
+  const Model model = read_model(scene);
+  const auto* transient = std::get_if<TransientScene>(&model);
+  return contact_of(transient != nullptr ? transient->problem
+                                         : std::get<CylinderScene>(model).contact);
+}
+
+/// Ranges and units as in a sweep.
+std::vector<double> read_creepages(Scene& scene) {
+  if (!scene.has(creepages_key)) return {};
+  std::string expanded;
+  for (const std::string& value : swept_values(creepages_key, scene.text(creepages_key))) {
+    expanded += value + ' ';
+  }
+  scene.replace(creepages_key, expanded.substr(0, expanded.size() - 1));
+  const std::vector<double> creepages = scene.numbers(creepages_key);
+  demand_rising(scene, creepages_key, creepages);
+  for (const char* other : {"curve.points", "curve.largest"}) {
+    scene.at_most_one_of({creepages_key, other});
+  }
+  return creepages;
+}
+
+SteadySolution solved(SteadyProblem problem, const Load& load) {
+  problem.load = load;
+  SteadySolution solution = solve_steady(problem);
+  require_evidence(solution.evidence, solution.condition, solution.iterations, problem.accepted);
+  return solution;
+}
+
+/// At a creepage, which a message about a missing solution names.
+SteadySolution solved_at(const SteadyProblem& problem, double creepage) {
+  try {
+    return solved(problem, PrescribedCreepage{creepage});
+  } catch (const NotConverged& error) {
+    throw NotConvergedAt("creepage " + format_short(creepage), error);
+  }
+}
+
+/// Up to two digits.
+double rounded_up(double value) {
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return std::ceil(value / unit * (1 - 1e-12)) * unit;
+}
+
+/// A creepage at which all slides, by some margin.
+double beyond_sliding(const SteadyProblem& problem) {
+  constexpr double almost_all = 0.999, margin = 1.25;
+  const double most = full_sliding_force(problem.bound);
+  return rounded_up(margin * solved(problem, PrescribedForce{-almost_all * most}).creepage);
+}
+
+std::vector<double> creepages_of(const CurveScene& scene) {
+  if (!scene.creepages.empty()) return scene.creepages;
+  const double largest = scene.largest ? *scene.largest : beyond_sliding(scene.problem);
+  const double least = scene.problem.has_unlike_bodies() ? -largest : 0;
+  std::vector<double> creepages;
+  for (int i = 0; i < scene.points; ++i) {
+    const double part = static_cast<double>(i) / (scene.points - 1);
+    creepages.push_back(i == scene.points - 1 ? largest : least + part * (largest - least));
+  }
+  return creepages;
+}
+
+/// |dF/dw| where nothing slips yet.
+double slope_without_creepage(const SteadyProblem& problem, double largest) {
+  constexpr double small = 1e-9;
+  const double creepage = small * largest;
+  return std::abs(solved_at(problem, creepage).force) / creepage;
+}
+
+Table empty_curve(const CurveScene& scene) {
+  std::vector<Column> columns{
+      {"creepage", "1", "w"}, {"force", "N/mm", "F"}, {"force_ratio", "1", "F over full sliding"}};
+  if (scene.friction) {
+    columns.push_back({"traction_coefficient", "1", "F over the normal load"});
+  }
+  if (scene.with_fastsim) columns.push_back({"fastsim_force", "N/mm", "F by FASTSIM"});
+  columns.push_back({"method", "1", "that made the solution"});
+  return {"curve", "force of steady rolling against the creepage", columns};
+}
+
+}  // namespace
+
+CurveScene read_curve(Scene& scene) {
+  const SteadyProblem problem = read_contact_of_curve(scene);
+  CurveScene read{.problem = problem,
+                  .creepages = read_creepages(scene),
+                  .points = 0,
+                  .largest = std::nullopt,
+                  .with_fastsim = scene.word("curve.beside") == "fastsim"};
+  if (read.creepages.empty()) {
+    const double points = scene.number("curve.points");
+    scene.demand("curve.points", points,
+                 find_key("curve.points")->range.holds(points) && std::floor(points) == points);
+    read.points = static_cast<int>(points);
+    if (scene.has("curve.largest")) read.largest = scene.positive("curve.largest");
+  }
+  if (read.with_fastsim && problem.has_unlike_bodies()) {
+    reject("curve.beside", "fastsim", "nothing for bodies of different material");
+  }
+  if (scene.has("contact.normal_load") || problem.has_unlike_bodies()) {
+    read.friction = read_friction(scene);
+  }
+  return read;
+}
+
+std::vector<Table> curve_tables(const CurveScene& scene, const Progress& progress) {
+  const SteadyProblem& problem = scene.problem;
+  const double most = full_sliding_force(problem.bound);
+  const std::vector<double> creepages = creepages_of(scene);
+  const double largest = std::max(std::abs(creepages.front()), std::abs(creepages.back()));
+  std::optional<double> slope;
+  if (!problem.has_unlike_bodies() && largest > 0) slope = slope_without_creepage(problem, largest);
+  if (scene.with_fastsim && !slope) {
+    reject(creepages_key, "0", "a creepage that is not zero with FASTSIM");
+  }
+  std::optional<Fastsim> fastsim;
+  if (scene.with_fastsim) fastsim.emplace(half_width_of(problem.bound), most, *slope);
+
+  const bool warns_of_fallback =
+      !problem.has_unlike_bodies() && !std::holds_alternative<TabulatedBound>(problem.bound);
+  Table table = empty_curve(scene);
+  std::string fallback;
+  std::size_t done = 0;
+  for (const double creepage : creepages) {
+    const SteadySolution point = solved_at(problem, creepage);
+    std::vector<Cell> row{creepage, point.force, point.force / most};
+    if (scene.friction) row.emplace_back(*scene.friction * point.force / most);
+    if (fastsim) row.emplace_back(fastsim->force(creepage));
+    row.emplace_back(name_of(point.scheme));
+    table.add(row);
+    if (fallback.empty() && !point.fallback.empty() && warns_of_fallback) {
+      fallback = fmt::format("creepage = {}: by {}, because {}", format_short(creepage),
+                             name_of(point.scheme), point.fallback);
+    }
+    progress(++done, creepages.size());
+  }
+  Table summary = empty_summary("what the curve of creepage and force begins and ends with");
+  summary.add({"full_sliding_force", most, "N/mm"});
+  if (slope) summary.add({"slope_without_creepage", -*slope, "N/mm"});
+  if (fastsim) {
+    summary.add({"fastsim_flexibility", fastsim->flexibility(), "mm^3/N"});
+    summary.add({"fastsim_full_sliding_creepage", fastsim->full_sliding_creepage(), "1"});
+  }
+  summary.add({"warning", fallback.empty() ? "none" : fallback, "1"});
+  return {table, summary};
+}
+
+}  // namespace microslip::experiments

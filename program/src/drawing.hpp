@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/scene/table.hpp"
+
+namespace microslip::program {
+
+/// A result that is drawn.
+struct Result {
+  std::filesystem::path folder;
+  std::string name;  ///< as it was typed
+  std::string kind;  ///< steady, transient, cylinder, response, converge, sweep or curve
+};
+
+/// That two results are not drawn over one another. \throws std::invalid_argument
+[[noreturn]] void throw_other_kind(const Result& result, const Result& first);
+
+/// A table of a result. \throws std::invalid_argument that names the file
+WrittenTable table_in(const std::filesystem::path& folder, const std::string& name);
+
+/// A number of a cell; nothing for nan and words.
+std::optional<double> number_of(const Cell& cell);
+
+/// Numbers from the least to the largest; none if it is empty.
+struct Extent {
+  double least = std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
+
+  void include(double value);
+};
+
+/// A line of a figure.
+struct Line {
+  std::string label;
+  std::string color;  ///< "#rrggbb"
+  int dash = 1;       ///< gnuplot's type of dashes
+  bool is_exact = false;
+};
+
+/// Number `i` of `count` colours that differ, also for the colour-blind; more than six are those of
+/// a scale from dark to light.
+std::string color_of(std::size_t i, std::size_t count);
+
+/// The colour of exact solutions.
+inline constexpr const char* black = "#000000";
+
+/// What a figure is drawn from.
+struct Drawing {
+  std::string kind;              ///< of the script, PROGRAM_KIND.gp
+  std::vector<Line> lines = {};  ///< in the order of their numbers, from 1
+  /// Each has a column `line`; none where the script takes the tables of the result as they are.
+  std::vector<Table> tables = {};
+  Parameters axes = {};     ///< names of the axes and what else the script asks for
+  Extent horizontal = {};   ///< of the horizontal axis, or of the positions in the contact
+  Extent distance = {};     ///< of the distance rolled; empty where no axis has it
+  std::string unit = "mm";  ///< of the horizontal axis
+};
+
+/// Tractions, slip and histories of one scene or more, over one another, with exact solutions.
+/// \throws std::invalid_argument for kinds that do not go together
+Drawing drawing_of_scenes(const std::vector<Result>& results);
+
+/// What to show of a sweep, or of curves of creepage and force; all may be empty.
+struct SweepView {
+  std::string over;               ///< column of the horizontal axis
+  std::string value;              ///< of the vertical one
+  std::string by;                 ///< key that colours tell apart
+  std::vector<std::string> only;  ///< "key=value": rows with that
+};
+
+/// A quantity over a key, with a line for each combination of the other ones.
+/// \throws std::invalid_argument for columns that are not there, and too many lines
+Drawing drawing_of_sweeps(const std::vector<Result>& results, const SweepView& view);
+
+/// Files of a drawing, as output_of makes them, into a folder.
+void write_drawing(const Drawing& drawing, const std::filesystem::path& folder);
+
+}  // namespace microslip::program

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "drawing.hpp"
+#include "exact_solution.hpp"
+#include "microslip/scene/changed_keys.hpp"
+#include "microslip/scene/keys.hpp"
+#include "microslip/support/nearest.hpp"
+#include "microslip/support/shown.hpp"
+
+namespace microslip::program {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+bool rolls(const std::string& kind) {
+  return kind == "steady" || kind == "transient" || kind == "cylinder";
+}
+
+std::string common_kind(const std::vector<Result>& results) {
+  const std::string& first = results.front().kind;
+  bool all_roll = rolls(first);
+  for (const Result& result : results) {
+    if (result.kind == first) continue;
+    all_roll = all_roll && rolls(result.kind);
+    if (all_roll) continue;
+    throw_other_kind(result, results.front());
+  }
+  const bool same = std::ranges::all_of(results, [&](const auto& r) { return r.kind == first; });
+  return same ? first : "tractions";
+}
+
+/// Keys of scenes in which not all agree.
+Names differing_keys(const std::vector<Parameters>& all) {
+  Names keys;
+  for (const Parameters& other : all) {
+    for (const std::string& key : changed_keys(all.front(), other)) {
+      const bool is_new = std::ranges::find(keys, key) == keys.end();
+      if (is_new && find_key(key) != nullptr) keys.push_back(key);
+    }
+  }
+  return keys;
+}
+
+std::string value_in(const Parameters& parameters, const std::string& key) {
+  const auto found = std::ranges::find(parameters, key, &Parameters::value_type::first);
+  if (found == parameters.end()) return "";
+  const std::string unit = unit_of_key(key);
+  return unit == "1" ? found->second : fmt::format("{} {}", found->second, unit);
+}
+
+/// Names of results, with one or two keys in which they differ.
+Names labels_of(const std::vector<Result>& results, const std::vector<Parameters>& all) {
+  if (results.size() == 1) return {"microslip"};
+  constexpr std::size_t most_keys = 2;
+  const Names keys = differing_keys(all);
+  Names labels;
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    Names values;
+    for (const std::string& key : keys) {
+      const std::string value = value_in(all[i], key);
+      if (!value.empty()) values.push_back(fmt::format("{} = {}", key, value));
+    }
+    const bool tells = !values.empty() && keys.size() <= most_keys;
+    labels.push_back(tells ? fmt::format("{}: {}", results[i].name, joined(values, ", "))
+                           : results[i].name);
+  }
+  return labels;
+}
+
+Table empty_table(const std::string& name, const Names& columns) {
+  std::vector<Column> all{{"line", "1", "number of the line"}};
+  for (const std::string& column : columns) all.push_back({column, "1", "of the result"});
+  return {name, "lines of a figure", all};
+}
+
+/// \return  how far the first of the columns reaches
+void append(Table& table, std::size_t line, const Table& from, Extent& extent) {
+  for (std::size_t i = 0; i < from.rows(); ++i) {
+    std::vector<Cell> row{fmt::format("{}", line)};
+    for (std::size_t k = 1; k < table.columns().size(); ++k) {
+      row.push_back(from.at(i, table.columns()[k].name));
+    }
+    extent.include(number_of(row[1]).value_or(NAN));
+    table.add(row);
+  }
+}
+
+/// Adds Carter's solutions, each once, as the last lines.
+void add_exact(Drawing& drawing, const std::vector<Parameters>& all) {
+  constexpr int points = 400;
+  std::vector<Carter> added;
+  for (const Parameters& parameters : all) {
+    const auto exact = exact_solution(parameters);
+    if (!exact) continue;
+    const bool is_new = std::ranges::none_of(added, [&](const Carter& other) {
+      return other.force() == exact->force() && other.creepage() == exact->creepage() &&
+             other.bound().half_width() == exact->bound().half_width();
+    });
+    if (!is_new) continue;
+    added.push_back(*exact);
+    drawing.lines.push_back({added.size() == 1 ? "Carter, exact" : "", black, 1, true});
+    for (int i = 0; i < points; ++i) {
+      const double x =
+          -exact->bound().half_width() * std::cos(std::numbers::pi * (i + 0.5) / points);
+      drawing.tables.front().add({fmt::format("{}", drawing.lines.size()), x, exact->bound()(x),
+                                  exact->traction(x), exact->slip(x)});
+    }
+  }
+}
+
+/// The creepage of a transient is that of a step: its first row, the start, has none.
+void leave_out_first_creepage(Table& history, std::size_t row) {
+  if (row < history.rows()) history.put(row, "creepage", "NaN");
+}
+
+}  // namespace
+
+Drawing drawing_of_scenes(const std::vector<Result>& results) {
+  Drawing drawing{.kind = common_kind(results)};
+  const bool responds = drawing.kind == "response";
+  const std::string first = responds ? "response" : "traction";
+  std::vector<Parameters> parameters;
+  drawing.tables.push_back(empty_table(first, responds ? Names{"wavelength_ratio", "size", "phase"}
+                                                       : Names{"x", "bound", "traction", "slip"}));
+  if (responds) drawing.unit = "1";
+  const Names columns = drawing.kind == "transient" ? Names{"q", "force", "creepage"}
+                        : drawing.kind == "cylinder"
+                            ? Names{"X", "v", "force", "total", "potential"}
+                            : Names{};
+  if (!columns.empty()) drawing.tables.push_back(empty_table("history", columns));
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const WrittenTable table = table_in(results[i].folder, first);
+    parameters.push_back(table.parameters);
+    append(drawing.tables[0], i + 1, table.table, drawing.horizontal);
+    if (columns.empty()) continue;
+    const std::size_t begin = drawing.tables[1].rows();
+    append(drawing.tables[1], i + 1, table_in(results[i].folder, "history").table,
+           drawing.distance);
+    if (drawing.kind == "transient") leave_out_first_creepage(drawing.tables[1], begin);
+  }
+  for (const std::string& label : labels_of(results, parameters)) {
+    drawing.lines.push_back({label, color_of(drawing.lines.size(), results.size())});
+  }
+  if (drawing.kind == "steady") add_exact(drawing, parameters);
+  return drawing;
+}
+
+}  // namespace microslip::program

@@ -1,0 +1,390 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "drawing.hpp"
+#include "exact_solution.hpp"
+#include "microslip/scene/keys.hpp"
+#include "microslip/support/nearest.hpp"
+#include "microslip/support/shown.hpp"
+
+namespace microslip::program {
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+constexpr std::size_t most_lines = 24;
+
+std::string text_of(const Cell& cell) {
+  const auto* text = std::get_if<std::string>(&cell);
+  return text == nullptr ? fmt::format("{}", std::get<double>(cell)) : *text;
+}
+
+/// The rows of a sweep, or of curves of creepage and force, that are shown.
+class Cases {
+ public:
+  Cases(const Result& result, const Names& only)
+      : is_curve_(result.kind == "curve"), written_(table_in(result.folder, result.kind)) {
+    for (const Column& column : written_.table.columns()) {
+      if (column.meaning == "swept") swept_.push_back(column.name);
+    }
+    if (is_curve_) swept_.push_back("creepage");
+    for (std::size_t i = 0; i < written_.table.rows(); ++i) rows_.push_back(i);
+    for (const std::string& one : only) keep(one);
+  }
+
+  bool is_curve() const { return is_curve_; }
+  const std::vector<std::size_t>& rows() const { return rows_; }
+  const Parameters& parameters() const { return written_.parameters; }
+  const Names& swept() const { return swept_; }
+  Names columns() const { return names_of(written_.table.columns()); }
+  std::string text(std::size_t row, const std::string& column) const {
+    return text_of(written_.table.at(row, column));
+  }
+  double number(std::size_t row, const std::string& column) const {
+    return number_of(written_.table.at(row, column)).value_or(NAN);
+  }
+
+  bool has(const std::string& column) const {
+    return std::ranges::find(written_.table.columns(), column, &Column::name) !=
+           written_.table.columns().end();
+  }
+
+  std::string unit(const std::string& column) const {
+    return std::ranges::find(written_.table.columns(), column, &Column::name)->unit;
+  }
+
+  /// Whether the column has a number in each row.
+  bool is_numeric(const std::string& column) const {
+    return std::ranges::all_of(rows_, [&](std::size_t row) {
+      return number_of(written_.table.at(row, column)).has_value();
+    });
+  }
+
+  bool has_numbers(const std::string& column) const {
+    return std::ranges::any_of(rows_,
+                               [&](std::size_t row) { return std::isfinite(number(row, column)); });
+  }
+
+  std::size_t values(const std::string& column) const {
+    std::set<std::string> all;
+    for (const std::size_t row : rows_) all.insert(text(row, column));
+    return all.size();
+  }
+
+  /// Whether each value of `from` comes with one value of `column` only.
+  bool follows(const std::string& column, const std::string& from) const {
+    std::map<std::string, std::string> found;
+    return std::ranges::all_of(rows_, [&](std::size_t row) {
+      const std::string value = text(row, column);
+      return found.emplace(text(row, from), value).first->second == value;
+    });
+  }
+
+  void require_column(const std::string& option, const std::string& name) const {
+    if (has(name)) return;
+    throw std::invalid_argument(fmt::format("--{} '{}': expected one of {}{}", option, shown(name),
+                                            joined(columns(), ", "),
+                                            question(nearest(name, columns()))));
+  }
+
+ private:
+  void keep(const std::string& only) {
+    const std::size_t equals = only.find('=');
+    const std::string key = only.substr(0, equals);
+    if (equals == std::string::npos) {
+      throw std::invalid_argument(fmt::format("--only '{}': expected key=value", shown(only)));
+    }
+    require_column("only", key);
+    const std::string value = only.substr(equals + 1);
+    const auto wanted = number_of(value);
+    std::set<std::string> others;
+    std::erase_if(rows_, [&](std::size_t row) {
+      const std::string found = text(row, key);
+      const bool is_same = wanted ? number_of(found) == wanted : found == value;
+      if (!is_same) others.insert(found);
+      return !is_same;
+    });
+    if (rows_.empty()) {
+      throw std::invalid_argument(fmt::format("--only '{}': expected a value that is there: {}",
+                                              shown(only), shown(joined(others, ", "))));
+    }
+  }
+
+  bool is_curve_;
+  WrittenTable written_;
+  Names swept_;
+  std::vector<std::size_t> rows_;
+};
+
+/// What a sweep is shown by.
+struct Axes {
+  std::string over;
+  std::string value;
+  Names families;  ///< keys of which each combination is a line
+};
+
+/// The swept key that has most values and is a number, the last of several; else the last one.
+std::string running_key(const Cases& cases) {
+  if (cases.is_curve()) return "creepage";
+  std::string best = cases.swept().back();
+  std::size_t most = 1;
+  for (const std::string& key : cases.swept()) {
+    const std::size_t values = cases.values(key);
+    if (values >= most && values > 1 && cases.is_numeric(key)) {
+      most = values;
+      best = key;
+    }
+  }
+  return best;
+}
+
+/// What the load does not prescribe.
+std::string answer(const Cases& cases) {
+  const auto under_force = [](const std::string& key) {
+    return key == "load.force" || key == "load.force_ratio" || key == "load.stick_ratio";
+  };
+  const bool is_common = std::ranges::any_of(
+      cases.parameters(), [&](const auto& parameter) { return under_force(parameter.first); });
+  const bool forced = is_common || std::ranges::any_of(cases.swept(), under_force);
+  return forced && !cases.is_curve() && cases.has("creepage") ? "creepage" : "force";
+}
+
+Axes axes_of(const Cases& cases, const SweepView& view) {
+  Axes axes{.over = view.over, .value = view.value, .families = {}};
+  if (!axes.over.empty()) cases.require_column("over", axes.over);
+  if (!axes.value.empty()) cases.require_column("value", axes.value);
+  std::string running = running_key(cases);
+  if (axes.over.empty()) axes.over = running;
+  if (std::ranges::find(cases.swept(), axes.over) != cases.swept().end()) running = axes.over;
+  if (axes.value.empty()) axes.value = answer(cases);
+  if (!cases.has_numbers(axes.value)) {
+    throw std::invalid_argument(fmt::format(
+        "--value '{}': expected a column with numbers, of which there are none", axes.value));
+  }
+  for (const std::string& key : cases.swept()) {
+    if (key != running && !cases.follows(key, running)) axes.families.push_back(key);
+  }
+  if (view.by.empty()) return axes;
+  const auto by = std::ranges::find(axes.families, view.by);
+  if (by == axes.families.end()) {
+    throw std::invalid_argument(
+        fmt::format("--by '{}': expected a swept key that has several values{}", shown(view.by),
+                    axes.families.empty() ? "" : ", of " + joined(axes.families, ", ")));
+  }
+  std::rotate(axes.families.begin(), by, by + 1);
+  return axes;
+}
+
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return unit == "1" ? name : fmt::format("{} [{}]", name, unit);
+}
+
+/// One combination of values of the families.
+struct Family {
+  std::string label;
+  std::string first;  ///< value of the first key
+  std::string rest;   ///< those of the others
+  std::vector<std::size_t> rows;
+};
+
+std::vector<Family> families_of(const Cases& cases, const Axes& axes) {
+  std::vector<Family> families;
+  std::map<std::string, std::size_t> known;
+  for (const std::size_t row : cases.rows()) {
+    Family family;
+    for (const std::string& key : axes.families) {
+      const std::string value = cases.text(row, key);
+      const std::string unit = cases.unit(key);
+      family.label += fmt::format("{}{} = {}{}", family.label.empty() ? "" : ", ", key, value,
+                                  unit == "1" ? "" : " " + unit);
+      if (&key == &axes.families.front()) {
+        family.first = value;
+      } else {
+        family.rest += value + '\t';
+      }
+    }
+    const auto [at, is_new] = known.emplace(family.label, families.size());
+    if (is_new) families.push_back(family);
+    families[at->second].rows.push_back(row);
+  }
+  return families;
+}
+
+void require_few_lines(std::size_t lines, const Cases& cases, const Axes& axes) {
+  if (lines <= most_lines) return;
+  const std::string& key = axes.families.back();
+  throw std::invalid_argument(
+      fmt::format("--only: expected fewer than {} lines, at most {}; one value of a key is shown "
+                  "by --only {}={}",
+                  lines, most_lines, key, cases.text(cases.rows().front(), key)));
+}
+
+/// Places on the horizontal axis: numbers, or those of words in the order of the rows.
+class Places {
+ public:
+  Places(const Cases& cases, const std::string& over)
+      : over_(over), words_(!cases.is_numeric(over)) {
+    if (!words_) return;
+    for (const std::size_t row : cases.rows()) {
+      const std::string word = cases.text(row, over);
+      if (std::ranges::find(all_, word) == all_.end()) all_.push_back(word);
+    }
+  }
+
+  double of(const Cases& cases, std::size_t row) const {
+    if (!words_) return cases.number(row, over_);
+    const auto found = std::ranges::find(all_, cases.text(row, over_));
+    return static_cast<double>(found - all_.begin()) + 1;
+  }
+
+  bool are_words() const { return words_; }
+
+  /// As gnuplot wants them; empty for numbers.
+  std::string tics() const {
+    std::string text;
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      std::string word = all_[k];
+      std::erase_if(word, [](char c) { return c == '"' || c == '\\'; });
+      text += fmt::format("{}\"{}\" {}", k == 0 ? "(" : ", ", word, k + 1);
+    }
+    return text.empty() ? "" : text + ")";
+  }
+
+ private:
+  std::string over_;
+  bool words_;
+  Names all_;
+};
+
+/// A quantity of Carter's solution of a row; nan if there is none.
+double exact_value(const Cases& cases, std::size_t row, const std::string& value) {
+  Parameters parameters;
+  for (const auto& parameter : cases.parameters()) {
+    if (!cases.is_curve() || !parameter.first.starts_with("load.")) parameters.push_back(parameter);
+  }
+  for (const std::string& key : cases.swept()) {
+    parameters.emplace_back(key == "creepage" ? "load.creepage" : key, cases.text(row, key));
+  }
+  const auto exact = exact_solution(parameters);
+  if (!exact) return NAN;
+  return value == "force"      ? exact->force()
+         : value == "creepage" ? exact->creepage()
+                               : exact->force() / exact->bound().total();
+}
+
+bool has_exact(const std::string& value) {
+  return value == "force" || value == "creepage" || value == "force_ratio";
+}
+
+/// Several lines, and how far they reach.
+struct Lines {
+  std::vector<Line> lines;
+  Table table{"cases",
+              "lines of a figure",
+              {{"line", "1", "number of the line"}, {"x", "1", "place"}, {"y", "1", "value"}}};
+  Extent x, y;
+
+  template <class Value>
+  void add(const Line& line, const Cases& cases, const Family& family, const Places& places,
+           Value value) {
+    std::vector<std::pair<double, double>> points;
+    for (const std::size_t row : family.rows) {
+      points.emplace_back(places.of(cases, row), value(row));
+    }
+    if (std::ranges::none_of(points, [](const auto& p) { return std::isfinite(p.second); })) return;
+    lines.push_back(line);
+    for (const auto& [place, number] : points) {
+      const Cell y_cell = std::isfinite(number) ? Cell(number) : Cell("NaN");  // a gap
+      table.add({fmt::format("{}", lines.size()), place, y_cell});
+      x.include(place);
+      y.include(number);
+    }
+  }
+};
+
+/// Whether numbers want a logarithmic axis.
+bool spans(const Extent& extent, double ratio) {
+  return extent.least > 0 && extent.most >= ratio * extent.least;
+}
+
+void add_lines(Lines& lines, const Result& result, const Cases& cases, const Axes& axes,
+               std::size_t of_result, std::size_t results) {
+  const std::vector<Family> families = families_of(cases, axes);
+  require_few_lines(families.size() * results, cases, axes);
+  Names firsts, rests;
+  for (const Family& family : families) {
+    if (std::ranges::find(firsts, family.first) == firsts.end()) firsts.push_back(family.first);
+    if (std::ranges::find(rests, family.rest) == rests.end()) rests.push_back(family.rest);
+  }
+  const Places places(cases, axes.over);
+  const auto number = [&](std::size_t row) { return cases.number(row, axes.value); };
+  const bool has_fastsim = axes.value == "force" && cases.has("fastsim_force");
+  std::vector<Line> drawn;
+  for (const Family& family : families) {
+    const auto color =
+        static_cast<std::size_t>(std::ranges::find(firsts, family.first) - firsts.begin());
+    const auto dash = static_cast<int>(std::ranges::find(rests, family.rest) - rests.begin()) + 1;
+    const std::string label = family.label.empty() ? axes.value : family.label;
+    const Line line{
+        .label = results > 1 ? fmt::format("{}: {}", result.name, label) : label,
+        .color = results > 1 ? color_of(of_result, results) : color_of(color, firsts.size()),
+        .dash = results > 1 ? dash + static_cast<int>(color * rests.size()) : dash};
+    lines.add(line, cases, family, places, number);
+    drawn.push_back(line);
+  }
+  for (std::size_t k = 0; has_fastsim && k < families.size(); ++k) {
+    Line line = drawn[k];
+    line.label = k == 0 ? "FASTSIM" : "";
+    line.dash = 3;
+    lines.add(line, cases, families[k], places,
+              [&](std::size_t row) { return cases.number(row, "fastsim_force"); });
+  }
+  if (!has_exact(axes.value)) return;
+  bool is_first = true;
+  for (const Family& family : families) {
+    const std::size_t before = lines.lines.size();
+    lines.add({is_first ? "Carter, exact" : "", black, 1, true}, cases, family, places,
+              [&](std::size_t row) { return exact_value(cases, row, axes.value); });
+    is_first = is_first && lines.lines.size() == before;
+  }
+}
+
+}  // namespace
+
+Drawing drawing_of_sweeps(const std::vector<Result>& results, const SweepView& view) {
+  const std::string& kind = results.front().kind;
+  Lines lines;
+  Drawing drawing{.kind = kind};
+  SweepView common = view;
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    if (results[k].kind != kind) throw_other_kind(results[k], results.front());
+    const Cases cases(results[k], view.only);
+    const Axes axes = axes_of(cases, common);
+    common.over = axes.over;  // of all others, too
+    common.value = axes.value;
+    add_lines(lines, results[k], cases, axes, k, results.size());
+    if (k > 0) continue;
+    const Places places(cases, axes.over);
+    drawing.unit = cases.unit(axes.over);
+    drawing.axes = {{"x_label", with_unit(axes.over, drawing.unit)},
+                    {"y_label", with_unit(axes.value, cases.unit(axes.value))},
+                    {"x_tics", places.tics()}};
+  }
+  constexpr double wide = 30, very_wide = 1000;
+  const bool has_words = !drawing.axes.back().second.empty();
+  drawing.axes.emplace_back("x_log", !has_words && spans(lines.x, wide) ? "1" : "0");
+  drawing.axes.emplace_back("y_log", spans(lines.y, very_wide) ? "1" : "0");
+  drawing.lines = lines.lines;
+  drawing.tables.push_back(lines.table);
+  drawing.horizontal = lines.x;
+  return drawing;
+}
+
+}  // namespace microslip::program
