@@ -29,7 +29,7 @@ std::vector<std::string> next_words(std::istream& in, int& line_number) {
   return {};
 }
 
-/// The first name that stands twice; empty if none does.
+/// The first name that occurs twice; empty if none does.
 std::string repeated(std::vector<std::string> names) {
   std::sort(names.begin(), names.end());
   const auto found = std::adjacent_find(names.begin(), names.end());
@@ -67,7 +67,7 @@ Header header_of(const std::vector<std::string>& words) {
 /// A wanted column in a file.
 struct Found {
   std::size_t place;
-  double factor;  ///< of the unit in the file
+  double factor;  ///< conversion from the unit in the file
   std::vector<double> values = {};
 };
 
