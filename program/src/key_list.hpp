@@ -13,13 +13,13 @@ namespace microslip::program {
 /// Keys, each with its default as text, which may be empty.
 using KeyList = std::vector<std::pair<Key, std::string>>;
 
-/// Prints keys as text, as Markdown or man pages have them, or for completion: a line a key, with
-/// its words behind it, or a slash if it names a file.
+/// Prints keys as text, as Markdown or man pages have them, or for completion: one line per key,
+/// followed by its words, or by a slash for a key that names a file.
 /// \throws std::invalid_argument for another format
 void print_keys(const KeyList& keys, const std::string& format);
 
 /// Prints the keys that a study reads in its built-in scene, with the values there as defaults. In
-/// Markdown those of scenes are only named.
+/// Markdown, keys of scenes are only named.
 void print_keys_of_study(const Program& study, const std::string& format);
 
 }  // namespace microslip::program

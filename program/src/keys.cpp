@@ -27,7 +27,7 @@ namespace options = boost::program_options;
 
 constexpr const char* formats = "text, markdown, man or completion";
 
-/// Of a list that is shown as a whole.
+/// Largest number of words in a list that is shown completely.
 constexpr std::size_t most_words = 8;
 
 void print_text(const KeyList& keys) {
@@ -105,7 +105,8 @@ std::string shortened(std::string list) {
   return fmt::format("{} {} ... {}", words[0], words[1], words.back());
 }
 
-/// Each key with its words; of one that names a file with a slash, which no word has.
+/// Prints each key with its words; a key that names a file is followed by a slash, which no word
+/// contains.
 void print_completion(const KeyList& keys) {
   for (const auto& [key, value] : keys) {
     std::cout << key.name;

@@ -28,7 +28,7 @@ std::string duration(double seconds) {
   return fmt::format("{} s", whole);
 }
 
-/// A line on a terminal that is written again and again, and ends with its life.
+/// A line on a terminal that is rewritten again and again, and ends with the object.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string name) : name_(std::move(name)), start_(Clock::now()) {}

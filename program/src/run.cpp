@@ -42,7 +42,7 @@ Options options_of(const Program& program) {
   return known;
 }
 
-/// The doubt that a summary names, if it does.
+/// The warning in a summary, if there is one.
 std::optional<std::string> warning_of(const Table& table) {
   if (table.name() != "summary" || table.columns().front().name != "quantity") return std::nullopt;
   for (std::size_t i = 0; i < table.rows(); ++i) {
@@ -54,7 +54,7 @@ std::optional<std::string> warning_of(const Table& table) {
   return std::nullopt;
 }
 
-/// What a result says in words, if it does.
+/// Prints the advice in a result, if there is any.
 void print_advice(const Table& table) {
   if (table.columns().front().name != "advice") return;
   for (std::size_t i = 0; i < table.rows(); ++i) {
