@@ -39,15 +39,15 @@ struct Growth {
   double exponent;
 };
 
-/// Over from <= N <= to; nothing if there are less than two.
+/// The growth over from <= N <= to; none for fewer than two times.
 std::optional<Growth> growth(const Series& series, double from, double to);
 
-/// Over the largest decade.
+/// The growth over the largest decade.
 std::optional<Growth> growth(const Series& series);
 
-/// The N from which on the second takes less time, between the largest at which the first is
-/// faster and the next, where the ratio goes through 1 as a power; 0 if the second always is
-/// faster, and nan if it is not at the last N of both.
+/// The N above which the second series takes less time. It is interpolated as a power law, between
+/// the largest N at which the first series is faster and the next N; 0 if the second series is
+/// always faster, and nan if it is slower at the last common N.
 double crossover(const Series& first, const Series& second);
 
 }  // namespace microslip::bench

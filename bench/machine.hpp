@@ -8,7 +8,7 @@ namespace microslip::bench {
 /// Keeps this process, and those that it starts, on the core on which it is.
 void stay_on_one_core();
 
-/// What the times depend on besides the program.
+/// The machine, compiler and flags, on which times depend besides the program.
 Table machine_table();
 
 }  // namespace microslip::bench

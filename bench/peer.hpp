@@ -10,7 +10,7 @@ namespace microslip::bench {
 /// Times of CONTACT on the same problems.
 const std::vector<Measurement>& peer_times();
 
-/// With what they were measured.
+/// The program version, machine and settings of these times.
 const char* peer_machine();
 
 }  // namespace microslip::bench

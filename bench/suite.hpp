@@ -15,18 +15,18 @@ namespace microslip::bench {
 inline constexpr std::array steady_by_elements = {"standard", "calibrated"};
 inline constexpr std::array transients = {"direct", "remembered"};
 
-/// What is measured.
+/// The subject of a measurement.
 struct Subject {
   std::string quantity;  ///< what is computed
   std::string kernel;    ///< strip or plane
-  std::string method;    ///< by which way
+  std::string method;    ///< the algorithm or scheme
   Eigen::Index elements;
 };
 
-/// What is timed. Returns the number of its iterations, of whatever kind; 0 if there are none.
+/// The timed work. Returns the number of iterations, of any kind; 0 without iterations.
 using Work = std::function<double()>;
 
-/// `prepare` makes what the work needs; that is not timed.
+/// A case to time. `prepare` makes the data for the work, and is not timed.
 struct Case {
   Subject subject;
   std::function<Work()> prepare;

@@ -8,7 +8,7 @@
 
 namespace microslip::bench {
 
-/// What was aimed at, and what was measured; without those of which nothing was.
+/// Targets and measured values; targets without a measurement are left out.
 /// \param memory  see memory_table
 Table targets_table(const std::vector<Series>& series, const Table& memory);
 

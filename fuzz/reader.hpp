@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all targets hold readers to.
+// Requirements on readers that all targets check.
 #pragma once
 
 #include <boost/program_options/errors.hpp>
@@ -32,8 +32,8 @@ inline void require_one_line(std::string_view message) {
   require_that(message.size() < 1000, "a message of less than 1000 bytes", message);
 }
 
-/// Runs a reader, which accepts its input or rejects it in one line; anything else that it throws
-/// ends the program, as what the sanitizers find does.
+/// Runs a reader, which accepts its input or rejects it in one line; any other exception ends the
+/// program, as a finding of the sanitizers does.
 template <class Read>
 void accepts_or_rejects(Read read) {
   try {

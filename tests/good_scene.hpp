@@ -5,7 +5,7 @@
 
 namespace microslip {
 
-/// What good scenes of all problems have in common.
+/// The lines that good scenes of all problems have in common.
 inline const std::string good_contact = R"(
 material { shear_modulus 1
   poisson_ratio 0.28 }

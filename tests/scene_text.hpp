@@ -15,7 +15,7 @@ inline Scene scene_of(const std::string& text, const std::string& folder = "") {
   return Scene::parse(in, "test", folder);
 }
 
-/// What an action is rejected with; empty if it is not.
+/// The message of the exception that an action throws; empty if it throws none.
 inline std::string message(const std::function<void()>& action) {
   try {
     action();

@@ -63,8 +63,8 @@ Rolled roll(const CattaneoToCarter& start, const AdvectionScheme& scheme, double
 
 namespace {
 
-/// Operations that a run is expected to take after those of smaller ones: it grows on as from the
-/// last but one to the last, at least as N, and from the first as N^2.
+/// Expected operations of a run, extrapolated from smaller runs: with the growth between the last
+/// two runs, at least as N; from a single run, as N^2.
 double expected_work(const std::vector<double>& sizes, const std::vector<double>& work,
                      double elements) {
   if (work.empty()) return 0;
@@ -111,7 +111,7 @@ Attempt Runs::run(double size, const std::function<void()>& solve) {
   return attempt;
 }
 
-/// Takes the time of the processor: what else it has to do does not count.
+/// Measures processor time, so that other processes do not count.
 void Runs::measure(const std::function<void()>& solve, Attempt& attempt) const {
   constexpr double long_run = 2;  // [s], which is not repeated
   double total = 0;

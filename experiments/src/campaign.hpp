@@ -18,7 +18,7 @@ namespace microslip::experiments {
 /// truth. The studies extremes, speed_accuracy, frequency_response, open_problems and leading_edge
 /// are campaigns.
 
-/// Of the same half-width and force of full sliding.
+/// The Hertzian bound with the same half-width and force of full sliding.
 HertzBound hertz_like(const PolynomialBound& bound);
 
 /// The exact solution of a steady contact.

@@ -199,7 +199,7 @@ void add_energy_errors(Tables& tables, const Parameters& p, const Progress& prog
 
 Eigen::VectorXd times_to(double end) { return Eigen::VectorXd::LinSpaced(200, end / 200, end); }
 
-/// When a body of the grid shown has rolled a distance.
+/// The time at which a body with the shown grid has rolled a distance.
 double time_of(const Parameters& p, double distance) {
   RollingCylinder body =
       cylinder_on(p, p.scene.contact.grid.size(), Remembered{}, Integrator::verlet);
@@ -251,8 +251,8 @@ void add_step_control(Tables& tables, const Parameters& p) {
   for (const double tolerance : p.tolerances) add("tolerance", p.step_ratios.front(), tolerance);
 }
 
-/// How many times as many equal steps have the error of the smallest tolerance: that falls with
-/// the square of their number.
+/// Ratio of the number of equal steps with the error of the smallest tolerance to the number of
+/// steps by tolerance; the error falls with the square of the number of equal steps.
 double saved_by_tolerance(const Parameters& p, const Table& control) {
   const auto square_root_error = [&](std::size_t row) {
     return std::sqrt(control.number(row, "velocity_error"));
@@ -267,7 +267,8 @@ double order_of(const Tables& tables, const Named& named, const std::string& qua
       {{"scheme", named.name}, {"integrator", named.integrator}, {"quantity", quantity}}, "order");
 }
 
-/// Of the balance with tractions at the end of each step, over the last three of n rows.
+/// Order of the energy balance with tractions at the end of each step, over the last three of n
+/// rows.
 double end_order_on_fine_grids(const Table& errors, std::size_t first, std::size_t n) {
   std::vector<double> sizes, values;
   for (std::size_t row = first + n - 3; row < first + n; ++row) {

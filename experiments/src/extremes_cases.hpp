@@ -12,7 +12,7 @@
 
 namespace microslip::experiments::extremes_study {
 
-/// What a result at an extreme is worth.
+/// Errors of a result at an extreme.
 struct Finding {
   double error = not_given;   ///< of what is not prescribed, or of the force; relative  [1]
   double wiggle = not_given;  ///< see wiggle_of()  [1]
@@ -21,9 +21,9 @@ struct Finding {
   double iterations = not_given;
 };
 
-/// The amplitude of an error where it alternates over four nodes in a row or more: half the least
-/// of their differences to the mean of their neighbours. Nothing of a smooth error, of one at an
-/// edge, and of a peak that has been flattened.
+/// The amplitude of an error that alternates over four or more nodes in a row: half the least
+/// difference between a node and the mean of its neighbours. It is 0 for a smooth error, an error
+/// at an edge, and a flattened peak.
 double wiggle_of(const Eigen::VectorXd& error);
 
 /// One scheme at one place of a map.
@@ -35,7 +35,7 @@ struct Case {
   std::function<Finding()> solve;
 };
 
-/// A case and what came out.
+/// A case with its result.
 struct Outcome {
   Case at;
   Finding finding;
@@ -49,8 +49,8 @@ struct Map {
   std::string name;
   std::string description;
   std::vector<Column> coordinates;
-  /// Values that ranges of the others are given for; not_given for a coordinate that follows from
-  /// the others.
+  /// Values of coordinates while another coordinate varies; not_given for a coordinate that follows
+  /// from the others.
   std::vector<double> ordinary;
   std::vector<Case> cases;
   double rounding = 1e-12;  ///< an error up to this is nothing but rounding
@@ -79,7 +79,7 @@ Map transient_map(const ExtremesParameters& p);
 Map endurance_map(const ExtremesParameters& p);
 Map cylinder_map(const ExtremesParameters& p);
 
-/// The table of what is left of scale invariance.
+/// The table of errors of scale invariance.
 Table scales_table(const ExtremesParameters& p);
 
 }  // namespace microslip::experiments::extremes_study

@@ -118,7 +118,7 @@ Grid::Parameters grid_of(const ExtremesParameters& p, Index elements) {
   return {.half_width = p.bound.half_width(), .elements = elements};
 }
 
-/// Of a strip: Chebyshev collocation where it may be used, else the most that elements give.
+/// The reference for a strip: Chebyshev collocation if possible, otherwise the finest elements.
 std::shared_ptr<const Truth> strip_truth(const Kernel& kernel, const HertzBound& bound,
                                          const ExtremesParameters& p) {
   const double force = -bound.total() * (1 - p.stick_ratio) * (1 + p.stick_ratio);
@@ -216,8 +216,8 @@ Map loads_map(const ExtremesParameters& p) {
   for (const double sliding : p.loads.sliding) add(1 - sliding, sliding);
   add(p.stick_ratio, 1 - p.stick_ratio);
   for (const double stuck : p.loads.stuck) add(stuck, 1 - stuck);
-  // What is not prescribed follows from a difference: of a load next to full sliding to this, and
-  // of an edge of the stick zone to that of the contact.
+  // The quantity that is not prescribed follows from a difference: of a load close to full sliding
+  // and full sliding, or of the edges of stick zone and contact.
   for (const std::vector<double>& parts : {p.loads.sliding, p.loads.stuck}) {
     for (const double part : parts) {
       if (part > 0) map.rounding = std::max(map.rounding, 1e-16 / part);

@@ -7,8 +7,8 @@
 
 namespace microslip::experiments {
 
-/// Up to this a residual of a Schur method and its difference to the action are nothing but
-/// rounding  [1].
+/// Limit below which the residual of a Schur method, and its difference to the action, are rounding
+/// errors  [1].
 inline constexpr double agreement_rounding = 1e-9;
 
 /// Tables of the study fractional_power about the spectrum of C = A^-1 A*, the agreement of its

@@ -33,8 +33,8 @@ struct State {
   double begin;      ///< of the stick zone, which ends at the leading edge  [mm]
 };
 
-/// The creepage of a step from a to b is the mean of the state's and all waves; W exp(i (K q +
-/// phase)).
+/// The creepage of a step from a to b is the mean over the step of the state's creepage and all
+/// waves, W exp(i (K q + phase)).
 class Waves {
  public:
   Waves(const FrequencyResponseParameters& p, const State& state) : state_(state) {
@@ -55,7 +55,7 @@ class Waves {
     return state_.creepage + state_.amplitude * sum / (b - a);
   }
 
-  /// The part of a force at q in the dF/dw of wave j, over a whole period of `steps`.
+  /// The contribution of the force at q to dF/dw of wave j, over a whole period of `steps`.
   Complex part(std::size_t j, double force, double q, double steps) const {
     return 2 / steps * force / state_.amplitude * std::polar(1.0, -numbers_[j] * q - phases_[j]);
   }
@@ -66,9 +66,9 @@ class Waves {
   std::vector<double> phases_;
 };
 
-/// dF/dw of each wave. What the start has left decays as exp(-0.4 q/a), or faster: 40 half-widths
-/// of steps of an element, and 15 of those that are asked for, leave 2e-3 of the difference between
-/// these.
+/// dF/dw of each wave. The effect of the start decays as exp(-0.4 q/a), or faster: 40 half-widths
+/// in steps of an element, and 15 in the given steps, leave 2e-3 of the difference between both
+/// kinds of steps.
 std::vector<Complex> measured_slopes(const FrequencyResponseParameters& p, const State& state,
                                      const AdvectionEntry& entry, double step_ratio, Index n) {
   const Grid grid({.half_width = p.bound.half_width(), .elements = n});
@@ -184,7 +184,8 @@ class Campaign {
   double sliding() const { return compliance(p_.plane.material()) * p_.bound.peak(); }
   double waves() const { return static_cast<double>(p_.waves.size()); }
 
-  /// States of about that stick ratio, which end at different places of an element.
+  /// States of about that stick ratio, whose stick zones end at different positions within an
+  /// element.
   std::vector<State> aligned(double stick_ratio, Index n) const {
     std::vector<State> states;
     for (const double moved : aligned_stick_ratios(stick_ratio, p_.alignments, n)) {

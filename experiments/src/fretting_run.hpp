@@ -6,7 +6,7 @@
 
 namespace microslip::experiments::fretting_study {
 
-/// What is left of the balance of energy, over the work done in all.
+/// Largest error of the energy balance due to rounding, over the total work.
 inline constexpr double run_rounding = 1e-11;
 
 /// A cycle at standstill, rolling, another cycle at standstill, rolling, and back to no force.

@@ -273,7 +273,7 @@ Table hats_table(double offset) {
 
 Table claims_of(const LeadingEdgeParameters& p, const std::vector<Series>& all,
                 const Pair& standard, const Pair& known) {
-  // The thesis does not say which alignment it took, so that the nearest is held against it.
+  // The thesis does not name the alignment, so that the nearest alignment is compared with it.
   const auto factor_claim = [](const std::string& claim, double thesis, double Nearest::*factor,
                                double average, const Pair& pair) {
     const Range close = within_percent(5, thesis);

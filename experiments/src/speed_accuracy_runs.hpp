@@ -12,7 +12,7 @@
 
 namespace microslip::experiments::speed_accuracy_study {
 
-/// Who a run is; "none" or nan where something has no role.
+/// Identity of a run; "none" or nan for a property without a role.
 struct Contestant {
   std::string problem;  ///< plane, strip, transient or cylinder
   std::string scheme;
@@ -34,7 +34,7 @@ struct Errors {
   double& operator[](Quantity of) { return values[static_cast<std::size_t>(of)]; }
 };
 
-/// What a solution is worth; made after its time was taken.
+/// Errors of a solution; computed after the timing.
 struct Judgement {
   Errors errors;
   double rounds = 0;  ///< partitions tried, or systems solved

@@ -10,8 +10,8 @@
 namespace microslip::experiments {
 
 /// \file
-/// What lists of a study's keys have to be besides in range. The message is what the key accepts,
-/// so its note must say the same.
+/// Further conditions on lists of a study's keys, besides the range. The message prints the values
+/// that the key accepts, so the key's note must state the condition.
 
 template <class Number>
 void demand_count(const Scene& scene, const std::string& key, const std::vector<Number>& values,

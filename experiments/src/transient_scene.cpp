@@ -52,7 +52,7 @@ void add(Table& history, const TransientState& state, const TransientScene& scen
   history.add(row);
 }
 
-/// What the shifts before rolling did together.
+/// The sum of all shifts before rolling.
 struct ShiftRecord {
   std::vector<std::vector<Cell>> rows = {};  ///< of the table
   double distance = 0;                       ///< [mm]
@@ -99,7 +99,7 @@ Table shifts_table(const ShiftRecord& record) {
   return table;
 }
 
-/// What is doubtful of shifts that are accepted.
+/// A warning about shifts that are accepted but doubtful; none otherwise.
 /// \throws as require_evidence
 std::optional<std::string> doubt_of(const ShiftRecord& shifts, const Acceptance& accepted) {
   constexpr double no_condition = 1;  // estimated once, after the last step

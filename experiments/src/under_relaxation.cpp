@@ -117,8 +117,8 @@ Differences compare(Tables& tables, const Parameters& p) {
   return differences;
 }
 
-/// The largest factor from one step to the next of the difference of (7.4) and (7.10), among steps
-/// in which the partitions were the same after they had parted.
+/// The largest factor, from one step to the next, of the difference between (7.4) and (7.10), among
+/// steps with equal partitions after the partitions had first differed.
 double decay(const Table& comparison) {
   double slowest = 0;
   for (std::size_t i = 1; i < comparison.rows(); ++i) {

@@ -28,7 +28,8 @@ using std::numbers::pi;
 
 namespace {
 
-/// After a change, contacts and bristles have settled; what is left decays as exp(-0.4 q/a).
+/// Distance after which contacts and bristles have settled; the effect of a change decays as
+/// exp(-0.4 q/a).
 constexpr double settling = 40;  ///< [half-widths]
 
 constexpr int bristles_of_half_width = 400;
@@ -63,8 +64,8 @@ TransientRolling settled(const VaryingLoadParameters& p, double creepage, Index 
   return rolling;
 }
 
-/// Rolls waves of the load, and calls `after` along the last one, with the distance from where it
-/// begins and the part of it that the step is.
+/// Rolls waves of the load. Calls `after` along the last wave, with the distance from the wave's
+/// beginning and the step as a fraction of the wave.
 /// \param wavelength  [mm]
 /// \param step        about as long  [mm]
 void roll_waves(const VaryingLoadParameters& p, TransientRolling& rolling, double creepage,
@@ -100,7 +101,8 @@ Bristles bristles_of(const VaryingLoadParameters& p, double creepage) {
   return {p.bound, creepage, 2 * p.bound.half_width() * k};
 }
 
-/// The force along a wave of the load, after others; the last is that at its end.
+/// The force along a wave of the load, after preceding waves; the last value is the force at the
+/// end of the wave.
 std::vector<double> roll_bristles(const Bristles& bristles, double wavelength, double amplitude) {
   BristleContact contact(bristles, bristles_of_half_width);
   const int steps = std::max(1, static_cast<int>(std::lround(wavelength / contact.step())));
@@ -155,7 +157,8 @@ struct SteadyState {
   TransientRolling rolling;
 };
 
-/// States of about that stick ratio, which end at different places of an element.
+/// States of about that stick ratio, whose stick zones end at different positions within an
+/// element.
 std::vector<SteadyState> aligned(const VaryingLoadParameters& p, double stick_ratio, Index n) {
   std::vector<SteadyState> states;
   for (const double ratio : aligned_stick_ratios(stick_ratio, p.alignments, n)) {
@@ -307,8 +310,8 @@ double least_order(const VaryingLoadParameters& p, const Table& orders) {
   });
 }
 
-/// The largest distance of the response from Carter's solution of each moment, at wavelengths of so
-/// many half-widths and more.
+/// The largest difference of the response from Carter's solution under the current load, at
+/// wavelengths of at least so many half-widths.
 double from_quasi_steady(const VaryingLoadParameters& p, double wavelength_ratio) {
   double largest = 0;
   for (const double stick_ratio : p.stick_ratios) {

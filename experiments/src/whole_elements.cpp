@@ -18,7 +18,8 @@ namespace {
 /// An edge this close to an element's is on it: distances are sums  [dx]
 constexpr double rounding = 1e-9;
 
-/// Elements that the longest step may just have left: the displacement before it feels them.
+/// Number of kept elements behind the contact, which the longest step may just have left; the
+/// previous displacement depends on them.
 constexpr Index kept = 2;
 
 /// Moves values on by some elements; new values are `entering`.
@@ -61,7 +62,7 @@ VectorXd WholeElementRolling::x() const {
 
 VectorXd WholeElementRolling::bound_now() const {
   if (treatment_ == EdgeElements::at_node) {
-    // Next to an edge the square root would make 1e-8 of the rounding of a sum.
+    // Next to an edge the square root would turn a rounding error of a sum into 1e-8.
     const double edge = hertz_.half_width() - rounding * spacing_;
     return x().unaryExpr([&](double x) { return std::abs(x) < edge ? hertz_(x) : 0; });
   }

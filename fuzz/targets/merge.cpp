@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A folder that `microslip merge` is pointed at: plan.tsv, and behind lines of ----, the files of
-// its cases.
+// A folder for `microslip merge`: plan.tsv and, after lines of ----, the files of its cases.
 #include <fmt/core.h>
 #include <unistd.h>
 

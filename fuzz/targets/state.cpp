@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A saved state without its last line, the checksum, which is put right. A state that is read is
-// saved again as one that reads the same, and a step from it ends or is refused.
+// A saved state without its last line, the checksum, which the target adds. A state that is read
+// must be saved as one that reads the same, and a step from it must end or be rejected.
 #include <fmt/core.h>
 
 #include "microslip/rolling/transient.hpp"

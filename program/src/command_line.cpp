@@ -20,7 +20,7 @@ namespace {
 
 namespace options = boost::program_options;
 
-/// Of bytes; the keys of a scene that are known to its model take some hundred.
+/// Number of bytes; a list of all keys of a model takes some hundred.
 constexpr std::size_t longest_message = 900;
 
 Scene parse_text(const std::string& text, const std::string& name) {

@@ -28,24 +28,24 @@ inline constexpr int any_number = -1;
 Given parse(const Options& options, int argc, const char* const* argv, const std::string& word = "",
             int words = 1);
 
-/// Prints what --help or --version asks for; false if neither is given.
+/// Prints the output of --help or --version; false if neither is given.
 bool answers(const Given& given, const Options& options, const std::string& name,
              const std::string& purpose);
 
 Scene built_in_scene(const Program& program);
 
-/// The scene of --scene, or the built-in one, with what --quick and --set change in it.
+/// The scene of --scene, or the built-in scene, with the changes by --quick and --set.
 Scene read_scene(const Program& program, const Given& given);
 
 /// Shows progress on a terminal after two seconds, with rate and remaining time, unless told to be
 /// quiet. The line ends when the last copy is gone.
 Progress progress_on_terminal(const std::string& name, bool quiet);
 
-/// What a message of our own or of a library says, in one line of a bounded length.
+/// The message of an exception, from microslip or a library, as one line of bounded length.
 std::string one_line(const std::exception& error);
 
-/// The exit status of an action: what it returns; 2 for NotConverged and 1 for other exceptions,
-/// with one line on stderr. More memory than the machine has is one of them, see limit_memory().
+/// The exit status of an action: its return value; 2 for NotConverged and 1 for other exceptions,
+/// with one line on stderr. Allocating too much memory is such an exception, see limit_memory().
 int status_of(const std::string& name, const std::function<int()>& action);
 
 }  // namespace microslip::program

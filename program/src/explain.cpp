@@ -28,7 +28,7 @@ struct Unit {
   const char* name;
 };
 
-/// With two digits, in the largest unit of which there is one at least.
+/// A value with two digits, in the largest unit in which it is at least 1.
 /// \param units  from the largest to the least
 std::string in_units(double value, std::span<const Unit> units) {
   const auto fits = [&](const Unit& unit) { return value >= unit.size; };
@@ -77,11 +77,11 @@ void print_lines(const std::string& title, const std::vector<std::string>& lines
   for (const std::string& line : lines) std::cout << "  " << line << '\n';
 }
 
-/// Of all cases of a sweep, or of the one scene.
+/// Forecast for all cases of a sweep, or for a single scene.
 struct Foreseen {
   std::size_t cases = 0;
   double work = 0;    ///< of all together
-  double memory = 0;  ///< of the one that takes most  [bytes]
+  double memory = 0;  ///< of the case that takes most  [bytes]
   std::vector<std::string> warnings;
 };
 

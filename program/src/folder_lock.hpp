@@ -5,9 +5,9 @@
 
 namespace microslip::program {
 
-/// As long as it lives, other processes wait that lock the same folder. Nothing is left in the
-/// folder, and the lock of a process that was killed is gone with it. Where the file system cannot
-/// lock folders (NFS), there is no waiting.
+/// A lock on a folder. While the object lives, other processes that lock the same folder wait. The
+/// lock leaves nothing in the folder, and ends with its process even if that is killed. On a file
+/// system that cannot lock folders (NFS), nobody waits.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder);

@@ -9,9 +9,9 @@
 
 namespace microslip::program {
 
-/// As long as it lives, SIGINT, SIGTERM and SIGHUP end the process between two critical parts, with
-/// exit status 128 + signal and one line on stderr. Make it before other threads, which inherit
-/// that they do not take these signals. A signal that is ignored stays so.
+/// While an object lives, SIGINT, SIGTERM and SIGHUP end the process between two critical sections,
+/// with exit status 128 + signal and one line on stderr. Construct the object before other threads
+/// start: these then inherit the blocked signals. A signal that is ignored stays ignored.
 class Interrupts {
  public:
   explicit Interrupts(std::string message);
@@ -19,10 +19,10 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// Runs a critical part, one at a time.
+  /// Runs a critical section, one at a time.
   void critical(const std::function<void()>& part);
 
-  /// The same for the part with which all is done: a signal that comes during it is too late.
+  /// Runs the last critical section; a signal that arrives during it has no effect.
   void last(const std::function<void()>& part);
 
  private:

@@ -19,7 +19,7 @@ using KeyList = std::vector<std::pair<Key, std::string>>;
 void print_keys(const KeyList& keys, const std::string& format);
 
 /// Prints the keys that a study reads in its built-in scene, with the values there as defaults. In
-/// Markdown those of scenes are only named.
+/// Markdown, keys of scenes are only named.
 void print_keys_of_study(const Program& study, const std::string& format);
 
 }  // namespace microslip::program

@@ -27,7 +27,7 @@ namespace options = boost::program_options;
 
 constexpr const char* formats = "text, markdown, man or completion";
 
-/// Of a list that is shown as a whole.
+/// Largest number of words in a list that is shown completely.
 constexpr std::size_t most_words = 8;
 
 void print_text(const KeyList& keys) {

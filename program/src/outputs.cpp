@@ -48,7 +48,7 @@ void write_part(const fs::path& target, const std::string& content) {
 constexpr const char* provenance_name = "provenance.txt";
 constexpr const char* tables_line = "tables:";
 
-/// Tables of the run that is in a folder which are not among those to be written.
+/// Tables of the previous run in a folder that the new run does not write.
 std::vector<fs::path> outdated(const fs::path& folder, const std::vector<fs::path>& targets) {
   std::vector<fs::path> tables;
   if (targets.empty() || targets.back().filename() != provenance_name) return tables;
@@ -65,10 +65,11 @@ std::vector<fs::path> outdated(const fs::path& folder, const std::vector<fs::pat
   return tables;
 }
 
-/// Renames the parts of all files, or of none: what was there before comes back. One file alone is
-/// replaced at once. Of more, the last goes first and comes last, so that a folder that has it has
-/// the others of the same run, even if the process is killed in between.
-/// \param removed  files that go when the others are there
+/// Renames the temporary files of all targets, or of none: on a failure the previous files are
+/// restored. A single file is replaced atomically. Of several files, the last one is removed first
+/// and put in place last, so that a folder with the last file has all files of the same run, even
+/// if the process is killed in between.
+/// \param removed  files to remove once the others are in place
 void put_in_place(const std::vector<fs::path>& targets, const std::vector<fs::path>& removed) {
   std::vector<std::pair<fs::path, fs::path>> moved;
   const auto move = [&](const fs::path& from, const fs::path& to, const fs::path& target) {
@@ -96,7 +97,8 @@ void put_in_place(const std::vector<fs::path>& targets, const std::vector<fs::pa
   for (const fs::path& target : former) fs::remove(former_of(target), ignored);
 }
 
-/// Makes a folder, and takes it away again, with the parents it made, if it remains empty.
+/// Makes a folder, and removes it again, together with parents that were made, if the folder
+/// remains empty.
 class Folder {
  public:
   explicit Folder(const fs::path& path) {

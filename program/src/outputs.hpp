@@ -24,20 +24,20 @@ OutputFile csv_of(const Table& table);
 /// provenance.txt: a text that differs from run to run, and the names of the run's tables.
 OutputFile provenance_of(const std::string& text, const std::vector<OutputFile>& tables);
 
-/// Finds out before a long work that a folder, or the one in which it would be made, is not there
-/// to write in. Makes nothing.
+/// Checks before a long computation that a folder, or the parent in which it would be made, can be
+/// written. Makes nothing.
 /// \throws std::invalid_argument if it has no name, std::runtime_error that names it
 void require_writable(const std::filesystem::path& folder);
 
 /// Writes all files under temporary names, which are this process's own, then renames them; on a
 /// failure it removes what it wrote, and what was there before stays. Makes the folder if needed.
 /// Of several processes with one folder, each writes all its files before the next one does. If
-/// provenance.txt is the last of the files, tables go that the one before it names and this does
-/// not: the folder holds one run.
+/// provenance.txt is the last of the files, tables are removed that the previous provenance.txt
+/// names and the new one does not: the folder holds one run.
 /// \throws std::runtime_error that names the file
 void write_files(const std::filesystem::path& folder, const std::vector<OutputFile>& files);
 
-/// A folder that is there with all files or not at all. Replaces one of that name.
+/// Writes a folder with all files or not at all. A folder of the same name is replaced.
 /// \throws std::runtime_error that names the file
 void write_folder(const std::filesystem::path& folder, const std::vector<OutputFile>& files);
 

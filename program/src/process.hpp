@@ -6,9 +6,9 @@
 
 namespace microslip::program {
 
-/// status_of for all that a process does. What goes wrong with files and standard streams is a
-/// failed write with one line on stderr, not the end by a signal: a reader that has gone (SIGPIPE),
-/// a limit of the size of files (SIGXFSZ), a full disk behind standard output.
+/// status_of for the whole process. Errors of files and standard streams become a failed write with
+/// one line on stderr, not the end by a signal: a reader that has gone (SIGPIPE), a limit of the
+/// file size (SIGXFSZ), a full disk behind standard output.
 int run_process(const std::string& name, const std::function<int()>& action);
 
 }  // namespace microslip::program

@@ -13,8 +13,8 @@ std::string version_line(const std::string& program);
 /// share/microslip of the installation, or of the build, that the executable is in.
 std::filesystem::path share_folder();
 
-/// What tables must not hold, because it differs from run to run: revision, compiler, libraries,
-/// command line, wall time.
+/// The data of a run that differ from run to run, and so are not in tables: revision, compiler,
+/// libraries, command line, wall time.
 std::string provenance(const std::string& program, int argc, const char* const* argv,
                        std::chrono::duration<double> wall_time);
 

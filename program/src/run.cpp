@@ -63,7 +63,7 @@ std::optional<std::string> warning_of(const Table& table) {
   return std::nullopt;
 }
 
-/// What a result says in words, if it does.
+/// Prints the advice in a result, if there is any.
 void print_advice(const Table& table) {
   if (table.columns().front().name != "advice") return;
   for (std::size_t i = 0; i < table.rows(); ++i) {

@@ -23,11 +23,13 @@ void require_rolling(double velocity, const CylinderState& state) {
                   format_short(state.position), format_short(velocity)));
 }
 
-/// Shorter steps have not been tried, and the first is not the shortest  [dx]
+/// Least first step. Shorter steps have not been tested, and the first step is not the shortest
+/// [dx]
 constexpr double least_first_step = 1e-12;
 
-/// Where the tolerance asks for shorter steps, the force is not smooth enough for it.
-constexpr double least_step = 1e-3;  // of that with c = 1
+/// Least step under a tolerance. If the tolerance requires shorter steps, the force is not smooth
+/// enough for it.
+constexpr double least_step = 1e-3;  // as a fraction of the step with c = 1
 
 }  // namespace
 
@@ -83,7 +85,8 @@ RollingCylinder::RollingCylinder(const TransientProblem& contact, const Cylinder
   });
 }
 
-/// As long as the body is slow, each step has the same duration; then each has the same length.
+/// As long as the body is slow, all steps have the same duration; afterwards all have the same
+/// length.
 double RollingCylinder::steps_from_start(double distance) const {
   const double rolling_mass =
       cylinder_.mass + cylinder_.inertia / (cylinder_.radius * cylinder_.radius);
@@ -100,7 +103,7 @@ double RollingCylinder::time_step(double velocity) const {
   return velocity * longest_step_ > step_length_ ? step_length_ / velocity : longest_step_;
 }
 
-/// Moves the contact with these velocities, and takes accelerations from its force at the end.
+/// Moves the contact with these velocities, and computes accelerations from the force at the end.
 void RollingCylinder::roll_contact(double velocity, double angular_velocity, double time) {
   require_rolling(velocity, state_);
   const double length = velocity * time;
@@ -136,8 +139,8 @@ void RollingCylinder::step_leapfrog() {
   ahead_angular_velocity_ = state_.angular_velocity + ahead_time_ * angular_acceleration_ / 2;
 }
 
-/// The step of the contact with a mean force, and by how much that is above the one to which it
-/// leads.
+/// Makes the contact's step with an assumed mean force. The result has the excess of the assumed
+/// mean force over the resulting one.
 RollingCylinder::MidpointStep RollingCylinder::try_midpoint(double time, double mean_force) {
   const double half = time / 2;
   const double velocity_slope = half / cylinder_.mass;
@@ -155,11 +158,12 @@ RollingCylinder::MidpointStep RollingCylinder::try_midpoint(double time, double 
   return step;
 }
 
-/// The unknown is the mean force. More of it makes the contact slide further, and so makes the
-/// force at the end smaller: the equation has one solution. It is found by secants, from the force
-/// as it changed last: for one unknown, derivatives of the step cost more than they save.
+/// The unknown is the mean force. A larger mean force makes the contact slide further, and so makes
+/// the force at the end smaller: the equation has one solution. The solution is found by secants,
+/// which start from the last rate of the force; for one unknown, derivatives of the step cost more
+/// than they save.
 RollingCylinder::MidpointStep RollingCylinder::solve_midpoint(double time) {
-  // It may be asked for so much braking that the cylinder would roll backwards.
+  // A trial force may brake so much that the cylinder would roll backwards.
   const auto towards = [&](double from, double to) {
     const double impulse = time / (2 * cylinder_.mass);
     const auto rolls = [&](double force) {
@@ -168,7 +172,8 @@ RollingCylinder::MidpointStep RollingCylinder::solve_midpoint(double time) {
     for (int k = 0; k < 60 && !rolls(to); ++k) to = (from + to) / 2;
     return to;
   };
-  // The excess is a difference of forces; where it no longer falls, rounding has been reached.
+  // The excess is a difference of forces; when the excess no longer falls, only rounding errors are
+  // left.
   constexpr int most_trials = 100;
   const double rounding = 1e-14 * force_scale_;
   const double accepted = 1e-11 * force_scale_;
@@ -189,9 +194,10 @@ RollingCylinder::MidpointStep RollingCylinder::solve_midpoint(double time) {
   return before;
 }
 
-/// Estimate of the error of v, over its scale, if all steps were like this one for as long as the
-/// contact keeps it: a period, and until the contact has rolled on by its width. The rule takes the
-/// force as linear in a step, and leaves dt^3 F''/(12 m). The force begins flat.
+/// Estimate of the error of v, over the scale of v, if all steps were like this one for as long as
+/// the contact remembers an error: for a period, and until the contact has rolled on by its width.
+/// The midpoint rule assumes a force linear in the step, with the error dt^3 F''/(12 m). Before the
+/// first step the force is assumed constant.
 double RollingCylinder::kept_error(double time, const MidpointStep& step) const {
   const double rate = (step.end_force - state_.force) / time;
   const double curvature = 2 * (rate - last_rate_) / (time + last_time_);

@@ -22,15 +22,15 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Violations below this, relative to the largest bound or slip, are rounding.
+/// Violations below this limit, relative to the largest bound or slip, are rounding errors.
 constexpr double tolerance = 1e-12;
 
 /// Extra relief, relative to the violation, so that elements do not all reach their bound at the
 /// same place of the path.
 constexpr double margin = 0.1;
 
-/// A path that takes more exchanges starts again. Exchanges of blocks from adhesion everywhere lead
-/// next to the solution, or nowhere.
+/// A path that takes more exchanges than this starts again. The limit after block exchanges is
+/// lower, because these lead either close to the solution or far away from it.
 constexpr int most_exchanges_from_blocks = 20;
 constexpr int most_exchanges_from_given = 60;
 
@@ -47,7 +47,7 @@ double wrong_slip(Zone zone, double slip) { return static_cast<double>(zone) * s
 
 Zone slip_zone(double traction) { return traction > 0 ? Zone::slip_positive : Zone::slip_negative; }
 
-/// The solution of a partition; linear in bound, offset, reference and load.
+/// The solution of a partition, which is linear in bound, offset, reference and load.
 struct Response {
   VectorXd traction;
   VectorXd slip;  ///< zero in adhesion
@@ -57,7 +57,8 @@ struct Response {
 
 }  // namespace
 
-/// Searches for the partition of given conditions, and keeps factors from one search to the next.
+/// Searches for the partition that meets given conditions. Factors are kept from one search to the
+/// next.
 class ContactSearch {
  public:
   ContactSearch(SquareMatrix response, VectorXd weights, const Solver& solver)
@@ -160,8 +161,8 @@ class ContactSearch {
     return system_.weights().dot(increment_) + system_.weights().dot(unknowns_.increment);
   }
 
-  /// Adds the shift by the force that the common compliance makes of the solution without it. The
-  /// unknown creepage is the sum of both.
+  /// Adds the shift that the force causes by the common compliance to the solution without this
+  /// compliance. The unknown creepage is the sum of both.
   void add_common_shift() {
     minus_slip_.setZero();
     system_.solve(minus_slip_, 1, enough_, by_shift_);
@@ -229,10 +230,10 @@ class ContactSearch {
     Zone to;
   };
 
-  /// The next exchange as the fraction of the relief that is left falls to zero. Traction and slip
-  /// are the response plus that fraction of `rise`. The last exchange cannot be taken back at once,
-  /// except that an element with a small bound may stick on its way from one direction of slip to
-  /// the other.
+  /// The next exchange as the remaining fraction of the relief falls to zero. Traction and slip are
+  /// the response plus that fraction of `rise`. The previous exchange cannot be reversed
+  /// immediately, with one exception: an element with a small bound may stick on its way from one
+  /// direction of slip to the other.
   std::optional<Exchange> next_exchange(const SlipConditions& relief, const Response& rise,
                                         const std::optional<Exchange>& last) const {
     std::optional<Exchange> next;
@@ -296,7 +297,7 @@ class ContactSearch {
 
   /// Follows the path from the partition of the system, with its relief, to the given bounds and
   /// offsets.
-  /// \return false if so many exchanges do not reach the end
+  /// \return false if the end is not reached within `most_exchanges`
   bool follow_path(const SlipConditions& relief, Index most_exchanges) {
     const Index limit = iterations_ + most_exchanges;
     for (std::optional<Exchange> last; iterations_ < limit;) {
@@ -315,7 +316,7 @@ class ContactSearch {
     return false;
   }
 
-  /// Solves for the partition at hand, except that elements without a bound slip.
+  /// Solves for the current partition, except that elements with a zero bound slip.
   /// \return false if no element is left to carry the load
   bool start() {
     for (Index i = 0; i < size(); ++i) {
@@ -335,7 +336,7 @@ class ContactSearch {
     return start() && follow_path(relieved(), most_exchanges);
   }
 
-  /// Where all sticks in the given partition, it knows nothing.
+  /// A given partition in which all elements stick contains no information.
   bool follow_path_nearby(const std::vector<Zone>& given) {
     const bool knows = std::ranges::any_of(given, [](Zone z) { return z != Zone::adhesion; });
     return (!knows && follow_path_from_here(most_exchanges_from_blocks)) || follow_path_from(given);
@@ -375,16 +376,16 @@ class ContactSearch {
   AdhesionSystem system_;
   const SlipConditions* conditions_ = nullptr;
   double prescribed_ = 0;
-  double enough_ = 0;  ///< residual to which solutions are refined, over the tolerance
+  double enough_ = 0;  ///< required residual of solutions, over the tolerance
   bool force_prescribed_ = false;
   double bound_scale_ = 0;
   double slip_scale_ = 0;
   std::vector<Zone> zones_;
-  std::vector<char> released_;  ///< by the block exchange
+  std::vector<char> released_;  ///< whether the block exchange has released the element
   Response response_;
   Response rise_;  ///< of the path
   AdhesionSystem::Unknowns unknowns_;
-  AdhesionSystem::Unknowns by_shift_;  ///< by a unit creepage
+  AdhesionSystem::Unknowns by_shift_;  ///< unknowns due to a unit creepage
   VectorXd increment_, product_, minus_slip_;
   int iterations_ = 0;
 };

@@ -57,7 +57,7 @@ void AdhesionSystem::archive(Archive& archive) {
   for (Index i = 0; i < n; ++i) {
     if (is_stuck(i)) in_adhesion.push_back(i);
   }
-  // Without a base, the next solve makes new factors, and knows no border.
+  // Without a base, the next solve makes new factors, without a border.
   for (const Change& change : changes_) {
     if (base_.empty()) break;
     elements.push_back(change.element);
@@ -78,7 +78,7 @@ void AdhesionSystem::archive(Archive& archive) {
     }
     factorise_again(elements);
   }
-  // Columns that were found together are not those that are found one by one, to the bit.
+  // Columns solved together and columns solved one by one differ in their last bits.
   const auto border = static_cast<Index>(elements.size());
   for (Index k = 0; k < border; ++k) {
     VectorXd column = columns_.col(k), schur = schur_.col(k).head(border);
@@ -93,7 +93,7 @@ void AdhesionSystem::archive(Archive& archive) {
   border_is_new_ = is_new;
 }
 
-/// The factors of a base that was read, and room for its border.
+/// Makes the factors of a base that was read, and room for its border.
 void AdhesionSystem::factorise_again(const std::vector<Index>& elements) {
   std::fill(position_.begin(), position_.end(), -1);
   if (base_.empty()) return demand(elements.empty(), "a base for the border");

@@ -16,19 +16,21 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Factors and border conditioned worse than this together would lose digits that new factors keep:
-/// refinement recovers what is lost above it.
+/// Least reciprocal condition number of factors and border together. Above this limit refinement
+/// recovers the lost digits; below it, new factors are more accurate.
 constexpr double least_rcond = 1e-10;
 
-/// A ToeplitzBlock of fewer elements is no better than LU; where they are in several intervals, and
-/// each of its solves is iterative, it takes more of them.
+/// Least number of elements for a ToeplitzBlock; with fewer elements LU is as fast. For elements in
+/// several intervals, where each solve of the block is iterative, the limit is higher.
 constexpr std::size_t small_base = 64;
 constexpr std::size_t small_base_in_parts = 160;
 
-/// Each change costs a Toeplitz solve a product more; new inverses cost some ten such solves.
+/// Each change adds the cost of one product to a Toeplitz solve; new inverses cost about ten such
+/// solves.
 constexpr std::size_t most_changes_of_block = 16;
 
-/// Rounds in which adhesion is one interval and the factors' is not.
+/// Number of rounds with adhesion in one interval, and factors of several intervals, before new
+/// factors are made.
 constexpr std::size_t patience_with_parts = 4;
 
 constexpr int most_refinements = 5;
@@ -71,7 +73,7 @@ double AdhesionSystem::compliance_of(Index i) const {
   return 0;
 }
 
-/// The share of a compliance in the diagonal of the Schur complement.
+/// The contribution of a compliance to the diagonal of the Schur complement.
 double AdhesionSystem::corner(Index i) const {
   const double compliance = is_stuck(i) ? compliance_of(i) : 0;
   return in_base(i) && compliance > 0 ? -scale_ * scale_ / compliance : compliance;
@@ -121,9 +123,9 @@ bool AdhesionSystem::adhesion_is_in_parts() const {
   return last - first >= hard;
 }
 
-/// Solves with a border cost more than without: in the end, new factors are cheaper. They are much
-/// cheaper where solves are iterative without need. Soft elements would be in the border of the new
-/// ones, too.
+/// Solves with a border cost more than solves without one, so that new factors are cheaper in the
+/// long run, and much cheaper where solves are iterative without need. Compliant elements do not
+/// count, because they would be in the border of new factors, too.
 bool AdhesionSystem::serves_too_long() {
   std::size_t patience = by_block_ ? 3 * most_changes_of_block : base_.size() / 3;
   if (by_block_ && base_is_in_parts_ && !adhesion_is_in_parts()) patience = patience_with_parts;
@@ -136,8 +138,9 @@ bool AdhesionSystem::serves_too_long() {
   return too_long;
 }
 
-/// Soft elements are left to the border, as if they came later, or, if none else sticks, as if they
-/// became compliant later: a force needs an element that sticks.
+/// Makes new factors. Compliant elements are left to the border, as if they had come later. If no
+/// other element sticks, they are in the base, as if they had become compliant later: a prescribed
+/// force needs an element that sticks.
 void AdhesionSystem::factorise() {
   changes_.clear();
   base_.clear();
@@ -161,7 +164,7 @@ void AdhesionSystem::factorise() {
   border(compliant);
 }
 
-/// For the border.
+/// Allocates memory for the border.
 void AdhesionSystem::make_room() {
   const auto most = static_cast<Index>(most_changes());
   rows_.resize(static_cast<Index>(base_.size()), most);
@@ -193,7 +196,7 @@ void AdhesionSystem::factorise_base() {
   factors_rcond_ = factors_.rcond();
 }
 
-/// The row of a change, at the elements of the base.
+/// Computes the row of a change, at the elements of the base.
 void AdhesionSystem::place_row(Index change) {
   const Index i = element(change);
   if (in_base(i)) {
@@ -203,7 +206,7 @@ void AdhesionSystem::place_row(Index change) {
   for (Index l = 0; l < rows_.rows(); ++l) rows_(l, change) = entry(i, base_[to_size(l)]);
 }
 
-/// Makes arrivals part of the border.
+/// Adds arrivals to the border.
 void AdhesionSystem::border(const std::vector<Index>& arrivals) {
   const auto before = static_cast<Index>(changes_.size());
   for (const Index i : arrivals) {
@@ -238,8 +241,9 @@ void AdhesionSystem::border(const std::vector<Index>& arrivals) {
   if (border_is_new_ || after > before) factorise_schur();
 }
 
-/// Elements that have gone back are decoupled. Columns of compliant elements are divided, or their
-/// corners would spoil the condition.
+/// Factorises the Schur complement of the border. Elements that have gone back are decoupled.
+/// Columns of compliant elements are scaled, because their large diagonal entries would spoil the
+/// condition number.
 void AdhesionSystem::factorise_schur() {
   border_is_new_ = false;
   schur_rcond_ = 1;
@@ -279,7 +283,8 @@ void AdhesionSystem::solve_base(VectorXd& values) {
   }
 }
 
-/// Elements and creepage: T d = r - (w - constant sum(d)), T with the constant.
+/// Solves for elements and creepage: T d = r - (w - constant sum(d)), where T includes the
+/// constant.
 void AdhesionSystem::solve_block(VectorXd& values) {
   const Index n = values.size() - 1;
   const double prescribed = values[n];
@@ -327,13 +332,13 @@ void AdhesionSystem::solve_bordered(const VectorXd& rhs, VectorXd& all) {
       all[i] = border_solved_[k];
     } else if (compliance_of(i) > scale_) {
       all[i] =
-          border_solved_[k] * scale_ / compliance_of(i);  // the small difference of large numbers
+          border_solved_[k] * scale_ / compliance_of(i);  // no small difference of large numbers
     }
   }
 }
 
-/// Residual of the equations in adhesion and of the added row.
-/// \return the largest of the former over the largest term
+/// Computes the residual of the equations in adhesion and of the added row.
+/// \return the largest residual over the largest term
 double AdhesionSystem::find_rest(const Unknowns& unknowns) {
   const Index n = size();
   double largest = 0;

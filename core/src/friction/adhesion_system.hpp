@@ -16,15 +16,15 @@ class Archive;
 /// The linear equations of the elements in adhesion: response_HH d_H + w = ..., thesis (3.19). The
 /// creepage is one more unknown, and the prescribed force or creepage one more row.
 ///
-/// The factors follow the partition. The factors of an earlier adhesion area, the base, stay.
-/// Elements that came or left since then border them, and only the Schur complement of the border
-/// is new. Elements that have gone back keep their place in the border, because the same elements
-/// come and go with every element travelled. New factors, LU or ToeplitzBlock, are made after some
-/// exchanges, when the border is badly conditioned, and when one of its elements has served long
-/// enough. Compliant elements are in the border, where their entries on the diagonal may change
-/// from solve to solve.
+/// The factors follow the partition. The factors of an earlier adhesion area, the base, are kept.
+/// Elements that came or left since then form a border of these factors, and only the Schur
+/// complement of the border is factorised again. Elements that have gone back keep their place in
+/// the border, because the same elements come and go with every element travelled. New factors, LU
+/// or ToeplitzBlock, are made after some exchanges, when the border is badly conditioned, and when
+/// an element of the border has been in use too long. Compliant elements are in the border, where
+/// their entries on the diagonal may change from solve to solve.
 ///
-/// Memory is allocated for new factors, and for an element that is new in the border.
+/// Memory is allocated only for new factors, and for a new element in the border.
 class AdhesionSystem {
  public:
   AdhesionSystem(SquareMatrix response, Eigen::VectorXd weights, const Solver& solver);
@@ -34,10 +34,10 @@ class AdhesionSystem {
   const Eigen::VectorXd& weights() const { return weights_; }
   const Solver& solver() const { return solver_; }
 
-  /// Whether the added row holds the weights, for a force, or the creepage alone.
+  /// Selects the added row: the weights, for a prescribed force, or the creepage alone.
   void prescribe_force(bool force);
 
-  /// Puts elements on springs, which the response() does not include.
+  /// Puts elements on springs; response() does not include the springs.
   void set_compliant(const std::vector<CompliantElement>& compliant);
 
   /// Makes the elements in adhesion the unknowns.
@@ -45,24 +45,25 @@ class AdhesionSystem {
 
   struct Unknowns {
     Eigen::VectorXd increment;  ///< n, zero in slip
-    Eigen::VectorXd response;   ///< to the increment; n
+    Eigen::VectorXd response;   ///< of the slip to the increment; n
     double creepage;
-    double residual;  ///< largest of the rows in adhesion and of the added one, over the largest of
-                      ///< their terms
+    double residual;  ///< largest residual of the rows in adhesion and of the added row, over their
+                      ///< largest term
   };
 
-  /// Refines until a residual is reached, or rounding.
-  /// \param slip        right-hand side of the rows; those of slip elements are ignored
-  /// \param prescribed  that of the added row
-  /// \param enough      residual, over the tolerance
+  /// Solves, and refines until the residual is small enough, or at the level of rounding errors.
+  /// \param slip        right-hand side of the rows; entries of slip elements are ignored
+  /// \param prescribed  right-hand side of the added row
+  /// \param enough      required residual, over the tolerance
   void solve(const Eigen::VectorXd& slip, double prescribed, double enough, Unknowns& unknowns);
 
   /// Estimate of the condition number in the 1-norm; 1 without elements. Refactorises first, so
   /// that the estimate does not depend on the history of updates.
   double condition();
 
-  /// Writes or reads what the next solve depends on to the bit: the base, the border with its
-  /// columns, and what sticks. The factors are made again, which gives the same ones.
+  /// Writes or reads the data that determine the bits of the next solve: the base, the border with
+  /// its columns, and the elements in adhesion. Factors are not stored; a reader makes the same
+  /// factors again.
   void archive(Archive& archive);
 
  private:
@@ -112,31 +113,34 @@ class AdhesionSystem {
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
   double factors_rcond_ = 0;
 
-  // These take the place of the factors where the base is Toeplitz and large. A constant added to
-  // symmetric matrices makes them positive definite; the creepage is corrected for it.
+  // A ToeplitzBlock replaces the LU factors if the base is Toeplitz and large. A constant is added
+  // to symmetric matrices to make them positive definite; the creepage is corrected for that
+  // constant.
   std::optional<ToeplitzBlock> block_;
   double constant_ = 0;
   bool by_block_ = false;
-  bool base_is_in_parts_ = false;  ///< in several intervals: solves of the block are iterative
+  bool base_is_in_parts_ = false;  ///< whether the base has several intervals, so that solves of
+                                   ///< the block are iterative
   Eigen::VectorXd base_weights_;
   Eigen::VectorXd unit_slip_;  ///< tractions of the base for a slip of 1
 
   struct Change {
     Index element;
-    std::size_t rounds = 0;  ///< that it has served in a row
+    std::size_t rounds = 0;  ///< consecutive rounds in which the change was active
   };
 
   // The border. An element that came adds its row and column. An element of the base that left adds
-  // its slip as an unknown, and the equation that its traction is zero, or, if it has become
-  // compliant, that its traction is the slip over its compliance. The matrices have room for
+  // its slip as an unknown, and the equation that its traction is zero, or, for an element that has
+  // become compliant, that the traction is the slip over the compliance. The matrices have room for
   // most_changes().
   std::vector<Change> changes_;
   Eigen::MatrixXd rows_;     ///< of each change, at the elements of the base
-  Eigen::MatrixXd columns_;  ///< factors^-1 times the column of each
-  Eigen::MatrixXd schur_;    ///< as if no element were compliant or had gone back
+  Eigen::MatrixXd columns_;  ///< factors^-1 times the column of each change
+  Eigen::MatrixXd schur_;    ///< for all elements hard and none gone back
   Eigen::PartialPivLU<Eigen::MatrixXd> schur_factors_;
-  double schur_rcond_ = 0;      ///< by its pivots
-  bool border_is_new_ = false;  ///< since the factors of the Schur complement
+  double schur_rcond_ = 0;      ///< estimated from the pivots
+  bool border_is_new_ = false;  ///< whether the border has changed since the Schur complement was
+                                ///< factorised
   std::vector<Index> arrivals_;
 
   Eigen::VectorXd rhs_, rest_, all_, values_, solved_, border_, border_solved_, block_values_,

@@ -29,8 +29,8 @@ double HertzBound::height(double to_trailing, double to_leading) const {
   return std::sqrt(std::max(0.0, to_trailing / half_width_ * (to_leading / half_width_)));
 }
 
-/// From the heights at its ends: the trapezium under a chord of the unit circle, and the segment
-/// beyond the chord.
+/// The integral from the heights at both ends: the trapezium under a chord of the unit circle plus
+/// the segment beyond the chord.
 double HertzBound::integral(double heights, double length) const {
   const double width = length / half_width_;
   return half_width_ * peak_ / 2 * (heights * width + x_minus_sine(2 * std::atan2(width, heights)));
@@ -122,7 +122,8 @@ std::optional<ChebyshevTraction> chebyshev_traction(const TractionBound& bound) 
 
 namespace {
 
-/// Positions and half-widths have been converted from other units, each with a rounding of its own.
+/// Moves a position to the edge if it differs by rounding only: positions and half-widths may have
+/// been converted from other units, each with its own rounding error.
 double at_edge_if_near(double x, double half_width) {
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   return std::abs(std::abs(x) - half_width) <= rounding * half_width ? std::copysign(half_width, x)
@@ -182,7 +183,7 @@ double TabulatedBound::mean_around(double x, double width) const {
   double sum = 0;
   const auto first = std::upper_bound(x_.begin() + 1, x_.end() - 1, x - width / 2);
   for (Index i = first - x_.begin(); i < x_.size(); ++i) {
-    // From x, as the width may be next to nothing against it.
+    // Positions are relative to x, because the width may be tiny compared to x.
     const double begin = std::max(x_[i - 1] - x, -width / 2);
     const double end = std::min(x_[i] - x, width / 2);
     if (begin >= width / 2) break;

@@ -13,7 +13,7 @@ namespace {
 
 ShapeFunction bubble() { return ShapeFunction({{-1, 1, {1, 0, -1}}}); }
 
-/// (B.5) on [-reach, reach]; the whole function has reach 2.
+/// The function (B.5), cut to [-reach, reach]; the whole function has reach 2.
 ShapeFunction vertex(double reach) {
   return ShapeFunction({{-reach, 0, {1, 1.5, 0.5}}, {0, reach, {1, -1.5, 0.5}}});
 }
@@ -71,7 +71,7 @@ Basis edge_constant_basis() {
 
 namespace {
 
-/// The bases that scenes may choose, the default first.
+/// The bases for scenes, the default first.
 const std::vector<Basis>& bases() {
   static const std::vector<Basis> all{constant_basis(), linear_basis(), quadratic_basis()};
   return all;

@@ -38,8 +38,8 @@ double power_series(const VectorXd& c, double r) {
   return sum;
 }
 
-/// Antiderivative of the former, (f_(n+2)/(n+2) - f_n/n)/2 term by term; for n = 0 without the
-/// second part.
+/// Antiderivative of the strain series, (f_(n+2)/(n+2) - f_n/n)/2 term by term; for n = 0 without
+/// the second term.
 template <class Values>
 double antiderivative(const VectorXd& c, const Values& f) {
   count_work(8 * static_cast<double>(c.size()));
@@ -85,7 +85,7 @@ ChebyshevField::ChebyshevField(const Kernel& kernel, const ChebyshevTraction& tr
   }
 }
 
-/// \param part  of the kernel at a distance
+/// \param part  function of the distance: a part of the kernel
 template <class Part>
 double ChebyshevField::integrate(double x, const Part& part) const {
   count_work(kernel_work * static_cast<double>(points_.size()));
@@ -111,7 +111,8 @@ double ChebyshevField::continued_strain(double x) const {
   return log_strain_ * strain_series(traction_.coefficients(), position(x)) + regular_strain(x);
 }
 
-/// Distance from the nearer end over the half-length, from the end itself: it keeps its digits.
+/// Distance from the nearer end over the half-length, computed from that end, so that the distance
+/// keeps its digits.
 double ChebyshevField::beyond_ends(double x) const {
   return std::max(traction_.begin() - x, x - traction_.end()) / traction_.half_length();
 }
@@ -126,7 +127,8 @@ double ChebyshevField::strain(double x) const {
 double ChebyshevField::continued_displacement(double x) const {
   const VectorXd& c = traction_.coefficients();
   const VectorXd values = chebyshev_values(position(x), c.size() + 2);
-  // The logarithm of an interval of half-length 1, at its centre, and scaled to this one.
+  // The logarithm for an interval of half-length 1, at its centre, scaled to the half-length of
+  // this interval.
   const double logarithms = c[0] * (std::numbers::ln2 - std::log(traction_.half_length())) / 2;
   return -log_strain_ * traction_.half_length() *
              (antiderivative(c, [&](Index k) { return values[k]; }) - logarithms) +

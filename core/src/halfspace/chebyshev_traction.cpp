@@ -15,7 +15,7 @@ using Eigen::Index;
 
 namespace {
 
-/// Radians of the highest cosine that 15 Gauss points integrate to rounding.
+/// Largest phase, in radians, of a cosine that 15 Gauss points integrate to rounding.
 constexpr double longest_panel = 5;
 
 }  // namespace
@@ -25,7 +25,7 @@ ChebyshevTraction::ChebyshevTraction(double begin, double end, Eigen::VectorXd c
 
 double ChebyshevTraction::polynomial(double x) const {
   count_work(4 * static_cast<double>(coefficients_.size()));
-  // Clenshaw's recurrence.
+  // The sum is made by Clenshaw's recurrence.
   const double t = position(x);
   double next = 0;
   double after = 0;
@@ -40,7 +40,8 @@ double ChebyshevTraction::operator()(double x) const {
 }
 
 double ChebyshevTraction::integral(double x) const {
-  // With t = cos(angle) the terms are sin(angle) sin((n + 1) angle); from the end of the interval.
+  // With t = cos(angle) the terms are sin(angle) sin((n + 1) angle). The angle begins at the end of
+  // the interval.
   const double angle = std::acos(std::clamp(position(x), -1.0, 1.0));
   double above = coefficients_[0] * (angle - std::sin(2 * angle) / 2);
   for (Index n = 1; n < coefficients_.size(); ++n) {
@@ -52,8 +53,8 @@ double ChebyshevTraction::integral(double x) const {
 
 double ChebyshevTraction::integral(double x, double behind, double before) const {
   using boost::math::quadrature::gauss;
-  // As an integral over the angle from the nearer end, of sin^2 times a cosine series: 15 points a
-  // panel are exact for it to rounding, and do not cancel.
+  // The integral is taken over the angle from the nearer end. The integrand is sin^2 times a cosine
+  // series, which 15 points per panel integrate to rounding and without cancellation.
   const double half = half_length();
   const double to_begin = (x - begin_) / half;
   const double to_end = (end_ - x) / half;

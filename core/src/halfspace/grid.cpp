@@ -27,7 +27,8 @@ Grid Grid::with_elements(Eigen::Index elements) const {
 }
 
 Eigen::VectorXd Grid::nodes() const {
-  // From the nearer edge, so that the grid is symmetric to rounding if the offsets are equal.
+  // Positions are computed from the nearer edge, so that the grid is symmetric to rounding if the
+  // offsets are equal.
   return Eigen::VectorXd::NullaryExpr(size(), [this](Eigen::Index i) {
     const double from_trailing = static_cast<double>(i) + parameters_.trailing_offset;
     const double from_leading = static_cast<double>(size() - 1 - i) + parameters_.leading_offset;

@@ -28,7 +28,7 @@ double StripKernel::decay(double z) const {
 }
 
 std::complex<double> StripKernel::decay(std::complex<double> z) const {
-  // Next to its singularities at +-i half_width_ the radius keeps its digits as a product.
+  // As a product, the radius keeps its digits next to its singularities at +-i half_width_.
   const std::complex<double> radius =
       std::sqrt(z + std::complex(0.0, half_width_)) * std::sqrt(z - std::complex(0.0, half_width_));
   return half_width_ / radius * (log_factor_ / z + plain_factor_ * z / (radius * radius));

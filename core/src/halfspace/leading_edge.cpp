@@ -23,8 +23,9 @@ double sinc_less_one(double x) { return x == 0 ? 0 : -x_minus_sine(x) / x; }
 /// (1 + y)^n - 1
 double power_less_one(double y, int n) { return std::expm1(n * std::log1p(y)); }
 
-// b(theta) - 1: at small theta the term m = 0 of the lattice sum is 1 to second order, and the
-// others vanish as fast. They are tri- and tetragamma functions of z = theta/(2 pi).
+// b(theta) - 1. At small theta the term m = 0 of the lattice sum is 1 to second order, and the
+// other terms vanish to the same order. These other terms are tri- and tetragamma functions of z =
+// theta/(2 pi).
 
 double constant_less_one(double theta) {
   using boost::math::trigamma;
@@ -56,7 +57,7 @@ LeadingEdgeConstants integrated(const std::function<double(double)>& b_less_one)
       .compliance = std::exp(mean([](double) { return 1.0; })),
       .layer = {}};
   // The generating function of the nodes' values is (1 - z)^(-3/2) / b+(z), where ln b+ has the
-  // Fourier coefficients of ln b; they grow as 2/sqrt(pi) sqrt(e0) sqrt(j).
+  // Fourier coefficients of ln b. The values grow as 2/sqrt(pi) sqrt(e0) sqrt(j).
   std::array<double, edge.layer.size()> fourier{};
   std::array<double, edge.layer.size()> reciprocal{1};
   std::array<double, edge.layer.size()> growth{1};

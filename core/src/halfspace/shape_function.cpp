@@ -12,7 +12,7 @@ double polynomial(const ShapeFunction::Piece& piece, double s) {
   return piece.c[0] + s * (piece.c[1] + s * piece.c[2]);
 }
 
-/// Exact for degree <= 3: midpoint value plus the second-derivative term.
+/// The midpoint value plus the second-derivative term are exact for degree <= 3.
 double integral_within(const ShapeFunction::Piece& piece, double middle, double length) {
   return length * (polynomial(piece, middle) + piece.c[2] * length * length / 12);
 }

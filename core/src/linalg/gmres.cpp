@@ -18,7 +18,7 @@ Gmres::Gmres(int most)
 
 namespace {
 
-/// Kept from solve to solve.
+/// Vector k of a list that is kept from solve to solve.
 VectorXd& direction(std::vector<VectorXd>& of, int k) {
   const auto i = static_cast<std::size_t>(k);
   if (of.size() <= i) of.resize(i + 1);
@@ -27,7 +27,7 @@ VectorXd& direction(std::vector<VectorXd>& of, int k) {
 
 }  // namespace
 
-/// Column k by the rotations so far and one more, which makes its last entry vanish.
+/// Rotates column k by all previous rotations and by a new one, which makes its last entry vanish.
 void Gmres::rotate_last_column(int k) {
   auto column = hessenberg_.col(k);
   for (int i = 0; i < k; ++i) {
@@ -56,7 +56,7 @@ Gmres::Outcome Gmres::solve(const Apply& matrix, const Apply& preconditioner, co
   while (k < most_ && residual > tolerance * size) {
     preconditioner(direction(directions_, k), direction(trials_, k));
     matrix(direction(trials_, k), product_);
-    // Twice: the second time for what rounding left of the first.
+    // Orthogonalises twice: the second time removes the rounding errors of the first.
     count_work(static_cast<double>((8 * k + 11) * b.size()));
     hessenberg_.col(k).head(k + 2).setZero();
     for (int pass = 0; pass < 2; ++pass) {

@@ -20,7 +20,7 @@ struct Solves {
   std::exception_ptr thrown;
 };
 
-/// No exception passes through GSL, which ends at the status of the first.
+/// No exception passes through GSL; a status that is not success ends GSL's iteration.
 int apply(CBLAS_TRANSPOSE_t transposed, gsl_vector* x, void* solves) noexcept {
   Eigen::Map<VectorXd, Eigen::Unaligned, Eigen::InnerStride<>> values(
       x->data, static_cast<Index>(x->size), Eigen::InnerStride<>(static_cast<Index>(x->stride)));

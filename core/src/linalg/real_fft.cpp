@@ -15,8 +15,8 @@ namespace microslip {
 
 using Eigen::Index;
 
-/// They are never destroyed: there are few sizes, and threads may outlive main(). Nor is the map
-/// that holds them, or they would count as lost.
+/// Plans are never destroyed: there are few sizes, and threads may outlive main(). The map of plans
+/// is not destroyed either, or leak checkers would report the plans.
 struct RealFftPlans {
   fftw_plan forward;
   fftw_plan backward;
@@ -24,7 +24,8 @@ struct RealFftPlans {
 
 namespace {
 
-/// For any of FFTW's instructions. Its own allocation would end the program where memory runs out.
+/// Alignment for all instruction sets of FFTW. FFTW's own allocation would end the program when
+/// memory runs out.
 constexpr std::align_val_t alignment{64};
 
 template <class Number>
@@ -37,14 +38,14 @@ fftw_complex* as_fftw(std::complex<double>* values) {
   return reinterpret_cast<fftw_complex*>(values);
 }
 
-/// Operations of a transform.
+/// Number of operations of a transform.
 double work_of(Index size) {
   const auto n = static_cast<double>(size);
   return 2.5 * n * std::log2(n);
 }
 
-/// The plans of a size; arrays of the same alignment can use them. FFTW makes plans in one thread
-/// at a time only.
+/// The plans of a size, for arrays of the same alignment. FFTW can make plans in one thread at a
+/// time only.
 const RealFftPlans* plans_for(Index size, double* values, fftw_complex* spectrum) {
   static std::mutex mutex;
   static auto& known = *new std::map<Index, RealFftPlans>;

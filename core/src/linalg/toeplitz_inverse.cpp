@@ -19,10 +19,10 @@ namespace {
 
 constexpr int most_iterations = 100;
 
-/// Where GMRES ends; what is left then is rounding.
+/// Residual at which GMRES ends; it is a rounding error.
 constexpr double enough = 1e-15;
 
-/// Columns that are worse make no inverse that refinement could save.
+/// Columns with a larger residual give an inverse that refinement cannot repair.
 constexpr double acceptable = 1e-6;
 
 /// (0, v_0, ..., v_(n-2))

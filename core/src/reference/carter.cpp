@@ -51,8 +51,8 @@ double Carter::force() const {
   return -direction_ * bound_.total() * slip_ratio_ * (1 + stick_ratio_);
 }
 
-/// Distance from the stick-slip point towards the leading edge, over a. It counts from the edge
-/// that the point is nearer to.
+/// Distance from the stick-slip point towards the leading edge, over a. The distance is computed
+/// from the edge nearer to that point.
 double Carter::into_adhesion(double x) const {
   const double a = bound_.half_width();
   return slip_ratio_ < stick_ratio_ ? (a + x) / a - 2 * slip_ratio_
@@ -62,7 +62,7 @@ double Carter::into_adhesion(double x) const {
 double Carter::traction(double x) const {
   const double inside = into_adhesion(x);
   if (inside <= 0 || std::abs(x) >= bound_.half_width()) return -direction_ * bound_(x);
-  // The bound less the smaller ellipse, by the difference of their squares.
+  // The bound minus the smaller ellipse, from the difference of the squares of both.
   const double to_leading = (bound_.half_width() - x) / bound_.half_width();
   const double to_trailing = (bound_.half_width() + x) / bound_.half_width();
   return -direction_ * bound_.peak() * 2 * slip_ratio_ * std::sqrt(to_leading) /

@@ -24,17 +24,18 @@ double Cattaneo::traction(double x) const {
   const double a = bound_.half_width();
   const double r = x / a;
   const double under_bound = (a - x) / a * ((a + x) / a);
-  // k^2 - r^2, from what is small: next to full adhesion the edge of the stick zone is that of the
-  // contact.
+  // k^2 - r^2, as a sum of small terms: next to full adhesion the edges of stick zone and contact
+  // coincide.
   const double stuck = force_ratio_ < 0.5 ? under_bound - force_ratio_ : held_ratio_ - r * r;
   if (stuck <= 0 || under_bound <= 0) return direction_ * bound_(x);
-  // The difference of the ellipses, by that of their squares.
+  // The difference of both ellipses, from the difference of their squares.
   return direction_ * bound_.peak() * force_ratio_ / (std::sqrt(under_bound) + std::sqrt(stuck));
 }
 
 double Cattaneo::displacement(double length) const {
   require_positive("length", length);
-  // An ellipse of unit height and half-width k displaces its middle by k^2 (ln(2 L0 / k) + 1/2) / 2.
+  // An ellipse of unit height and half-width k displaces its centre by k^2 (ln(2 L0 / k) + 1/2) /
+  // 2.
   const double whole = std::log(2 * length / bound_.half_width()) + 0.5;
   const double log_held = force_ratio_ < 0.5 ? std::log1p(-force_ratio_) : std::log(held_ratio_);
   const double of_edge = held_ratio_ > 0 ? held_ratio_ * log_held / 2 : 0;

@@ -12,8 +12,8 @@ namespace microslip {
 
 namespace {
 
-/// 2 (1 - t) ln(1 - t) + 2 t - t^2 for t in [0, 1], of which two thirds of the digits would cancel
-/// where t is small.
+/// 2 (1 - t) ln(1 - t) + 2 t - t^2 for t in [0, 1]. In this form, two thirds of the digits would
+/// cancel at small t.
 double lost_part(double t) {
   if (t >= 0.5) return (t < 1 ? 2 * (1 - t) * std::log1p(-t) : 0) + 2 * t - t * t;
   double sum = 0;
@@ -29,7 +29,7 @@ double lost_part(double t) {
 FrettingCycle::FrettingCycle(const Material& material, const HertzBound& bound, double force)
     : material_(material), bound_(bound), end_(force), at_end_(material, bound, force) {}
 
-/// Half of what has changed since F*.
+/// Half of the change since F*.
 Cattaneo FrettingCycle::change(double force) const {
   require(std::abs(force) <= std::abs(end_), "force", force,
           "an absolute value up to that at the end, " + format_short(std::abs(end_)));

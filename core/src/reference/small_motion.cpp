@@ -19,7 +19,7 @@ using Complex = std::complex<double>;
 
 namespace {
 
-/// Sum of the c_n/z^n of Hankel's series of the Bessel functions of an order, at |z| >= 40.
+/// The sum of c_n/z^n in Hankel's series for the Bessel functions of the given order, at |z| >= 40.
 Complex hankel_series(int order, Complex z) {
   constexpr int terms = 16;
   Complex term = 1, sum = 1;
@@ -31,7 +31,7 @@ Complex hankel_series(int order, Complex z) {
   return sum;
 }
 
-/// (n0 + n1 e)/(d0 + d1 e) with e = exp(-2 s), by the powers of e.
+/// The fraction (n0 + n1 e)/(d0 + d1 e) with e = exp(-2 s), expanded in powers of e.
 struct Delays {
   Complex n0, n1, d0, d1;
 
@@ -41,8 +41,8 @@ struct Delays {
   }
 };
 
-/// The Bessel functions far from s = 0 in the upper half-plane, over exp(s)/(2 pi s)^1/2:
-/// I0 = a + e b, I0 + I1 = c + e d.
+/// The Bessel functions far from s = 0 in the upper half-plane, over exp(s)/(2 pi s)^1/2. They are
+/// I0 = a + e b and I0 + I1 = c + e d.
 struct Hankel {
   Complex a, b, c, d;
 
@@ -54,8 +54,9 @@ struct Hankel {
 };
 
 /// The inverse transform of F(s)/s, F(0) = 1.
-/// \param far      where the delays take over
-/// \param panels   in the length 1 of the imaginary axis, for each oscillation of F
+/// \param far      distance from s = 0 at which the delays take over
+/// \param panels   number of panels per unit length of the imaginary axis, for the oscillations of
+///                 F
 /// \param on_axis  F(i omega)
 /// \param delays   F(s) as Delays
 template <class OnAxis, class Delayed>
@@ -72,7 +73,7 @@ double inverse(double distance, double far, double panels, const OnAxis& on_axis
   const double width = far / count;
   double sum = 0;
   for (int k = 1; k < count; ++k) sum += add(k * width, (k + 1) * width);
-  // For a large lambda F changes over 1/lambda next to zero.
+  // For a large lambda, F changes over the length 1/lambda next to zero.
   constexpr int halvings = 10;
   for (int k = 0; k < halvings; ++k) sum += add(std::ldexp(width, -k - 1), std::ldexp(width, -k));
   sum += add(0, std::ldexp(width, -halvings));
@@ -80,7 +81,7 @@ double inverse(double distance, double far, double panels, const OnAxis& on_axis
   boost::math::quadrature::exp_sinh<double> to_infinity;
   for (int m = 0; m < powers; ++m) {
     const double late = distance - 2 * m;
-    const double direction = late > 0 ? -1 : 1;  // in which exp(s late) decays
+    const double direction = late > 0 ? -1 : 1;  // direction in which exp(s late) decays
     const auto beyond = [&](double t) {
       const Complex s = far * Complex(direction * t, 1);
       const Complex part = delays(s).power(m) - (m == 0 ? 1.0 : 0.0);

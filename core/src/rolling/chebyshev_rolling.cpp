@@ -25,12 +25,12 @@ constexpr Index most_unknowns = 64;
 /// Coefficients have converged when the last two are this fraction of the largest.
 constexpr double resolved = 1e-14;
 
-/// Violations of the contact conditions, relative to the load, that are rounding, also of a bound
-/// with a double zero; and the same relative to full sliding.
+/// Largest violations of the contact conditions due to rounding errors, relative to the load, also
+/// for a bound with a double zero; and relative to full sliding.
 constexpr double tolerance = 1e-9;
 constexpr double rounding = 1e-13;
 
-/// Truncation of the coefficients at the stick zone of a load, relative to the load.
+/// Largest truncation error of the coefficients for the stick zone of a load, relative to the load.
 constexpr double ten_digits = 1e-10;
 
 ChebyshevField field_of(const Kernel& kernel, const TractionBound& bound) {
@@ -99,7 +99,8 @@ ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bo
 ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bound)
     : ChebyshevRolling(kernel, bound, 4) {
   fixed_ = false;
-  // Large stick zones need most; but if all sticks, the answer is the bound itself.
+  // Large stick zones need most unknowns; but if everything sticks, the solution is the bound
+  // itself.
   const double a = sliding_.traction().half_length();
   const auto tail = [&] {
     return std::max(tail_of(zone(-0.9 * a).coefficients), tail_of(zone(-0.3 * a).coefficients));
@@ -117,7 +118,7 @@ void ChebyshevRolling::add_unknowns() {
   tabulate();
 }
 
-/// All that does not depend on the stick zone.
+/// Computes the matrices that do not depend on the stick zone.
 void ChebyshevRolling::tabulate() {
   const Index n = unknowns_;
   const double step = pi / static_cast<double>(n + 1);
@@ -131,7 +132,7 @@ void ChebyshevRolling::tabulate() {
   for (Index k = 0; k < n; ++k) {
     const auto order = static_cast<double>(k + 1);
     strains_.col(k) = (order * angles.array()).cos();
-    // sin((k + 1) angle) is the value of a term at a point.
+    // At a point, a term has the value sin((k + 1) angle).
     for (Index j = 0; j < n; ++j) {
       const double angle = step * whole[j + 1];
       loads_(j, k) = step * std::sin(angle) * std::sin(order * angle);
@@ -146,7 +147,8 @@ ChebyshevRolling::Zone ChebyshevRolling::zone(double stick_edge) const {
   const double centre = (stick_edge + end) / 2;
   const double half_length = (end - stick_edge) / 2;
   const VectorXd x = centre + half_length * collocation_.array();
-  // All over the compliance: coefficients and creepage / compliance are unknown.
+  // The equations are divided by the compliance; the unknowns are the coefficients and creepage /
+  // compliance.
   MatrixXd matrix = strains_;
   if (std::isfinite(clear_distance(kernel_))) {
     count_work(std::pow(n + 1, 2) * (kernel_work + 2 * static_cast<double>(n)));

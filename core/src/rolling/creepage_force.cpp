@@ -13,7 +13,7 @@ namespace microslip {
 
 namespace {
 
-/// Rounding of a point of the curve, relative to it.
+/// Relative rounding error of a point of the curve.
 constexpr double rounding = 2e-15;
 
 /// A load as a positive number that grows along the curve.
@@ -46,7 +46,8 @@ LoadedState meet_load(const CreepageForceCurve& curve, const Load& load) {
   int evaluations = 0;
   const auto excess = [&](double b) {
     ++evaluations;
-    // A difference below rounding would only be halved again and again.
+    // A difference below the rounding error counts as zero; otherwise the search would halve it
+    // again and again.
     const double difference = target.reached_by(curve.at(b)) - target.size;
     return std::abs(difference) <= rounding * target.size ? 0 : difference;
   };
@@ -74,7 +75,8 @@ LoadedState meet_load(const CreepageForceCurve& curve, const Load& load) {
   if (!(residual < 1e-9)) {
     throw NotConverged("steady rolling: no stick zone carries the load", evaluations, residual);
   }
-  // Next to adhesion everywhere the curve has rounding errors that the load has not.
+  // Next to full adhesion the curve has rounding errors, so the exact load is put in place of its
+  // value.
   (target.force ? state.force : state.creepage) = target.force ? -target.size : target.size;
   return {state, 1, target.direction, evaluations};
 }

@@ -6,21 +6,22 @@
 
 namespace microslip {
 
-/// A part of an element that is smaller than this is none: distances are sums.
+/// A fraction of an element below this limit counts as zero, because distances are sums with
+/// rounding errors.
 constexpr double part_rounding = 1e-9;
 
-/// The way that a contact has rolled over the elements of its material.
+/// The distance that a contact has rolled over the elements of its material.
 struct ElementTravel {
   double distance = 0;        ///< rolled  [mm]
-  double distance_error = 0;  ///< that rounding added to it  [mm]
+  double distance_error = 0;  ///< rounding error in `distance`  [mm]
   double origin = 0;          ///< distance from which elements are counted  [mm]
-  double entered = 0;         ///< whole elements travelled since then
+  double entered = 0;         ///< whole elements travelled since the origin
 
-  /// The part of an element travelled since the last whole one. The spacing is that of the nodes,
-  /// dx [mm]
+  /// The fraction of an element travelled since the last whole element. The spacing is the distance
+  /// of the nodes, dx [mm]
   double phase(double spacing) const { return (distance - origin) / spacing - entered; }
 
-  /// Takes the same place with fewer rounding errors.
+  /// Replaces the distance by an equal one with fewer rounding errors.
   void move_to(double at) {
     distance = at;
     distance_error = 0;
@@ -33,14 +34,14 @@ inline void require_step(double ratio) {
   require(ratio >= min_step_ratio, "step_ratio", ratio, "a number >= 1e-15");
 }
 
-/// Divides a step into parts, each of which ends where an element has been travelled, or with the
-/// step. Sums of distances are compensated, or steps of whole elements would be divided after some
-/// ten thousand.
+/// Divides a step into substeps. Each substep ends where an element has been travelled, or at the
+/// end of the step. Sums of distances are compensated; otherwise steps of whole elements would be
+/// divided after about ten thousand steps.
 /// \param start    at the beginning of the step
 /// \param length   of the step  [mm]
 /// \param spacing  dx  [mm]
-/// \param part     called with the length of each part, the distance at its end, and what is left
-///                 of the step after it  [mm]
+/// \param part     called for each substep with the substep's length, the distance at its end, and
+///                 the remaining length of the step  [mm]
 /// \return         the distance_error at the end of the step  [mm]
 /// \throws std::invalid_argument if the length is below min_step_ratio dx
 template <class Part>

@@ -18,14 +18,14 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// From this fraction of what is accepted on, a violation is doubtful.
+/// A violation above this fraction of the accepted limit is doubtful.
 constexpr double doubtful = 0.1;
 
-/// Errors of the dissipation from here on are doubtful; so is what elements do not resolve.
+/// Above these limits, an error of the dissipation and an unresolved bound are doubtful.
 constexpr double doubtful_dissipation = 0.25;
 constexpr double doubtful_resolution = 0.05;
 
-/// Samples of each part of the contact, and of the slip zone.
+/// Number of samples in each interval of the contact, and in a slip zone.
 constexpr Index samples_of_part = 5;
 constexpr Index samples_of_slip = 200;
 

@@ -37,7 +37,7 @@ VectorXd linear_predictor(const VectorXd& t) {
   return q;
 }
 
-/// det(t + C), for an odd number of elements: zero where -t is an eigenvalue.
+/// det(t + C), for an odd number of elements; the determinant is zero if -t is an eigenvalue.
 double determinant(const VectorXd& outflow, double t) {
   const Index last = outflow.size() - 1;
   double homogeneous = 1;
@@ -45,8 +45,8 @@ double determinant(const VectorXd& outflow, double t) {
   return outflow[last] + t * homogeneous;
 }
 
-/// Whether an eigenvalue inside the unit circle is negative. A pair of them that is closer together
-/// than two samples is not seen.
+/// Whether an eigenvalue inside the unit circle is negative. The samples miss a pair of negative
+/// eigenvalues that is closer together than two samples.
 bool has_negative_eigenvalue(const VectorXd& outflow) {
   constexpr int samples = 500;
   for (int k = 0; k <= samples; ++k) {
@@ -122,7 +122,7 @@ class PowerIntegrand {
 void integrate(PowerIntegrand& integrand, double begin, double end, int depth, VectorXd& total) {
   using Kronrod = boost::math::quadrature::gauss_kronrod<double, 15>;
   using Gauss = boost::math::quadrature::gauss<double, 7>;
-  constexpr double accepted = 1e-9;  // of Gauss; Kronrod then has all digits
+  constexpr double accepted = 1e-9;  // error of Gauss; the Kronrod sum then has all digits
   constexpr int deepest = 40;
   const double middle = (begin + end) / 2;
   const double half = (end - begin) / 2;
@@ -169,7 +169,7 @@ FractionalShift::FractionalShift(const Kernel& kernel, const ShapeFunction& shap
 
 FractionalShift::Moved FractionalShift::move(const VectorXd& traction, double step_ratio) const {
   require(step_ratio >= 0, "step_ratio", step_ratio, "a number >= 0");
-  constexpr double rounding = 1e-12;  // of a quotient of lengths
+  constexpr double rounding = 1e-12;  // error of a quotient of lengths
   const double nearest = std::round(step_ratio);
   const bool is_whole = nearest > 0 && std::abs(step_ratio - nearest) <= rounding * nearest;
   const double whole = is_whole ? nearest : std::floor(step_ratio);
@@ -178,8 +178,9 @@ FractionalShift::Moved FractionalShift::move(const VectorXd& traction, double st
   for (double k = 0; k < whole; ++k) moved = shifted(outflow_, moved);
   if (power == 0) return {moved, 0};
 
-  // C^c - I = sin(pi c)/pi (C - I) times the integral over t > 0 of t^c/(1 + t) (t + C)^-1; its
-  // part beyond 1 is taken at 1/t, less its value 1/(1 - c) at C = 0, and t = exp(-y) throughout.
+  // C^c - I = sin(pi c)/pi (C - I) times the integral over t > 0 of t^c/(1 + t) (t + C)^-1. For t >
+  // 1 the variable is 1/t, and the integral's value for C = 0, 1/(1 - c), is subtracted. On both
+  // intervals t = exp(-y).
   const VectorXd r = shifted(outflow_, moved) - moved;
   if (r.isZero(0)) return {moved, 0};
   PowerIntegrand integrand(outflow_, r, power);

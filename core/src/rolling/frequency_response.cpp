@@ -29,9 +29,10 @@ constexpr double most_terms = 700;
 constexpr double most_terms_of_strip = 500;
 constexpr double largest_kappa = 1e6;
 
-constexpr double terms_of_wave = 1.2;  // over kappa
+constexpr double terms_of_wave = 1.2;  // number of terms for a wave, over kappa
 
-/// Terms for 1e-14 of what a strip's regular kernel makes of a traction, without those of the wave.
+/// Number of terms that resolves the effect of a strip's regular kernel to 1e-14, without the terms
+/// for the wave.
 double terms_of_strip(double clear, double half_length) {
   return 42 + 22 / std::asinh(clear / half_length);
 }
@@ -44,13 +45,14 @@ Complex adhesion_ratio(double kappa) {
   return j0 / Complex(j0, j1);
 }
 
-/// The kernel over k as -ln|z/half_length| and a regular part. With rows over the eigenvalues of
-/// the logarithm, pi ln 2 and pi/n, the matrix is the identity and a part that is smooth.
+/// The kernel over k is split into -ln|z/half_length| and a regular part. After rows are divided by
+/// the eigenvalues of the logarithm, pi ln 2 and pi/n, the matrix is the identity plus a smooth
+/// part.
 FrequencyResponse::Series::Series(const Kernel& kernel, double half_length, Index terms)
     : points(terms), to_coefficients(terms, terms) {
   const double n = static_cast<double>(terms);
   const double step = pi / n;
-  MatrixXd polynomials(terms, terms);  // T_j at the points, a column a degree
+  MatrixXd polynomials(terms, terms);  // T_j at the points, one column for each degree
   for (Index i = 0; i < terms; ++i) {
     const double angle = step * (static_cast<double>(i) + 0.5);
     points[i] = std::cos(angle);
@@ -80,8 +82,9 @@ FrequencyResponse::Series::Series(const Kernel& kernel, double half_length, Inde
   factors.compute(MatrixXd::Identity(terms, terms) + to_coefficients * regular * polynomials);
 }
 
-/// With the creepage 1 and the place x from the middle of the zone, the displacement is
-/// (exp(i K x) - 1)/(i K) + D exp(i K x); the sum of the a_n, the singularity at c, vanishes by D.
+/// With the creepage 1 and the position x from the middle of the zone, the displacement is (exp(i K
+/// x) - 1)/(i K) + D exp(i K x). D is chosen so that the singularity at c, the sum of the a_n,
+/// vanishes.
 /// \return dF/dw times k over the half-length
 Complex FrequencyResponse::Series::slope(double half_length, double wave_number) const {
   const ArrayXd half_phases = wave_number * half_length / 2 * points;

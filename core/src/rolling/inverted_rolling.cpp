@@ -23,29 +23,32 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Beyond it the stick zone is shorter than 1e-80 of the contact.
+/// Largest theta. Beyond it the stick zone is shorter than 1e-80 of the contact.
 constexpr double largest_theta = 200;
 
-/// Half the width of a strip, over the half-width of the contact, that takes panels as short.
+/// Least half-width of a strip, over the half-width of the contact; quadrature panels have to be as
+/// short as that.
 constexpr double narrowest = 0.01;
 
-/// Pieces of a table: the cost of looking at all tractions grows with their square.
+/// Largest number of pieces of a table: the cost of evaluating all tractions grows with the square
+/// of this number.
 constexpr Index most_pieces = 20000;
 constexpr double least_theta = 1e-140;
 
-/// Steps of the search for the logarithm of theta.
+/// Largest steps of the search for the logarithm of theta.
 constexpr double most_step = 0.25;
 constexpr double least_step = 1e-6;
 
-/// How a search begins: at a logarithm of theta, and with steps that grow.
+/// Begin of a search: a logarithm of theta, and the first of growing steps.
 struct Guess {
   double at;
-  double step;        ///< as small as the guess is good
-  double longest_up;  ///< step upwards
+  double step;        ///< the first step, small for a good guess
+  double longest_up;  ///< longest step upwards
 };
 
-/// A change of sign of f(ln theta), looked for from a guess on: upwards if f is below zero there.
-/// \param bits  of the result
+/// Searches for a change of sign of f(ln theta), beginning at a guess: upwards if f is below zero
+/// there.
+/// \param bits  accuracy of the result, in bits
 /// \return ln theta; none if the sign does not change
 template <class Function>
 std::optional<double> root_from(const Guess& guess, const Function& f, unsigned bits) {
@@ -79,7 +82,7 @@ class Search {
 
   int evaluations() const { return evaluations_; }
 
-  /// The next one for the same load on another contact, the stick zone of which is near.
+  /// The next search for the same load on another contact with a similar stick zone.
   Search next(std::shared_ptr<const InvertedContact> contact, double near) const {
     Search next(std::move(contact));
     next.trailing_ = {trailing_.at, near, most_step};
@@ -91,7 +94,7 @@ class Search {
   }
 
   /// \param reached  the load that a zone carries
-  /// \throws NotConverged if there is none
+  /// \throws NotConverged if there is no such stick zone
   StickZone meet(double load, const std::function<double(const StickZone&)>& reached) {
     const auto excess = [&](const StickZone& zone) {
       const double carried = reached(zone);
@@ -128,7 +131,7 @@ class Search {
     return *found;
   }
 
-  /// By the zone that carries the load without slip before it.
+  /// Begins with the zone that carries the load without slip ahead of it.
   template <class Excess>
   void guess(const Excess& excess) {
     const double at =
@@ -148,8 +151,8 @@ class Search {
     return zone(log_trailing, std::exp(*root));
   }
 
-  /// Newton's method for both ends at once, from a guess. The slopes are kept as long as they
-  /// serve.
+  /// Newton's method for both ends at once, from a guess. Slopes are kept as long as the iteration
+  /// converges with them.
   template <class Excess>
   bool polish(const Excess& excess) {
     constexpr int most = 30;
@@ -185,8 +188,9 @@ class Search {
     return true;
   }
 
-  /// The end of adhesion is the first root from the leading edge on, and moves away from it as the
-  /// trailing slip zone grows: from the root of a shorter one the way is upwards.
+  /// The end of adhesion is the first root from the leading edge on. This root moves away from the
+  /// leading edge as the trailing slip zone grows, so that a search that begins at the root for a
+  /// shorter slip zone goes upwards.
   Guess leading_guess(double log_trailing) const {
     const auto longer = leading_roots_.lower_bound(log_trailing);
     if (longer == leading_roots_.begin()) return leading_;
@@ -203,7 +207,7 @@ class Search {
   std::shared_ptr<const InvertedContact> contact_;
   Guess trailing_{0, most_step, any};
   Guess leading_{-6, most_step, most_step};
-  bool known_ = false;  ///< whether these are good guesses
+  bool known_ = false;  ///< whether trailing_ and leading_ are good guesses
   Eigen::Matrix2d slopes_ = Eigen::Matrix2d::Zero();
   std::map<double, double> leading_roots_;  ///< by the logarithm of the trailing theta
   int evaluations_ = 0;
@@ -309,7 +313,7 @@ VectorXd InvertedSolution::displacement(const VectorXd& x) const {
 
 bool InvertedSolution::keeps_conditions() const {
   if (zone_) return zone_->keeps_conditions();
-  // In full sliding: somewhere inside, the strain may be larger than at the leading edge.
+  // In full sliding the strain at some point inside may be larger than at the leading edge.
   constexpr Index places = 500;
   const double a = contact_->half_width();
   for (Index i = 0; i < places && direction_ != 0; ++i) {

@@ -40,7 +40,7 @@ void require_ascending(const VectorXd& column, const std::string& name) {
   }
 }
 
-/// \throws std::invalid_argument unless the columns go together
+/// \throws std::invalid_argument unless the columns fit together
 void require_columns(const RunRows& rows) {
   if (rows.distance.has_value() == rows.time.has_value()) {
     throw std::invalid_argument("columns: expected either q or t");
@@ -69,7 +69,7 @@ std::vector<double> slopes(const std::vector<double>& values, const std::vector<
 
 std::vector<double> in_std(const VectorXd& values) { return {values.begin(), values.end()}; }
 
-/// A column of sizes over that of the problem's contact; none is empty.
+/// A column of the contact divided by the problem's value; empty without the column.
 std::vector<double> sizes(const std::optional<VectorXd>& column, Index rows,
                           const std::string& name, double of_problem) {
   if (!column) return {};
@@ -152,7 +152,7 @@ double LoadHistory::distance() const {
   return constant_ ? std::numeric_limits<double>::infinity() : distances_.back();
 }
 
-/// A distance is quadratic in time from a row on.
+/// From a row on, the distance is quadratic in time.
 LoadHistory::Place LoadHistory::place_of(double distance) const {
   const auto next = std::upper_bound(distances_.begin() + 1, distances_.end() - 1, distance);
   const auto row = static_cast<std::size_t>(next - distances_.begin()) - 1;
@@ -163,7 +163,7 @@ LoadHistory::Place LoadHistory::place_of(double distance) const {
   return {row, std::min(lengths_[row], 2 * rolled / (speed + speed_there))};
 }
 
-/// The rigid shift between two places of a row  [mm]
+/// The rigid shift between two places within a row  [mm]
 double LoadHistory::shift_within(std::size_t row, double from, double to) const {
   const Array3d& rate = shift_rate_[row];
   const Array3d means(1, (from + to) / 2, (from * from + from * to + to * to) / 3);

@@ -9,19 +9,19 @@
 
 namespace microslip {
 
-/// The load of a part of a step as the partition has it: the shift, or the force, which changes
+/// The load of a substep in terms of slip displacement: the shift, or the force, which changes
 /// linearly over the step.
 /// \param before    the force at the beginning of the step  [N/mm]
-/// \param part      its length  [mm]
-/// \param fraction  of the step, at the end of the part
+/// \param part      length of the substep  [mm]
+/// \param fraction  fraction of the step at the end of the substep
 inline Load load_within(const Load& load, double before, double part, double fraction) {
   const auto* force = std::get_if<PrescribedForce>(&load);
   if (force == nullptr) return load_of_step(load, part);
   return PrescribedForce{std::lerp(before, force->value, fraction)};
 }
 
-/// Its derivatives by load and length of the step. A longer step has a longer last part, and its
-/// force is the same fraction later.
+/// Derivatives of a substep's load by load and length of the step. A longer step has a longer last
+/// substep; at the end of an earlier substep, its force has changed by a smaller fraction.
 /// \param length  of the step  [mm]
 inline std::array<Load, 2> slopes_within(const Load& load, double before, double part,
                                          double fraction, double length, bool is_last) {

@@ -53,9 +53,9 @@ void legendre(int points, const Take& take) {
 
 /// A panel of a table. The singularities of the integrands at +-i pi limit its length.
 struct Panel {
-  double length;  ///< at most
+  double length;  ///< upper limit of the length
   int points;
-  double reach;  ///< distance of a pole for 1e-14, over half the length
+  double reach;  ///< distance of a pole at which the error is 1e-14, over half the length
 };
 constexpr Panel kinds[] = {{0.002, 2, 3200}, {0.05, 3, 215}, {0.3, 5, 25}, {1, 8, 8}};
 
@@ -74,10 +74,10 @@ SidedBound::SidedBound(const TractionBound& bound, Edge edge)
     const double distance = edge == Edge::trailing ? table.x()[row] + a : a - table.x()[row];
     const double value = table.values()[row];
     if (!rows_.empty() && distance <= rows_.back()) {
-      values_.back() = value;  // the edge and a row there
+      values_.back() = value;  // the edge and a row coincide
       continue;
     }
-    // Zeros before the bound begins.
+    // Zeros in front of the point where the bound begins are dropped.
     if (rows_.size() == 1 && value == 0 && values_[0] == 0) rows_.clear(), values_.clear();
     rows_.push_back(distance);
     values_.push_back(value);
@@ -102,7 +102,7 @@ SlipSide::SlipSide(const SidedBound& bound, double extent, double half_length, c
   finish();
 }
 
-/// Adds nodes.
+/// Adds the nodes of a panel.
 template <class Bound>
 void SlipSide::lay(double from, double to, int points, const Bound& bound) {
   const double half = (to - from) / 2;
@@ -186,14 +186,14 @@ void SlipSide::lay_smooth(const Panels& panels) {
   root_ = Eigen::Map<const ArrayXd>(roots.data(), static_cast<Index>(roots.size()));
 }
 
-/// Where a transform is wanted.
+/// The place at which a transform is evaluated.
 struct SlipSide::Place {
   double versine;
   bool slips;   ///< on this side
   bool sticks;  ///< or on the other side
-  /// On this side theta, on the other side theta there, in the stick zone the angle from the end.
+  /// Theta of the place's own side; in the stick zone, the angle from the end of the zone.
   double angle;
-  double tangent;  ///< of half the angle, hyperbolic where it is a theta
+  double tangent;  ///< of half the angle; for theta, hyperbolic
 
   explicit Place(double v)
       : versine(v),
@@ -234,7 +234,7 @@ double SlipSide::by_nodes(Index first, Index count, double versine) const {
 }
 
 double SlipSide::transform_table(const Place& place) const {
-  double integral = 0;  // times root
+  double integral = 0;  // the integral times root
   double sum = 0;
   for (const Piece& piece : pieces_) {
     if (place.distance(piece.from, piece.to) > piece.reach) {
@@ -255,7 +255,7 @@ double SlipSide::transform_table(const Place& place) const {
 double SlipSide::transform_smooth(const Place& place) const {
   const double v = place.versine;
   const Index last = theta_.size() - edge_nodes_;
-  // A difference over next to nothing has no digits; the mean of two places has enough.
+  // A divided difference over a tiny distance has no digits; the mean over two places has enough.
   constexpr double too_near = 1e-6;
   if (place.slips && (versine_ / v - 1).abs().minCoeff() < too_near) {
     return (transform_smooth(Place(v * (1 + 3 * too_near))) +
@@ -275,8 +275,8 @@ double SlipSide::transform_smooth(const Place& place) const {
   if (!place.slips || root > 2) {
     return integral + place.root() * (sum + by_nodes(edge_nodes_, last, v));
   }
-  // The integrand over r is even in it, and so is its difference to the one at the place; v - v(x)
-  // is a product, lest both lose digits where they meet.
+  // The integrand is even in r, and so is its difference to the integrand at the place. v - v(x) is
+  // computed as a product, so that no digits cancel where v is close to v(x).
   double last_sum = 0;
   for (Index i = 0; i < last; ++i) {
     const Index node = edge_nodes_ + i;

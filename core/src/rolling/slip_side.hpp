@@ -9,28 +9,28 @@
 
 namespace microslip {
 
-/// v = cosh(theta) - 1, without cancellation; and theta of it, 0 for v <= 0.
+/// v = cosh(theta) - 1, without cancellation; and the inverse, theta of v, which is 0 for v <= 0.
 double versine_of(double theta);
 double theta_of(double versine);
 
-/// A bound by the distance from one edge of the contact.
+/// A bound as a function of the distance from one edge of the contact.
 class SidedBound {
  public:
   enum class Edge { trailing, leading };
 
   SidedBound(const TractionBound& bound, Edge edge);
 
-  /// Distance from the edge to the place where the bound begins to differ from zero  [mm]
+  /// Distance from the edge to the point where the bound begins to differ from zero  [mm]
   double begin() const { return begin_; }
 
-  /// The polynomial and its square roots, unless the bound is a table.
+  /// The polynomial with its square roots; none for a tabulated bound.
   const std::optional<ChebyshevTraction>& smooth() const { return smooth_; }
 
   /// Distances of the rows of a table from begin(), ascending from 0  [mm]
   const std::vector<double>& rows() const { return rows_; }
-  const std::vector<double>& values() const { return values_; }  ///< there  [N/mm^2]
+  const std::vector<double>& values() const { return values_; }  ///< at the rows  [N/mm^2]
 
-  /// g of a smooth bound, without the cancellation of a position next to the edge  [N/mm^2]
+  /// g of a smooth bound, without cancellation next to the edge  [N/mm^2]
   /// \param distance  from the edge, >= 0  [mm]
   double operator()(double distance) const;
 
@@ -43,20 +43,21 @@ class SidedBound {
 
 /// The bound on one side of a stick zone, where the bodies slip, and the integrals over it that
 /// invert the finite Hilbert transform on the zone. The outward distance from the end of the zone,
-/// over half its length, is the versine v = cosh(theta) - 1. In theta, the square root that the
-/// inversion has at the end of the zone is no more.
+/// over half its length, is the versine v = cosh(theta) - 1. In terms of theta, the inversion has
+/// no square root at the end of the zone.
 ///
-/// A table's pieces are integrated in closed form where a place is near them. A smooth bound has a
-/// square root at the edge of the contact: the last panel of its quadrature has theta = extent -
-/// length r^2. Next to a place, its value there is taken away and integrated in closed form.
+/// A table's pieces are integrated in closed form if the place of evaluation is near them. A smooth
+/// bound has a square root at the edge of the contact: the last panel of its quadrature uses r with
+/// theta = extent - length r^2. Near the place of evaluation, the bound's value at that place is
+/// subtracted and integrated in closed form.
 class SlipSide {
  public:
   struct Panels {     ///< of the quadrature
-    double longest;   ///< for integrands with a length of their own  [mm]
-    double fineness;  ///< how much shorter than needed
+    double longest;   ///< longest panel, for integrands with a length scale of their own  [mm]
+    double fineness;  ///< factor by which panels are shorter than necessary
   };
 
-  /// \param bound        outlives this
+  /// \param bound        must outlive this object
   /// \param extent       theta where the bound begins, > 0
   /// \param half_length  of the stick zone  [mm]
   SlipSide(const SidedBound& bound, double extent, double half_length, const Panels& panels);
@@ -68,15 +69,15 @@ class SlipSide {
 
   /// The integral of g/(v(theta) - versine) over theta times sqrt(|versine (2 + versine)|), as a
   /// principal value  [N/mm^2]
-  /// \param versine  of a place: above 0 on this side, from -2 to 0 in the stick zone, below -2 on
-  ///                 the other side
+  /// \param versine  of the place of evaluation: above 0 on this side, from -2 to 0 in the stick
+  ///                 zone, below -2 on the other side
   double transform(double versine) const;
 
-  /// The finite part of the integral of g/v over theta, of a table: at the near end of the stick
-  /// zone.
+  /// The finite part of the integral of g/v over theta, of a table: the transform at the near end
+  /// of the stick zone.
   double at_near_end() const;
 
-  /// The integral of g/(2 + v) over theta: at its far end.
+  /// The integral of g/(2 + v) over theta: the transform at the far end of the stick zone.
   double at_far_end() const;
 
  private:
@@ -85,7 +86,8 @@ class SlipSide {
     double versine, value;      // at the outer end
     double slope;               // of g over v
     Eigen::Index first, count;  // of its nodes
-    double reach;               // to places nearer than this, in theta, nodes do not serve
+    double reach;               // nearest distance, in theta, of a place for which nodes are
+                                // accurate
     double at(double v) const { return value + slope * (v - versine); }
   };
   struct Place;
@@ -102,13 +104,14 @@ class SlipSide {
 
   const SidedBound* bound_;
   double extent_, half_length_;
-  std::vector<double> thetas_, weights_, loads_;  ///< until the nodes are complete
+  std::vector<double> thetas_, weights_, loads_;  ///< used until the nodes are complete
   Eigen::ArrayXd theta_, versine_, weight_, load_;
   std::vector<Piece> pieces_;
   double edge_ = 0;              ///< theta where the last panel of a smooth bound begins
-  double near_ = 0;              ///< so near to the end, in theta, nodes do not serve
+  double near_ = 0;              ///< nearest distance to the end, in theta, at which nodes are
+                                 ///< accurate
   Eigen::Index edge_nodes_ = 0;  ///< the first node of that panel
-  Eigen::ArrayXd root_;          ///< r at its nodes
+  Eigen::ArrayXd root_;          ///< r at the nodes of that panel
 };
 
 }  // namespace microslip

@@ -15,7 +15,8 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Nodes that stick from the first one on, for the mean to be taken.
+/// Least number of nodes in adhesion at the stick-slip point for which the mean over partitions is
+/// taken.
 constexpr Index fewest = 5;
 
 /// A number and its two derivatives.
@@ -28,10 +29,11 @@ Scalar clamped(const Scalar& x, double low, double high) {
   return x;
 }
 
-/// Weights of the partition before the one behind the point, of that one, and of the next two. They
-/// are cubic in y, add up to 1, and the mean of the squared distances to the point is 0.
-/// \param y       place of the point between the two natural ends next to it, [0, 1]
-/// \param before  from the natural end before to that behind the point  [dx]
+/// Weights of four consecutive partitions, the second of which has its natural end just behind the
+/// stick-slip point. The weights are cubic in y, add up to 1, and make the mean of the squared
+/// distances to the point 0.
+/// \param y       position of the point between the two nearest natural ends, [0, 1]
+/// \param before  distance from the first partition's natural end to the second's  [dx]
 template <class Scalar>
 std::array<Scalar, 4> convolution(const Scalar& y, double before) {
   const double e = 1 / (before + 1);
@@ -41,8 +43,9 @@ std::array<Scalar, 4> convolution(const Scalar& y, double before) {
   return {first, 1 - first - third - last, third, last};
 }
 
-/// The same where adhesion has no partition before: that of the whole contact is exact for the
-/// smallest loads, and the others come in with the square of the slip zone.
+/// The same without a partition before the second one: the partition in which the whole contact
+/// sticks is exact for the smallest loads, and the weights of the others grow with the square of
+/// the slip zone.
 /// \param length  from the edge of the contact to the next natural end  [dx]
 template <class Scalar>
 std::array<Scalar, 4> convolution_at_edge(const Scalar& y, double length) {
@@ -61,16 +64,16 @@ Index past_last_stuck(const std::vector<Zone>& zones) {
   return zones.rend() - std::find(zones.rbegin(), zones.rend(), Zone::adhesion);
 }
 
-/// The generating function of the regular square root's coefficients is (1 - z)^(-3/2)/b+(z), of
-/// the singular one's (1 - z)^(-1/2)/b+(z): the first coefficients are alike, the second ones
-/// differ by the first.
+/// The coefficients of the regular square root have the generating function (1 - z)^(-3/2)/b+(z),
+/// and the coefficients of the singular square root (1 - z)^(-1/2)/b+(z). The first coefficients
+/// are equal; the second ones differ by the first.
 StickSlipPoint::StickSlipPoint(const LeadingEdgeConstants& edge, double first_length)
     : second_(edge.layer[1] * std::sqrt(1 + edge.offset) /
                   (edge.layer[0] * std::sqrt(edge.offset)) -
               1),
       first_length_(first_length) {}
 
-/// Of a derivative, bounds are 0.
+/// For a derivative, bounds are 0.
 double StickSlipPoint::left(const SlipConditions* conditions, const ContactState& contact,
                             Index neighbour) const {
   const Index node = stuck_ + neighbour;
@@ -87,19 +90,19 @@ StickSlipPoint::Root<Scalar> StickSlipPoint::root_of(const Scalar& left, const S
   return {first, clamped(next, 0, any) - second_ * first};
 }
 
-/// With the coefficients A of the regular square root and B of the singular one, the point is
-/// -B/A elements from where the partition would have it without the singular one, and that is half
-/// an element behind its natural end.
-/// \return elements from the natural end of the partition whose first nodes these are, [-1/2, 1/2]
+/// With the coefficients A of the regular square root and B of the singular one, the point is -B/A
+/// elements from its position at B = 0, which is half an element behind the partition's natural
+/// end.
+/// \return distance from the partition's natural end in elements, [-1/2, 1/2]
 template <class Scalar>
 Scalar StickSlipPoint::beyond(const Root<Scalar>& root) {
   if (root.regular <= 0) return Scalar(-0.5);
   return clamped<Scalar>(1 - root.first / root.regular, 0, 1) - 0.5;
 }
 
-/// Where all sticks, the slip zone grows with the change of the load, and takes the first node when
-/// its mean traction is at the bound. The point is then where the next partition, whose tractions
-/// are the same, sees it.
+/// If all nodes stick, the slip zone grows with the change of the load, and reaches the first node
+/// when the node's mean traction is at the bound. The point is then at its position in the next
+/// partition, whose tractions are the same.
 template <class Scalar>
 StickSlipPoint::Place<Scalar> StickSlipPoint::place_of(const Left<Scalar>& left,
                                                        const Bounds& bound) const {
@@ -119,8 +122,9 @@ StickSlipPoint::Place<Scalar> StickSlipPoint::place_of(const Left<Scalar>& left,
   return {0, load * (1 + clamped<Scalar>(behind, -0.5, 0) / first_length_)};
 }
 
-/// The response of the partition to a change of a neighbour of its end: to unit traction of the
-/// slipping nodes before it, -2 and -1, and to unit slip of the first nodes in adhesion, 0 and 1.
+/// The response of the partition to a change at a node next to its end: to unit traction of the
+/// slipping nodes -2 and -1 behind the end, and to unit slip of the first nodes in adhesion, 0 and
+/// 1.
 const StickSlipPoint::Response& StickSlipPoint::response(ActiveSet& active_set, Index neighbour) {
   const auto k = static_cast<std::size_t>(neighbour + 2);
   Response& found = responses_[k];
@@ -147,7 +151,7 @@ void StickSlipPoint::clear_unit() {
   for (VectorXd* of : {&unit_.bound, &unit_.offset, &unit_.reference}) of->setZero(n);
 }
 
-/// \param sign  of the answer
+/// \param sign  sign of the response
 void StickSlipPoint::solve_unit(ActiveSet& active_set, const Load& load, double sign,
                                 Response& found) {
   active_set.solve_partition(unit_, load, zones_, answer_);
@@ -158,7 +162,7 @@ void StickSlipPoint::solve_unit(ActiveSet& active_set, const Load& load, double 
   found.known = true;
 }
 
-/// The force of a response shifts all elements, which changes the force.
+/// The force of a response shifts all elements, and this shift changes the force.
 void StickSlipPoint::add_common_shift(ActiveSet& active_set, const Response& found,
                                       Response& shifted) {
   if (!by_creepage_.known) {
@@ -172,9 +176,9 @@ void StickSlipPoint::add_common_shift(ActiveSet& active_set, const Response& fou
   shifted.known = true;
 }
 
-/// The changes of the neighbours nearest to the end, and next to them, with which adhesion begins
-/// `moved` nodes further on, or further back: traction where they stick instead, slip where they
-/// slip instead.
+/// The changes at the nodes next to the end, nearest ones first, with which adhesion begins `moved`
+/// nodes further on, or further back. The change is a traction at nodes that then stick, and a slip
+/// at nodes that then slip.
 template <class Scalar>
 std::array<Scalar, 2> StickSlipPoint::changes(ActiveSet& active_set, const Left<Scalar>& left,
                                               Index moved) {
@@ -196,10 +200,10 @@ std::array<Scalar, 2> StickSlipPoint::changes(ActiveSet& active_set, const Left<
   return {(f * d - b * g) / determinant, (a * g - c * f) / determinant};
 }
 
-/// If the node before the end stuck, too, its traction would be above the bound by A less the first
-/// node's distance to the bound. Where it is not, because material slipped and stuck again or the
-/// bound is rough, there is no square root to go by.
-/// \return the part of the mean to take: 1 up to a difference of a quarter of A, 0 from three
+/// If the node behind the end stuck, too, its traction would exceed the bound by A minus the first
+/// node's distance to the bound. If it does not, because material slipped and stuck again or
+/// because the bound is rough, there is no square root from which the point could be found.
+/// \return the fraction of the mean to take: 1 up to a difference of a quarter of A, 0 from three
 ///         quarters on
 template <class Scalar>
 Scalar StickSlipPoint::trust(ActiveSet& active_set, const Left<Scalar>& left) {
@@ -213,8 +217,8 @@ Scalar StickSlipPoint::trust(ActiveSet& active_set, const Left<Scalar>& left) {
   return clamped<Scalar>(1.5 - 2 * difference / root.regular, 0, 1);
 }
 
-/// The changes of the neighbours of the end that lead from the partition to the mean.
-/// \param bound  of the first nodes of the contact
+/// The changes at the nodes next to the end that lead from the partition to the mean.
+/// \param bound  bound at the first nodes of the contact
 template <class Scalar>
 std::array<Scalar, 4> StickSlipPoint::change(ActiveSet& active_set, const Left<Scalar>& left,
                                              const Bounds& bound) {
@@ -315,7 +319,7 @@ void StickSlipPoint::Response::archive(Archive& archive, Index size) {
   archive.number("response_force", force);
 }
 
-/// With a common compliance, responses are shifted again from those that are known.
+/// With a common compliance, shifted responses are computed again from the known responses.
 void StickSlipPoint::archive(Archive& archive, Index size) {
   bool has_partition = !zones_.empty();
   bool by_force = std::holds_alternative<PrescribedForce>(load_);

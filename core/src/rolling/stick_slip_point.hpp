@@ -13,7 +13,8 @@ namespace microslip {
 
 class Archive;
 
-/// A contact as a partition has it, and then as the mean over partitions has it; or its derivative.
+/// A contact solved with one partition, replaced later by the mean over partitions; or a derivative
+/// of this contact.
 struct RolledContact {
   ContactState contact;
   Eigen::VectorXd displacement;  ///< response times traction, n  [mm]
@@ -21,47 +22,50 @@ struct RolledContact {
 
 /// The stick-slip point at the trailing end of adhesion, anywhere within an element.
 ///
-/// A partition whose adhesion begins at node k answers to a small change of the load as a contact
-/// whose adhesion begins at its natural end, offset - 1/2 elements behind that node. Its solution
-/// is the tangent to the exact one, where the stick-slip point is there. The stick-slip point
-/// follows from the tractions of the partition that meets the conditions: next to it they are
-/// coefficients of Wiener and Hopf's, of the regular square root and of the singular one. The mean
-/// over four partitions, by cubic convolution in the place of the point between the natural ends,
-/// has the exact solution's value and slope to second order (docs/theory.md).
+/// A partition whose adhesion begins at node k responds to a small change of the load like a
+/// contact whose adhesion begins at the partition's natural end, offset - 1/2 elements behind that
+/// node. If the stick-slip point is there, the partition's solution is the tangent to the exact
+/// solution. The stick-slip point follows from the tractions of the partition that meets the
+/// conditions: next to the point, tractions are the Wiener-Hopf coefficients of a regular and a
+/// singular square root. The mean over four partitions, by cubic convolution in the position of the
+/// point between the natural ends, has the exact solution's value and slope to second order
+/// (docs/theory.md).
 ///
-/// Cost: O(n) a contact, and a solve for each of four neighbours of the stick-slip point when the
-/// partition has changed.
+/// Cost: O(n) per contact, and one solve for each of four nodes next to the stick-slip point when
+/// the partition has changed.
 class StickSlipPoint {
  public:
-  /// \param first_length  from the trailing edge, which is the natural end where all sticks, to
-  ///                      that of the next partition  [dx]
+  /// \param first_length  distance from the trailing edge, which is the natural end if all nodes
+  ///                      stick, to the next partition's natural end  [dx]
   StickSlipPoint(const LeadingEdgeConstants& edge, double first_length);
 
-  /// Replaces traction, creepage and displacement of a contact by those of the mean; zones and slip
-  /// stay. Without five nodes in adhesion at the end, all stays.
-  /// \param active_set  that solved the contact, whose response is influence
+  /// Replaces traction, creepage and displacement of a contact by the mean over partitions; zones
+  /// and slip are unchanged. With fewer than five nodes in adhesion at the end, nothing is changed.
+  /// \param active_set  the set that solved the contact; its response matrix contains influence
+  ///                    coefficients
   /// \param rolled      the solution of the conditions, in and out
-  /// \param slopes      its derivatives, in and out: none or two
-  /// \param reversal    of a shift without rolling, the tractions since which it has gone one way;
-  ///                    in rolling, none [N/mm^2]
+  /// \param slopes      derivatives of the solution, in and out: none or two
+  /// \param reversal    for a shift without rolling, the tractions at the last reversal; in
+  ///                    rolling, none [N/mm^2]
   void average(ActiveSet& active_set, const SlipConditions& conditions, const Load& load,
                RolledContact& rolled, std::span<RolledContact* const> slopes = {},
                const Eigen::VectorXd* reversal = nullptr);
 
-  /// Writes or reads the responses that are known.
+  /// Writes or reads the known responses.
   /// \param size  n
   void archive(Archive& archive, Eigen::Index size);
 
  private:
-  /// The place of the point; a scalar is a number, or a number with two derivatives.
+  /// The position of the point; a scalar is a number, or a number with two derivatives.
   template <class Scalar>
   struct Place {
-    Eigen::Index partition;  ///< whose natural end is behind the point
-    Scalar fraction;         ///< of an element from there, in [0, 1]
+    Eigen::Index partition;  ///< the partition whose natural end is just behind the point
+    Scalar fraction;         ///< distance from that end to the point, as a fraction of the distance
+                             ///< to the next end, in [0, 1]
   };
 
-  /// A change of one neighbour of the end: unit slip of one in adhesion, unit traction of another;
-  /// or of the creepage, by 1.
+  /// Response to a change at one node next to the end: unit slip of a node in adhesion, or unit
+  /// traction of a slipping node; or to a unit creepage.
   struct Response {
     bool known = false;
     Eigen::VectorXd traction;
@@ -72,16 +76,16 @@ class StickSlipPoint {
     void archive(Archive& archive, Eigen::Index size);
   };
 
-  /// What is left at the neighbours of the end, two before it and three behind: by how much slip is
-  /// below 0, and traction below the bound.
+  /// Distances to the limits at the nodes next to the end, two on each side and a third in
+  /// adhesion: slip below 0, and traction below the bound.
   template <class Scalar>
   using Left = std::array<Scalar, 5>;
 
-  /// Of the first nodes of the contact  [N/mm^2]
+  /// Bounds of the first nodes of the contact  [N/mm^2]
   using Bounds = std::array<double, 3>;
 
-  /// Traction below the bound at the first node of those in adhesion, and the coefficient A of the
-  /// regular square root [N/mm^2]
+  /// Distance of the traction to the bound at the first node in adhesion, and the coefficient A of
+  /// the regular square root [N/mm^2]
   template <class Scalar>
   struct Root {
     Scalar first;
@@ -113,15 +117,16 @@ class StickSlipPoint {
   double second_;  ///< the second node's traction over the first's, of the singular square root
   double first_length_;  ///< [dx]
 
-  // Of the partition whose responses are known.
+  // The partition whose responses are known.
   std::vector<Zone> zones_;
-  Load load_;  ///< none, of the kind of the load
+  Load load_;  ///< a zero load of the same kind as the load
   Eigen::Index stuck_ = 0;
-  double direction_ = 1;  ///< of the traction that slips before the end
-  Bounds left_before_{};  ///< below the bound where the slip zone began to grow  [N/mm^2]
+  double direction_ = 1;  ///< sign of the traction in the slip zone next to the end
+  Bounds left_before_{};  ///< distance to the bound when the slip zone began to grow  [N/mm^2]
   std::array<Response, 4> responses_;  ///< of nodes stuck_ - 2 ... stuck_ + 1
 
-  // Under a creepage a common compliance shifts them, which may be another each time.
+  // Under a prescribed creepage a common compliance, which may differ each time, shifts the
+  // responses.
   double common_ = 0;
   Response by_creepage_;             ///< by a unit creepage
   std::array<Response, 4> shifted_;  ///< the responses with the common compliance
@@ -129,10 +134,10 @@ class StickSlipPoint {
   ContactState answer_;
 };
 
-/// The first node in adhesion; their number if there is none.
+/// The first node in adhesion; the number of nodes if none is in adhesion.
 Eigen::Index first_stuck(const std::vector<Zone>& zones);
 
-/// The node ahead of the last in adhesion; 0 if there is none.
+/// The node ahead of the last node in adhesion; 0 if none is in adhesion.
 Eigen::Index past_last_stuck(const std::vector<Zone>& zones);
 
 }  // namespace microslip

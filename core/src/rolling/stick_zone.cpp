@@ -23,7 +23,7 @@ using std::numbers::pi;
 
 namespace {
 
-/// Terms in Chebyshev's polynomials for 1e-14 of the regular strain over a length.
+/// Number of Chebyshev terms that resolve the regular strain to 1e-14 over a length.
 double terms_for(double clear, double half_length) { return 22 / std::asinh(clear / half_length); }
 
 constexpr double most_terms = 400;
@@ -71,7 +71,7 @@ StickZone::StickZone(std::shared_ptr<const InvertedContact> contact, double trai
   if (std::isfinite(clear_distance(contact_->kernel))) add_regular_strain();
 }
 
-/// Outward distance from b over the half-length; and from c.
+/// Outward distance from b, or from c, over the half-length.
 double StickZone::behind(double x) const { return (begin_ - x) / half_length_; }
 double StickZone::before(double x) const { return (x - end_) / half_length_; }
 
@@ -81,8 +81,9 @@ double StickZone::leading_root() const {
   return root;
 }
 
-/// The strain of a strip without that of plane strain is smooth over the whole contact. Its
-/// Chebyshev coefficients on the stick zone are those of tractions that cancel it there.
+/// The strain of a strip without that of plane strain is smooth over the whole contact. The
+/// strain's Chebyshev coefficients on the stick zone are the coefficients of the tractions that
+/// cancel it there.
 void StickZone::add_regular_strain() {
   const double terms =
       contact_->fineness * terms_for(clear_distance(contact_->kernel), half_length_);
@@ -92,7 +93,7 @@ void StickZone::add_regular_strain() {
   const ArrayXd angles = step * ArrayXd::LinSpaced(m, 1, static_cast<double>(m));
   const double centre = (begin_ + end_) / 2;
 
-  // Tractions by the plane inversion, and those of the slip zones, as line loads.
+  // Tractions from the plane inversion, and tractions of the slip zones, as line loads.
   VectorXd inverted = VectorXd::Zero(m);
   std::vector<double> places, loads;
   const auto take = [&](const SlipSide& side, double edge, double outward) {
@@ -224,7 +225,7 @@ bool StickZone::keeps_conditions() const {
   const auto* table = std::get_if<TabulatedBound>(&contact_->bound);
   const double a = contact_->half_width();
   const VectorXd rows = table != nullptr ? table->x() : VectorXd::LinSpaced(parts + 1, -a, a);
-  const double rounding = 1e-10 * a;  // of a place
+  const double rounding = 1e-10 * a;  // rounding error of a position
   std::vector<double> ends(rows.begin(), rows.end());
   ends.insert(ends.end(), {begin_, end_});
   std::sort(ends.begin(), ends.end());
@@ -266,7 +267,7 @@ double StickZone::displacement_at_end() const {
   return u;
 }
 
-/// The integral over x, from < to, both on the same side.
+/// The integral of slip over x, from < to, both on the same side of the stick zone.
 double StickZone::slip_between(double from, double to) const {
   constexpr double parts_of_contact = 50;
   const bool trails = to <= begin_;

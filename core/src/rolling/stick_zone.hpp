@@ -14,7 +14,7 @@
 
 namespace microslip {
 
-/// The contact that stick zones are sought in: kernel, bound and their quadratures.
+/// The contact in which stick zones are searched: kernel, bound and quadratures.
 class InvertedContact {
  public:
   /// \param fineness  see InvertedRolling
@@ -26,10 +26,10 @@ class InvertedContact {
   std::optional<FullSliding> sliding;  ///< none for a table
   double fineness;
 
-  /// Whether the bound falls faster to the leading edge than a traction in adhesion.
+  /// Whether the bound falls to the leading edge faster than a traction in adhesion does.
   bool slips_before() const { return !leading.smooth() && leading.values().front() == 0; }
 
-  /// The least creepage of full sliding, if it is known; else inf  [1]
+  /// The least creepage of full sliding; inf if it is unknown  [1]
   double sliding_creepage() const;
 
   double bound_at(double x) const {
@@ -41,12 +41,12 @@ class InvertedContact {
   double end() const { return half_width() - leading.begin(); }
 };
 
-/// A stick zone [b, c] and what the slip zones beside it make of it, under a positive creepage.
-/// Tractions are counted as positive here.
+/// A stick zone [b, c] and the solution that follows from the slip zones beside it, under a
+/// positive creepage. Tractions are counted as positive here.
 class StickZone {
  public:
   /// \param trailing  theta of the trailing slip zone's outer end, > 0
-  /// \param leading   the same of the leading one; 0 if there is none
+  /// \param leading   theta of the leading slip zone's outer end; 0 if there is no such zone
   StickZone(std::shared_ptr<const InvertedContact> contact, double trailing, double leading);
 
   double begin() const { return begin_; }        ///< b  [mm]
@@ -54,16 +54,16 @@ class StickZone {
   double creepage() const { return creepage_; }  ///< w  [1]
   double force() const { return force_; }        ///< [N/mm]
 
-  /// The square root by which the traction leaves the bound at c, over pi: zero where the bodies
-  /// slip before it.
+  /// Coefficient, over pi, of the square root with which the traction leaves the bound at c. It has
+  /// to be zero if the bodies slip ahead of the stick zone.
   double leading_root() const;
 
-  /// The same over the part of the trailing slip zone in it.
+  /// That coefficient over the contribution of the trailing slip zone.
   double relative_leading_root() const { return leading_root() / trailing_.at_far_end(); }
 
-  // The equations of the regular strain of a strip.
+  // Number of equations for the regular strain of a strip.
   Eigen::Index unknowns() const { return added_.size(); }
-  double condition() const { return condition_; }  ///< in the 1-norm; of a complete zone
+  double condition() const { return condition_; }  ///< in the 1-norm; only for a complete zone
 
   const InvertedContact& contact() const { return *contact_; }
 
@@ -75,7 +75,7 @@ class StickZone {
   /// many places: close to each row of a table and to the ends of the stick zone, too.
   bool keeps_conditions() const;
 
-  /// Makes ready what only tractions, slip and displacement need.
+  /// Prepares the data that only tractions, slip and displacement need.
   void complete();
 
  private:
@@ -95,7 +95,7 @@ class StickZone {
   double log_factor_;
   double creepage_, force_;
 
-  // Added by the regular strain of a strip.
+  // Contributions of the regular strain of a strip.
   std::optional<Eigen::PartialPivLU<Eigen::MatrixXd>> factors_;
   double norm_ = 1;  ///< of the matrix
   double condition_ = 1;

@@ -13,14 +13,15 @@ using Eigen::Array3d;
 
 namespace {
 
-/// A piece of a row is halved at most so often: the normal load's root at 0 is steep.
+/// Largest number of halvings of a piece of a row; the square root of the normal load is steep at
+/// 0.
 constexpr int most_halvings = 40;
 
-/// Rounding of lengths, relative.
+/// Relative rounding error of lengths.
 constexpr double rounding = 1e-9;
 
 /// The load at a distance: the shift so far or the force, half-width and bound, each over half its
-/// tolerance. The other half is for what lies between samples.
+/// tolerance. The other half of the tolerance is left for the load between samples.
 struct Sample {
   double distance;  ///< [mm]
   Array3d load;
@@ -61,8 +62,8 @@ class LoadPath {
   Array3d scale_;
 };
 
-/// The steps, from the samples in turn: lines from the last end are steep or flat enough to pass
-/// each sample since then within 1, as in the compression of measured data by a swinging door.
+/// Makes steps from the samples in turn, like the swinging-door compression of measured data: a
+/// line from the end of the last step has a slope with which it passes each later sample within 1.
 class Steps {
  public:
   Steps(const Sample& start, double longest, std::size_t most)
@@ -106,7 +107,7 @@ class Steps {
   std::vector<double> lengths_;
 };
 
-/// Samples to `to`, between which the load is straight within 1.
+/// Takes samples up to `to`, between which the load is straight within 1.
 void sample(const LoadPath& path, const Sample& from, const Sample& to, double longest,
             int halvings, Steps& steps) {
   const double length = to.distance - from.distance;

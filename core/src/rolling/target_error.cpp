@@ -30,11 +30,11 @@ SteadyProblem problem_of(const SteadyContact& contact, Index elements, const Ste
 
 namespace {
 
-/// Nodes of tables where the grid has no part in the solution.
+/// Number of nodes in tables if the solution does not depend on the grid.
 constexpr Index shown_nodes = 100;
 
 constexpr Index fewest_elements = 16;
-/// More would take minutes.
+/// More elements would take minutes.
 constexpr Index most_elements = 1 << 16;
 
 SteadyProblem by_elements(const SteadyContact& contact, Index elements) {
@@ -45,7 +45,8 @@ double relative(double difference, double value) {
   return difference == 0 ? 0 : std::abs(difference / value);
 }
 
-/// Relative change of the answer over that of the load, by the scheme that works for any.
+/// Relative change of the result over the relative change of the load, by the scheme that works for
+/// any contact.
 double sensitivity(const SteadyContact& contact) {
   constexpr double change = 1e-2;
   constexpr Index elements = 64;
@@ -55,8 +56,9 @@ double sensitivity(const SteadyContact& contact) {
   return relative(answer_of(contact.load, solve_steady(problem)) - value, value) / change;
 }
 
-/// Error of the answer that violations of the contact conditions may cause. A violation is a share
-/// of the force: under a force it acts like a change of the load, under a creepage it is the error.
+/// Error of the result that violations of the contact conditions may cause. A violation is a share
+/// of the force: under a prescribed force it acts like a change of the load, under a prescribed
+/// creepage it is the error.
 double cost_of(const Evidence& evidence, const SteadyContact& contact) {
   const double violation = evidence.violation();
   if (violation <= std::numeric_limits<double>::epsilon()) return violation;
@@ -64,7 +66,7 @@ double cost_of(const Evidence& evidence, const SteadyContact& contact) {
   return violation * (by_force ? std::max(1.0, sensitivity(contact)) : 1);
 }
 
-/// None where there is more than one stick zone.
+/// The solution by inversion; none if there is more than one stick zone.
 std::optional<EstimatedSteady> by_inversion(const SteadyContact& contact) {
   constexpr double finer = 1.5;
   constexpr double rounding = 1e-13;
@@ -100,15 +102,16 @@ EstimatedSteady solve_steady_to(const SteadyContact& contact, double target) {
 
 namespace {
 
-/// As many elements as a table has rows are likely to resolve it.
+/// The number of elements to begin with: as many as a table has rows are likely to resolve the
+/// table.
 Index fewest_for(const TractionBound& bound) {
   const auto* table = std::get_if<TabulatedBound>(&bound);
   return table == nullptr ? fewest_elements
                           : 2 * std::clamp<Index>(table->x().size() / 2, 128, 2048);
 }
 
-/// The longest distance up to `most` from an edge where the bound does not carry what adhesion
-/// would, by halves.
+/// The longest distance from an edge, up to `most`, over which the bound does not carry the
+/// traction of adhesion; found by bisection.
 template <class Carries>
 double longest_without(const Carries& carries, double most, double half_width) {
   const double shortest = 1e-12 * half_width;
@@ -117,10 +120,11 @@ double longest_without(const Carries& carries, double most, double half_width) {
   return length;
 }
 
-/// The most by which a slip zone at the trailing edge that is shorter than a few elements may
-/// change force over creepage: a quarter of its length over the half-width, as in Carter's
-/// solution. It ends where the bound carries what adhesion would carry behind: of a traction that
-/// is singular at the edge, (2/pi) sqrt(2 d/a) of the load up to the distance d, here twice of it.
+/// Upper limit of the change of force over creepage due to a trailing slip zone shorter than a few
+/// elements: a quarter of the zone's length over the half-width, as in Carter's solution. The zone
+/// ends where the bound carries the load that adhesion would carry behind that point. For a
+/// traction that is singular at the edge this load is (2/pi) sqrt(2 d/a) of the whole load at the
+/// distance d; twice as much is taken here.
 double cost_of_unresolved_slip(const SteadyContact& contact, const SteadySolution& solution) {
   constexpr Index resolved = 4;
   const auto sticks = std::find(solution.zones.begin(), solution.zones.end(), Zone::adhesion);
@@ -137,10 +141,11 @@ double cost_of_unresolved_slip(const SteadyContact& contact, const SteadySolutio
   return 2 * longest_without(carries, static_cast<double>(slipping + 1) * element, a) / (4 * a);
 }
 
-/// Where the bound falls faster than a square root to the leading edge, bodies slip there, too, and
-/// an element may be too long to show it. What that changes was 0.1 to 0.3 times the length of that
-/// zone over the length of the stick zone, tests/property/generated_contacts.hpp. Its end is where
-/// the bound carries what adhesion would: the square root through the third node before the edge.
+/// If the bound falls to the leading edge faster than a square root, bodies slip there, too, and an
+/// element may be too long to resolve the leading slip zone. The resulting change was 0.1 to 0.3
+/// times the length of that zone over the length of the stick zone:
+/// tests/property/generated_contacts.hpp. The zone ends where the bound carries the traction of
+/// adhesion, which is taken as the square root through the third node from the edge.
 double cost_of_unresolved_leading_slip(const SteadyContact& contact,
                                        const SteadySolution& solution) {
   constexpr double share = 0.3;
@@ -163,9 +168,9 @@ double cost_of_unresolved_leading_slip(const SteadyContact& contact,
          (static_cast<double>(sticking) * element);
 }
 
-/// The most by which force over creepage may change where a stick zone begins at a jump of the
-/// bound, which an element does not resolve: traction is singular there, and both are in proportion
-/// to the length of the zone.
+/// Upper limit of the change of force over creepage if a stick zone begins at a jump of the bound,
+/// which an element does not resolve: the traction is singular there, and force and creepage are
+/// proportional to the length of the zone.
 double cost_of_unresolved_jumps(const SteadySolution& solution) {
   constexpr double jump = 1.5;
   const auto sticks = [&](Index i) {
@@ -181,8 +186,8 @@ double cost_of_unresolved_jumps(const SteadySolution& solution) {
   return cost;
 }
 
-/// Errors change with the place of each kink within its element: thrice the largest of several
-/// differences to fewer elements is taken.
+/// The error depends on the position of each kink within its element, so that the estimate is three
+/// times the largest of several differences to solutions with fewer elements.
 double error_of(const SteadyContact& contact, Index elements, const SteadySolution& fine) {
   const double value = answer_of(contact.load, fine);
   const auto difference = [&](Index n) {

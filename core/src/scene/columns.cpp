@@ -48,7 +48,7 @@ std::vector<std::string> cells_between_tabs(const std::string& line) {
   return cells;
 }
 
-/// The first name that stands twice; empty if none does.
+/// The first name that occurs twice; empty if none does.
 std::string repeated(std::vector<std::string> names) {
   std::sort(names.begin(), names.end());
   const auto found = std::adjacent_find(names.begin(), names.end());
@@ -92,7 +92,7 @@ void require_as_many(std::size_t found, std::size_t expected, int line) {
 /// A wanted column in a file.
 struct Found {
   std::size_t place;
-  double factor;  ///< of the unit in the file
+  double factor;  ///< conversion from the unit in the file
   std::vector<double> values = {};
 };
 

@@ -11,8 +11,8 @@
 
 namespace microslip {
 
-/// \return  as many as are wanted, in their units, each with at least one value; those that are
-///          neither needed nor there are empty
+/// \return  the wanted columns, in their units, each with at least one value; an optional column
+///          that is missing is empty
 /// \throws std::invalid_argument in one line, with the line's number
 std::vector<std::optional<Eigen::VectorXd>> read_columns(std::istream& in,
                                                          const std::vector<FileColumn>& wanted);

@@ -15,7 +15,7 @@ namespace microslip {
 
 namespace {
 
-/// A half-width above this part of the smaller radius is not small, as Hertz's theory wants it.
+/// Largest half-width, as a fraction of the smaller radius, at which Hertz's theory holds.
 constexpr double small_contact = 0.1;
 
 struct Radii {

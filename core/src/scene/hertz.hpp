@@ -7,9 +7,10 @@
 
 namespace microslip {
 
-/// The bound of a contact from contact.normal_load, radius_1, radius_2 (a plane) and friction, by
-/// Hertz. Its half-width and peak are derived parameters of the scene.
-/// \throws BadParameter for keys and values that do not go together
+/// The bound of a contact from contact.normal_load, radius_1, radius_2 (by default a plane) and
+/// friction, by Hertz's theory. The bound's half-width and peak become derived parameters of the
+/// scene.
+/// \throws BadParameter for keys or values that do not fit together
 HertzBound read_loaded_contact(Scene& scene, const Material& material);
 
 }  // namespace microslip

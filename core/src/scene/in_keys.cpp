@@ -11,8 +11,8 @@ namespace microslip {
 namespace {
 
 struct Argument {
-  std::string_view name;  ///< in errors of core
-  std::string_view key;   ///< that gives it
+  std::string_view name;  ///< the argument's name in errors of core
+  std::string_view key;   ///< the key that gives the argument
 };
 
 constexpr auto arguments = std::to_array<Argument>({

@@ -20,7 +20,7 @@ constexpr std::string_view blanks_and_comment = " \t\v\f\r;";
 
 constexpr std::string_view ends_words = "{}\";";
 
-/// Most words of a value with a unit; a longer line is searched no further.
+/// Largest number of words of a value with a unit; a longer line is not searched further.
 constexpr std::size_t most_words = 16;
 
 [[noreturn]] void fail(const std::string& what) { throw std::invalid_argument(what); }
@@ -42,12 +42,12 @@ std::string unescaped(std::string_view raw) {
   return text;
 }
 
-/// The rest of a line that is being read.
+/// The unread rest of a line.
 class Rest {
  public:
   explicit Rest(std::string_view line) : text_(line) {}
 
-  /// The next character that is no blank; a semicolon at the end, too.
+  /// The next character that is not blank; at the end, a semicolon.
   char next() {
     text_.remove_prefix(std::min(text_.size(), text_.find_first_not_of(blanks)));
     return text_.empty() ? ';' : text_.front();
@@ -63,7 +63,7 @@ class Rest {
 
   std::string_view word() { return take(text_.find_first_of(blanks_and_comment)); }
 
-  /// Without its quotes.
+  /// A quoted text without its quotes.
   std::string_view quoted() {
     std::size_t end = 1;
     while (end < text_.size() && text_[end] != '"') end += text_[end] == '\\' ? 2 : 1;
@@ -71,8 +71,8 @@ class Rest {
     return take(end + 1).substr(1, end - 1);
   }
 
-  /// A word, and if that is a number, the words behind it that are its unit; one that is alone is
-  /// meant as one.
+  /// A word; if the word is a number, with the following words that are its unit. A single word
+  /// behind a number is taken as a unit.
   std::string_view word_with_unit() {
     const std::string_view from = text_;
     if (!finite_number(word())) return from.substr(0, from.size() - text_.size());
@@ -112,7 +112,7 @@ class InfoReader {
     return std::move(entries_);
   }
 
-  /// Number of the line that is being read, or that is wrong.
+  /// Number of the current line, which is the wrong line after an error.
   int line() const { return line_; }
 
  private:
@@ -185,9 +185,9 @@ class InfoReader {
 
   std::vector<InfoEntry> entries_;
   std::vector<Section> open_;
-  bool may_open_ = false;     ///< the last key a section
-  bool wants_value_ = false;  ///< in this line
-  bool goes_on_ = false;      ///< the last value, in the next line
+  bool may_open_ = false;     ///< whether the last key may open a section
+  bool wants_value_ = false;  ///< whether the last key of this line has no value yet
+  bool goes_on_ = false;      ///< whether the last value continues in the next line
   int line_ = 1;
 };
 

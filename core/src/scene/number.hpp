@@ -11,13 +11,13 @@
 
 namespace microslip {
 
-/// The text without a plus sign in front of a number, which std::from_chars does not take.
+/// The text without a plus sign in front of a number; std::from_chars does not accept that sign.
 inline std::string_view without_plus(std::string_view text) {
   const bool has_plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
   return has_plus ? text.substr(1) : text;
 }
 
-/// The whole text as a decimal number, with a point whatever the locale.
+/// The whole text as a decimal number, with a decimal point in any locale.
 template <class Number>
 std::optional<Number> converted(std::string_view text) {
   Number value{};
@@ -28,20 +28,22 @@ std::optional<Number> converted(std::string_view text) {
   return value;
 }
 
-/// Nothing also for what is too small for a double and not zero: 1e-400 would silently become 0.
+/// The whole text as a finite number. None also for a nonzero number too small for a double: 1e-400
+/// would silently become 0.
 inline std::optional<double> finite_number(std::string_view text) {
   const auto value = converted<double>(text);
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
-/// Also if it is written as 1e5 or 20.0; such a one up to 2^53, below which no digit is lost.
+/// The text as a whole number, also written as 1e5 or 20.0; in these forms up to 2^53, below which
+/// doubles are exact.
 std::optional<Eigen::Index> whole_number(std::string_view text);
 
 /// The shortest texts of numbers, separated by blanks.
 std::string joined_numbers(const std::vector<double>& values);
 
-/// How to write what is nearly a number, e.g. " with a decimal point" for 1,5: to follow "a number"
-/// in a message. Empty if there is nothing to say.
+/// Advice on a text that is nearly a number, e.g. " with a decimal point" for 1,5; it follows "a
+/// number" in a message. Empty if there is no advice.
 std::string advice(const std::string& text);
 
 }  // namespace microslip

@@ -16,7 +16,8 @@ namespace microslip {
 
 namespace {
 
-/// Forces are below full sliding of the contact of their row, or 0 where there is none.
+/// Requires that each force is below full sliding of its row's contact, or 0 where the bodies do
+/// not touch.
 void require_below_full_sliding(const Eigen::VectorXd& forces, const LoadHistory& loads,
                                 const TractionBound& bound) {
   const double full = full_sliding_force(bound);

@@ -9,10 +9,11 @@
 
 namespace microslip {
 
-/// The run of load.file, with load.radius if it has a column omega. Its columns of the contact are
-/// taken over those of the problem's: normal_load over contact.normal_load, and so on.
-/// \param problem  forces keep its bound; of contacts that change, half-widths fit its kernel
-/// \throws std::invalid_argument that names file, and line or row and column
+/// The run of load.file, with load.radius if the file has a column omega. Columns of the contact
+/// are divided by the problem's values: normal_load by contact.normal_load, and so on.
+/// \param problem  its bound limits forces, and its kernel limits the half-widths of contacts that
+///                 change
+/// \throws std::invalid_argument with a message that names the file, and the line or row and column
 LoadHistory read_run(Scene& scene, const TransientProblem& problem);
 
 /// The steps from row to row, dq/dx  [1]

@@ -28,7 +28,7 @@ namespace {
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
-/// The nearest, or one of the same name in another section.
+/// The nearest known key, or the key of the same name in another section.
 std::string meant(const std::string& key, const std::vector<std::string>& known) {
   const std::string near = nearest(key, known);
   if (!near.empty()) return near;
@@ -79,7 +79,7 @@ Scene Scene::parse(std::istream& in, const std::string& name, const std::string&
   return scene;
 }
 
-/// Replaces the text of a key that is there, in the order of the others.
+/// Sets the text of a key; a key that is there already keeps its position in the order.
 void Scene::put(const std::string& key, const std::string& text, const Place& place) {
   require_short(key);
   const bool bad_key = std::any_of(key.begin(), key.end(), is_control);
@@ -264,7 +264,7 @@ std::vector<double> Scene::numbers(const std::string& key) {
       values.push_back(*value);
       continue;
     }
-    const bool behind = !values.empty() && !converted<double>(word) &&  // which takes nan and inf
+    const bool behind = !values.empty() && !converted<double>(word) &&  // it takes nan and inf, too
                         std::isalpha(static_cast<unsigned char>(word[0])) != 0;
     if (!takes_units || (!behind && !has_unit(word))) {
       reject(key, text(key), fmt::format("finite numbers{}, separated by blanks", advice(word)));
@@ -327,7 +327,7 @@ std::string Scene::word(const std::string& key) {
   return chosen;
 }
 
-/// A parameter, which may be read more than once.
+/// Records a parameter, once even if it is read several times.
 void Scene::record(const std::string& key, const std::string& value) {
   const bool is_new =
       std::ranges::find(parameters_, key, &Parameters::value_type::first) == parameters_.end();
@@ -337,7 +337,7 @@ void Scene::record(const std::string& key, const std::string& value) {
 void Scene::reject_unread() const {
   std::vector<std::string> known;
   for (const auto& [key, text] : parameters_) {
-    if (key.find(' ') == std::string::npos) known.push_back(key);  // else it is derived
+    if (key.find(' ') == std::string::npos) known.push_back(key);  // others are derived
   }
   for (const auto& [key, value] : values_) {
     if (std::find(known.begin(), known.end(), key) != known.end()) continue;

@@ -18,15 +18,16 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// A table may have been printed with few digits  [dx, or the distance of two rows]
+/// Tolerance for positions, as a table may have been printed with few digits  [dx, or the distance
+/// of two rows]
 constexpr double printed = 1e-3;
 
 bool are_nodes(const VectorXd& x, const VectorXd& nodes, double tolerance) {
   return x.size() == nodes.size() && (x - nodes).lpNorm<Eigen::Infinity>() <= tolerance;
 }
 
-/// A bound may have been the mean over an element, so that only more than the largest one therein
-/// is too much.
+/// The table's bound may have been an element mean, so that a traction is only rejected above the
+/// largest bound within an element.
 void require_within_bound_nearby(const VectorXd& x, const VectorXd& traction,
                                  const TransientProblem& problem) {
   const double half = problem.grid.spacing() / 2;
@@ -37,7 +38,7 @@ void require_within_bound_nearby(const VectorXd& x, const VectorXd& traction,
 }
 
 /// \param row     the first or the last within the contact
-/// \param beyond  how far the outermost node lies beyond it
+/// \param beyond  distance from that row to the outermost node beyond it
 void require_reach(const VectorXd& x, Index row, Index neighbour, double beyond, double node) {
   const double distance = std::abs(x[row] - x[neighbour]);
   require(beyond <= (1 + printed) * distance, "x", x[row], [&] {

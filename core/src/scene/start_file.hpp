@@ -5,15 +5,15 @@
 
 namespace microslip {
 
-/// Tractions at the nodes of a transient's grid, from those of a table. Rows at the nodes are taken
-/// as they are. Else the ratio to the bound is interpolated linearly between the rows where the
-/// bound is not zero, and held next to the edges: from an outermost row outwards by at most the
-/// distance to its neighbour, as far as an element may reach.
+/// Tractions at the nodes of a transient's grid, from the tractions of a table. Rows at the nodes
+/// are used unchanged. Otherwise the ratio to the bound is interpolated linearly between rows where
+/// the bound is not zero, and held constant next to the edges: outwards from an outermost row by at
+/// most the distance to the neighbouring row, as far as an element may reach.
 ///
 /// \param x         ascending  [mm]
 /// \param traction  at x, within the bound  [N/mm^2]
-/// \throws std::invalid_argument outside the ranges, or if the table ends short of a node within
-///                               the contact
+/// \throws std::invalid_argument outside the ranges, or if the table ends before a node within the
+///                               contact
 Eigen::VectorXd traction_at_nodes(const Eigen::VectorXd& x, const Eigen::VectorXd& traction,
                                   const TransientProblem& problem);
 

@@ -38,7 +38,7 @@ void Table::add(std::vector<Cell> row) {
 }
 
 void Table::add(std::vector<Cell> row, const Rounding& rounding) {
-  index_of(rounding.column);  // throws if there is none
+  index_of(rounding.column);  // throws if there is no such column
   add(std::move(row));
   rounding_.emplace(rows_.size() - 1, rounding);
 }
@@ -119,7 +119,7 @@ void Table::write(std::ostream& out, const std::string& program,
 
 namespace {
 
-/// A text, line by line and then part by part; what is not as expected throws.
+/// Reads a text line by line, and each line piece by piece. Unexpected text throws.
 class Lines {
  public:
   explicit Lines(std::string_view text) : text_(text) {}
@@ -127,7 +127,7 @@ class Lines {
   bool at_end() const { return text_.empty(); }
   bool starts_with(std::string_view begin) const { return text_.starts_with(begin); }
 
-  /// All up to a mark, which is taken, too.
+  /// The text up to a mark; the mark is skipped.
   std::string up_to(std::string_view mark) {
     const std::size_t at = text_.find(mark);
     if (at == std::string_view::npos || text_.substr(0, at).find('\n') != std::string_view::npos) {
@@ -149,8 +149,8 @@ class Lines {
   std::string_view text_;
 };
 
-/// What Table::write_rounding wrote: bounds of columns, into these, and of rows by their first
-/// cell.
+/// Reads the output of Table::write_rounding. Bounds of columns are stored in `columns`; bounds of
+/// rows are returned by the first cell of the row.
 std::multimap<std::string, Rounding> read_rounding(Lines& lines, std::vector<Column>& columns) {
   std::multimap<std::string, Rounding> of_rows;
   if (!lines.starts_with(rounding_mark)) return of_rows;

@@ -40,7 +40,7 @@ std::string file_text(const std::string& path, std::size_t most) {
       throw std::invalid_argument(fmt::format("expected at most {} bytes", most));
     }
     if (text.find('\0', text.size() - static_cast<std::size_t>(in.gcount())) != std::string::npos) {
-      break;  // no text, however it goes on
+      break;  // not a text, whatever follows
     }
   }
   if (in.bad() || !in.is_open()) {

@@ -21,7 +21,7 @@ namespace microslip {
 
 namespace {
 
-/// factor * 10^ten in mm, N and s, raised to these powers.
+/// The unit factor * 10^ten of mm, N and s, raised to these powers.
 struct Unit {
   double factor = 1;
   int ten = 0;
@@ -54,7 +54,7 @@ const std::map<std::string, Unit, std::less<>> symbols{
     {"rad", {}},
 };
 
-/// Units that a message names besides the unit of the key.
+/// Units for messages, besides the unit of the key.
 const std::map<std::string, std::string> others{{"mm", "um, cm, m, in"},
                                                 {"N/mm^2", "Pa, kPa, MPa, GPa"},
                                                 {"N/mm", "N/m, kN/m"},
@@ -63,7 +63,7 @@ const std::map<std::string, std::string> others{{"mm", "um, cm, m, in"},
                                                 {"N s^2", "kg m, kg m^2/m"},
                                                 {"s", "ms"}};
 
-/// "mm^2", "mm2", "mm"
+/// The unit of a symbol with an optional power: "mm^2", "mm2", "mm".
 std::optional<Unit> power_of_symbol(std::string_view text) {
   const std::size_t end = text.find_last_not_of("0123456789");
   int power = 1;
@@ -117,7 +117,7 @@ std::optional<Unit> unit_of(std::string_view text) {
   return unit;
 }
 
-/// The number that a text begins with, and what follows it, without the blanks between.
+/// Splits a text into the number at its beginning and the rest, without the blanks between them.
 std::pair<std::string_view, std::string_view> split_number(std::string_view text) {
   const std::string_view digits = without_plus(text);
   double value = 0;
@@ -147,7 +147,7 @@ std::optional<double> quantity(std::string_view text, std::string_view unit) {
 }
 
 std::optional<std::vector<double>> quantities(std::string_view text, std::string_view unit) {
-  std::vector<std::string> items;  // a number each, with the unit behind it
+  std::vector<std::string> items;  // each one a number with its unit
   std::istringstream words{std::string(text)};
   for (std::string word; words >> word;) {
     if (items.empty() || !split_number(word).first.empty()) {

@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Takes the text up to a mark away from the front, and the mark.
+/// Removes the text up to a mark, and the mark, from the front. \return that text without the mark
 std::string_view take_until(std::string_view& text, char mark) {
   const std::size_t end = text.find(mark);
   const std::string_view taken = text.substr(0, end);
@@ -26,7 +26,7 @@ std::string_view take_until(std::string_view& text, char mark) {
   return taken;
 }
 
-/// The number that a whole word is; false if it is none.
+/// Reads a word as a number; false if the word as a whole is not a number.
 template <class Number, class... Style>
 bool is_number(std::string_view word, Number& value, Style... style) {
   const char* end = word.data() + word.size();

@@ -20,7 +20,7 @@ std::shared_ptr<gsl_cheb_series> empty_series(std::size_t order) {
 
 ChebyshevSeries::ChebyshevSeries(const std::function<double(double)>& function, double begin,
                                  double end, std::size_t order) {
-  // GSL's status is that of success here.
+  // GSL's status is always success here.
   if (!(begin < end)) throw std::invalid_argument("Chebyshev series: expected begin < end");
   const gsl::Function values(function);
   const auto series = empty_series(order);

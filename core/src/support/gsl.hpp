@@ -10,13 +10,13 @@
 #include <new>
 
 /// \file
-/// All calls of GSL go through this file. GSL reports an error to a handler that belongs to the
-/// whole process, and the handler that it comes with ends the program. Here each call returns its
-/// status instead, which is thrown, and the program that uses this library keeps its own handler.
+/// All calls of GSL go through this file. GSL reports errors to a handler that belongs to the whole
+/// process; GSL's default handler ends the program. Here each call returns a status instead, an
+/// error status is thrown, and a program that uses this library keeps its own handler.
 namespace microslip::gsl {
 
-/// While at least one of these lives in any thread, GSL's handler is off; the last one to go puts
-/// back the handler that the first one found.
+/// Switches GSL's handler off while at least one of these objects lives in any thread. The last
+/// object to be destroyed restores the handler that the first one found.
 class HandlerOff {
  public:
   HandlerOff();
@@ -25,7 +25,7 @@ class HandlerOff {
   HandlerOff& operator=(const HandlerOff&) = delete;
 };
 
-/// \return what a call of GSL returns, made with the handler off
+/// \return the result of a call of GSL, made with the handler off
 template <class Call>
 auto quietly(const Call& call) {
   const HandlerOff off;
@@ -36,12 +36,12 @@ auto quietly(const Call& call) {
 /// \throws std::bad_alloc if the status is GSL_ENOMEM, std::invalid_argument if it is another error
 void require_success(int status, const char* what);
 
-/// What GSL allocates, and frees.
+/// Owner of an object that GSL allocates and frees.
 template <class T>
 using Owned = std::unique_ptr<T, void (*)(T*)>;
 
 /// \param make  T*(), one of GSL's allocations
-/// \throws std::bad_alloc if it returns null
+/// \throws std::bad_alloc if make returns null
 template <class T, class Make>
 Owned<T> owned(const Make& make, void (*free)(T*)) {
   Owned<T> made(quietly(make), free);

@@ -29,7 +29,7 @@ double integrate(const std::function<double(double)>& integrand, double begin, d
                                 &value, &error);
   });
   function.rethrow();
-  // GSL's rounding test is on the safe side: what counts is the error that it estimates.
+  // GSL's test for rounding errors is pessimistic, so that only the estimated error counts.
   if ((status != GSL_SUCCESS && status != GSL_EROUND) ||
       !(error <= 10 * relative * std::abs(value))) {
     throw NotConverged(std::string("quadrature: ") + gsl_strerror(status),

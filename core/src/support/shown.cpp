@@ -36,7 +36,7 @@ std::string shown(std::string_view text, std::size_t most) {
     }
     const auto begin = at;
     const auto point = boost::locale::utf::utf_traits<char>::decode(at, text.end());
-    if (point == boost::locale::utf::illegal) at = begin + 1;  // what follows may be fine
+    if (point == boost::locale::utf::illegal) at = begin + 1;  // the bytes that follow may be valid
     const std::string_view bytes(begin, at);
     all += is_printable(point) ? std::string(bytes) : escaped(bytes);
   }

@@ -7,7 +7,7 @@ namespace microslip {
 
 double x_minus_sine(double x) {
   if (std::abs(x) > 1.5) return x - std::sin(x);
-  // Taylor's series, from its smallest term.
+  // The Taylor series, summed from the smallest term.
   constexpr int terms = 11;
   double sum = 0;
   for (int k = terms; k >= 1; --k) {

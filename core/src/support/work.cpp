@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::chrono::milliseconds between_looks{100};
 
-/// Whole, and below 2^53 for months. Its thread alone writes.
+/// A whole number, which stays below 2^53 for months. Only the counted thread writes it.
 thread_local std::atomic<double> counted = 0;
 
 }  // namespace

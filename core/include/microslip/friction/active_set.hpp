@@ -12,29 +12,29 @@
 
 namespace microslip {
 
-/// The bodies roll with this creepage, and the force follows.
+/// Prescribes the creepage; the force follows.
 struct PrescribedCreepage {
   double value;  ///< relative rigid slip w, finite  [1]
 };
 
-/// The bodies carry this force, and the creepage follows.
+/// Prescribes the force; the creepage follows.
 struct PrescribedForce {
   double value;  ///< F, less in absolute value than full sliding  [N/mm]
 };
 
 using Load = std::variant<PrescribedCreepage, PrescribedForce>;
 
-/// The load of a step as a slip displacement has it: the creepage times the length, or the force.
-/// \param length  of the step  [mm]
+/// The load of a step in terms of slip displacement: the creepage times the length, or the force.
+/// \param length  length of the step  [mm]
 Load load_of_step(const Load& load, double length);
 
-/// In slip, the sign is that of the traction.
+/// Adhesion or slip of an element; the sign of a slip zone is the sign of the traction.
 enum class Zone : signed char { slip_negative = -1, adhesion = 0, slip_positive = 1 };
 
-/// An element on a spring: its slip is larger by the compliance times the change of its traction.
+/// An element on a spring. The spring adds the compliance times the change of traction to the slip.
 struct CompliantElement {
   Eigen::Index element;
-  double compliance;  ///< >= 0, in the unit of the response
+  double compliance;  ///< >= 0, in the unit of the response matrix
 
   bool operator==(const CompliantElement&) const = default;
 };
@@ -46,31 +46,30 @@ class Archive;
 void archive_zones(Archive& archive, std::string_view name, std::vector<Zone>& zones,
                    Eigen::Index size);
 
-/// Writes or reads compliant elements of n.
+/// Writes or reads the compliant elements among n elements.
 /// \param size  n
 void archive_compliant(Archive& archive, std::vector<CompliantElement>& compliant,
                        Eigen::Index size);
 
-/// The equation of the slip at n traction coefficients p, and the bound that they keep:
-/// s = w + offset + (response + springs) (p - reference) + common (F - reference force),
-/// |p_i| <= bound_i. Where the bound is zero, so is p, whatever the slip.
+/// The slip s as a function of n traction coefficients p, and the bound on p: s = w + offset +
+/// (response + springs) (p - reference) + common (F - reference force), |p_i| <= bound_i. Where the
+/// bound is zero, p is zero for any slip.
 struct SlipConditions {
   Eigen::VectorXd bound;      ///< n, >= 0  [N/mm^2]
   Eigen::VectorXd offset;     ///< n, in the unit of the slip
   Eigen::VectorXd reference;  ///< n  [N/mm^2]
   std::vector<CompliantElement> compliant = {};
-  double common = 0;  ///< compliance by which the force shifts all elements alike  [slip mm/N]
+  double common = 0;  ///< shift of all elements alike per unit of force  [slip mm/N]
 };
 
-/// How exactly slip conditions are met.
+/// Residuals of the slip conditions.
 struct Residuals {
-  double equations = 0;  ///< slip left in adhesion, over the largest term of its equations  [1]
-  double bound = 0;      ///< of |p| above the bound, over the largest bound  [1]
-  double slip = 0;  ///< of slip along the traction instead of against it, over the largest slip
-                    ///< [1]
+  double equations = 0;  ///< slip left in adhesion, over the largest term of the equations  [1]
+  double bound = 0;      ///< excess of |p| over the bound, over the largest bound  [1]
+  double slip = 0;  ///< slip along the traction instead of against it, over the largest slip [1]
 };
 
-/// The answer to slip conditions.
+/// The solution of slip conditions.
 struct ContactState {
   Eigen::VectorXd traction;  ///< n  [N/mm^2]
   Eigen::VectorXd slip;      ///< n, zero in adhesion
@@ -80,72 +79,74 @@ struct ContactState {
   Residuals residuals = {};
 };
 
-/// Finds tractions, slip and their partition: in adhesion s = 0 and |p| <= bound, in slip
-/// p = -bound s/|s|. Slip and creepage have the unit of response times traction: relative slip [1],
-/// or slip displacement [mm].
+/// Finds tractions, slip and the partition into adhesion and slip: in adhesion s = 0 and |p| <=
+/// bound, in slip p = -bound s/|s|. Slip and creepage have the unit of response times traction:
+/// relative slip [1], or slip displacement [mm].
 ///
-/// The search has two phases. The first exchanges all violating elements at once, those above the
-/// bound before those with the wrong direction of slip: thesis 3.1.1. From adhesion everywhere and
-/// for c near 1 it takes about log2(n) rounds. For c << 1 the partitions never settle, so an
-/// element may be released from adhesion only once. The second phase exchanges one element at a
-/// time along an exact path. The path begins with bounds and offsets for which a partition is the
-/// solution, and ends with the given ones. From a partition nearby it takes as many exchanges as
-/// partitions differ by, or few more. It begins at the first partition, or, if all sticks there,
-/// where the first phase has ended. If it takes more than 60 exchanges, or 20, it begins again, in
-/// the end with a bound so high that all elements stick.
+/// The search has two phases. The first phase exchanges all violating elements at once, elements
+/// above the bound before elements with the wrong direction of slip: thesis 3.1.1. From adhesion
+/// everywhere and for c near 1 this phase takes about log2(n) rounds. For c << 1 the partitions
+/// never settle, so an element may be released from adhesion only once. The second phase exchanges
+/// one element at a time along an exact path. The path begins with bounds and offsets for which a
+/// known partition is the solution, and ends with the given bounds and offsets. From a partition
+/// nearby the path takes about one exchange for each differing element. It begins at the first
+/// partition or, if all elements stick there, at the last partition of the first phase. A path of
+/// more than 60 exchanges, or 20, begins again, in the end with a bound so high that all elements
+/// stick.
 ///
 /// Termination: the first phase has at most 3 n rounds. On the path the solution is piecewise
-/// linear in the fraction of the relief that is left, with one piece a partition. If response +
+/// linear in the remaining fraction of the relief, with one piece for each partition. If response +
 /// response^T is positive definite, the solution is unique, and the path meets each partition at
-/// most once. A is positive definite, and so is A - A' for all c <= 1 that were tried
+/// most once. A is positive definite, and so is A - A' for all tested c <= 1
 /// (tests/unit/active_set_test.cpp). Otherwise the search gives up after 20 n + 100 exchanges.
 ///
-/// Cost of a dense response: n^2 numbers, and O(n^3) for the first factors. They are kept from
-/// solve to solve: a round with few exchanges costs O(n^2), as does a solve whose partition stays.
-/// Cost of a Toeplitz response: O(n) numbers, and O(n log n) a round, about 14 transforms of 2n
-/// numbers where the partition stays. Compliances may change from solve to solve at no cost; with a
-/// common one, a creepage takes two solves instead of one.
+/// Cost of a dense response: n^2 numbers, and O(n^3) for the first factors. The factors are kept
+/// from solve to solve: a round with few exchanges costs O(n^2), and so does a solve with an
+/// unchanged partition. Cost of a Toeplitz response: O(n) numbers, and O(n log n) per round, about
+/// 14 transforms of 2n numbers if the partition is unchanged. Compliances may change from solve to
+/// solve at no cost; with a common compliance, a prescribed creepage takes two solves instead of
+/// one.
 class ActiveSet {
  public:
-  /// \param response  n x n, of the slip to the traction
+  /// \param response  n x n, derivatives of the slip by the tractions
   /// \param weights   n, > 0: force = weights . p  [mm]
-  /// \param solver    its tolerance; the response itself is dense or Toeplitz
+  /// \param solver    for its tolerance; the response matrix decides between dense and Toeplitz
   ActiveSet(SquareMatrix response, Eigen::VectorXd weights, const Solver& solver = {});
   ~ActiveSet();
-  ActiveSet(const ActiveSet& other);  ///< with the factors, so that it goes on to the bit alike
+  ActiveSet(const ActiveSet& other);  ///< copies the factors, too, so that both give the same bits
   ActiveSet& operator=(const ActiveSet& other);
   ActiveSet(ActiveSet&&) noexcept;
   ActiveSet& operator=(ActiveSet&&) noexcept;
 
-  /// \param state  in: zones to start from, n of them; out: the solution. Nothing is allocated if
-  ///               the partitions tried are those of solves before, or differ from that of the
-  ///               factors by a few elements that also did so before.
+  /// \param state  in: n zones to start from; out: the solution. Nothing is allocated if the tried
+  ///               partitions occurred in earlier solves, or differ from the factors' partition by
+  ///               a few elements that differed in earlier solves, too.
   /// \throws std::invalid_argument if the force is not below full sliding, weights . bound
   /// \throws NotConverged          if a system is singular or its residual above the tolerance, or
-  ///                               the path is given up or ends short of a solution
+  ///                               if the path is given up or ends before a solution
   void solve(const SlipConditions& conditions, const Load& load, ContactState& state);
 
-  /// The same from adhesion everywhere, or from the zones given.
+  /// The same from adhesion everywhere, or from the given zones.
   ContactState solve(const SlipConditions& conditions, const Load& load);
   ContactState solve(const SlipConditions& conditions, const Load& load,
                      const std::vector<Zone>& first);
 
-  /// Tractions, slip and creepage of a given partition, which may break the conditions: elements in
-  /// adhesion have no slip, others the traction of their bound. Solutions are refined until the
-  /// tolerance is reached, those of solve() further.
+  /// Tractions, slip and creepage of a given partition: elements in adhesion have no slip, others
+  /// have the traction of their bound. The result may violate the slip conditions. Solutions are
+  /// refined until the tolerance is reached; solve() refines its solutions further.
   /// \param zones  n
   /// \param state  out
   /// \throws NotConverged if the system is singular or its residual above the tolerance
   void solve_partition(const SlipConditions& conditions, const Load& load,
                        const std::vector<Zone>& zones, ContactState& state);
 
-  /// Estimate of the condition number of the equations in adhesion of the last partition, in the
-  /// 1-norm; 1 if nothing sticks. New factors where the last ones are bordered, and some five
-  /// solves.
+  /// Estimate of the condition number, in the 1-norm, of the last partition's equations in
+  /// adhesion; 1 if nothing sticks. Cost: about five solves, and new factors if the last ones are
+  /// bordered.
   double condition();
 
-  /// Writes or reads the history of its factors, so that it goes on to the bit alike.
-  /// \throws std::invalid_argument for one that does not fit the response
+  /// Writes or reads the history of the factors, so that later solves give the same bits.
+  /// \throws std::invalid_argument for a history that does not fit the response
   void archive(Archive& archive);
 
   const SquareMatrix& response() const;

@@ -8,18 +8,20 @@
 
 namespace microslip {
 
-/// Strain and displacement of the half-space under the bound itself as traction, to rounding.
+/// Strain and displacement of the half-space in full sliding, where the traction is the bound;
+/// exact to rounding.
 class FullSliding {
  public:
-  /// \throws std::invalid_argument for a table, which is not smooth, and as ChebyshevField
+  /// \throws std::invalid_argument for a tabulated bound, which is not smooth, and as
+  ///                               ChebyshevField
   FullSliding(const Kernel& kernel, const TractionBound& bound);
 
   double force() const { return force_; }  ///< [N/mm]
 
-  /// -du/dx inside and behind the contact; before it as ChebyshevField::continued_strain  [1]
+  /// -du/dx inside and behind the contact; ahead of it, ChebyshevField::continued_strain  [1]
   double strain(double x) const;
 
-  /// u, likewise  [mm]
+  /// u; ahead of the contact, ChebyshevField::continued_displacement  [mm]
   double displacement(double x) const;
 
  private:

@@ -10,10 +10,10 @@
 namespace microslip {
 
 /// \file
-/// Accuracy of values, integrals and means, up to 1e-15 half-widths from the edges and for elements
-/// down to that width: 1e-15 relative. The error of a polynomial bound is 2e-15 up to degree 2, and
-/// 3e-14 at degree 32, relative to Hertz's bound times the sum of the coefficients' sizes; the
-/// error of an integral is relative to the whole integral. tests/digits/bound_test.cpp
+/// Accuracy of values, integrals and means: 1e-15 relative, down to 1e-15 half-widths from the
+/// edges and for elements down to that width. The error of a polynomial bound is 2e-15 up to degree
+/// 2, and 3e-14 at degree 32, relative to Hertz's bound times the sum of the absolute coefficients;
+/// the error of an integral is relative to the whole integral. tests/digits/bound_test.cpp
 
 /// g(x) = mu p_n(x) of a Hertzian line contact: peak sqrt(1 - (x/a)^2), zero outside [-a, a].
 class HertzBound {
@@ -32,7 +32,7 @@ class HertzBound {
   /// The integral of g up to x, from the trailing edge  [N/mm]
   double integral(double x) const;
 
-  /// Its mean from x - width/2 to x + width/2, width in (0, inf)  [N/mm^2]
+  /// The mean of g from x - width/2 to x + width/2, width in (0, inf)  [N/mm^2]
   double mean_around(double x, double width) const;
 
   /// The force of full sliding, (pi/2) a peak  [N/mm]
@@ -51,7 +51,8 @@ class PolynomialBound {
  public:
   /// \param half_width    a, in (0, inf)  [mm]
   /// \param peak          in (0, inf)  [N/mm^2]
-  /// \param coefficients  of h, from the constant up; 1 to 33 of them, with h >= 0 in [-1, 1]  [1]
+  /// \param coefficients  coefficients of h, from the constant up; 1 to 33 numbers, with h >= 0 in
+  ///                      [-1, 1]  [1]
   /// \throws std::invalid_argument outside the ranges
   PolynomialBound(double half_width, double peak, const Eigen::VectorXd& coefficients);
 
@@ -66,7 +67,7 @@ class PolynomialBound {
   /// The integral of g up to x, from the trailing edge  [N/mm]
   double integral(double x) const { return traction_.integral(x); }
 
-  /// Its mean from x - width/2 to x + width/2, width in (0, inf)  [N/mm^2]
+  /// The mean of g from x - width/2 to x + width/2, width in (0, inf)  [N/mm^2]
   double mean_around(double x, double width) const;
 
   /// The force of full sliding  [N/mm]
@@ -78,13 +79,13 @@ class PolynomialBound {
   ChebyshevTraction traction_;
 };
 
-/// A bound known at points: linear between them, linear from the outermost points to zero at the
-/// edges -+half_width, and zero outside.
+/// A bound known at points. It is linear between points, linear from the outermost points to zero
+/// at the edges -+half_width, and zero outside.
 class TabulatedBound {
  public:
   /// \param half_width  a, in (0, inf)  [mm]
-  /// \param x           ascending, in [-a, a], the edges to 4 roundings  [mm]
-  /// \param values      as many, >= 0, not all zero  [N/mm^2]
+  /// \param x           ascending, in [-a, a]; edges may be off by 4 roundings  [mm]
+  /// \param values      as many as x, >= 0, not all zero  [N/mm^2]
   /// \throws std::invalid_argument outside the ranges
   TabulatedBound(double half_width, const Eigen::VectorXd& x, const Eigen::VectorXd& values);
 
@@ -96,13 +97,13 @@ class TabulatedBound {
   /// The integral of g up to x, from the trailing edge  [N/mm]
   double integral(double x) const;
 
-  /// Its mean from x - width/2 to x + width/2, width in (0, inf)  [N/mm^2]
+  /// The mean of g from x - width/2 to x + width/2, width in (0, inf)  [N/mm^2]
   double mean_around(double x, double width) const;
 
-  /// The force of full sliding: its integral  [N/mm]
+  /// The force of full sliding: the integral of g  [N/mm]
   double total() const { return integral(half_width_); }
 
-  // The ends of the straight pieces, the edges included, and the values there.
+  // The ends of the straight pieces, the edges included, and the values at these ends.
   const Eigen::VectorXd& x() const { return x_; }            ///< [mm]
   const Eigen::VectorXd& values() const { return values_; }  ///< [N/mm^2]
 
@@ -110,16 +111,16 @@ class TabulatedBound {
   double half_width_;
   void integrate();
 
-  Eigen::VectorXd x_;  ///< with the edges
+  Eigen::VectorXd x_;  ///< the points and the edges
   Eigen::VectorXd values_;
-  Eigen::VectorXd integrals_;  ///< of g up to each place
+  Eigen::VectorXd integrals_;  ///< of g up to each of these points
 };
 
 using TractionBound = std::variant<HertzBound, PolynomialBound, TabulatedBound>;
 
 double half_width_of(const TractionBound& bound);
 
-/// The bound as a sum of Chebyshev's polynomials, if it is one.
+/// The bound as a sum of Chebyshev polynomials; none for a tabulated bound.
 std::optional<ChebyshevTraction> chebyshev_traction(const TractionBound& bound);
 
 /// g at each position  [N/mm^2]
@@ -130,9 +131,9 @@ Eigen::VectorXd bound_at(const TractionBound& bound, const Eigen::VectorXd& x);
 Eigen::VectorXd mean_bound_around(const TractionBound& bound, const Eigen::VectorXd& x,
                                   double width);
 
-/// Means of g over elements that fill the contact, the outermost of which extend to the edges. A
-/// mean is the integral over an element divided by its length, so that means times lengths sum up
-/// to full sliding.
+/// Element means of g. The elements fill the contact; the outermost ones extend to the edges. A
+/// mean is the integral over an element divided by the element's length, so that means times
+/// lengths sum up to full sliding.
 ///
 /// \param x        nodes, ascending  [mm]
 /// \param lengths  of the elements, (0, inf)  [mm]

@@ -16,12 +16,13 @@ class Basis {
  public:
   enum class Pattern {
     uniform,      ///< the first shape everywhere
-    alternating,  ///< the first and second in turn, from the trailing edge
-    last_differs  ///< the second at the last node, next to the leading edge
+    alternating,  ///< the first and second shape in turn, from the trailing edge
+    last_differs  ///< the first shape, except for the second one at the last node, next to the
+                  ///< leading edge
   };
 
-  /// \param shapes  one, or two for the last two patterns
-  /// \throws std::invalid_argument for another number
+  /// \param shapes  one shape; for the last two patterns, two
+  /// \throws std::invalid_argument for another number of shapes
   Basis(std::string name, Pattern pattern, std::vector<ShapeFunction> shapes);
 
   const std::string& name() const { return name_; }
@@ -42,26 +43,26 @@ class Basis {
 Basis constant_basis();
 Basis linear_basis();
 
-/// Continuous and piecewise quadratic on elements of two spacings, with bubbles on even and
-/// Lagrange functions on odd vertices between them: thesis (B.4), (B.5) with one spacing for both.
-/// The first node carries a bubble; with an odd number of nodes and both offsets 1, elements fill
-/// the contact.
+/// Continuous and piecewise quadratic functions on elements of two spacings. Nodes carry in turn
+/// the bubble of an element and the Lagrange function of the vertex between two elements: thesis
+/// (B.4), (B.5), with one spacing for both. The first node carries a bubble; with an odd number of
+/// nodes and both offsets 1, elements fill the contact.
 Basis quadratic_basis();
 
-/// The quadratic basis with the influence coefficients that (B.30) prints: the vertex functions end
-/// at half their support.
+/// The quadratic basis with the influence coefficients as printed in thesis (B.30): the vertex
+/// functions end at half their support.
 Basis quadratic_basis_as_printed();
 
-/// Hats, the last of which is zero beyond the leading edge: thesis Fig. 10.2.
+/// Hat functions; the last one is zero beyond the leading edge: thesis Fig. 10.2.
 /// \param leading_offset  beta, distance of the edge from the last node in elements, in (0, 1]
 Basis trimmed_linear_basis(double leading_offset);
 
-/// Constant functions and, in the last element, also the antisymmetric function of thesis (C.1).
-/// The thesis gives no equation for its coefficient. Here the traction vanishes at the leading
-/// edge, which makes the two one function that falls linearly to zero (for beta = 1/2).
+/// Constant functions; the last element also has the antisymmetric function of thesis (C.1). The
+/// thesis gives no equation for its coefficient. Here the traction vanishes at the leading edge, so
+/// that both functions of the last element form one that falls linearly to zero (for beta = 1/2).
 Basis edge_constant_basis();
 
-/// Names of the bases that scenes may choose, the default first.
+/// Names of the bases for scenes, the default first.
 std::vector<std::string_view> basis_names();
 
 /// \throws std::invalid_argument for another name

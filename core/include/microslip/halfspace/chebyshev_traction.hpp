@@ -5,9 +5,9 @@
 
 namespace microslip {
 
-/// A traction with square roots at both ends of an interval: sqrt(1 - t^2) times the sum of
-/// c_n U_n(t), with t from -1 to 1 and U_n Chebyshev's polynomials of the second kind. In plane
-/// strain the strain of each term is a polynomial inside, 2 (1 - nu)/G T_(n+1)(t).
+/// A traction with square roots at both ends of an interval: sqrt(1 - t^2) times the sum of c_n
+/// U_n(t), with t from -1 to 1 and U_n Chebyshev's polynomials of the second kind. In plane strain
+/// the strain due to each term is a polynomial inside the interval, 2 (1 - nu)/G T_(n+1)(t).
 class ChebyshevTraction {
  public:
   /// \param begin, end     begin < end  [mm]
@@ -26,8 +26,8 @@ class ChebyshevTraction {
   /// The integral of p up to x  [N/mm]
   double integral(double x) const;
 
-  /// The integral from x - behind to x + before, both inside the interval, without the cancellation
-  /// of a difference for small lengths  [N/mm]
+  /// The integral from x - behind to x + before, both inside the interval. For small lengths it
+  /// does not cancel as a difference of two integrals does  [N/mm]
   double integral(double x, double behind, double before) const;
 
   /// The whole integral  [N/mm]

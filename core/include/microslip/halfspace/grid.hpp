@@ -7,9 +7,9 @@
 namespace microslip {
 
 /// Uniform nodes x_1 < ... < x_N in a contact [-a, a]; the leading edge is x = +a. The edges lie
-/// trailing_offset dx beyond the first node and leading_offset dx beyond the last one, and so
-/// determine the spacing dx = 2a / (N - 1 + trailing_offset + leading_offset).
-/// With both offsets 1/2, the nodes are the centres of N elements that fill the contact.
+/// trailing_offset dx beyond the first node and leading_offset dx beyond the last one, so that the
+/// spacing is dx = 2a / (N - 1 + trailing_offset + leading_offset). With both offsets 1/2, the
+/// nodes are the centres of N elements that fill the contact.
 class Grid {
  public:
   /// Width, number of nodes and offsets.
@@ -20,7 +20,7 @@ class Grid {
     double trailing_offset = 0.5;  ///< alpha, in [0, 1]
   };
 
-  /// More elements would take more than some GB, even by FFT.
+  /// More elements would take several GB, even by FFT.
   static constexpr Eigen::Index max_elements = 4000000;
 
   /// \throws std::invalid_argument outside the ranges, or if the only node lies on both edges
@@ -43,9 +43,10 @@ class Grid {
   double spacing_;
 };
 
-/// \param fewest  elements
-/// \param where   words for the message: the scheme that wants elements that fill the contact
-/// \throws std::invalid_argument for offsets other than 1/2, and for fewer elements
+/// \param fewest  the least number of elements
+/// \param where   for the message: the name of the scheme that requires elements that fill the
+///                contact
+/// \throws std::invalid_argument for offsets other than 1/2, or fewer elements
 void require_filling(const Grid& grid, Eigen::Index fewest, const std::string& where);
 
 }  // namespace microslip

@@ -26,18 +26,18 @@ class ShapeFunction {
   /// Ends of the pieces, ascending, without repeats.
   std::span<const double> breakpoints() const { return breakpoints_; }
 
-  /// Value at s; at a jump that of the piece to the right.
+  /// Value at s; at a jump, the value of the piece to the right.
   double value(double s) const;
 
   /// Integral over [from, from + length], length >= 0: exact, and without cancellation for small
   /// lengths.
   double integral(double from, double length) const;
 
-  /// The piece that holds all of [from, to], or none.
+  /// The piece that covers [from, to]; null if there is none.
   const Piece* piece_over(double from, double to) const;
 
   /// The same function with positions counted from `origin`, so that positions and small values
-  /// next to it keep their digits.
+  /// next to the origin keep their digits.
   ShapeFunction about(double origin) const;
 
   /// Integral over the whole support.

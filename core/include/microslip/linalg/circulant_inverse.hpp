@@ -6,8 +6,9 @@
 
 namespace microslip {
 
-/// A preconditioner: the inverse of the circulant matrix nearest to a Toeplitz matrix, by means
-/// over its diagonals (T. Chan 1988). The matrix is extended with zeros to the next fast size.
+/// A preconditioner: the inverse of the circulant matrix nearest to a Toeplitz matrix. The entries
+/// of that circulant are means over diagonals of the Toeplitz matrix (T. Chan 1988). The matrix is
+/// extended with zeros to the next fast size.
 class CirculantInverse {
  public:
   explicit CirculantInverse(const Toeplitz& matrix);

@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-/// A view of indices that Eigen does not copy: v(index_view(indices)).
+/// A view of indices for v(index_view(indices)); Eigen does not copy it.
 inline auto index_view(const std::vector<Eigen::Index>& indices) {
   using Indices = Eigen::Array<Eigen::Index, Eigen::Dynamic, 1>;
   return Eigen::Map<const Indices>(indices.data(), static_cast<Eigen::Index>(indices.size()));

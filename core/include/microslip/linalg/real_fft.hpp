@@ -7,9 +7,9 @@
 
 namespace microslip {
 
-/// Discrete Fourier transforms of n real numbers, with the arrays that they work on. Plans are
-/// estimated, not measured, so that the same size always gives the same digits; they are made once
-/// a size, for all threads. An object itself serves one thread.
+/// Discrete Fourier transforms of n real numbers, with the arrays for input and output. Plans are
+/// estimated, not measured, so that the same size always gives the same digits. Each size has one
+/// plan, which all threads share; an object itself serves one thread.
 class RealFft {
  public:
   /// \param size  n, >= 1; fast if it is a product of 2, 3, 5 and 7, see good_size()
@@ -20,14 +20,14 @@ class RealFft {
   RealFft(RealFft&&) noexcept;
   RealFft& operator=(RealFft&&) noexcept;
 
-  /// The next of a few even fast sizes: at least 32, and above 32 at most a seventh more than asked
-  /// for. Few sizes mean few plans, each of which takes as long as many transforms.
+  /// The next of a few even fast sizes: at least 32, and above 32 at most a seventh more than the
+  /// argument. Few sizes mean few plans; making a plan takes as long as many transforms.
   static Eigen::Index good_size(Eigen::Index at_least);
 
   Eigen::Index size() const { return size_; }
 
   Eigen::Map<Eigen::VectorXd> values() { return {values_.get(), size_}; }
-  /// n/2 + 1 coefficients; those of negative frequencies are their conjugates.
+  /// n/2 + 1 coefficients; the coefficients of negative frequencies are their conjugates.
   Eigen::Map<Eigen::VectorXcd> spectrum() { return {spectrum_.get(), size_ / 2 + 1}; }
 
   /// spectrum = sum of values exp(-2 pi i j k / n)

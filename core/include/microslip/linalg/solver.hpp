@@ -5,7 +5,7 @@
 
 namespace microslip {
 
-/// How products with influence coefficients are made, and how their systems are solved.
+/// Storage of influence coefficients, and with it the algorithms for products and solves.
 struct Solver {
   enum class Type {
     automatic,  ///< `fft` from `crossover` elements on where matrices are Toeplitz, else `dense`
@@ -15,18 +15,18 @@ struct Solver {
 
   Type type = Type::automatic;
 
-  /// Residual that is wanted, relative to the largest term of the equations, in [1e-12, 1e-3].
-  /// Refinement aims at 1e-5 of it.
+  /// Required residual, relative to the largest term of the equations, in [1e-12, 1e-3]. Refinement
+  /// aims at 1e-5 of this tolerance.
   double tolerance = 1e-10;
 
-  /// Dense systems of fewer unknowns are solved faster than by FFT, bench/toeplitz_bench.cpp
+  /// Below this number of unknowns, dense solves are faster than FFT: bench/toeplitz_bench.cpp
   static constexpr Eigen::Index crossover = 96;
 
-  /// Dense matrices of more than this take more than 3.2 GB each.
+  /// Largest number of rows of a dense matrix, which then takes 3.2 GB.
   static constexpr Eigen::Index most_dense = 20000;
 };
 
-/// Whether the solver takes FFT for Toeplitz matrices of n unknowns.
+/// Whether the solver uses FFT for Toeplitz matrices of n unknowns.
 bool by_fft(const Solver& solver, Eigen::Index n);
 
 /// \throws std::invalid_argument if a dense matrix of n rows would be too large

@@ -10,8 +10,8 @@
 
 namespace microslip {
 
-/// An n x n matrix, stored by all its entries or as a Toeplitz matrix, products with which are made
-/// by FFT. One object serves one thread.
+/// An n x n matrix. It is stored either by all its entries or as a Toeplitz matrix, whose products
+/// are made by FFT. One object serves one thread.
 class SquareMatrix {
  public:
   SquareMatrix(Eigen::MatrixXd entries);  // NOLINT(google-explicit-constructor)
@@ -19,16 +19,16 @@ class SquareMatrix {
 
   Eigen::Index size() const;
 
-  // One of them is null.
+  // The stored form; the other one is null.
   const Toeplitz* toeplitz() const;
   const Eigen::MatrixXd* entries() const { return std::get_if<Eigen::MatrixXd>(&matrix_); }
 
   double operator()(Eigen::Index i, Eigen::Index j) const;
 
-  /// Rows and columns of some indices.
+  /// The submatrix of the given rows and columns.
   Eigen::MatrixXd block(const std::vector<Eigen::Index>& indices) const;
 
-  /// Largest absolute value.
+  /// The largest absolute value of an entry.
   double largest() const;
 
   /// y = M x; not in place.

@@ -10,7 +10,7 @@ class Toeplitz {
  public:
   /// \param column  t_0, t_1, ..., t_(n-1)
   /// \param row     t_0, t_-1, ..., t_-(n-1); row[0] must equal column[0]
-  /// \throws std::invalid_argument if the two disagree in size or in t_0
+  /// \throws std::invalid_argument if column and row differ in size or in t_0
   Toeplitz(Eigen::VectorXd column, Eigen::VectorXd row);
 
   Eigen::Index size() const { return column_.size(); }
@@ -19,7 +19,7 @@ class Toeplitz {
   /// The first n rows and columns, 1 <= n <= size().
   Toeplitz leading(Eigen::Index n) const;
 
-  /// With a constant added to all entries.
+  /// The matrix with a constant added to all entries.
   Toeplitz plus(double constant) const;
 
   Toeplitz times(double factor) const;
@@ -28,7 +28,7 @@ class Toeplitz {
     return i >= j ? column_[i - j] : row_[j - i];
   }
 
-  /// Its 1-norm, the largest sum of absolute values in a column. O(n)
+  /// The 1-norm, which is the largest sum of absolute values in a column. O(n)
   double norm() const;
 
   /// The full matrix: n^2 numbers.

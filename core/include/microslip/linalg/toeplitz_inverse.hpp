@@ -6,19 +6,19 @@
 
 namespace microslip {
 
-/// The inverse of a Toeplitz matrix from its first and last column (Gohberg and Semencul 1972): six
-/// transforms a product. The columns are found by GMRES with a CirculantInverse as preconditioner;
-/// one of them is enough if the matrix is symmetric. GMRES takes 10 to 22 iterations for the
-/// influence coefficients of half-spaces and their differences over steps of any length, whatever
-/// the size: tests/unit/toeplitz_test.cpp
+/// The inverse of a Toeplitz matrix from its first and last column (Gohberg and Semencul 1972): a
+/// product takes six transforms. The columns are found by GMRES with a CirculantInverse as
+/// preconditioner; one column is enough if the matrix is symmetric. GMRES takes 10 to 22 iterations
+/// for the influence coefficients of half-spaces and their differences over steps of any length,
+/// whatever the size: tests/unit/toeplitz_test.cpp
 class ToeplitzInverse {
  public:
-  /// \throws NotConverged if the columns are not found, as for singular matrices
+  /// \throws NotConverged if the columns are not found, for example of a singular matrix
   explicit ToeplitzInverse(const Toeplitz& matrix);
 
   Eigen::Index size() const { return size_; }
 
-  /// Iterations of GMRES, for the column that took more.
+  /// Iterations of GMRES for the column that took more iterations.
   int iterations() const { return iterations_; }
 
   /// x = T^-1 b; not in place. The residual is about 1e-16 times the condition number of T; one
@@ -37,7 +37,8 @@ class ToeplitzInverse {
   double norm_;  ///< of T
   int iterations_ = 0;
   mutable RealFft fft_;
-  // T^-1 = L U + L' U', factors of the transforms and the corner of T^-1 included
+  // T^-1 = L U + L' U', where the factors include the scale of the transforms and the corner entry
+  // of T^-1
   Eigen::VectorXcd first_lower_, first_upper_, second_lower_, second_upper_;
   mutable Eigen::VectorXcd spectrum_, sum_;
 };

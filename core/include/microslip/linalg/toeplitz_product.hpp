@@ -19,7 +19,8 @@ class ToeplitzProduct {
  private:
   Eigen::Index size_;
   mutable RealFft fft_;
-  Eigen::VectorXcd symbol_;  ///< over the size of the transforms
+  Eigen::VectorXcd symbol_;  ///< spectrum of the circulant extension, divided by the size of the
+                             ///< transforms
 };
 
 }  // namespace microslip

@@ -7,11 +7,11 @@
 namespace microslip {
 
 /// Carter's and Fromm's exact solution of steady rolling: plane strain, Hertzian bound. The stick
-/// zone is the part of length 2 a' a next to the leading edge. Thesis (10.1), with a dimension:
+/// zone is the part of length 2 a' a next to the leading edge. Thesis (10.1), with dimensions:
 /// \f[ |F| = (1-a'^2)\,F_{\max}, \qquad |w| = (1-a')\,\frac{2(1-\nu)}{G}\,\mu p_0 \f]
 /// Accuracy: 2e-15 relative, besides the effect of rounding the load and the distance from the
-/// nearer edge; for loads from 1e-12 of full sliding to 1e-12 below it, and up to 1e-15 a from the
-/// edges. tests/digits/closed_form_test.cpp
+/// nearer edge. It holds for loads from 1e-12 of full sliding to 1e-12 below it, and at positions
+/// down to 1e-15 a from the edges: tests/digits/closed_form_test.cpp
 class Carter {
  public:
   /// \param creepage  w, finite; |w| >= compliance * peak is full sliding  [1]
@@ -24,7 +24,7 @@ class Carter {
                                  double stick_ratio);
 
   /// \param force  F, at most full sliding in absolute value  [N/mm]
-  /// \throws std::invalid_argument above that
+  /// \throws std::invalid_argument above full sliding
   static Carter from_force(const Material& material, const HertzBound& bound, double force);
 
   const HertzBound& bound() const { return bound_; }
@@ -35,10 +35,10 @@ class Carter {
   /// a': stick length over contact length, in [0, 1].
   double stick_ratio() const { return stick_ratio_; }
 
-  /// 1 - a', with all digits next to full adhesion.
+  /// 1 - a', to all digits next to full adhesion, too.
   double slip_ratio() const { return slip_ratio_; }
 
-  /// w, opposite in sign to the tractions; the least one in full sliding  [1]
+  /// w, opposite in sign to the tractions; in full sliding, the least such |w|  [1]
   double creepage() const;
 
   /// F = -+(pi/2) a peak (1 - a'^2)  [N/mm]

@@ -5,9 +5,9 @@
 
 namespace microslip {
 
-/// The force that answers a small oscillation of the normal load, dF/(mu dP), about Carter's
-/// solution under a constant positive creepage: plane strain, Hertz's contact, the half-width of
-/// which goes with the root of the load. With \f$Z=i\kappa\alpha/R(\kappa\alpha)\f$,
+/// Response of the force to a small oscillation of the normal load, dF/(mu dP), about Carter's
+/// solution under a constant positive creepage. Plane strain; the half-width of the Hertzian
+/// contact goes with the square root of the load. With \f$Z=i\kappa\alpha/R(\kappa\alpha)\f$,
 /// \f$R=J_0/(J_0+iJ_1)\f$,
 /// \f[ \frac{dF}{\mu\,dP} = -\Big(1-\frac{\alpha+Z\ln(2L_0/a)}{1+Z\ln(2L_0/(\alpha a))}\Big) \f]
 ///

@@ -16,22 +16,22 @@ class ChebyshevSolution : public LoadedSolution {
   /// The traction that adhesion takes away from full sliding, and the quality of its equations.
   struct Adhesion {
     ChebyshevField field;
-    double residual;   ///< of the equations, over the strain  [1]
-    double condition;  ///< of the same, in the 1-norm
+    double residual;   ///< residual of the equations, over the strain  [1]
+    double condition;  ///< condition number of the equations, in the 1-norm
   };
 
-  /// \param sliding   that of the bound
-  /// \param adhesion  none in full sliding
+  /// \param sliding   the field of the bound as traction
+  /// \param adhesion  the traction that adhesion takes away; none in full sliding
   ChebyshevSolution(const LoadedState& loaded, ChebyshevField sliding,
                     const std::optional<Adhesion>& adhesion);
 
   bool sticks(double x) const { return adhesion_ && x >= stick_edge(); }
   double traction(double x) const;      ///< p(x), zero outside the contact  [N/mm^2]
   double slip(double x) const;          ///< s(x) inside the contact  [1]
-  double displacement(double x) const;  ///< u(x)  [mm]
-  Eigen::VectorXd displacement(const Eigen::VectorXd& x) const;  ///< likewise  [mm]
+  double displacement(double x) const;  ///< u  [mm]
+  Eigen::VectorXd displacement(const Eigen::VectorXd& x) const;  ///< u at each place  [mm]
 
-  /// By samples, see evidence_by_samples.
+  /// Evidence from samples, see evidence_by_samples.
   Evidence evidence() const;
 
  private:
@@ -41,11 +41,11 @@ class ChebyshevSolution : public LoadedSolution {
 
 /// Steady rolling with one stick zone [b, a] at the leading edge, by a spectral method. Adhesion
 /// takes sqrt(1 - t^2) times a polynomial away from full sliding on the stick zone. Collocation at
-/// the n + 1 zeros of T_(n+1) gives its n coefficients and the creepage that belongs to the
-/// trailing end b. In plane strain the matrix is diagonal in Chebyshev's polynomials. Accuracy:
-/// 1e-11 of force, creepage and traction, with at most 64 unknowns, for strips at least as wide as
-/// the half-width and bounds sqrt(1 - x^2) times a smooth function,
-/// tests/unit/chebyshev_rolling_test.cpp. Cost: O(n^3) for a b, n = 4 ... 64.
+/// the n + 1 zeros of T_(n+1) gives the n coefficients of that polynomial and the creepage that
+/// belongs to the trailing end b. In plane strain the matrix is diagonal in Chebyshev polynomials.
+/// Accuracy: 1e-11 of force, creepage and traction, with at most 64 unknowns, for strips at least
+/// as wide as the half-width and bounds sqrt(1 - x^2) times a smooth function,
+/// tests/unit/chebyshev_rolling_test.cpp. Cost: O(n^3) for each value of b, n = 4 ... 64.
 class ChebyshevRolling {
  public:
   /// \throws std::invalid_argument for a tabulated bound, which is not smooth; and as
@@ -53,7 +53,7 @@ class ChebyshevRolling {
   /// \throws NotConverged          if 64 unknowns do not suffice
   ChebyshevRolling(const Kernel& kernel, const TractionBound& bound);
 
-  /// \param unknowns  n, 1 to 64, instead of as many as needed
+  /// \param unknowns  n, 1 to 64, fixed instead of as many as needed
   ChebyshevRolling(const Kernel& kernel, const TractionBound& bound, Eigen::Index unknowns);
 
   Eigen::Index unknowns() const { return unknowns_; }
@@ -83,11 +83,12 @@ class ChebyshevRolling {
   Kernel kernel_;
   ChebyshevField sliding_;
   Eigen::Index unknowns_;
-  bool fixed_;                   ///< the number of unknowns
-  Eigen::VectorXd collocation_;  ///< points, in (-1, 1)
-  Eigen::VectorXd quadrature_;   ///< likewise
-  Eigen::MatrixXd strains_;      ///< of each term in plane strain, and 1, at the former
-  Eigen::MatrixXd loads_;        ///< of each term, at the latter
+  bool fixed_;                   ///< whether the number of unknowns is fixed
+  Eigen::VectorXd collocation_;  ///< collocation points, in (-1, 1)
+  Eigen::VectorXd quadrature_;   ///< quadrature points, in (-1, 1)
+  Eigen::MatrixXd strains_;      ///< of each term in plane strain, and a column of ones, at the
+                                 ///< collocation points
+  Eigen::MatrixXd loads_;        ///< of each term, at the quadrature points
 };
 
 }  // namespace microslip

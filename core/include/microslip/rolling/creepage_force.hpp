@@ -21,21 +21,22 @@ struct CreepageForce {
   double force;       ///< F, negative  [N/mm]
 };
 
-/// All states with one stick zone, by the place of its trailing end.
+/// All states with one stick zone, as a function of the stick zone's trailing end.
 struct CreepageForceCurve {
   std::function<CreepageForce(double stick_edge)> at;
   double half_width;             ///< a  [mm]
-  double full_sliding_creepage;  ///< the least  [1]
-  double full_sliding_force;     ///< its absolute value  [N/mm]
+  double full_sliding_creepage;  ///< the least creepage of full sliding  [1]
+  double full_sliding_force;     ///< absolute value of the force of full sliding  [N/mm]
 };
 
 /// The state on the curve that meets a load.
 struct LoadedState {
   CreepageForce state;
-  /// The load over that of the state with the smallest slip zone, if it is less; else 1  [1]
+  /// The load over the load of the state with the smallest slip zone, if less than 1; otherwise 1
+  /// [1]
   double scale;
-  double direction;  ///< of the creepage, +-1
-  int evaluations;   ///< of the curve
+  double direction;  ///< sign of the creepage, +-1
+  int evaluations;   ///< number of evaluations of the curve
 };
 
 /// A steady state with the sign of the load.
@@ -44,9 +45,10 @@ class LoadedSolution {
   double creepage() const { return loaded_.direction * loaded_.state.creepage; }  ///< w  [1]
   double force() const { return loaded_.direction * loaded_.state.force; }        ///< F  [N/mm]
   double stick_edge() const { return loaded_.state.stick_edge; }  ///< b; a in full sliding  [mm]
-  int evaluations() const { return loaded_.evaluations; }         ///< of systems of equations
+  int evaluations() const { return loaded_.evaluations; }         ///< number of systems solved
 
-  /// Estimate for the equations in adhesion, in the 1-norm; 1 in full sliding
+  /// Estimate of the condition number of the equations in adhesion, in the 1-norm; 1 in full
+  /// sliding
   double condition() const { return condition_; }
 
   /// -w F, the energy lost per mm rolled and mm width  [N/mm]
@@ -60,7 +62,7 @@ class LoadedSolution {
   double condition_ = 1;
 };
 
-/// Finds the state by TOMS 748, to rounding, in about ten evaluations.
+/// Finds the state that meets the load by TOMS 748, to rounding, in about ten evaluations.
 /// \throws std::invalid_argument if a force is not below full sliding
 /// \throws NotConverged          if the root is not found
 LoadedState meet_load(const CreepageForceCurve& curve, const Load& load);

@@ -11,15 +11,15 @@
 namespace microslip {
 
 /// \file
-/// The force that answers a small harmonic creepage w = w0 + W exp(i K q) about steady rolling with
-/// one stick zone [b, c]. Slip zones do not answer: their traction is the bound, and their ends
-/// move by a length that is small like W. In the stick zone the displacement obeys
-/// W + (i K - d/dx) u = 0. The traction that causes it is singular like an inverse square root at
-/// b, and vanishes like a square root at c: docs/theory.md, "Small motions".
+/// Response of the force to a small harmonic creepage w = w0 + W exp(i K q) about steady rolling
+/// with one stick zone [b, c]. Slip zones do not respond: their traction is the bound, and their
+/// ends move by a length of the order of W. In the stick zone the displacement u obeys W + (i K -
+/// d/dx) u = 0. The traction that causes u is singular like an inverse square root at b, and
+/// vanishes like a square root at c: docs/theory.md, "Small motions".
 
-/// \f$ R(\kappa) = J_0/(J_0 + i J_1) \f$ of plane strain, with \f$\kappa = 2\pi\ell/L\f$ of the
-/// half-length of the stick zone and the wavelength.
-/// \param kappa  in [0, 1e6]; 1e-15 relative, besides the effect of rounding it
+/// \f$ R(\kappa) = J_0/(J_0 + i J_1) \f$ of plane strain, with \f$\kappa = 2\pi\ell/L\f$, where l
+/// is the half-length of the stick zone and L the wavelength.
+/// \param kappa  in [0, 1e6]; accuracy 1e-15 relative, besides the effect of rounding kappa
 std::complex<double> adhesion_ratio(double kappa);
 
 /// dF/dw of a stick zone, for wavelengths L = 2 pi/K of the creepage.
@@ -27,17 +27,18 @@ std::complex<double> adhesion_ratio(double kappa);
 /// Plane strain has a closed form,
 /// \f[ \frac{dF}{dw} = -\frac{\ell}{k}\,\frac1{R(K\ell) + i K\ell\,\ln(2L_0/\ell)} . \f]
 /// For strips the traction is \f$(1-t^2)^{-1/2}\sum_n a_n T_n(t)\f$ on the zone. The logarithm of
-/// the kernel is diagonal in these, its regular part is integrated by Gauss and Chebyshev's points.
+/// the kernel is diagonal in these functions; its regular part is integrated by Gauss-Chebyshev
+/// quadrature.
 ///
 /// Accuracy: 1e-10 relative for strips of at least 0.05 stick lengths, 1e-14 in plane strain, from
-/// the shortest wavelength on; tests/unit/frequency_response_test.cpp.
-/// Cost of strips: O(n^3) once, n = 70 for wide strips, and 1.5 K l more; O(n^2) a wavelength.
+/// the shortest wavelength on; tests/unit/frequency_response_test.cpp. Cost of strips: O(n^3) once,
+/// with n = 70 for wide strips, plus 1.5 K l; O(n^2) per wavelength.
 class FrequencyResponse {
  public:
-  /// \param begin, end  b < c, of the stick zone  [mm]
-  /// \param shortest    the shortest wavelength that will be asked for  [mm]
-  /// \throws BadParameter unless the kernel is positive definite on the zone; if the strip is too
-  ///                      narrow, or the wavelength too short, for 700 terms
+  /// \param begin, end  b < c, ends of the stick zone  [mm]
+  /// \param shortest    the shortest wavelength for slope()  [mm]
+  /// \throws BadParameter unless the kernel is positive definite on the zone, and if the strip is
+  ///                      too narrow, or the wavelength too short, for 700 terms
   FrequencyResponse(const Kernel& kernel, double begin, double end, double shortest);
 
   double half_length() const { return half_length_; }  ///< of the stick zone  [mm]
@@ -47,20 +48,21 @@ class FrequencyResponse {
   /// \throws BadParameter outside the range
   std::complex<double> slope(double wavelength) const;
 
-  /// dF/dw of an infinite wavelength: the slope of the curve of steady force and creepage  [N/mm]
+  /// dF/dw of an infinite wavelength: the slope of the steady creepage-force curve  [N/mm]
   double steady_slope() const;
 
-  /// An estimate of the relative error of slope(): of strips, the difference to the solution with a
-  /// fifth fewer terms.
+  /// An estimate of the relative error of slope(); for strips, the difference to the solution with
+  /// a fifth fewer terms.
   double estimated_error(double wavelength) const;
 
-  Eigen::Index terms() const;  ///< n of a strip; 0 in plane strain
+  Eigen::Index terms() const;  ///< n for a strip; 0 in plane strain
 
  private:
-  /// Displacements of the zone, by their values at Chebyshev points, to tractions.
+  /// Turns displacements of the zone, given at Chebyshev points, into tractions.
   struct Series {
     Eigen::ArrayXd points;  ///< t, in (-1, 1)
-    /// LU factors of the displacements by unit coefficients a_n, over the zone's half-length and k.
+    /// LU factors of the displacements due to unit coefficients a_n, over the zone's half-length
+    /// and k.
     Eigen::PartialPivLU<Eigen::MatrixXd> factors;
     Eigen::MatrixXd to_coefficients;
 
@@ -73,7 +75,7 @@ class FrequencyResponse {
   Kernel kernel_;
   double half_length_;
   double shortest_;
-  std::vector<Series> series_;  ///< of a strip: the fewer terms, and all
+  std::vector<Series> series_;  ///< of a strip: with a fifth fewer terms, and with all
 };
 
 }  // namespace microslip

@@ -20,8 +20,9 @@ class StickZone;
 /// A steady state as functions of the position.
 class InvertedSolution {
  public:
-  /// \param zone   of a positive creepage; none in full sliding, and without a load
-  /// \param load   that it meets
+  /// \param zone   the stick zone under a positive creepage; none in full sliding, and without a
+  ///               load
+  /// \param load   that the state carries
   InvertedSolution(std::shared_ptr<const InvertedContact> contact,
                    std::shared_ptr<const StickZone> zone, const Load& load, int evaluations);
 
@@ -37,58 +38,61 @@ class InvertedSolution {
   /// u at ascending places inside the contact  [mm]
   Eigen::VectorXd displacement(const Eigen::VectorXd& x) const;
 
-  int evaluations() const { return evaluations_; }  ///< of stick zones
-  Eigen::Index unknowns() const;                    ///< of a strip's equations; 0 in plane strain
-  double condition() const;                         ///< of these, in the 1-norm; 1 without
+  int evaluations() const { return evaluations_; }  ///< number of stick zones tried
+  Eigen::Index unknowns() const;                    ///< number, in a strip's equations; 0 in plane
+                                                    ///< strain
+  double condition() const;                         ///< of these equations, in the 1-norm; 1 in
+                                                    ///< plane strain
 
-  /// Whether tractions keep the bound, and slip its direction, at many places. If not, the contact
-  /// has more than one stick zone, or a slip zone before it.
+  /// Whether, at many places, the tractions keep the bound and the slip has the right direction. If
+  /// not, the contact has more than one stick zone, or a slip zone ahead of it.
   bool keeps_conditions() const;
 
-  /// By samples, see evidence_by_samples.
+  /// Evidence from samples, see evidence_by_samples.
   Evidence evidence() const;
 
  private:
   std::shared_ptr<const InvertedContact> contact_;
   std::shared_ptr<const StickZone> zone_;
-  double direction_;  ///< of the creepage, +-1; 0 without a load
+  double direction_;  ///< sign of the creepage, +-1; 0 without a load
   double creepage_, force_;
   int evaluations_;
 };
 
 /// Steady rolling with one stick zone [b, c], by the inversion of the finite Hilbert transform on
-/// the zone: its tractions follow from the bound in the slip zones, and from nothing else. The
-/// bodies slip behind the stick zone. They slip before it, too, where the bound is a table that
-/// falls to zero; otherwise c = a. The kernel of a strip adds a smooth strain, which Chebyshev's
-/// polynomials invert. docs/theory.md has the formulas.
+/// the zone: the tractions there follow from the bound in the slip zones alone. The bodies slip
+/// behind the stick zone. Under a tabulated bound that falls to zero they slip ahead of it, too;
+/// otherwise c = a. The kernel of a strip adds a smooth strain, which is inverted with Chebyshev
+/// polynomials. docs/theory.md has the formulas.
 ///
-/// Accuracy: 1e-10 of force, creepage, traction and slip for any bound that has one stick zone, and
-/// any load, tests/unit/inverted_rolling_test.cpp. Cost: O(n) for a load and for each place where
-/// tractions are wanted, n the pieces of the bound; for strips O(m^3), m = 38 where the strip is as
-/// wide as the contact.
+/// Accuracy: 1e-10 of force, creepage, traction and slip for any load and any bound that leads to
+/// one stick zone: tests/unit/inverted_rolling_test.cpp. Cost: O(n) for a load and for each
+/// traction value, where n is the number of pieces of the bound; for strips O(m^3), with m = 38 for
+/// a strip as wide as the contact.
 class InvertedRolling {
  public:
-  /// \param fineness  of quadratures and series, >= 1; a comparison of two shows their error
+  /// \param fineness  fineness of quadratures and series, >= 1; comparing two values shows the
+  ///                  error
   /// \throws std::invalid_argument as FullSliding, for a smooth bound
   InvertedRolling(const Kernel& kernel, const TractionBound& bound, double fineness = 1);
 
-  /// The reason why a solution would cost too much, if it would: a strip narrower than 0.02
+  /// The reason why a solution would cost too much, if there is one: a strip narrower than 0.02
   /// half-widths, or a table of more than 20 000 rows.
   std::optional<std::string> obstacle() const;
 
   /// \throws std::invalid_argument if a force is not below full sliding
   /// \throws NotConverged          if there is an obstacle, or no such stick zone carries the load
-  /// \return a solution if it keeps_conditions(), which solve() does not look at
+  /// \return a candidate; it is a solution only if keeps_conditions(), which solve() does not check
   InvertedSolution solve(const Load& load) const;
 
  private:
   std::shared_ptr<const InvertedContact> contact_;
 
-  /// Contacts that are searched for the stick zone one after another: for a strip, plane strain and
-  /// a coarse series come first.
+  /// A contact to search for the stick zone. Stages follow one another: for a strip, plane strain
+  /// and a coarse series come first.
   struct Stage {
     std::shared_ptr<const InvertedContact> contact;
-    double near;  ///< by how much the logarithm of theta may differ from the last one
+    double near;  ///< largest change of the logarithm of theta from the previous stage
   };
   std::vector<Stage> stages_;
 };

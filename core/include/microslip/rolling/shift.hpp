@@ -8,27 +8,28 @@
 
 namespace microslip {
 
-/// A rigid shift without rolling. A positive one gives negative tractions, as creepage does.
+/// A rigid shift without rolling. A positive shift gives negative tractions, as a positive creepage
+/// does.
 struct PrescribedShift {
   double value;  ///< finite  [mm]
 };
 
-/// The end of a shift: how far, or until which force.
+/// The end of a shift: a distance, or a force to reach.
 using ShiftLoad = std::variant<PrescribedShift, PrescribedForce>;
 
-/// The result of a shift without rolling. The equation of its slip is s = shift + A (p - p'), with
-/// the tractions p' before and p after it, and the slip as displacement.
+/// The result of a shift without rolling. The slip displacement is s = shift + A (p - p'), with the
+/// tractions p' before and p after the shift.
 struct Shift {
   double distance = 0;   ///< rigid shift, prescribed or found  [mm]
-  Eigen::VectorXd slip;  ///< at the nodes, by A p alone  [mm]
+  Eigen::VectorXd slip;  ///< at the nodes, from A p alone  [mm]
 
-  // Energies per mm width, on the way of a force that rises or falls steadily: where bodies slip,
-  // they do so at the bound, -p s, from when it is reached. So a shift in parts has the same sum:
-  // to rounding with Direct; with Remembered to 6e-3 of the work at N = 41.
-  // tests/unit/shift_test.cpp
+  // Energies per mm width, along a force that rises or falls monotonically: bodies that slip
+  // dissipate -p s with p at the bound, from the moment when p reaches the bound. So the energies
+  // of a shift in several steps have the same sum: to rounding with Direct; with Remembered to 6e-3
+  // of the work at N = 41. tests/unit/shift_test.cpp
   double dissipation = 0;  ///< [N]
-  double work = 0;  ///< of the force, -integral of F d(shift): dissipation plus the change of
-                    ///< elastic_energy(), to rounding where basis functions are equal  [N]
+  double work = 0;  ///< of the force, -integral of F d(shift). It equals dissipation plus the
+                    ///< change of elastic_energy(), to rounding if basis functions are equal  [N]
 };
 
 }  // namespace microslip

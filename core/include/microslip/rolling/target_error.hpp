@@ -19,32 +19,32 @@ SteadyProblem problem_of(const SteadyContact& contact, Eigen::Index elements,
 
 /// A solution and an estimate of its error.
 struct EstimatedSteady {
-  SteadyProblem problem;  ///< with the method, the basis and the grid that were picked
+  SteadyProblem problem;  ///< with the chosen method, basis and grid
   SteadySolution solution;
-  Eigen::Index unknowns;  ///< of its systems; 0 without one
-  /// Estimate of the relative error of what is not prescribed, the creepage or the force. Meant to
-  /// be an upper limit of the right size: tests/unit/target_error_test.cpp  [1]
+  Eigen::Index unknowns;  ///< number, in the systems of equations; 0 without a system
+  /// Estimate of the relative error of the creepage or the force, whichever is not prescribed. It
+  /// is meant as an upper limit of the right size: tests/unit/target_error_test.cpp  [1]
   double error;
 };
 
-/// Largest and least error that may be asked for.
+/// Largest and smallest accepted target.
 inline constexpr double coarsest_target = 0.1;
 inline constexpr double finest_target = 1e-11;
 
 /// \throws std::invalid_argument outside these limits
 void require_target_error(double target);
 
-/// Solves by inversion where one zone sticks, otherwise as estimate_by_elements().
+/// Solves by inversion if there is one stick zone, otherwise as estimate_by_elements().
 ///
 /// \param target  in [1e-11, 0.1]  [1]
-/// \throws std::invalid_argument for loads and targets out of their ranges
+/// \throws std::invalid_argument for loads or targets out of their ranges
 /// \throws NotConverged          if the target is not reached
 EstimatedSteady solve_steady_to(const SteadyContact& contact, double target);
 
-/// Constant elements over the whole contact, the number of which grows until the estimate is below
-/// the target. It has two parts: the difference to solutions by fewer elements, and the cost of
-/// violations of the contact conditions. tests/property/generated_contacts_test.cpp counts how
-/// often it holds.
+/// Solves with constant elements over the whole contact. Their number grows until the estimate is
+/// below the target. The estimate is the sum of two terms: the difference to solutions with fewer
+/// elements, and the effect of violated contact conditions.
+/// tests/property/generated_contacts_test.cpp counts how often the estimate holds.
 /// \throws as solve_steady_to
 EstimatedSteady estimate_by_elements(const SteadyContact& contact, double target);
 

@@ -23,23 +23,23 @@ class RollingGrid;
 /// Implicit Euler steps, collocated at the nodes, thesis (3.14)-(3.16):
 /// \f[ \Delta q\,s = \Delta q\,w + A\,p - A'p' \f]
 ///
-/// Cost: two products and one solve for a step whose stick/slip partition is that of the step
-/// before; otherwise see ActiveSet. Except for the fractional scheme, a step allocates nothing once
-/// steps of its length have been made, with Remembered from the same places within an element.
-/// Memory: N^2 numbers three to four times where matrices are dense.
-/// Accuracy: the cumulative creep of a Cattaneo shift that turns to Carter's solution is of second
-/// order in dx with Remembered, whatever the steps; else of first order, as in steady rolling,
-/// because of the leading edge. tests/order/transient_order_test.cpp
+/// Cost: two products and one solve if the stick/slip partition is unchanged from the previous
+/// step; otherwise see ActiveSet. Except for the fractional scheme, a step allocates nothing if an
+/// earlier step had the same length and, with Remembered, began at the same position within an
+/// element. Memory: three to four times N^2 numbers if matrices are dense. Accuracy: for a Cattaneo
+/// shift that turns into Carter's solution, the cumulative creep is of second order in dx with
+/// Remembered, for any steps; otherwise of first order, as in steady rolling, because of the
+/// leading edge. tests/order/transient_order_test.cpp
 ///
-/// A copy goes on like the original, to the bit, and independently of it: in another thread, too.
-/// After a step that throws the state is what it was, and later ones differ by rounding at most
-/// from what they would have been. This does not hold after std::bad_alloc: an Eigen object whose
-/// resizing failed must not even be destroyed.
+/// A copy continues with the same bits as the original, and independently of it, in another thread,
+/// too. A step that throws leaves the state unchanged; later states differ by rounding at most.
+/// This does not hold after std::bad_alloc: an Eigen object whose resizing failed must not even be
+/// destroyed.
 class TransientRolling {
  public:
-  /// \param contact  at the start; a saved state has its own
-  /// \throws as require_definite and set_contact; as start_from_shift, if that is how it starts; as
-  ///         require_within_bound for tractions, and as restore for a saved state
+  /// \param contact  contact at the start; a saved state has its own contact
+  /// \throws as require_definite and set_contact, and by the kind of start: as start_from_shift for
+  ///         a shift, as require_within_bound for tractions, as restore for a saved state
   explicit TransientRolling(const TransientProblem& problem, const Start& start = Rest{},
                             const ContactScale& contact = {});
 
@@ -49,13 +49,14 @@ class TransientRolling {
   TransientRolling& operator=(TransientRolling&& other) noexcept;
   ~TransientRolling();
 
-  // Nodes, and values at them, now.
+  // Nodes, and current values at the nodes.
   const Eigen::VectorXd& x() const;      ///< in the contact's frame  [mm]
   const Eigen::VectorXd& bound() const;  ///< [N/mm^2]
   const TransientState& state() const { return state_; }
 
-  // Tractions and bound as values at the nodes. With Remembered those above are means over elements
-  // and, next to the leading edge, coefficients that make up for the square root there.
+  // Tractions and bound as values at the nodes. With Remembered, state().traction and bound() are
+  // element means and, next to the leading edge, coefficients that correct for the square root
+  // there.
   Eigen::VectorXd traction_at_nodes() const;  ///< [N/mm^2]
   Eigen::VectorXd bound_at_nodes() const;     ///< [N/mm^2]
 
@@ -68,79 +69,82 @@ class TransientRolling {
   /// Estimate of the condition number of the equations of the last step, see ActiveSet::condition.
   double condition();
 
-  /// Makes these the tractions, with nothing rolled. With Remembered their ratio to the bound is
+  /// Sets the tractions, at rolled distance 0. With Remembered the ratio of tractions to bound is
   /// interpolated.
   /// \param traction  at the nodes of the problem's grid
   /// \throws as require_within_bound
   void start_from(const Eigen::VectorXd& traction);
 
-  /// Shifts the bodies without rolling until they carry the force, from no tractions.
+  /// Shifts the bodies without rolling, from zero tractions, until they carry the force.
   /// \return the shift  [mm]
   /// \throws as ActiveSet::solve
   double start_from_shift(const PrescribedForce& force);
 
-  /// The contact at the end of the next step or shift, to which it changes linearly on the way; it
-  /// stays so. A start takes it, too. Scheme Remembered; others keep the contact of the problem.
-  /// Where bodies do not touch at the end of a step there are no tractions then, and nothing is
-  /// remembered; contact that returns begins at the end of its step, at rest or with the force.
-  /// Edges that grow faster than they roll, or shrink, are felt up to half an element off.
+  /// Sets the contact at the end of the next step or shift. The contact changes linearly on the way
+  /// there, and stays unchanged afterwards. The functions start_from...() use this contact, too.
+  /// Only with the scheme Remembered; other schemes keep the contact of the problem. If the bodies
+  /// do not touch at the end of a step, there are no tractions then, and nothing is remembered; a
+  /// returning contact begins at the end of its step, at rest or with the force. An edge that grows
+  /// faster than the contact rolls, or shrinks, is resolved to half an element.
   /// \throws std::invalid_argument for numbers < 0, for another scheme, and as require_definite
   void set_contact(const ContactScale& scale);
 
   /// The contact that was set last.
   const ContactScale& contact() const;
 
-  /// Shifts the bodies without rolling, from the tractions now. The state has them afterwards with
-  /// the same distance; its slip, creepages and dissipation are 0, as those are about rolling, and
-  /// the energies of its evidence are those of the shift  [N].
-  /// Cost: as two steps. After a shift that throws the state is what it was, as after a step.
+  /// Shifts the bodies without rolling, from the current tractions. Afterwards the state has the
+  /// new tractions at the same distance. Its slip, creepages and dissipation are 0, as they concern
+  /// rolling; the energies of its evidence are energies of the shift  [N]. Cost: as two steps. A
+  /// shift that throws leaves the state unchanged, as a step does.
   /// \throws std::invalid_argument for a shift that is not finite, and as ActiveSet::solve
   Shift shift(const ShiftLoad& load);
 
-  /// Rolls on.
+  /// Rolls one step.
   /// \param length  dq; dq/dx in the range of Advection::advect, or >= min_step_ratio with
   ///                Remembered  [mm]
   /// \throws std::invalid_argument outside the range, and as ActiveSet::solve
   void step(double length, const Load& load);
 
-  /// The state to which that step would lead. If the same step is made next, it costs nothing.
+  /// The state after a step, without making the step. If the same step is made next, it costs
+  /// nothing.
   TransientState attempt(double length, const Load& load);
 
-  /// The same with the derivatives of that step, for the scheme Remembered. Cost: two more solves
-  /// for each element that is travelled.
+  /// The same with derivatives of the step, for the scheme Remembered. Cost: two more solves for
+  /// each travelled element.
   /// \param jacobian  out
   /// \throws std::invalid_argument for another scheme, and as step
   TransientState attempt(double length, const Load& load, StepJacobian& jacobian);
 
-  /// Rolls a distance in steps of the given lengths, in turn; the last is shortened to end there.
-  /// If the loads change the contact, each step ends with that of its end.
+  /// Rolls a distance in steps of the given lengths, in turn; the last step is shortened to end at
+  /// the distance. If the loads change the contact, each step ends with the contact at its end.
   /// \param distance    (0, inf), at most that of the loads  [mm]
   /// \param lengths     dq, at least one, each as for step()  [mm]
-  /// \param loads       of the distance from here on
-  /// \param after_step  called after each
+  /// \param loads       as functions of the distance from here on
+  /// \param after_step  called after each step
   void roll(double distance, const std::vector<double>& lengths, const LoadHistory& loads,
             const std::function<void(const TransientState&)>& after_step);
 
-  /// Goes on with a run from distance 0, in the steps that it would have made from there in one go:
-  /// the first one ends where one of these does.
-  /// \param distance  at the end; more than that now, at most that of the loads  [mm]
-  /// \param loads     of the distance from 0 on
+  /// Continues a run that began at distance 0, with the steps of an uninterrupted run: the first
+  /// step ends where a step of that run ends.
+  /// \param distance  at the end; more than the current distance, at most that of the loads  [mm]
+  /// \param loads     as functions of the distance from 0 on
   void roll_to(double distance, const std::vector<double>& lengths, const LoadHistory& loads,
                const std::function<void(const TransientState&)>& after_step);
 
-  /// A text of all that the next steps depend on, a step that was attempted included: another
-  /// TransientRolling that starts from it goes on to the bit like this one, on the same machine in
-  /// the same build. Scheme Remembered. Nothing changes.
+  /// A text of everything that the next steps depend on, including an attempted step. Another
+  /// TransientRolling that starts from this text continues with the same bits, on the same machine
+  /// in the same build. Only with the scheme Remembered. The state does not change.
   /// \throws std::invalid_argument for another scheme
   std::string save();
 
-  /// Goes on from a state of the same problem. An error leaves all as it was.
-  /// \throws std::invalid_argument for a text that is none, damaged, of another version or problem
+  /// Continues from a saved state of the same problem. An error leaves everything unchanged.
+  /// \throws std::invalid_argument for a text that is not a saved state, is damaged, or belongs to
+  ///                               another version or problem
   void restore(const SavedState& saved);
 
  private:
-  /// \param origin           from which start, distance and loads count  [mm]
-  /// \param start, distance  of the steps, from the origin  [mm]
+  /// \param origin           the point from which start, distance and loads are measured  [mm]
+  /// \param start, distance  begin and end of the steps, from the origin  [mm]
   void roll_on(double origin, double start, double distance, const std::vector<double>& lengths,
                const LoadHistory& loads,
                const std::function<void(const TransientState&)>& after_step);
@@ -152,22 +156,22 @@ class TransientRolling {
   TransientProblem problem_;
   std::unique_ptr<RollingGrid> grid_;
   TransientState state_{};
-  TransientState next_{};                          ///< after a step that is tried
+  TransientState next_{};                          ///< state after an attempted step
   std::optional<std::pair<double, Load>> solved_;  ///< length and load of the step to next_
 };
 
-/// -dF/dS of a shift S so small that nothing slips  [N/mm^2]
+/// -dF/dS for a shift S so small that nothing slips  [N/mm^2]
 double stiffness(const TransientProblem& problem);
 
-/// How many steps TransientRolling::roll takes, or with a distance at the start roll_to().
+/// Number of steps that TransientRolling::roll takes; with a start above 0, roll_to().
 /// \param start  in [0, distance)  [mm]
 std::size_t number_of_steps(double distance, const std::vector<double>& lengths, double start = 0);
 
-/// The end of the step that ends at a distance but for rounding, or else the distance: where a run
-/// has to end for another one to go on with the same bits as one run.
+/// The end of the step that ends at a distance except for rounding; the distance if there is no
+/// such step. A run that ends there can be continued with the same bits as an uninterrupted run.
 double end_of_whole_steps(double distance, const std::vector<double>& lengths);
 
-/// The distance that has been rolled in a saved state.
+/// The rolled distance of a saved state.
 /// \throws std::invalid_argument as TransientRolling::restore
 double distance_of(const SavedState& saved, const TransientProblem& problem);
 

@@ -8,8 +8,8 @@
 
 namespace microslip {
 
-/// The keys, in their order, to which two runs resolved other values, and those that only one of
-/// them has. Lists are compared word by word, and numbers by their value: "1.0  2" is "1 2".
+/// The keys, in their order, whose values differ between two runs, and the keys that only one run
+/// has. Lists are compared word by word, and numbers by value: "1.0  2" equals "1 2".
 std::vector<std::string> changed_keys(const Parameters& before, const Parameters& after);
 
 }  // namespace microslip

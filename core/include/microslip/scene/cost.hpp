@@ -8,7 +8,7 @@ namespace microslip {
 /// \file
 /// Forecasts of memory, work and steps of a scene.
 
-/// About how much memory it takes at most to solve a scene and to write its tables  [bytes]:
+/// Approximate upper limit of the memory to solve a scene and to write its tables  [bytes]:
 ///
 ///                           Toeplitz, per element   dense, per N^2 numbers
 ///   steady, differences     1000                    2.7
@@ -17,20 +17,22 @@ namespace microslip {
 ///   transient               1600                    4.1
 ///   cylinder                1600                    5
 ///
-/// and 1 kB a step or shift. Measured at N from 2e4 to 1e6 by FFT, and from 2000 to 4000 with all
-/// entries, as the largest resident set less 12 MB that a program takes anyway; each is the largest
-/// over schemes and bases. An inversion takes as much as calibrated elements at most, which replace
-/// it where there is more than one stick zone. Nothing is known with target_error.
+/// and 1 kB per step or shift. The figures were measured at N from 2e4 to 1e6 by FFT, and from 2000
+/// to 4000 with dense matrices, as the largest resident set minus the 12 MB of any program; each
+/// figure is the largest over schemes and bases. Inversion takes at most the memory of calibrated
+/// elements, which replace it if there is more than one stick zone. With target_error there is no
+/// forecast.
 ///
-/// \throws std::invalid_argument if matrices would be too large as they must be dense
+/// \throws std::invalid_argument if matrices have to be dense and would be too large
 double memory_needed(const Model& model);
 
-/// About how many operations, as support/work counts them, a solution takes, where inversion is not
-/// replaced by elements: within a factor of three for N from 100 to 6400, of shifts before rolling
-/// eight (tests/unit/cost_test.cpp); nan with target_error.
+/// Approximate number of operations of a solution, counted as in support/work, unless elements
+/// replace inversion. It is accurate to a factor of three for N from 100 to 6400, and to a factor
+/// of eight for shifts before rolling (tests/unit/cost_test.cpp); nan with target_error.
 double work_needed(const Model& model);
 
-/// Steps of a transient, or of a cylinder as long as it does not swing; 0 in steady rolling.
+/// Number of steps of a transient, or of a cylinder as long as the cylinder does not swing; 0 in
+/// steady rolling.
 double steps_needed(const Model& model);
 
 }  // namespace microslip

@@ -8,7 +8,7 @@
 
 namespace microslip {
 
-/// A scene in words, besides the values of its keys; one line each.
+/// A scene in words, without the values of its keys; one line each.
 struct Explanation {
   std::string title;                      ///< "steady rolling to a prescribed force"
   std::vector<std::string> consequences;  ///< sizes and orders that follow from the keys

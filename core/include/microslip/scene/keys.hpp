@@ -10,19 +10,19 @@
 
 namespace microslip {
 
-/// Numbers that are accepted, ends included.
+/// An interval of accepted numbers, ends included.
 struct Range {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
-  bool open = false;   ///< whether the least itself is excluded
-  bool below = false;  ///< whether the most itself is
+  bool open = false;   ///< whether `least` is excluded
+  bool below = false;  ///< whether `most` is excluded
 
   constexpr bool holds(double value) const {
     return (open ? value > least : value >= least) && (below ? value < most : value <= most);
   }
 };
 
-/// With both ends; with the one there is; without the least, without the most, and without both.
+/// Ranges that include both ends; have no upper end; exclude `least`; exclude `most`; exclude both.
 constexpr Range range(double least, double most) { return {.least = least, .most = most}; }
 constexpr Range range_from(double least) { return {.least = least}; }
 constexpr Range range_above(double least, double most) { return {least, most, true}; }
@@ -33,9 +33,9 @@ inline constexpr Range fraction = range(0, 1);
 inline constexpr Range inner_fraction = range_inside(0, 1);
 
 /// A key of a scene or of a study. Words, units and defaults of scenes have their only definition
-/// in keys_of_scenes(); the ranges there repeat those of the model's parts, which a test compares
-/// (tests/unit/scene_keys_test.cpp). Those of studies stand beside their readers, which Scene holds
-/// to them (Scene::declare). tools/keys.py writes the documentation from the keys.
+/// in keys_of_scenes(). The ranges there repeat the ranges that core checks; a test compares both
+/// (tests/unit/scene_keys_test.cpp). Keys of studies are defined beside the code that reads them,
+/// and Scene enforces them (Scene::declare). tools/keys.py writes the documentation from the keys.
 struct Key {
   enum class Type { word, number, whole, list, wholes, file };
 
@@ -43,37 +43,39 @@ struct Key {
   Type type = Type::number;
   std::string_view unit = "1";  ///< "1" for words and pure numbers
   std::string_view meaning = "";
-  Range range = {};            ///< of each number of a list
-  std::string_view note = "";  ///< what else is accepted, and when
-  /// Scenes in which the key has a role, as a noun; empty if it has one in all. Others refuse it.
+  Range range = {};            ///< for a list, range of each number
+  std::string_view note = "";  ///< further accepted values, and conditions
+  /// Scenes in which the key has a role, as a noun; other scenes reject the key. Empty if the key
+  /// has a role in all scenes.
   std::string_view role = "";
   double fallback = std::numeric_limits<double>::quiet_NaN();  ///< NaN if there is no default
-  std::array<std::string_view, 4> words = {};                  ///< accepted; the last may be empty
-  /// Gives the accepted words where a catalogue has them.
+  std::array<std::string_view, 4> words = {};                  ///< accepted words; unused entries
+                                                               ///< are empty
+  /// Gives the accepted words if they come from a catalogue.
   std::vector<std::string_view> (*catalogue)() = nullptr;
   bool first_is_default = false;  ///< whether the first word is the default
 };
 
-/// All keys of scenes, in the order in which a scene is written.
+/// All keys of scenes, in the order of a written scene.
 std::span<const Key> keys_of_scenes();
 
 /// The key of that name; null if there is none.
 const Key* find_key(std::string_view name);
 
-/// Unit of one of these keys; "1" for all others.
+/// The unit of a key of scenes; "1" for all other keys.
 std::string unit_of_key(std::string_view key);
 
 /// The accepted words of a key, the default first.
 std::vector<std::string_view> words_of(const Key& key);
 
-/// As text; empty if there is none.
+/// The default of a key as text; empty if there is none.
 std::string default_of(const Key& key);
 
-/// Words, range and note of a key, in brackets the default if there is one: "0 ... 1 [0.5]".
-/// \param quote  stands around each word
+/// Words, range and note of a key, followed by the default, if any, in brackets: "0 ... 1 [0.5]".
+/// \param quote  put around each word
 std::string accepted_by(const Key& key, const std::string& fallback, const std::string& quote = "");
 
-/// Accepted values in a message: "whole numbers 3 ... 10 000; in rising order".
+/// The accepted values of a key, for a message: "whole numbers 3 ... 10 000; in rising order".
 std::string expected_by(const Key& key);
 
 }  // namespace microslip

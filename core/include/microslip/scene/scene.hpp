@@ -23,7 +23,7 @@ using Parameters = std::vector<std::pair<std::string, std::string>>;
 
 struct Key;
 
-/// A doubt about a value.
+/// A warning about a doubtful value.
 struct Warning {
   std::string key;
   std::string line;  ///< "<key> = <value>: ..."
@@ -35,101 +35,102 @@ struct FileColumn {
       : name(name_), unit(unit_), needed(needed_) {}
 
   std::string name;
-  std::string unit;  ///< in which its values are wanted; that of a column without one, too
+  std::string unit;  ///< unit of the values that are returned, and of a column without a unit
   bool needed;
 };
 
 /// The input of a program: dotted keys with text values, read strictly. Every reader below converts
-/// or throws BadParameter, or std::invalid_argument where there is no such key. The message is one
-/// line that names the key; with_places() adds file and line. reject_unread() rejects the keys that
-/// nobody read.
+/// a value or throws BadParameter; if there is no such key, std::invalid_argument. The message is
+/// one line that names the key; with_places() adds file and line. reject_unread() rejects keys that
+/// were not read.
 class Scene {
  public:
-  /// Most bytes of a text; a scene holds some dozens of keys.
+  /// Largest number of bytes of a scene's text; a scene holds some dozens of keys.
   static constexpr std::size_t most_text = 1 << 20;
 
-  /// The text of a file. \throws std::invalid_argument if it cannot be read
+  /// Returns the text of a file. \throws std::invalid_argument if the file cannot be read
   using FileReader = std::function<std::string(const std::string& path)>;
 
   /// Reads a property tree in INFO format, without its `#include`: at most most_text bytes of
   /// UTF-8, with lines that end in LF or CRLF.
-  /// \param name    of the source, for messages
-  /// \param folder  to which relative file names in it refer; ends in '/' unless empty
+  /// \param name    name of the source, for messages
+  /// \param folder  base of relative file names in the scene; ends in '/' unless empty
   static Scene parse(std::istream& in, const std::string& name, const std::string& folder = "");
 
-  /// Keys of a reader's own, besides those of scenes, and in front of these where names are the
-  /// same. Readers below hold values to their ranges; those of scenes are the models' matter.
-  /// \param keys  that live as long as the scene and its copies
+  /// Declares further keys, which take precedence over keys of scenes with the same name. The
+  /// readers below check the ranges of declared keys; the model checks the ranges of scene keys.
+  /// \param keys  must live as long as the scene and its copies
   void declare(std::span<const Key> keys) { declared_.push_back(keys); }
 
-  /// A key that was declared last, or else is one of scenes; null if it is neither.
+  /// The last declared key of this name, otherwise the key of scenes; null if there is neither.
   const Key* known(std::string_view key) const;
 
-  /// Without one, no key may name a file.
+  /// Sets the reader of files. Without a reader, no key may name a file.
   void read_files_by(FileReader reader) { read_file_ = std::move(reader); }
 
-  /// Replaces what the other scene also gives, and adds the rest.
+  /// Takes over all keys of the other scene, replacing values of the same keys.
   void overlay(const Scene& other);
 
-  /// \param assignment  "key.sub=value"; an empty value removes the key and "sweep.key.sub", one of
-  ///                    which there must be, and any other wins over "sweep.key.sub"
+  /// \param assignment  "key.sub=value". A value replaces the key and removes "sweep.key.sub". An
+  ///                    empty value removes both keys, at least one of which must be there
   void set(std::string_view assignment);
 
-  /// Takes all keys below a section out: a scene of their own, in which they lack its name.
+  /// Removes all keys below a section. \return a scene with these keys, without the section's name
   Scene take_section(const std::string& section);
 
-  /// Gives another text to a key that is there; a relative file name refers to the same folder.
+  /// Replaces the text of an existing key; a relative file name refers to the same folder.
   void replace(const std::string& key, const std::string& text);
 
   bool has(const std::string& key) const { return values_.count(key) != 0; }
 
-  /// In the order in which they were first given.
+  /// All keys, in the order in which they were first given.
   std::vector<std::string> keys() const;
 
   /// File and line of a key, for the front of a message: "scene.info:14: ". Empty if there is no
-  /// such key, or if set() gave it.
+  /// such key, or if set() gave the key.
   std::string place_of(const std::string& key) const;
 
-  /// As it was given. \throws std::invalid_argument if there is no such key
+  /// The text of a key as it was given. \throws std::invalid_argument if there is no such key
   const std::string& text(const std::string& key) const { return value(key).text; }
 
-  /// The one key that is given of those that exclude each other; empty if none is.
-  /// \throws std::invalid_argument if two are
+  /// The one key that is given among keys that exclude each other; empty if none is given.
+  /// \throws std::invalid_argument if two are given
   std::string at_most_one_of(const std::vector<std::string>& keys) const;
 
-  /// The same. \throws std::invalid_argument if none is, too
+  /// The same. \throws std::invalid_argument also if none is given
   std::string one_of(const std::vector<std::string>& keys) const;
 
-  /// A finite decimal number, with a point in any locale: 1.5, .5, +5, -1e-3. One that is too small
-  /// for a double, 1e-400, is rejected like one that is too large. After it may stand a unit, which
-  /// is converted to that of the key: "2 cm" of a length is 20. Not given, it is the key's default.
+  /// A finite decimal number, with a point in any locale: 1.5, .5, +5, -1e-3. A number too small
+  /// for a double, 1e-400, is rejected like one that is too large. A unit may follow the number,
+  /// which is then converted to the unit of the key: "2 cm" of a length is 20. A missing key gives
+  /// the key's default.
   double number(const std::string& key);
   double number(const std::string& key, double fallback);
 
   /// A number above zero.
   double positive(const std::string& key);
 
-  /// A list of them, separated by blanks; not empty. Of a key with a unit, as quantities() takes
-  /// it.
+  /// A list of finite numbers, separated by blanks; not empty. For a key with a unit, as for
+  /// quantities().
   std::vector<double> numbers(const std::string& key);
 
   /// A whole number, also as 1e5.
   Eigen::Index whole(const std::string& key);
 
-  /// A list of them, separated by blanks; not empty.
+  /// A list of whole numbers, separated by blanks; not empty.
   std::vector<Eigen::Index> wholes(const std::string& key);
 
-  /// Rejects a value of a known key by what that accepts, unless it `holds`.
+  /// Rejects a value of a known key, naming the accepted values, unless `holds`.
   /// \throws std::logic_error if the key is not known; word() likewise
   void demand(const std::string& key, double value, bool holds) const;
   void demand_in_range(const std::string& key, double value) const;
 
-  /// What `use` makes of columns of numbers in a table file that the key names: a line of column
-  /// names, each perhaps with its unit, "q [mm]" or "q[mm]", then rows, separated by blanks or
-  /// tabs; lines that begin with # are comments. Other columns may hold anything. Messages name
-  /// key, file and, where there is one, line.
+  /// Reads columns of numbers from the table file that the key names, and returns the result of
+  /// `use`. The file has a line of column names, with optional units, "q [mm]" or "q[mm]", then
+  /// rows. Cells are separated by blanks or tabs; lines that begin with # are comments. Other
+  /// columns may hold anything. Messages name key, file and, if there is one, line.
   ///
-  /// \param use  called with the columns wanted; those that are neither needed nor there are empty
+  /// \param use  called with the wanted columns; an optional column that is missing is empty
   template <class Use>
   auto from_columns(const std::string& key, const std::vector<FileColumn>& wanted, Use use) {
     return with_file(key, [&] { return use(columns(key, wanted)); });
@@ -148,37 +149,38 @@ class Scene {
     }
   }
 
-  /// One of the words of a known key. Not given, it is the key's default.
+  /// One of the words of a known key. A missing key gives the key's default.
   std::string word(const std::string& key);
 
-  /// \throws std::invalid_argument if a key was given that nobody read
+  /// \throws std::invalid_argument if a given key was not read
   void reject_unread() const;
 
-  /// Adds a value that follows from others to the parameters, as "derived" and the key that it
-  /// would have if it were given.
+  /// Adds a value that follows from other values to the parameters, under "derived" and the key
+  /// that would give the value.
   void derive(const std::string& key, double value);
 
-  /// Parameters that were read or derived so far.
+  /// The parameters read or derived so far.
   const Parameters& parameters() const { return parameters_; }
 
-  /// Adds a line, unless it is there, that the program tells its user, and puts into its tables.
+  /// Adds a warning, unless it is there already. The program shows warnings and puts them into
+  /// tables.
   void warn(const std::string& key, double value, const std::string& doubt);
   const std::vector<Warning>& warnings() const { return warnings_; }
 
-  /// Parameters that were read so far, and a "warning" for each warning, as tables show them. No places,
-  /// so that the same scene in another file has the same tables.
+  /// The parameters read so far, and a "warning" for each warning, as shown in tables. Places are
+  /// left out, so that the same scene in another file has the same tables.
   Parameters origin() const;
 
  private:
   struct Place {
-    std::string file;  ///< empty if there is none
+    std::string file;  ///< empty if set() gave the value
     int line;
     std::string folder;
   };
   struct Value {
     std::string text;
     Place place;
-    std::size_t order;  ///< among all keys, as they were first given
+    std::size_t order;  ///< of the key among all keys, as first given
   };
 
   std::vector<std::optional<Eigen::VectorXd>> columns(const std::string& key,
@@ -199,8 +201,9 @@ class Scene {
   FileReader read_file_;
 };
 
-/// The error of an argument of core as the error of the key that gives it: "half_width = -1 ..." is
-/// "contact.half_width = -1 ...". Other errors are returned as they are.
+/// Turns the error of an argument of core into the error of the key that gives the argument:
+/// "half_width = -1 ..." becomes "contact.half_width = -1 ...". Other errors are returned
+/// unchanged.
 BadParameter in_keys(const BadParameter& error);
 
 /// Calls an action on a scene; a message about one of its keys, or about an argument that a key

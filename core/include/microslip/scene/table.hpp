@@ -23,20 +23,21 @@ struct Cell : std::variant<double, std::string> {
 /// A column of a table.
 struct Column {
   std::string name;
-  std::string unit;  ///< "1" if it has none
+  std::string unit;  ///< "1" for a pure number or text
   std::string meaning;
-  /// A number of this size or less is nothing but rounding: it depends on the processor and the
-  /// compiler, and has no reference. 0 if the column has no such numbers.
+  /// Numbers of at most this absolute value are rounding errors: they depend on processor and
+  /// compiler, and have no reference value. 0 if the column has no such numbers.
   double rounding = 0;
 };
 
-/// The same of one number in a row, where a column holds quantities of several kinds.
+/// The limit of rounding errors for one number in a row, for a column with quantities of several
+/// kinds.
 struct Rounding {
   std::string column;
   double bound;  ///< as Column::rounding
 };
 
-/// A named result: what a program writes as NAME.tsv.
+/// A named result, which a program writes as NAME.tsv.
 class Table {
  public:
   Table(std::string name, std::string description, std::vector<Column> columns);
@@ -45,17 +46,17 @@ class Table {
   const std::vector<Column>& columns() const { return columns_; }
   std::size_t rows() const { return rows_.size(); }
 
-  /// \throws std::logic_error if the number of cells is not that of the columns
+  /// \throws std::logic_error if the numbers of cells and columns differ
   void add(std::vector<Cell> row);
 
-  /// The same for a row with a number that is rounding up to a bound.
+  /// Adds a row in which one number has its own limit of rounding errors.
   void add(std::vector<Cell> row, const Rounding& rounding);
 
-  /// Takes the place of a cell.
+  /// Replaces a cell.
   /// \throws std::out_of_range if there is no such row or column
   void put(std::size_t row, const std::string& column, Cell cell);
 
-  /// Up to here a number in that place is nothing but rounding; 0 if it never is.
+  /// The absolute value up to which the number in that cell is a rounding error; 0 if it never is.
   /// \throws std::out_of_range if there is no such column
   double rounding(std::size_t row, const std::string& column) const;
 
@@ -63,7 +64,8 @@ class Table {
   const Cell& at(std::size_t row, const std::string& column) const;
   double number(std::size_t row, const std::string& column) const;
 
-  /// The number in the last row that has these cells, as pairs of column and cell; nan if none has.
+  /// The number in the last row with the given cells, as pairs of column and cell; nan without such
+  /// a row.
   double latest(const std::vector<std::pair<std::string, Cell>>& cells,
                 const std::string& column) const;
 
@@ -76,20 +78,20 @@ class Table {
   std::string description_;
   std::vector<Column> columns_;
   std::vector<std::vector<Cell>> rows_;
-  std::map<std::size_t, Rounding> rounding_;  ///< of rows
+  std::map<std::size_t, Rounding> rounding_;  ///< by row
 
   std::size_t index_of(const std::string& column) const;
   void write_rounding(std::ostream& out) const;
 };
 
-/// A table as it was written; all cells are text.
+/// A table that was read from a file; all cells are text.
 struct WrittenTable {
   Table table;
   Parameters parameters;
 };
 
-/// Reads what Table::write wrote; written again, it is the same bytes.
-/// \throws std::invalid_argument if the text is something else, or only the beginning of it
+/// Reads the output of Table::write. Writing the table again gives the same bytes.
+/// \throws std::invalid_argument if the text is not a table, or only the beginning of one
 WrittenTable read_table(const std::string& name, const std::string& text);
 
 }  // namespace microslip

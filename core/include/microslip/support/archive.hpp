@@ -8,42 +8,42 @@
 
 namespace microslip {
 
-/// Members of objects as a text, a line each: `name value value ...`. An object lists its members
-/// once, and the same calls write and read them. Floating-point numbers are hexadecimal, as
-/// std::to_chars writes them, so that they come back to the bit on any machine.
+/// Text form of objects' members, one line each: `name value value ...`. An object lists its
+/// members once; the same calls write and read them. Floating-point numbers are hexadecimal, as
+/// std::to_chars writes them, so that any machine reads back the same bits.
 ///
-/// Errors of reading: std::invalid_argument, with one line that names the member. A number is read
-/// only if it is finite and within its range.
+/// Errors of reading: std::invalid_argument, with one line that names the member. A number must be
+/// finite and within its range.
 class Archive {
  public:
   using Index = Eigen::Index;
 
-  /// Writes.
+  /// An archive that writes.
   Archive() = default;
 
-  /// Reads.
-  /// \param text  that another archive wrote; it must outlive this one
+  /// An archive that reads.
+  /// \param text  written by another archive; the text must outlive this archive
   explicit Archive(std::string_view text) : rest_(text), reads_(true) {}
 
   bool reads() const { return reads_; }
 
-  /// The text that was written.
+  /// The text written so far.
   const std::string& text() const { return text_; }
 
   void number(std::string_view name, double& value);
   void flag(std::string_view name, bool& value);
 
-  /// \param least, most  the range that is read
+  /// \param least, most  the accepted range
   void whole(std::string_view name, Index& value, Index least, Index most);
 
-  /// \param size  of the values
+  /// \param size  the number of values
   void numbers(std::string_view name, Eigen::VectorXd& values, Index size);
 
   /// A list of any length up to `most_size`, within a range.
   void wholes(std::string_view name, std::vector<Index>& values, Index most_size, Index least,
               Index most);
 
-  // Values of the problem are written, and have to be the same where they are read.
+  // Values of the problem: they are written, and a reader must have the same ones.
   void same(std::string_view name, double value);
   void same(std::string_view name, std::string_view word);
   void same(std::string_view name, const Eigen::VectorXd& values);
@@ -62,9 +62,9 @@ class Archive {
   void fail(std::string_view expected) const;
 
   std::string text_;
-  std::string_view rest_;  ///< to be read
-  std::string_view line_;  ///< its rest
-  std::string_view name_;  ///< of the line
+  std::string_view rest_;  ///< still to be read
+  std::string_view line_;  ///< rest of the current line
+  std::string_view name_;  ///< name at the start of the current line
   bool reads_ = false;
 };
 

@@ -9,11 +9,11 @@ struct gsl_cheb_series_struct;
 
 namespace microslip {
 
-/// A function on an interval by its values at Chebyshev points.
+/// Interpolates a function on an interval between its values at Chebyshev points.
 class ChebyshevSeries {
  public:
   /// \param end    > begin
-  /// \param order  degree; order + 1 evaluations
+  /// \param order  the degree; the function is evaluated order + 1 times
   /// \throws std::invalid_argument outside the range
   ChebyshevSeries(const std::function<double(double)>& function, double begin, double end,
                   std::size_t order);

@@ -7,7 +7,7 @@ namespace microslip {
 
 /// Order of convergence: least-squares slope of -log|error| against log(size).
 /// \param sizes   at least two, positive, not all equal
-/// \param errors  as many, not zero
+/// \param errors  as many as sizes, not zero
 /// \throws std::invalid_argument otherwise
 double fitted_order(std::span<const double> sizes, std::span<const double> errors);
 

@@ -5,13 +5,13 @@
 
 namespace microslip {
 
-/// The value at x of what is linear between known positions, and constant beyond them.
+/// The value at x by linear interpolation between positions; constant beyond the outermost ones.
 /// \param positions  ascending, at least one
-/// \param values     as many
+/// \param values     as many as positions
 /// Cost: O(log n)
 double interpolated(const Eigen::VectorXd& positions, const Eigen::VectorXd& values, double x);
 
-/// The same at several places.
+/// The values at several places.
 Eigen::VectorXd interpolated(const Eigen::VectorXd& positions, const Eigen::VectorXd& values,
                              const Eigen::VectorXd& x);
 

@@ -7,13 +7,13 @@
 namespace microslip {
 
 /// \file
-/// For messages about names that are not known.
+/// Text for messages about unknown names.
 
 /// The name that differs from the word by the fewest edits, one to three; empty if there is none.
-/// Cost: as the product of lengths.
+/// Cost: proportional to the product of the lengths.
 std::string nearest(const std::string& word, const std::vector<std::string>& names);
 
-/// " (did you mean 'x'?)", or nothing if that is empty.
+/// " (did you mean 'x'?)" with `meant` as x; empty if `meant` is empty.
 std::string question(const std::string& meant);
 
 /// The names of items.
@@ -24,7 +24,7 @@ std::vector<std::string> names_of(const Items& items) {
   return names;
 }
 
-/// All texts, with a separator between two.
+/// All texts in one, with a separator between two of them.
 template <class Texts>
 std::string joined(const Texts& texts, const std::string& separator) {
   std::string all;

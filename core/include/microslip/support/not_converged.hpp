@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-/// A solve failed; executables report it and return 2.
+/// Error of a solve that failed; executables report it and return 2.
 class NotConverged : public std::runtime_error {
  public:
   /// \param residual  largest violation of the contact conditions, relative to the largest bound or

@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-/// The total, where it is not known in advance.
+/// The total of a Progress that does not know it in advance.
 inline constexpr std::size_t unknown_total = 0;
 
 /// Called after each finished case with the number of finished cases and their total.

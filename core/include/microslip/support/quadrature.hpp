@@ -6,8 +6,9 @@
 namespace microslip {
 
 /// Integral over [begin, end], finite; the ends may be integrable singularities. GSL's QAGS.
-/// \param relative  accuracy to reach, in [1e-14, 1)
-/// \throws NotConverged if it is not reached; the residual is the estimated relative error
+/// \param relative  required relative accuracy, in [1e-14, 1)
+/// \throws NotConverged if the accuracy is not reached; the residual is the estimated relative
+///                      error
 double integrate(const std::function<double(double)>& integrand, double begin, double end,
                  double relative);
 

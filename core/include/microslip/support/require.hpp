@@ -9,16 +9,16 @@
 
 namespace microslip {
 
-/// An error of a parameter, with its name. An argument of core has the name that it has in the
-/// interface of C++, "half_width". with_places() makes it an error of the key of the scene,
+/// An error of a parameter, with the parameter's name. An argument of core has its name in the C++
+/// interface, "half_width". with_places() turns the error into one of the scene's key,
 /// "contact.half_width", and adds file and line.
 class BadParameter : public std::invalid_argument {
  public:
   BadParameter(std::string_view name, const std::string& message)
       : std::invalid_argument(message), name_(name) {}
 
-  /// An argument, or a key of a scene; words before it say which of its values:
-  /// "least value of coefficients".
+  /// Name of an argument, or key of a scene. Words in front of the name can select one of several
+  /// values: "least value of coefficients".
   const std::string& name() const { return name_; }
 
  private:
@@ -29,12 +29,12 @@ class BadParameter : public std::invalid_argument {
 [[noreturn]] void reject(std::string_view name, std::string_view text, std::string_view accepted);
 
 /// Rejects a parameter with one line: "<name> = <value>: expected <accepted>".
-/// \param name  of an argument, e.g. "half_width"; or the key of a scene
+/// \param name  name of an argument, e.g. "half_width", or key of a scene
 /// \throws      BadParameter if accepted_by_caller is false or the value is not finite
 void require(bool accepted_by_caller, std::string_view name, double value,
              std::string_view accepted);
 
-/// The same with a text that is made only where it is needed.
+/// The same; the text of accepted values is made only for an error.
 /// \param accepted  called without arguments
 template <std::invocable Describe>
 void require(bool accepted_by_caller, std::string_view name, double value,
@@ -42,7 +42,8 @@ void require(bool accepted_by_caller, std::string_view name, double value,
   if (!accepted_by_caller || !std::isfinite(value)) require(false, name, value, accepted());
 }
 
-/// The same for sizes in mm, N and s: from 1e-50 to 1e50, so that their products are doubles.
+/// Rejects sizes in mm, N and s outside [1e-50, 1e50], so that products of sizes neither overflow
+/// nor underflow.
 void require_positive(std::string_view name, double value);
 
 }  // namespace microslip

@@ -7,8 +7,9 @@
 
 namespace microslip {
 
-/// A text of unknown origin as messages show it, in one line: control characters and bytes that are
-/// not UTF-8 become `\xNN`. A text of more than `most` bytes is cut, and its length follows.
+/// A text of unknown origin in a form for messages, on one line: control characters and bytes that
+/// are not UTF-8 become `\xNN`. A text of more than `most` bytes is cut, and its length is
+/// appended.
 std::string shown(std::string_view text, std::size_t most = 160);
 
 }  // namespace microslip

@@ -12,8 +12,8 @@
 namespace microslip::experiments {
 
 /// Do higher-order basis functions converge faster? Thesis Fig. 6.9, appendix B: the Carter-Fromm
-/// problem with constant, linear and quadratic functions, the last also with the integration limits
-/// as printed in (B.30).
+/// problem with constant, linear and quadratic functions; the quadratic ones also with the
+/// integration limits as printed in (B.30).
 struct BasisConvergenceParameters {
   Material material;
   double length;  ///< L0 of the plane kernel  [mm]
@@ -25,10 +25,10 @@ struct BasisConvergenceParameters {
   double stick_ratio;               ///< a', in (0, 1)
 };
 
-/// The keys that `basis_convergence --print-keys` lists, each held to what that says it accepts.
+/// The keys that `basis_convergence --print-keys` lists, each checked against its listed range.
 BasisConvergenceParameters read_basis_convergence(Scene& scene);
 
-/// Tables: errors (a row a basis and N), orders (a row a basis and quantity), claims.
+/// Tables: errors (one row per basis and N), orders (one row per basis and quantity), claims.
 std::vector<Table> basis_convergence(const BasisConvergenceParameters& parameters,
                                      const Progress& progress);
 

@@ -6,8 +6,8 @@
 
 namespace microslip::experiments {
 
-/// The thesis's transient case: a Cattaneo shift under a force, which rolling then turns to
-/// Carter's solution. Thesis 4, 7 and 8, CONTACT's example 5.8 in 2D.
+/// The thesis's transient case: a Cattaneo shift under a force, followed by rolling to Carter's
+/// solution. Thesis 4, 7 and 8, CONTACT's example 5.8 in 2D.
 struct CattaneoToCarter {
   Kernel kernel;
   HertzBound bound;
@@ -18,12 +18,13 @@ struct CattaneoToCarter {
 
   TransientProblem problem(const AdvectionScheme& scheme) const;
 
-  /// Rolled from the shift.
+  /// The contact after rolling from the shift.
   /// \param elements    distance, in elements
-  /// \param step_ratio  c of all steps but the last, which ends at the distance
+  /// \param step_ratio  c of all steps except for the last, which ends at the distance
   TransientRolling rolled(const AdvectionScheme& scheme, double step_ratio, double elements) const;
 
-  /// The same distance on a grid of `refinement` elements for each one, with c = 1 there.
+  /// The same distance on a grid with `refinement` elements for each element, with c = 1 on that
+  /// grid.
   TransientRolling refined(double elements, Eigen::Index refinement) const;
 };
 

@@ -11,7 +11,7 @@ namespace microslip::experiments {
 
 inline constexpr const char* no_figure = "none";
 
-/// A statement of the thesis, held against a measurement.
+/// A statement of the thesis, compared with a measurement.
 struct Claim {
   std::string claim;
   std::string section;
@@ -19,14 +19,15 @@ struct Claim {
   double measured_value;
   std::string unit;
   Rule rule;           ///< from which the verdict follows
-  std::string note;    ///< what the number is; nothing that only holds for the study's parameters
+  std::string note;    ///< meaning of the number; no statement that depends on the study's
+                       ///< parameters
   std::string figure;  ///< stem of the plot script that shows it, or no_figure
-  /// A measured value of this size or less is nothing but rounding, besides what rounding_of(rule)
-  /// says.
+  /// A measured value up to this size is a rounding error, in addition to the limit
+  /// rounding_of(rule).
   double rounding = 0;
 };
 
-/// A number in a note: its digits, or "below" the bound where it is nothing but rounding.
+/// A number in a note: its digits; "below" the bound if the number is only a rounding error.
 std::string text_above_rounding(double value, double bound);
 
 /// The table that every study writes as claims.tsv, with the verdicts by the claims' rules:
@@ -35,9 +36,10 @@ std::string text_above_rounding(double value, double bound);
 ///         figure
 Table claims_table(const std::vector<Claim>& claims);
 
-/// The same tables with all verdicts of the claims replaced by "not_judged", and the reason in the
-/// table's description: verdicts on the thesis belong to the parameters that were chosen for it.
-/// \param changed  keys whose values are others than those of the study; without any, all stays
+/// The tables with all verdicts of claims replaced by "not_judged", and with the reason in the
+/// description: verdicts on the thesis are only valid for the parameters chosen for them.
+/// \param changed  keys whose values differ from the study's defaults; without such keys nothing is
+///                 changed
 std::vector<Table> judged_unless_changed(std::vector<Table> tables,
                                          const std::vector<std::string>& changed);
 

@@ -14,7 +14,7 @@ namespace microslip::experiments {
 /// "A" in adhesion, "S" in slip.
 std::string region(Zone zone);
 
-/// Values at the nodes, all of one length; for the units see SteadySolution.
+/// Values at the nodes, in vectors of equal length; for the units see SteadySolution.
 struct NodeValues {
   const Eigen::VectorXd& x;
   const Eigen::VectorXd& bound;
@@ -24,13 +24,14 @@ struct NodeValues {
   const std::vector<Zone>& zones;
 };
 
-/// The table `traction`: a row a node, but those outside the contact, without bound and traction.
+/// The table `traction`: one row per node, except for nodes outside the contact, which have neither
+/// bound nor traction.
 Table traction_table(const std::string& description, const NodeValues& values);
 
-/// The table `summary`, a row a quantity, without rows.
+/// An empty table `summary`, for one row per quantity.
 Table empty_summary(const std::string& description);
 
-/// What many steps show of their own correctness: the worst of each.
+/// The worst evidence of many steps.
 struct WorstOfSteps {
   Evidence evidence;
   int iterations = 0;  ///< partitions tried in a step
@@ -38,17 +39,18 @@ struct WorstOfSteps {
   void include(const TransientState& state);
 };
 
-/// What evidence is judged by, and what the result is of.
+/// Data by which the evidence of a result is judged.
 struct Judged {
   double condition;  ///< of the equations in adhesion, estimate
-  int iterations;    ///< that the result took
+  int iterations;    ///< iterations of the result
   Acceptance accepted;
   bool steady = false;
-  std::optional<std::string> doubt = std::nullopt;  ///< another one, in a sentence; goes first
+  std::optional<std::string> doubt = std::nullopt;  ///< a further doubt, in a sentence; it comes
+                                                    ///< first
 };
 
-/// Adds what a result shows of its own correctness to such a table, if that is accepted; the
-/// last row, `warning`, says what is doubtful, or "none".
+/// Adds a result's evidence to the table `summary`, if the evidence is accepted. The last row,
+/// `warning`, names the doubtful quantities, or "none".
 /// \throws as require_evidence
 void add_evidence(Table& summary, const Evidence& evidence, const Judged& judged);
 

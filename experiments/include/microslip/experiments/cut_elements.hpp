@@ -8,22 +8,24 @@
 
 namespace microslip::experiments {
 
-/// What becomes of the elements that the moving edges of the contact cross.
+/// Treatment of the elements that the moving edges of the contact cross.
 enum class EdgeElements {
-  at_node,    ///< whole, as soon as and as long as their middle is in contact, with the bound there
-  cell_mean,  ///< whole, with the mean of the bound over them
-  cut         ///< only their part in contact, with the middle of it and the mean bound over it
+  at_node,    ///< whole, while the middle of the element is in contact, with the bound at the
+              ///< middle
+  cell_mean,  ///< whole, with the element mean of the bound
+  cut         ///< only the part in contact, with the middle of this part and the mean bound over it
 };
 
-/// Cattaneo to Carter on a grid fixed to the material, with elements that may be cut. Those at the
-/// edges change in each step, so that their rows and columns of the response do: a step costs
-/// O(N^3). With whole elements it is WholeElementRolling.
+/// Cattaneo to Carter on a grid fixed to the material, with elements that may be cut. The elements
+/// at the edges, and with them their rows and columns of the response matrix, change in each step:
+/// a step costs O(N^3). With whole elements it is WholeElementRolling.
 ///
-/// The slip displacement is that of the material in the middle of each (part of an) element:
-/// S = W + u(x) - u'(x), u' by the previous tractions on the previous parts.
+/// The slip displacement is evaluated at the material point in the middle of each element or part:
+/// S = W + u(x) - u'(x), where u' is due to the previous tractions on the previous elements and
+/// parts.
 class CutElementRolling {
  public:
-  /// Shifted without rolling.
+  /// The contact after the Cattaneo shift, without rolling.
   /// \param elements  in the contact, N or any other number, at rest from the trailing edge on  [1]
   CutElementRolling(const CattaneoToCarter& rolling, EdgeElements treatment, double elements);
 
@@ -36,18 +38,18 @@ class CutElementRolling {
   double creepage() const { return state_.creepage; }  ///< w of the last step; zero before  [1]
 
   // Elements that in the last step
-  Eigen::Index entered() const;   ///< got into the contact at the leading edge
-  Eigen::Index left() const;      ///< got out of it at the trailing edge
-  Eigen::Index released() const;  ///< began to slip, of those in contact before
+  Eigen::Index entered() const;   ///< entered the contact at the leading edge
+  Eigen::Index left() const;      ///< left the contact at the trailing edge
+  Eigen::Index released() const;  ///< began to slip, among the elements in contact before
 
   const Eigen::VectorXd& traction() const { return state_.traction; }  ///< [N/mm^2]
   const std::vector<Zone>& zones() const { return state_.zones; }
   Eigen::VectorXd x() const;      ///< middles of the elements in the contact's frame  [mm]
-  Eigen::VectorXd width() const;  ///< of the elements or their parts  [mm]
+  Eigen::VectorXd width() const;  ///< of the elements or parts  [mm]
   double force() const;           ///< [N/mm]
 
  private:
-  /// Positions in dx, fixed to the material, from the trailing edge where nothing has been rolled.
+  /// Positions in dx, fixed to the material, from the trailing edge at distance 0.
   struct Element {
     Eigen::Index number;
     double middle;
@@ -80,7 +82,7 @@ class CutElementRolling {
   ContactState state_;
   Eigen::Index previous_first_;
   Eigen::Index previous_end_;
-  std::vector<Zone> previous_zones_;  ///< moved to the elements of now
+  std::vector<Zone> previous_zones_;  ///< moved to the current elements
 };
 
 }  // namespace microslip::experiments

@@ -11,8 +11,8 @@
 
 namespace microslip::experiments {
 
-/// What happens where nobody tunes? One or two parameters at a time go to their extremes; all
-/// others keep their ordinary values.
+/// How do schemes behave at extreme parameters? One or two parameters at a time go to their
+/// extremes; all others keep their ordinary values.
 struct ExtremesParameters {
   Material material;
   HertzBound bound;
@@ -20,18 +20,18 @@ struct ExtremesParameters {
   Eigen::Index elements;  ///< N; odd, for quadratic functions and fractional powers
   double stick_ratio;     ///< a'  [1]
 
-  /// Beyond these a result has failed.
+  /// Limits beyond which a result counts as failed.
   struct Limits {
     double error;       ///< of force or creepage, relative  [1]
     double wiggle;      ///< amplitude over the peak of the bound  [1]
-    double operations;  ///< of one case; those expected to take more are not run
+    double operations;  ///< of one case; a case that is expected to take more is not run
   } limits;
 
   struct {
     std::vector<double> ratios;  ///< c  [1]
     std::vector<Eigen::Index> sizes;
     std::vector<double> ratios_of_large;
-    std::vector<Eigen::Index> large;  ///< sizes, run whatever they take
+    std::vector<Eigen::Index> large;  ///< sizes that are run at any cost
   } steps;
 
   struct {
@@ -67,13 +67,13 @@ struct ExtremesParameters {
   std::vector<double> scales;  ///< factors of G, a and mu p0, one at a time and all at once  [1]
 };
 
-/// The keys that `extremes --print-keys` lists, each held to what that says it accepts.
+/// The keys that `extremes --print-keys` lists, each checked against its listed range.
 ExtremesParameters read_extremes(Scene& scene);
 
 /// Tables: steps (c and N of steady rolling), widths (strip width and Poisson ratio), loads (from
 /// full stick to full sliding), bounds (that are not smooth), offsets (of both edges), transient (c
-/// and N), endurance (many steps), cylinder (slope and c), each with a row a case, failures included; scales (what is left
-/// of scale invariance); ranges (where each scheme is safe) and claims.
+/// and N), endurance (many steps), cylinder (slope and c), each with one row per case, failures
+/// included; scales (errors of scale invariance); ranges (safe ranges of each scheme) and claims.
 std::vector<Table> extremes(const ExtremesParameters& parameters, const Progress& progress);
 
 }  // namespace microslip::experiments

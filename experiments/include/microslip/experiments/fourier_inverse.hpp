@@ -11,8 +11,9 @@
 
 namespace microslip::experiments {
 
-/// Why does the inverse of B = A - A' oscillate? Its approximation by Fourier transformation, and
-/// how good that is. Thesis 6.3, Figs. 6.7 and 6.8, for constant and linear functions.
+/// Why does the inverse of B = A - A' oscillate? The study measures the accuracy of its
+/// approximation by Fourier transformation. Thesis 6.3, Figs. 6.7 and 6.8, for constant and linear
+/// functions.
 struct FourierInverseParameters {
   Kernel kernel;
   std::string basis;                ///< of the tables: constant, linear or both; claims take both
@@ -22,7 +23,7 @@ struct FourierInverseParameters {
   std::vector<Eigen::Index> sizes;  ///< sizes for the errors, each in [4, 10000]
 };
 
-/// The keys that `fourier_inverse --print-keys` lists, each held to what that says it accepts.
+/// The keys that `fourier_inverse --print-keys` lists, each checked against its listed range.
 FourierInverseParameters read_fourier_inverse(Scene& scene);
 
 /// Tables: coefficients (steps 3 and 4), columns (step 6 and the exact inverse), errors (against

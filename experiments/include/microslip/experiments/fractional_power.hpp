@@ -16,20 +16,21 @@ struct FractionalPowerParameters {
   CattaneoToCarter rolling;              ///< odd number of elements
   std::vector<double> step_ratios;       ///< c of Fig. 8.3, each >= 1e-6, the first a whole number
   std::vector<double> distances;         ///< in elements: of Figs. 8.3 and 8.4
-  double step_ratio;                     ///< c of all else, in (0, 1)
-  Eigen::Index refinement;               ///< elements of the reference for each one, >= 2
+  double step_ratio;                     ///< c in all other tables, in (0, 1)
+  Eigen::Index refinement;               ///< elements of the reference for each element, >= 2
   Eigen::Index shape_elements;           ///< of Figs. 8.1 and 8.2, odd, >= 51
-  std::vector<Eigen::Index> steps;       ///< after which the shapes are shown, ascending
+  std::vector<Eigen::Index> steps;       ///< numbers of steps after which shapes are shown,
+                                         ///< ascending
   std::vector<Eigen::Index> cost_sizes;  ///< N, odd
   Eigen::Index largest_schur;            ///< N up to which the Schur method is tried, >= 3 of them
 };
 
-/// The keys that `fractional_power --print-keys` lists, each held to what that says it accepts.
+/// The keys that `fractional_power --print-keys` lists, each checked against its listed range.
 FractionalPowerParameters read_fractional_power(Scene& scene);
 
-/// Tables: shapes and shapes_summary (Figs. 8.1 and 8.2), traction, reference and summary
-/// (Figs. 8.3 and 8.4), eigenvalues (for an odd and an even number of elements), agreement (of the
-/// action on a vector with a Schur method, which is checked in turn), cost (counted), cost_timing
+/// Tables: shapes and shapes_summary (Figs. 8.1 and 8.2), traction, reference and summary (Figs.
+/// 8.3 and 8.4), eigenvalues (for an odd and an even number of elements), agreement (of the action
+/// on a vector with a Schur method, which is itself checked), cost (counted), cost_timing
 /// (measured), claims.
 std::vector<Table> fractional_power(const FractionalPowerParameters& parameters,
                                     const Progress& progress);

@@ -13,28 +13,30 @@
 
 namespace microslip::experiments {
 
-/// The force that answers a small harmonic creepage or a small step, in closed form and by the
+/// Response of the force to a small harmonic creepage or a small step, in closed form and by the
 /// transient schemes of the catalogue.
 struct FrequencyResponseParameters {
   HertzBound bound;
   PlaneKernel plane;
   StripKernel strip;
-  double period;                           ///< in which all waves return  [mm]
-  std::vector<Eigen::Index> waves;         ///< numbers of them in the period, each 1 to 64
+  double period;                           ///< common period of all waves  [mm]
+  std::vector<Eigen::Index> waves;         ///< wave numbers: waves in the period, each 1 to 64
   double amplitude;                        ///< of all waves over the creepage of a state, (0, 0.1]
-  double adhesion_amplitude;               ///< over that of full sliding, (0, 1e-3]
-  std::vector<Eigen::Index> sizes;         ///< N where all adheres, 3 to 2000, at least two
+  double adhesion_amplitude;               ///< amplitude about full adhesion, over the creepage of
+                                           ///< full sliding, (0, 1e-3]
+  std::vector<Eigen::Index> sizes;         ///< N for full adhesion, 3 to 2000, at least two
   std::vector<double> stick_ratios;        ///< a' of Carter's states, each in [0.1, 0.99]
-  std::vector<Eigen::Index> state_sizes;   ///< N there, with c = 1; with other c the first two
+  std::vector<Eigen::Index> state_sizes;   ///< N for these states, with c = 1; other c use the
+                                           ///< first two N
   int alignments;                          ///< of the stick-slip point in an element, 1 to 20
   std::vector<double> step_ratios;         ///< c, each in [0.01, 1], the first one 1
   std::vector<Eigen::Index> motion_sizes;  ///< N of the steps, at least two
   double shortest, longest;                ///< wavelengths of the curves  [mm]
-  int points;                              ///< of these, 2 to 10000
+  int points;                              ///< number of points of the curves, 2 to 10000
   double operations;                       ///< a run that is expected to take more is left out
 };
 
-/// The keys that `frequency_response --print-keys` lists, each held to what that says it accepts.
+/// The keys that `frequency_response --print-keys` lists, each checked against its listed range.
 FrequencyResponseParameters read_frequency_response(Scene& scene);
 
 /// The ratio of dF/dw of a foundation of springs to its value for an infinite wavelength,
@@ -43,8 +45,8 @@ FrequencyResponseParameters read_frequency_response(Scene& scene);
 std::complex<double> winkler_response(double kappa);
 
 /// Tables: curves (exact H against the wavelength), measured (H and its error by each scheme),
-/// errors (these against N), orders (fitted to them), steps (force and creepage after a small
-/// step), step_errors, claims.
+/// errors (of H, against N), orders (fitted to these errors), steps (force and creepage after a
+/// small step), step_errors, claims.
 std::vector<Table> frequency_response(const FrequencyResponseParameters& parameters,
                                       const Progress& progress);
 

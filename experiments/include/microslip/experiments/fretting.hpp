@@ -12,13 +12,15 @@
 
 namespace microslip::experiments {
 
-/// Shifts without rolling under a force that goes to and fro: loops and dissipation against
-/// Mindlin's exact solution, and for another bound against superposition; then standstill, rolling
-/// and standstill in one run, with its balance of energy. Forces are parts of full sliding.
+/// Shifts without rolling under an oscillating force: loops and dissipation are compared with
+/// Mindlin's exact solution, and for another bound with superposition. A further run has
+/// standstill, rolling and standstill, with its energy balance. Forces are fractions of full
+/// sliding.
 struct FrettingParameters {
   Material material;
   double length;                     ///< L0 of plane strain  [mm]
-  PolynomialBound bound;             ///< no Hertz's; the Hertzian one has its force and half-width
+  PolynomialBound bound;             ///< a bound that is not Hertzian; the Hertzian bound has the
+                                     ///< same force and half-width
   std::vector<Eigen::Index> sizes;   ///< N, ascending; loops have the last
   std::vector<double> forces;        ///< amplitudes of the loops, ascending in (0, 1)
   int points;                        ///< of a loop on each way, >= 2
@@ -26,13 +28,14 @@ struct FrettingParameters {
   std::vector<double> all_forces;    ///< amplitudes of the curve of dissipation, likewise
   std::vector<double> lengths;       ///< of plane strain, other L0, >= 1  [half-widths]
   Eigen::Index run_elements;         ///< N of the run, and of other L0
-  double run_force;                  ///< under which the bodies roll, in (-1, 1), not 0
-  double run_swing;                  ///< amplitude about it at standstill; their sum is below 1
+  double run_force;                  ///< force during rolling, in (-1, 1), not 0
+  double run_swing;                  ///< amplitude about run_force at standstill; the sum of both
+                                     ///< is below 1
   double run_distance;               ///< rolled each time  [elements]
   double run_step_ratio;             ///< c, in [1e-3, 5]
 };
 
-/// The keys that `fretting --print-keys` lists, each held to what that says it accepts.
+/// The keys that `fretting --print-keys` lists, each checked against its listed range.
 FrettingParameters read_fretting(Scene& scene);
 
 /// Tables: loops (force and displacement), cycles (each with its errors), errors (against N),

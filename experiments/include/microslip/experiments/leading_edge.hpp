@@ -12,13 +12,13 @@
 
 namespace microslip::experiments {
 
-/// Is the leading edge the cause of first order, and what does a better one gain? Thesis chapter 10
-/// and appendix C, on the Carter-Fromm problem in plane strain with c = 1.
+/// Is the leading edge the cause of first-order convergence, and how much does a better treatment
+/// gain? Thesis chapter 10 and appendix C, on the Carter-Fromm problem in plane strain with c = 1.
 struct LeadingEdgeParameters {
   Material material;
   double length;  ///< L0 of the plane kernel  [mm]
   HertzBound bound;
-  std::vector<Eigen::Index> sizes;       ///< N, each twice the one before, at least two
+  std::vector<Eigen::Index> sizes;       ///< N, each twice its predecessor, at least two
   std::vector<double> leading_offsets;   ///< beta (the thesis's alpha), each in (0, 1]
   std::vector<double> trailing_offsets;  ///< alpha, each in [0, 1]
   std::vector<double> stick_ratios;      ///< a', each in (0, 1)
@@ -27,10 +27,10 @@ struct LeadingEdgeParameters {
   double profile_offset;                 ///< beta of the trimmed hat shown, thesis Fig. 10.3
 };
 
-/// The keys that `leading_edge --print-keys` lists, each held to what that says it accepts.
+/// The keys that `leading_edge --print-keys` lists, each checked against its listed range.
 LeadingEdgeParameters read_leading_edge(Scene& scene);
 
-/// Tables: errors (a row a scheme, offset, stick ratio and N), reductions (the factors per
+/// Tables: errors (one row per scheme, offset, stick ratio and N), reductions (the factors per
 /// doubling), summary (their distributions), settings (which settings come closest to the thesis's
 /// numbers), profile (tractions, Figs. 10.1 and 10.3), hats (Fig. 10.2), claims.
 std::vector<Table> leading_edge(const LeadingEdgeParameters& parameters, const Progress& progress);

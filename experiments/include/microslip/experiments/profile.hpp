@@ -18,8 +18,8 @@ double total_variation(const Eigen::VectorXd& values);
 /// A maximum between nodes.
 struct Peak {
   double height;    ///< of the largest value
-  double position;  ///< of the parabola through it and its neighbours
-  double width;     ///< between the two points next to it at half its height
+  double position;  ///< of the top of the parabola through the largest value and its neighbours
+  double width;     ///< distance of the nearest points at half the height on both sides
 };
 
 /// The largest value; the width ends at the first and last node at the latest.

@@ -11,12 +11,12 @@ namespace microslip::experiments {
 
 inline constexpr double not_given = std::numeric_limits<double>::quiet_NaN();
 
-/// The numbers that a condition accepts, and how a sentence says so.
+/// The numbers that a condition accepts, and the words for them.
 struct Range {
   std::optional<double> least = {};
   std::optional<double> most = {};
   bool with_ends = false;
-  std::string words;             ///< what follows "the measured value"
+  std::string words;             ///< text after "the measured value"
   double tolerance = not_given;  ///< half the width; none for one bound
 };
 
@@ -36,7 +36,7 @@ struct Condition {
       : range(std::move(accepted)), quantity(std::move(name)), value(measured) {}
 
   Range range;
-  std::string quantity = "the measured value";  ///< or what that is
+  std::string quantity = "the measured value";  ///< or a description of another quantity
   std::optional<double> value = {};             ///< of another quantity
 };
 
@@ -46,8 +46,8 @@ struct Ruling {
   std::vector<Condition> conditions;
 };
 
-/// How the verdict on a claim follows from what was measured: the first ruling whose conditions
-/// hold. What is computed and what is printed are made of the same ranges.
+/// Determines the verdict on a claim from measurements: the first ruling whose conditions hold. The
+/// verdict and the printed rule come from the same ranges.
 struct Rule {
   std::vector<Ruling> rulings;
   std::string otherwise;
@@ -57,21 +57,21 @@ struct Rule {
 /// "reproduced" if all conditions hold, else "refuted".
 Rule holds_if(std::vector<Condition> conditions);
 
-/// "reproduced" if the first hold, else "corrected" if the second do, else "refuted".
+/// "reproduced" if the first hold, else "corrected" if the second conditions hold, else "refuted".
 Rule holds_if(std::vector<Condition> conditions, std::vector<Condition> corrected);
 
-/// "corrected" if all conditions hold, else as it says.
+/// "corrected" if all conditions hold, else the given verdict.
 Rule corrected_if(std::vector<Condition> conditions, std::string otherwise);
 
 /// For a finding that is no claim of the thesis: "ours" if all conditions hold, else "refuted".
 Rule ours_if(std::vector<Condition> conditions);
 
-/// "not_comparable" whatever was measured.
-/// \param reason  goes on after "not comparable: "
+/// "not_comparable" for any measurement.
+/// \param reason  text after "not comparable: "
 Rule not_comparable(std::string reason);
 
-/// The verdict of a rule; "not_comparable" if the measured value, or another one that the rule
-/// looks at, is nan: nothing was measured.
+/// The verdict of a rule; "not_comparable" if the measured value, or another quantity in the rule,
+/// is nan, because nothing was measured.
 std::string verdict(const Rule& rule, double measured_value);
 
 /// The rule as one clause, with its numbers: "reproduced if the measured value is above 5;
@@ -79,12 +79,12 @@ std::string verdict(const Rule& rule, double measured_value);
 /// \throws std::logic_error for a rule that says nothing
 std::string sentence(const Rule& rule);
 
-/// Half the width of the range that the first condition accepts, in the unit of the claim;
-/// not_given if it has one bound, or there is none.
+/// Half the width of the range of the first condition, in the unit of the claim; not_given without
+/// a condition, or if the range has only one bound.
 double tolerance(const Rule& rule);
 
-/// The tolerance of a rule that accepts 0 to rounding, at most 1e-8, because a number that it
-/// accepts is nothing but rounding; 0 of other rules.
+/// The tolerance of a rule that accepts 0 to rounding, at most 1e-8, because an accepted number is
+/// only a rounding error; 0 for other rules.
 double rounding_of(const Rule& rule);
 
 }  // namespace microslip::experiments

@@ -11,16 +11,17 @@
 namespace microslip::experiments {
 
 /// \file
-/// Solves a scene. Tables: `traction`, a row a node; `summary`, quantity, value and unit, with the
-/// evidence of add_evidence; `history`, a row a step, of what is not steady; and `shifts`, a row a
-/// shift, of a transient with TransientScene::shifts. Progress counts shifts and steps, thousandths
-/// of a cylinder's way, or percents of the operations that a steady solution is expected to take.
+/// Solves a scene. Tables: `traction`, one row per node; `summary`, with quantity, value and unit,
+/// and with the rows of add_evidence; `history`, one row per step, unless rolling is steady; and
+/// `shifts`, one row per shift, for a transient with TransientScene::shifts. Progress counts shifts
+/// and steps, thousandths of a cylinder's distance, or percents of the expected operations of a
+/// steady solution.
 
 std::vector<Table> scene_tables(const SteadyProblem& problem, const Progress& progress);
 std::vector<Table> scene_tables(const SteadyTarget& target, const Progress& progress);
 std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress);
 
-/// \param at_end  called with the contact after the last step, as that has left it
+/// \param at_end  called with the contact in its state after the last step
 std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress,
                                 const std::function<void(TransientRolling&)>& at_end);
 std::vector<Table> scene_tables(const CylinderScene& scene, const Progress& progress);

@@ -15,15 +15,17 @@ struct WorkLimit {
   double operations;  ///< of a run, see microslip/support/work.hpp
 };
 
-/// What does an accuracy cost, by every scheme, basis, edge treatment, step ratio and solver?
-/// Everything is measured for a list of N, so each takes part in the same way.
+/// What is the cost of a given accuracy, for each scheme, basis, edge treatment, step ratio and
+/// solver? All of them are measured for the same list of N.
 struct SpeedAccuracyParameters {
-  PolynomialBound bound;  ///< of steady rolling; not Hertz's, for which calibration is exact
+  PolynomialBound bound;  ///< of steady rolling; not Hertzian, because calibration is exact for the
+                          ///< Hertzian bound
   Material material;
   double length;                    ///< L0 of plane strain  [mm]
   double width;                     ///< of the strip  [mm]
   std::vector<Eigen::Index> sizes;  ///< N: odd multiples of three
-  double repeats;                   ///< runs are repeated until they took so long together  [s]
+  double repeats;                   ///< runs are repeated until they have taken this time together
+                                    ///< [s]
 
   /// Steady rolling.
   struct Steady {
@@ -39,7 +41,7 @@ struct SpeedAccuracyParameters {
     HertzBound bound;
     double force;  ///< [N/mm]
     std::vector<double> step_ratios;
-    Eigen::Index reference;  ///< N of remembered with c = 1 that is taken as exact
+    Eigen::Index reference;  ///< N of the reference, which is remembered with c = 1
   } transient;
 
   /// The cylinder.
@@ -49,16 +51,16 @@ struct SpeedAccuracyParameters {
     double length;    ///< L0  [mm]
     double distance;  ///< from rest  [mm]
     std::vector<double> step_ratios;
-    Eigen::Index reference;  ///< N of remembered and Verlet, taken as exact for the motion
+    Eigen::Index reference;  ///< N of the reference for the motion, which is remembered with Verlet
   } rolling;
 };
 
-/// The keys that `speed_accuracy --print-keys` lists, each held to what that says it accepts.
+/// The keys that `speed_accuracy --print-keys` lists, each checked against its listed range.
 SpeedAccuracyParameters read_speed_accuracy(Scene& scene);
 
-/// Tables: runs (errors and work of all, failures included), fronts (runs that no other beats in
-/// both), cheapest (of given accuracies), claims; and by measured time runs_timing, fronts_timing,
-/// cheapest_timing.
+/// Tables: runs (errors and work of all runs, failures included), fronts (Pareto-optimal runs in
+/// error and work), cheapest (run within each accuracy), claims; and with measured times
+/// runs_timing, fronts_timing, cheapest_timing.
 std::vector<Table> speed_accuracy(const SpeedAccuracyParameters& parameters,
                                   const Progress& progress);
 

@@ -8,10 +8,10 @@
 namespace microslip::experiments {
 
 /// A shift without rolling from no tractions, for a polynomial bound in plane strain: the tractions
-/// are those of full sliding less those on the stick zone under a smaller normal load, which are
-/// likewise a polynomial times square roots. Source: J. Jäger, Arch. Appl. Mech. 65 (1995), 478;
-/// M. Ciavarella, Int. J. Solids Struct. 35 (1998), 2349.
-/// Accuracy: 1e-12 relative, tests/study/fretting_test.cpp
+/// of full sliding minus the tractions of full sliding on the stick zone under a smaller normal
+/// load, which are also a polynomial times square roots. Source: J. Jäger, Arch. Appl. Mech. 65
+/// (1995), 478; M. Ciavarella, Int. J. Solids Struct. 35 (1998), 2349. Accuracy: 1e-12 relative,
+/// tests/study/fretting_test.cpp
 class SuperposedShift {
  public:
   /// \param compliance  2 (1 - nu)/G  [mm^2/N]
@@ -30,7 +30,7 @@ class SuperposedShift {
   /// \param force  F, in [0, full sliding)  [N/mm]
   double shift(double force) const;
 
-  /// What a cycle between -+F loses, by Masing's rule  [N]
+  /// The dissipation of a cycle between -+F, by Masing's rule  [N]
   double dissipation(double force) const;
 
  private:
@@ -38,9 +38,9 @@ class SuperposedShift {
   double centre_of(double half_length) const;
 
   double scale_;   ///< half-width, for forces by dimensionless tractions  [mm]
-  double factor_;  ///< compliance over pi times that  [mm^3/N]
+  double factor_;  ///< compliance over pi times the half-width  [mm^3/N]
   double log_length_;
-  Eigen::VectorXd sines_;  ///< of the bound, by U_n times the square root  [N/mm^2]
+  Eigen::VectorXd sines_;  ///< coefficients of the bound in U_n times the square root  [N/mm^2]
 };
 
 }  // namespace microslip::experiments

@@ -10,25 +10,26 @@
 
 namespace microslip::experiments {
 
-/// Does under-relaxation remove the wiggles of small steps, and at which price? Thesis 7.1, on the
+/// Does under-relaxation remove the wiggles of small steps, and at what price? Thesis 7.1, on the
 /// Cattaneo shift that turns to Carter's solution.
 struct UnderRelaxationParameters {
   CattaneoToCarter rolling;
   double relaxation;                ///< c*, at least each c below
   std::vector<double> step_ratios;  ///< c of the tractions shown, each >= 1e-6; the first is c*
   std::vector<double> distances;    ///< in elements, ascending: of Figs. 7.1 and 7.2
-  Eigen::Index refinement;          ///< elements of the reference for each one, >= 2
+  Eigen::Index refinement;          ///< elements of the reference for each element, >= 2
   double compared_step_ratio;       ///< c at which (7.4) and (7.10) are compared
   Eigen::Index small_elements;      ///< of the grid on which wiggles are counted
-  std::vector<double> relaxed_step_ratios;  ///< c there, falling, each >= 1e-6
-  std::vector<double> direct_step_ratios;   ///< likewise, of the direct scheme
+  std::vector<double> relaxed_step_ratios;  ///< c on that grid, falling, each >= 1e-6
+  std::vector<double> direct_step_ratios;   ///< c of the direct scheme on that grid, falling, each
+                                            ///< >= 1e-6
 };
 
-/// The keys that `under_relaxation --print-keys` lists, each held to what that says it accepts.
+/// The keys that `under_relaxation --print-keys` lists, each checked against its listed range.
 UnderRelaxationParameters read_under_relaxation(Scene& scene);
 
 /// Tables: traction and reference (Figs. 7.1 and 7.2), summary (errors), wiggles (local extrema
-/// against c), comparison (of (7.4) and (7.10) against the distance), parting (their tractions
+/// against c), comparison (of (7.4) and (7.10) against the distance), parting (tractions of both
 /// where they first differ), claims.
 std::vector<Table> under_relaxation(const UnderRelaxationParameters& parameters,
                                     const Progress& progress);

@@ -12,8 +12,8 @@
 
 namespace microslip::experiments {
 
-/// A wheel under a constant creepage, the normal load of which oscillates: P = P0 (1 + amplitude
-/// sin(2 pi q/L)), with Hertz's half-width and bound of each moment, in plane strain.
+/// A wheel under a constant creepage and an oscillating normal load, P = P0 (1 + amplitude sin(2 pi
+/// q/L)), in plane strain. Half-width and bound follow the current load by Hertz's theory.
 struct VaryingLoadParameters {
   Material material;
   HertzBound bound;                  ///< under the mean load P0
@@ -25,18 +25,18 @@ struct VaryingLoadParameters {
   std::vector<Eigen::Index> sizes;   ///< N, rising
   std::vector<double> step_ratios;   ///< c; the first is 1
   double large_amplitude;            ///< of large waves, below 1
-  double large_stick_ratio;          ///< a'/a of the state about which they are
-  std::vector<double> shown;         ///< L/a of the large waves of which the force is shown
+  double large_stick_ratio;          ///< a'/a of the mean state of large waves
+  std::vector<double> shown;         ///< L/a of the large waves whose force is shown
   double shortest, longest;          ///< of curves, L/a
   int points;                        ///< of curves
 };
 
-/// The keys that `varying_load --print-keys` lists, each held to what that says it accepts.
+/// The keys that `varying_load --print-keys` lists, each checked against its listed range.
 VaryingLoadParameters read_varying_load(Scene& scene);
 
-/// Tables: curves (exact answer to small waves, Carter's solution of each moment, springs),
-/// measured (small waves by the scheme), orders, waves (the force along a large wave), means (over
-/// large waves, against their length), claims.
+/// Tables: curves (exact response to small waves, Carter's solution under the current load,
+/// springs), measured (small waves by the scheme), orders, waves (the force along a large wave),
+/// means (over large waves, against their length), claims.
 std::vector<Table> varying_load(const VaryingLoadParameters& parameters, const Progress& progress);
 
 }  // namespace microslip::experiments

@@ -8,12 +8,12 @@
 
 namespace microslip::experiments {
 
-/// Cattaneo to Carter on whole elements that are fixed to the material, as a plain world-fixed grid
-/// has it: the leading edge is taken for where it is, first order. The same as CutElementRolling
-/// without cut elements, at O(N^2) a step.
+/// Cattaneo to Carter on whole elements that are fixed to the material, as in a plain world-fixed
+/// grid. The scheme does not correct for the leading edge, and is of first order. Results equal
+/// CutElementRolling without cut elements, at O(N^2) per step.
 class WholeElementRolling {
  public:
-  /// Shifted without rolling.
+  /// The contact after the Cattaneo shift, without rolling.
   /// \param treatment  at_node or cell_mean
   /// \throws std::invalid_argument for cut
   WholeElementRolling(const CattaneoToCarter& rolling, EdgeElements treatment);
@@ -25,11 +25,11 @@ class WholeElementRolling {
 
   double creepage() const { return state_.creepage; }  ///< w of the last step; zero before  [1]
 
-  // Of all elements; behind the contact there are some with no traction.
+  // Values of all elements; some elements behind the contact, without traction, are included.
   const Eigen::VectorXd& traction() const { return state_.traction; }  ///< [N/mm^2]
   const Eigen::VectorXd& bound() const { return bound_; }              ///< [N/mm^2]
   const std::vector<Zone>& zones() const { return state_.zones; }
-  Eigen::VectorXd x() const;  ///< their middles in the contact's frame  [mm]
+  Eigen::VectorXd x() const;  ///< middles of the elements in the contact's frame  [mm]
 
  private:
   double leading_element(double distance) const;

@@ -10,30 +10,32 @@
 
 namespace microslip::experiments {
 
-/// What is odd about a grid that is fixed to the material, thesis 9 and 11? The creepage under a
-/// constant force, on the Cattaneo shift that turns to Carter's solution, for three treatments of
-/// the elements that the edges of the contact cross, and for the direct scheme.
+/// Which artefacts does a grid have that is fixed to the material, thesis 9 and 11? The study shows
+/// the creepage under a constant force, from a Cattaneo shift to Carter's solution, for three
+/// treatments of the elements at the edges of the contact, and for the direct scheme.
 struct WorldFixedParameters {
-  CattaneoToCarter rolling;         ///< its grid is that of the creepage shown and of the errors
+  CattaneoToCarter rolling;         ///< with the grid of the creepage shown and of the errors
   double step_ratio;                ///< c of the creepage shown, in (0, 0.5]
-  double shown;                     ///< distance at the end over which it is, in elements, > 0
-  double part;                      ///< of an element by which the contact is longer there, [0, 1)
+  double shown;                     ///< distance at the end over which the creepage is shown, in
+                                    ///< elements, > 0
+  double part;                      ///< fraction of an element by which the contact is longer then,
+                                    ///< [0, 1)
   double distance;                  ///< rolled when the noise is measured, in half-widths, > 0
   std::vector<double> elements;     ///< N of the noise against N, whole, two or more, ascending
   Eigen::Index largest_cut;         ///< largest N of cut elements, whose steps cost O(N^3)
-  double noise_step_ratio;          ///< c there, in (0, 0.5]
+  double noise_step_ratio;          ///< c of the noise against N, in (0, 0.5]
   Eigen::Index noise_elements;      ///< N of the noise against c
-  std::vector<double> step_ratios;  ///< c there, each in [1e-3, 1]
-  std::vector<double> error_step_ratios;  ///< c of the errors, likewise
-  Eigen::Index error_distance;            ///< rolled when they are measured, in elements, > 0
-  Eigen::Index refinement;                ///< elements of their reference for each one, >= 2
+  std::vector<double> step_ratios;  ///< c of the noise against c, each in [1e-3, 1]
+  std::vector<double> error_step_ratios;  ///< c of the errors, each in [1e-3, 1]
+  Eigen::Index error_distance;            ///< rolled when the errors are measured, in elements, > 0
+  Eigen::Index refinement;                ///< elements of the reference for each element, >= 2
 };
 
-/// The keys that `world_fixed --print-keys` lists, each held to what that says it accepts.
+/// The keys that `world_fixed --print-keys` lists, each checked against its listed range.
 WorldFixedParameters read_world_fixed(Scene& scene);
 
-/// Tables: creepage (step by step), events (its jumps, by what happens in the step), noise (against
-/// N and c), errors (of the traction), orders, claims.
+/// Tables: creepage (step by step), events (jumps of the creepage, by the cause in the step), noise
+/// (against N and c), errors (of the traction), orders, claims.
 std::vector<Table> world_fixed(const WorldFixedParameters& parameters, const Progress& progress);
 
 }  // namespace microslip::experiments

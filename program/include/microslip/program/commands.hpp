@@ -16,14 +16,14 @@ struct Command {
   std::function<int(int argc, const char* const* argv)> run;
 };
 
-/// Runs the command that argv[1] names, and the program if that is an option, a file, or not there.
-/// --help of the program lists the commands. Returns the exit status; 1 for another word, with one
-/// line on stderr that names the nearest command.
+/// Runs the command that argv[1] names; runs the program itself if argv[1] is an option, a file, or
+/// missing. The program's --help lists the commands. Returns the exit status; 1 for an unknown
+/// word, with one line on stderr that names the nearest command.
 int dispatch(const Program& program, const std::vector<Command>& commands, int argc,
              const char* const* argv);
 
 /// \file
-/// In all that follow, argv[1] is the word that chose them.
+/// In all following functions, argv[1] is the command's name.
 
 /// A scene to start from.
 struct Template {
@@ -32,8 +32,8 @@ struct Template {
   std::string table = "";  ///< that it reads, as NAME.tsv beside it; empty if it reads none
 };
 
-/// Writes one of them as a file, with its table beside it, which must not be there before; or the
-/// scene to standard output with --out -. Returns the exit status: 0; 1 for bad input or a failed
+/// Writes a template as a file, with its table beside it; neither file may exist before. The option
+/// `--out -` prints the scene instead. Returns the exit status: 0; 1 for bad input or a failed
 /// write.
 int init(const std::string& name, const std::vector<Template>& templates, int argc,
          const char* const* argv);
@@ -41,15 +41,15 @@ int init(const std::string& name, const std::vector<Template>& templates, int ar
 /// Prints all keys of scenes, with units, meanings and accepted values.
 int keys(const std::string& name, int argc, const char* const* argv);
 
-/// What is known of a scene before it is solved.
+/// Forecasts for a scene before it is solved.
 struct Preview {
   Explanation explanation;
   double work;    ///< operations, nan if not known
   double memory;  ///< [bytes]
 };
 
-/// Prints what a scene, or a scene with a sweep, is about, and what it will cost.
-/// \param preview  as Program::prepare, but does not say whether there is memory enough
+/// Explains a scene, or a scene with a sweep, and prints its expected cost.
+/// \param preview  as Program::prepare, without a check of the memory
 int explain(const Program& program, const std::function<Preview(Scene&)>& preview, int argc,
             const char* const* argv);
 

@@ -6,18 +6,19 @@
 
 namespace microslip::program {
 
-/// What this process can still take  [bytes]: what the machine has available, and is left of
+/// Memory that this process can still allocate  [bytes]: available on the machine, and within
 /// `ulimit -v` and `ulimit -d`.
 double available_memory();
 
-/// Rejects work that would end for want of memory before it begins.
-/// \param key    of the number that decides, for the message
-/// \param bytes  that the work takes
-/// \throws std::invalid_argument that says what it takes and what there is
+/// Rejects work that needs more memory than available, before the work begins.
+/// \param key    key of the number that determines the memory, for the message
+/// \param bytes  needed by the work
+/// \throws std::invalid_argument with the needed and the available memory
 void require_memory(const std::string& key, Eigen::Index value, double bytes);
 
-/// From now on, more than there is available is std::bad_alloc at once. Linux would promise it, and
-/// end this process, or another one, when it is used.
+/// From now on, allocating more than the available memory throws std::bad_alloc at once. Otherwise
+/// Linux would grant the allocation, and kill this process, or another one, when the memory is
+/// used.
 void limit_memory();
 
 }  // namespace microslip::program

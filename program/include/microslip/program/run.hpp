@@ -16,12 +16,12 @@ using Work = std::function<std::vector<Table>(const Progress&)>;
 /// An executable: a scene in, tables out.
 struct Program {
   std::string name;
-  std::string command = "";  ///< the word after the name that chose it, which is then argv[1]
+  std::string command = "";  ///< the command's name, which is then argv[1]
   std::string question;      ///< one line for --help
   std::string scene;         ///< text of the default scene; empty if --scene is required
-  std::string quick;         ///< what --quick changes in it; empty if there is no quick version
+  std::string quick;         ///< changes by --quick; empty if there is no quick version
   std::string default_out;   ///< folder for the tables
-  /// Options that are short for --set key=value.
+  /// Options that abbreviate --set key=value.
   struct KeyOption {
     std::string name;
     std::string key;
@@ -30,14 +30,15 @@ struct Program {
   std::vector<KeyOption> key_options = {};
   /// Reads all keys it needs, and returns the work to do once the scene has been accepted.
   std::function<Work(Scene&)> prepare;
-  /// Of a program with --save: the same, and the work fills a text that is saved.
+  /// For a program with --save: as prepare, and the work also fills a text to save.
   std::function<Work(Scene&, std::string&)> prepare_to_save = {};
 };
 
 /// Parses the command line, runs the program and writes its tables, with provenance.txt last.
 /// Returns the exit status: 0, 1 for bad input or a failed write, 2 for NotConverged; the last two
-/// with one line on stderr, and no file written. So do SIGINT, SIGTERM and SIGHUP until the tables
-/// are being written, with 130, 143 and 129; files of an earlier run stay whole.
+/// with one line on stderr, and no file written. SIGINT, SIGTERM and SIGHUP, until the tables are
+/// being written, also end with one line and no file, with 130, 143 and 129; files of an earlier
+/// run stay whole.
 int run(const Program& program, int argc, const char* const* argv);
 
 /// The same for a study: `read` takes its parameters from a scene, `measure` makes the tables.

@@ -11,9 +11,9 @@ namespace microslip {
 /// The approximate inverse of a Toeplitz matrix by Fourier transformation, step by step:
 /// thesis 6.3. It ignores the boundary. All vectors are of the matrix's size n.
 
-/// Column through the middle of a matrix of size n, from 0. With n even, the next one will not do:
-/// its entries A(-n/2) - A(1 - n/2) + ... - A(n/2) add up to zero for c = 1, and step 4 divides by
-/// that.
+/// Column through the middle of a matrix of size n, from 0. With n even, the next column is
+/// unsuitable: its entries A(-n/2) - A(1 - n/2) + ... - A(n/2) add up to zero for c = 1, and step 4
+/// divides by that sum.
 Eigen::Index middle_index(Eigen::Index n);
 
 /// Step 1: the column through the middle of the matrix.
@@ -34,7 +34,8 @@ Eigen::VectorXd inverse_transform(const Eigen::VectorXcd& coefficients);
 /// Step 6: the inverse of step 2.
 Eigen::VectorXd diagonal_in_the_middle(const Eigen::VectorXd& values);
 
-/// Step 7: the Toeplitz matrix that has this middle column, and zeros where it says nothing.
+/// Step 7: the Toeplitz matrix that has this middle column, and zeros where the column has no
+/// entry.
 Toeplitz toeplitz_from_middle_column(const Eigen::VectorXd& column);
 
 /// The thesis keeps the zero frequency. For A - A' its coefficient vanishes on an unbounded grid,

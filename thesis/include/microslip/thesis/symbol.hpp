@@ -11,8 +11,8 @@ namespace microslip {
 
 /// Fourier symbol of an operator on an unbounded uniform grid: the factor by which it multiplies
 /// the traction exp(i k theta), where k counts the nodes. The coefficients next to the node are
-/// summed as they are, and those beyond by Abel and Plana's formula, along a line in the complex
-/// plane on which they fall off exponentially.
+/// summed directly, and the coefficients beyond by the Abel-Plana formula, along a line in the
+/// complex plane on which they fall off exponentially.
 class Symbol {
  public:
   /// The strain operator (A - A') / (c dx)  [mm^2/N]
@@ -65,7 +65,8 @@ class Amplification {
   double length_;  ///< c dx
 };
 
-/// The least |symbol| over the frequencies [pi/64, pi]: 0 means that the strain cannot see one.
+/// The least |symbol| over the frequencies [pi/64, pi]: 0 means that the strain does not respond to
+/// one of these frequencies.
 double least_magnitude(const Symbol& symbol);
 
 }  // namespace microslip
