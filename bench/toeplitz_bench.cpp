@@ -103,7 +103,7 @@ class ToeplitzCases {
     if (n > p_.dense_product) return;
     add(
         "product", "dense", n, true,
-        [](const Toeplitz& matrix) { return SquareMatrix(matrix.dense()); }, product);
+        [](const Toeplitz& matrix) { return LinearOperator(matrix.dense()); }, product);
   }
 
   void add_solves(Index n, bool difference) {

@@ -39,7 +39,7 @@ int dispatch(const Program& program, const std::vector<Command>& commands, int a
     const std::vector<std::string> names = names_of(commands);
     throw std::invalid_argument(
         fmt::format("'{}': expected a scene's file or a command{}; commands: {}", shown(word),
-                    question(nearest(word, names)), joined(names, ", ")));
+                    suggestion(nearest(word, names)), joined(names, ", ")));
   });
 }
 

@@ -91,7 +91,7 @@ class Cases {
     if (has(name)) return;
     throw std::invalid_argument(fmt::format("--{} '{}': expected one of {}{}", option, shown(name),
                                             joined(columns(), ", "),
-                                            question(nearest(name, columns()))));
+                                            suggestion(nearest(name, columns()))));
   }
 
  private:

@@ -28,7 +28,7 @@ const Template& chosen(const std::vector<Template>& templates, const Given& give
   const auto found = std::ranges::find(templates, kind, &Template::name);
   if (found != templates.end()) return *found;
   throw std::invalid_argument(
-      fmt::format("no scene '{}'{}{}", shown(kind), question(nearest(kind, names)), known));
+      fmt::format("no scene '{}'{}{}", shown(kind), suggestion(nearest(kind, names)), known));
 }
 
 }  // namespace

@@ -207,7 +207,7 @@ std::vector<Figure> chosen(const std::vector<Figure>& figures, const Given& give
   if (found != figures.end()) return {*found};
   const std::vector<std::string> names = names_of(figures);
   throw std::invalid_argument(fmt::format("--figure '{}': expected {}{}", shown(wanted),
-                                          joined(names, ", "), question(nearest(wanted, names))));
+                                          joined(names, ", "), suggestion(nearest(wanted, names))));
 }
 
 /// The folder of a result, which may be named by one of its tables, too; with a name of its own,

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "digits/reference_kernel.hpp"
-#include "microslip/friction/full_sliding.hpp"
+#include "microslip/friction/sliding_field.hpp"
 #include "microslip/halfspace/chebyshev_field.hpp"
 
 namespace microslip {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "microslip/friction/full_sliding.hpp"
+#include "microslip/friction/sliding_field.hpp"
 #include "microslip/support/quadrature.hpp"
 
 namespace microslip {

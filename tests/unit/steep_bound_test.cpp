@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "microslip/friction/full_sliding.hpp"
+#include "microslip/friction/sliding_field.hpp"
 #include "microslip/rolling/chebyshev_rolling.hpp"
 #include "microslip/rolling/inverted_rolling.hpp"
 #include "microslip/rolling/steady.hpp"

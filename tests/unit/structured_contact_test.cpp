@@ -192,7 +192,7 @@ TEST(Solver, DenseIsForMatricesThatFit) {
 // cannot be solved, the residual says so.
 TEST(Solver, ResidualOfASingularSystemIsCarriedByTheException) {
   const VectorXd zeros = VectorXd::Zero(2);
-  ActiveSet active_set(SquareMatrix(Eigen::MatrixXd::Ones(2, 2)), VectorXd::Ones(2));
+  ActiveSet active_set(LinearOperator(Eigen::MatrixXd::Ones(2, 2)), VectorXd::Ones(2));
   try {
     active_set.solve(
         {.bound = VectorXd::Constant(2, 9), .offset = Eigen::Vector2d(0, 0.5), .reference = zeros},

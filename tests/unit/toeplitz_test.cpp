@@ -15,9 +15,9 @@
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/linalg/circulant_inverse.hpp"
 #include "microslip/linalg/gmres.hpp"
-#include "microslip/linalg/toeplitz_block.hpp"
 #include "microslip/linalg/toeplitz_inverse.hpp"
 #include "microslip/linalg/toeplitz_product.hpp"
+#include "microslip/linalg/toeplitz_submatrix.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/work.hpp"
 
@@ -155,7 +155,7 @@ TEST_P(StructuredSolver, NeedsFewIterationsWhateverTheSize) {
 TEST_P(StructuredSolver, BlockOfSeveralIntervalsIsThatOfTheDenseMatrix) {
   const auto& [name, kernel, basis, step_ratio] = GetParam();
   const Toeplitz matrix = influence_over(kernel, basis, 400, step_ratio);
-  ToeplitzBlock block(matrix, 1e-13);
+  ToeplitzSubmatrix block(matrix, 1e-13);
   const auto expect_solution = [&](const std::vector<Index>& indices) {
     block.choose(indices);
     const VectorXd b = some_values(static_cast<Index>(indices.size()));
@@ -185,8 +185,8 @@ INSTANTIATE_TEST_SUITE_P(Matrices, StructuredSolver,
                                          Case{"strip, linear, A", strip, linear_basis(), 0}));
 
 // Factors of 500 elements would take 8e7 operations.
-TEST(ToeplitzBlock, LongIntervalsAreInvertedByFft) {
-  ToeplitzBlock block(influence_over(plane, constant_basis(), 600, 1), 1e-13);
+TEST(ToeplitzSubmatrix, LongIntervalsAreInvertedByFft) {
+  ToeplitzSubmatrix block(influence_over(plane, constant_basis(), 600, 1), 1e-13);
   std::vector<Index> indices(500);
   std::iota(indices.begin(), indices.end(), 50);
   const WorkCount count;

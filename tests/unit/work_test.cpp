@@ -7,8 +7,8 @@
 #include <thread>
 #include <vector>
 
+#include "microslip/linalg/linear_operator.hpp"
 #include "microslip/linalg/real_fft.hpp"
-#include "microslip/linalg/square_matrix.hpp"
 #include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/transient.hpp"
 
@@ -53,7 +53,7 @@ TEST(Work, OfATransformAndOfADenseProduct) {
   const WorkCount transform;
   fft.forward();
   EXPECT_EQ(transform.operations(), 2.5 * 1024 * 10);
-  const SquareMatrix matrix(Eigen::MatrixXd::Identity(30, 30));
+  const LinearOperator matrix(Eigen::MatrixXd::Identity(30, 30));
   const WorkCount product;
   EXPECT_EQ((matrix * Eigen::VectorXd::Ones(30)).sum(), 30);
   EXPECT_EQ(product.operations(), 2 * 30 * 30);

@@ -61,7 +61,7 @@ struct Response {
 /// next.
 class ContactSearch {
  public:
-  ContactSearch(SquareMatrix response, VectorXd weights, const Solver& solver)
+  ContactSearch(LinearOperator response, VectorXd weights, const Solver& solver)
       : system_(std::move(response), std::move(weights), solver) {}
 
   const AdhesionSystem& system() const { return system_; }
@@ -406,7 +406,7 @@ Load load_of_step(const Load& load, double length) {
   return creepage == nullptr ? load : PrescribedCreepage{creepage->value * length};
 }
 
-ActiveSet::ActiveSet(SquareMatrix response, VectorXd weights, const Solver& solver)
+ActiveSet::ActiveSet(LinearOperator response, VectorXd weights, const Solver& solver)
     : search_(std::make_unique<ContactSearch>(std::move(response), std::move(weights), solver)) {}
 
 ActiveSet::~ActiveSet() = default;
@@ -449,6 +449,6 @@ double ActiveSet::condition() { return search_->condition(); }
 void ActiveSet::archive(Archive& archive) { search_->archive(archive); }
 
 const Eigen::VectorXd& ActiveSet::weights() const { return search_->system().weights(); }
-const SquareMatrix& ActiveSet::response() const { return search_->system().response(); }
+const LinearOperator& ActiveSet::response() const { return search_->system().response(); }
 
 }  // namespace microslip

@@ -20,7 +20,7 @@ namespace {
 /// recovers the lost digits; below it, new factors are more accurate.
 constexpr double least_rcond = 1e-10;
 
-/// Least number of elements for a ToeplitzBlock; with fewer elements LU is as fast. For elements in
+/// Least number of elements for a ToeplitzSubmatrix; with fewer elements LU is as fast. For elements in
 /// several intervals, where each solve of the block is iterative, the limit is higher.
 constexpr std::size_t small_base = 64;
 constexpr std::size_t small_base_in_parts = 160;
@@ -39,7 +39,7 @@ std::size_t to_size(Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
 
-AdhesionSystem::AdhesionSystem(SquareMatrix response, VectorXd weights, const Solver& solver)
+AdhesionSystem::AdhesionSystem(LinearOperator response, VectorXd weights, const Solver& solver)
     : response_(std::move(response)),
       weights_(std::move(weights)),
       solver_(solver),

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
-#include "microslip/linalg/toeplitz_block.hpp"
+#include "microslip/linalg/toeplitz_submatrix.hpp"
 
 namespace microslip {
 
@@ -20,17 +20,17 @@ class Archive;
 /// Elements that came or left since then form a border of these factors, and only the Schur
 /// complement of the border is factorised again. Elements that have gone back keep their place in
 /// the border, because the same elements come and go with every element travelled. New factors, LU
-/// or ToeplitzBlock, are made after some exchanges, when the border is badly conditioned, and when
+/// or ToeplitzSubmatrix, are made after some exchanges, when the border is badly conditioned, and when
 /// an element of the border has been in use too long. Compliant elements are in the border, where
 /// their entries on the diagonal may change from solve to solve.
 ///
 /// Memory is allocated only for new factors, and for a new element in the border.
 class AdhesionSystem {
  public:
-  AdhesionSystem(SquareMatrix response, Eigen::VectorXd weights, const Solver& solver);
+  AdhesionSystem(LinearOperator response, Eigen::VectorXd weights, const Solver& solver);
 
   Eigen::Index size() const { return weights_.size(); }
-  const SquareMatrix& response() const { return response_; }
+  const LinearOperator& response() const { return response_; }
   const Eigen::VectorXd& weights() const { return weights_; }
   const Solver& solver() const { return solver_; }
 
@@ -99,7 +99,7 @@ class AdhesionSystem {
   void solve_bordered(const Eigen::VectorXd& rhs, Eigen::VectorXd& all);
   double find_rest(const Unknowns& unknowns);
 
-  SquareMatrix response_;
+  LinearOperator response_;
   Eigen::VectorXd weights_;
   Solver solver_;
   double scale_;  ///< makes the added row and column as large as the others
@@ -113,10 +113,10 @@ class AdhesionSystem {
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
   double factors_rcond_ = 0;
 
-  // A ToeplitzBlock replaces the LU factors if the base is Toeplitz and large. A constant is added
+  // A ToeplitzSubmatrix replaces the LU factors if the base is Toeplitz and large. A constant is added
   // to symmetric matrices to make them positive definite; the creepage is corrected for that
   // constant.
-  std::optional<ToeplitzBlock> block_;
+  std::optional<ToeplitzSubmatrix> block_;
   double constant_ = 0;
   bool by_block_ = false;
   bool base_is_in_parts_ = false;  ///< whether the base has several intervals, so that solves of

@@ -197,8 +197,8 @@ namespace {
 
 /// \param toeplitz_of  of a shape
 template <class ToeplitzOf>
-SquareMatrix arranged(const Basis& basis, Eigen::Index n, const Solver& solver,
-                      const ToeplitzOf& toeplitz_of) {
+LinearOperator arranged(const Basis& basis, Eigen::Index n, const Solver& solver,
+                        const ToeplitzOf& toeplitz_of) {
   if (by_fft(solver, basis, n)) return toeplitz_of(basis.shapes().front());
   require_dense(n);
   return assemble(basis, n, toeplitz_of);
@@ -216,16 +216,16 @@ bool by_fft(const Solver& solver, const Basis& basis, Eigen::Index n) {
   return equal && by_fft(solver, n);
 }
 
-SquareMatrix influence_operator(const Kernel& kernel, const Basis& basis, double spacing,
-                                Eigen::Index n, const Solver& solver) {
+LinearOperator influence_operator(const Kernel& kernel, const Basis& basis, double spacing,
+                                  Eigen::Index n, const Solver& solver) {
   return arranged(basis, n, solver, [&](const ShapeFunction& shape) {
     return influence_toeplitz(kernel, shape, spacing, n);
   });
 }
 
-SquareMatrix influence_difference_operator(const Kernel& kernel, const Basis& basis, double spacing,
-                                           Eigen::Index n, double step_ratio,
-                                           const Solver& solver) {
+LinearOperator influence_difference_operator(const Kernel& kernel, const Basis& basis,
+                                             double spacing, Eigen::Index n, double step_ratio,
+                                             const Solver& solver) {
   return arranged(basis, n, solver, [&](const ShapeFunction& shape) {
     return influence_difference_toeplitz(kernel, shape, spacing, n, step_ratio);
   });
@@ -241,8 +241,8 @@ Solver strain_solver(const Solver& wanted, Eigen::Index n, double step_ratio) {
   return solver;
 }
 
-SquareMatrix strain_operator(const Kernel& kernel, const Basis& basis, double spacing,
-                             Eigen::Index n, double step_ratio, const Solver& wanted) {
+LinearOperator strain_operator(const Kernel& kernel, const Basis& basis, double spacing,
+                               Eigen::Index n, double step_ratio, const Solver& wanted) {
   return arranged(basis, n, strain_solver(wanted, n, step_ratio), [&](const ShapeFunction& shape) {
     return influence_difference_toeplitz(kernel, shape, spacing, n, step_ratio)
         .times(1 / (step_ratio * spacing));

@@ -8,7 +8,7 @@ namespace microslip {
 
 /// A fraction of an element below this limit counts as zero, because distances are sums with
 /// rounding errors.
-constexpr double part_rounding = 1e-9;
+constexpr double substep_rounding = 1e-9;
 
 /// The distance that a contact has rolled over the elements of its material.
 struct ElementTravel {
@@ -40,25 +40,26 @@ inline void require_step(double ratio) {
 /// \param start    at the beginning of the step
 /// \param length   of the step  [mm]
 /// \param spacing  dx  [mm]
-/// \param part     called for each substep with the substep's length, the distance at its end, and
+/// \param substep     called for each substep with the substep's length, the distance at its end, and
 ///                 the remaining length of the step  [mm]
 /// \return         the distance_error at the end of the step  [mm]
 /// \throws std::invalid_argument if the length is below min_step_ratio dx
-template <class Part>
-double for_each_part(const ElementTravel& start, double length, double spacing, const Part& part) {
+template <class Substep>
+double for_each_substep(const ElementTravel& start, double length, double spacing,
+                        const Substep& substep) {
   require_step(length / spacing);
   const double added = length - start.distance_error;
   const double end = start.distance + added;
   double from = start.distance;
   double rest = length;
-  for (double next = start.entered + 1; (end - start.origin) / spacing - next > part_rounding;
+  for (double next = start.entered + 1; (end - start.origin) / spacing - next > substep_rounding;
        ++next) {
     const double to = start.origin + next * spacing;
     rest -= to - from;
-    part(to - from, to, rest);
+    substep(to - from, to, rest);
     from = to;
   }
-  part(rest, end, 0.0);
+  substep(rest, end, 0.0);
   return (end - start.distance) - added;
 }
 

@@ -26,8 +26,8 @@ namespace microslip {
 ///   LeadingEdgeConstants::offset elements before the last node. The trailing edge is so near to
 ///   the first node that its element is on a spring.
 /// - A displacement is remembered where a point enters, one element before the last node, once per
-///   element. Steps in between have no part in what is remembered of adhesion, so that results do
-///   not depend on the step.
+///   element. Steps in between record nothing of adhesion, so that results do not depend on the
+///   step.
 /// - StickSlipPoint gives the mean of the solutions of four partitions, so that the stick-slip
 ///   point moves evenly through the elements.
 /// - Bodies of different material remember what the pressure displaces, too.
@@ -38,9 +38,9 @@ namespace microslip {
 ///   where nodes are then. In plane strain the half-width shifts the whole contact in proportion to
 ///   the force, and is a common compliance of the same response; a strip needs a new one.
 ///
-/// Cost: a step is a solve of ActiveSet for each part that ends where an element has been travelled
-/// or with the step, and where the partition changes, a solve for each of four neighbours of the
-/// stick-slip point. Nothing is allocated where partitions are those of steps before.
+/// Cost: a step is a solve of ActiveSet for each substep, which ends where an element has been
+/// travelled or with the step. Where the partition changes, four neighbours of the stick-slip point
+/// are solved, too. Nothing is allocated where partitions are those of steps before.
 /// Accuracy: second order in dx, of small changes of the load, too; docs/theory.md,
 /// tests/order/small_motion_test.cpp, tests/unit/remembered_rolling_test.cpp
 class RememberedGrid final : public RollingGrid {
@@ -83,26 +83,26 @@ class RememberedGrid final : public RollingGrid {
     void archive(Archive& archive, Eigen::Index size);
   };
 
-  /// A step on its way through its parts, each of which ends where an element has been travelled or
-  /// with the step; or a derivative of it. Given the partition, all is linear except for products
+  /// A step on its way through its substeps, or a derivative of the step. Each substep ends where an
+  /// element has been travelled or with the step. Given the partition, all is linear except for products
   /// of force and displacement.
   struct Step : RolledContact {
-    RememberedState state;      ///< at the end of the part
-    SlipConditions conditions;  ///< of the part
-    double moved = 0;           ///< shift by the partition in the part, with the lead  [mm]
-    double creepage = 0;        ///< shift by the mean in the part  [mm]
-    double part_force = 0;      ///< mean of the force over the part  [N/mm]
-    double part_pressed = 0;    ///< work of the pressure per mm rolled in the part  [N/mm]
-    double entry = 0;           ///< traction of the element at the entry  [N/mm^2]
+    RememberedState state;       ///< at the end of the substep
+    SlipConditions conditions;   ///< of the substep
+    double moved = 0;            ///< shift by the partition in the substep, with the lead  [mm]
+    double creepage = 0;         ///< shift by the mean in the substep  [mm]
+    double substep_force = 0;    ///< mean of the force over the substep  [N/mm]
+    double substep_pressed = 0;  ///< work of the pressure per mm rolled in the substep  [N/mm]
+    double entry = 0;            ///< traction of the element at the entry  [N/mm^2]
 
-    // Summed over the parts.
+    // Summed over the substeps.
     double shift = 0;       ///< [mm]
     double mean_force = 0;  ///< [N]
     double work = 0;        ///< of the force  [N]
   };
 
-  /// A part of a step.
-  struct Part : PartEnd {
+  /// A substep.
+  struct Substep : SubstepEnd {
     double length;                    ///< [mm]
     Load load;                        ///< its creepage is the shift  [mm]
     std::array<Load, 2> load_slopes;  ///< by load and length of the step
@@ -115,7 +115,7 @@ class RememberedGrid final : public RollingGrid {
     Load load;      ///< of a shift: its creepage is the shift  [mm]
   };
 
-  /// The part of the first element that is in the contact, from where the scheme would feel the
+  /// The fraction of the first element that is in the contact, from where the scheme would feel the
   /// trailing edge without it.
   static double exit_share(const LeadingEdgeConstants& edge);
 
@@ -139,18 +139,19 @@ class RememberedGrid final : public RollingGrid {
 
   void begin_step(bool with_slopes);
   void roll(const Way& way);
-  void roll_part_to(const Way& way, double begin, double length, double end, const NextPart& next);
+  void roll_substep_to(const Way& way, double begin, double length, double end,
+                       const NextSubstep& next);
   void change_contact(const Way& way);
-  void roll_part(const Part& part);
-  void recall(Step& step, const Part& part) const;
+  void roll_substep(const Substep& substep);
+  void recall(Step& step, const Substep& substep) const;
   Load of_partition(const Load& load, const Step& step) const;
-  void fade_shift(const Part& part);
+  void fade_shift(const Substep& substep);
   void settle_lead(const Load& load);
   void search_partition(const Load& load);
-  void solve_slopes(const Part& part);
-  void add_slip(const Part& part);
+  void solve_slopes(const Substep& substep);
+  void add_slip(const Substep& substep);
   void displace(Step& step) const;
-  void finish_part(Step& step, const Part& part, bool stuck_again) const;
+  void finish_substep(Step& step, const Substep& substep, bool stuck_again) const;
   StepSlopes slopes_of_step(const Step& slope, const TransientState& after, double length,
                             double by_length) const;
 

@@ -106,7 +106,7 @@ bool RememberedGrid::search_standing(const Load& load, SlipConditions& condition
                                      ContactState& contact) {
   const Index n = nodes_.size;
   RememberedState& state = next_.state;
-  const PartEnd end = state.end_of_part(nodes_, 0, state.distance, state.scale);
+  const SubstepEnd end = state.end_of_substep(nodes_, 0, state.distance, state.scale);
   const auto search = [&] {
     for (Index i = 0; i < n; ++i) conditions.offset[i] = -state.remembered_at(i, end);
     conditions.offset[n] = -state.shifts->at_entry;
@@ -200,7 +200,7 @@ void RememberedGrid::shift_standing(const Load& load) {
   state.nodes.exit += state.lead;
   state.shifts->entry_slip += state.nodes.at[n] - entry_before + moved;
   state.stored = nodes_.spacing * state.traction.dot(displaced_by(state.traction)) / 2;
-  state.remember_shift(nodes_, state.end_of_part(nodes_, 0, state.distance, state.scale),
+  state.remember_shift(nodes_, state.end_of_substep(nodes_, 0, state.distance, state.scale),
                        contact.zones, stuck_again);
 }
 

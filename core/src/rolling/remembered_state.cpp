@@ -52,30 +52,30 @@ NodeShift RememberedState::among_points(const ReferenceNodes& nodes) const {
   return shift_of(nodes, travelled, scale.half_width / counted_by);
 }
 
-PartEnd RememberedState::end_of_part(const ReferenceNodes& nodes, double length, double end,
-                                     const ContactScale& scale_at_end) const {
+SubstepEnd RememberedState::end_of_substep(const ReferenceNodes& nodes, double length, double end,
+                                           const ContactScale& scale_at_end) const {
   const double element = nodes.spacing * counted_by;
   const double now = (end - origin) / element - entered;
   const double width = scale_at_end.half_width;
-  PartEnd part{
+  SubstepEnd substep{
       .distance = end, .scale = scale_at_end, .on_points = {}, .on_nodes = {}, .is_whole = false};
   if (width == counted_by && width == scale.half_width) {
-    part.is_whole = now >= 1 - part_rounding;
-    part.on_points.first = part.is_whole ? 1 : now;
-    part.on_nodes.first = std::min(1.0, part.on_points.first - std::max(0.0, phase(element)));
-    return part;
+    substep.is_whole = now >= 1 - substep_rounding;
+    substep.on_points.first = substep.is_whole ? 1 : now;
+    substep.on_nodes.first = std::min(1.0, substep.on_points.first - std::max(0.0, phase(element)));
+    return substep;
   }
-  part.on_points = shift_of(nodes, now, width / counted_by);
-  part.on_nodes =
+  substep.on_points = shift_of(nodes, now, width / counted_by);
+  substep.on_nodes =
       shift_of(nodes, length / (nodes.spacing * scale.half_width), width / scale.half_width);
   const double travelled =
-      std::max(std::abs(part.on_points.first), std::abs(part.on_points.of(nodes.size)));
-  part.is_whole = travelled >= 1 - part_rounding;
-  return part;
+      std::max(std::abs(substep.on_points.first), std::abs(substep.on_points.of(nodes.size)));
+  substep.is_whole = travelled >= 1 - substep_rounding;
+  return substep;
 }
 
-/// Of a node that has slipped, the nodes when the part began; else the points.
-RememberedState::Source RememberedState::source_of(Index i, const PartEnd& end) const {
+/// Of a node that has slipped, the nodes when the substep began; else the points.
+RememberedState::Source RememberedState::source_of(Index i, const SubstepEnd& end) const {
   const bool as_if_stuck = (i >= kept && i < stuck) || (shifts && shifts->keeps(i));
   if (!sticks(zones, i) && !as_if_stuck) {
     return {.displacements = nodes,
@@ -89,13 +89,13 @@ RememberedState::Source RememberedState::source_of(Index i, const PartEnd& end) 
           .half_width = counted_by};
 }
 
-double RememberedState::remembered_at(Index i, const PartEnd& end) const {
+double RememberedState::remembered_at(Index i, const SubstepEnd& end) const {
   const Source source = source_of(i, end);
   return interpolated_at(source.displacements, i, source.shift, source.from);
 }
 
 double RememberedState::slope_at_node(const ReferenceNodes& reference, Index i,
-                                      const PartEnd& end) const {
+                                      const SubstepEnd& end) const {
   const Source source = source_of(i, end);
   return slope_at(source.displacements, i, source.shift, source.from) /
          (reference.spacing * source.half_width);
@@ -125,7 +125,7 @@ bool RememberedState::entry_has_come(const ReferenceNodes& reference, double off
 }
 
 std::pair<double, double> RememberedState::left_of_shift(const ReferenceNodes& reference,
-                                                         const PartEnd& end) const {
+                                                         const SubstepEnd& end) const {
   const double ahead_of_it = 1 - among_points(reference).of(reference.size);
   const double left = 1 - end.on_points.of(reference.size);
   if (end.is_whole || left <= 0 || left > ahead_of_it) return {0, 0};
@@ -162,7 +162,7 @@ void RememberedState::go(const ReferenceNodes& reference, double toward) {
   shifts->before_turn = shifts->mean;
 }
 
-void RememberedState::remember_shift(const ReferenceNodes& reference, const PartEnd& end,
+void RememberedState::remember_shift(const ReferenceNodes& reference, const SubstepEnd& end,
                                      const std::vector<Zone>& with_entry, bool stuck_again) {
   const Index n = reference.size;
   zones.assign(with_entry.begin(), with_entry.end() - 1);
@@ -215,8 +215,8 @@ void RememberedState::end_shifts(const ReferenceNodes& reference, const VectorXd
 }
 
 /// The scheme feels the edge of a shift, at which tractions are singular, `offset` - 1/2 elements
-/// ahead of the last point that sticks. So the last point sticks to the part t of one, and the next
-/// one, which is not remembered yet, to the part t - 1.
+/// ahead of the last point that sticks. So the fraction t of the last point sticks, and the fraction
+/// t - 1 of the next point, which is not remembered yet.
 /// \param slip  at the entry, of material that is outside  [mm]
 void RememberedState::share_slip(const ReferenceNodes& reference, double slip) {
   const Index n = reference.size;
@@ -227,7 +227,7 @@ void RememberedState::share_slip(const ReferenceNodes& reference, double slip) {
 
 /// Points are those at nodes, entry and exit now.
 /// \param from  points behind it have slipped
-void RememberedState::renew_points(const PartEnd& end, Index from) {
+void RememberedState::renew_points(const SubstepEnd& end, Index from) {
   const auto n = static_cast<Index>(zones.size());
   if (end.on_points.stretch == 0) {
     std::shift_left(points.at.begin(), points.at.end(), 1);
@@ -246,7 +246,7 @@ void RememberedState::renew_points(const PartEnd& end, Index from) {
   ahead = 0;
 }
 
-void RememberedState::remember(const ReferenceNodes& reference, const PartEnd& end,
+void RememberedState::remember(const ReferenceNodes& reference, const SubstepEnd& end,
                                bool stuck_again) {
   const Index n = reference.size;
   const Index kept_before = kept;
@@ -271,15 +271,16 @@ void RememberedState::remember(const ReferenceNodes& reference, const PartEnd& e
   }
 }
 
-NextPart next_part(const RememberedState& state, const ReferenceNodes& nodes, double fraction,
-                   double start, double length, const ContactScale& from, const ContactScale& to) {
+NextSubstep next_substep(const RememberedState& state, const ReferenceNodes& nodes, double fraction,
+                         double start, double length, const ContactScale& from,
+                         const ContactScale& to) {
   const double element = nodes.spacing * state.counted_by;
-  const auto travel_at = [&](double part, double place) {
-    const double ratio = between(from, to, part).half_width / state.counted_by;
-    const double centre = (start + part * length - state.origin) / element - state.entered;
+  const auto travel_at = [&](double substep, double place) {
+    const double ratio = between(from, to, substep).half_width / state.counted_by;
+    const double centre = (start + substep * length - state.origin) / element - state.entered;
     return centre + (ratio - 1) * place;
   };
-  NextPart next{.end = 1, .is_whole = false};
+  NextSubstep next{.end = 1, .is_whole = false};
   for (const double place : {nodes.first, nodes.entry()}) {
     const double now = travel_at(fraction, place);
     const double change = travel_at(1, place) - now;
@@ -288,7 +289,7 @@ NextPart next_part(const RememberedState& state, const ReferenceNodes& nodes, do
     const double end = fraction + std::max(0.0, left / change) * (1 - fraction);
     next = {.end = std::min(next.end, end), .is_whole = true};
   }
-  if (next.end > 1 - part_rounding) next.end = 1;
+  if (next.end > 1 - substep_rounding) next.end = 1;
   return next;
 }
 

@@ -15,8 +15,8 @@ namespace microslip {
 
 class Archive;
 
-/// The part of an element at the entry that is in the contact, from where the scheme feels the edge
-/// of a shift without it. Without rolling, tractions in adhesion are singular there, and the edge
+/// The fraction of an element at the entry that is in the contact, from where the scheme feels the
+/// edge of a shift without that element. Without rolling, tractions in adhesion are singular there, and the edge
 /// is felt half an element nearer. So an element at the entry carries traction, on a spring that is
 /// the mean of the solutions with and without it.
 inline constexpr double entry_share = 0.5;
@@ -31,12 +31,12 @@ struct ReferenceNodes {
   double entry() const { return first + static_cast<double>(size); }
 };
 
-/// Where the nodes are when a part of a step ends.
-struct PartEnd {
+/// Where the nodes are when a substep ends.
+struct SubstepEnd {
   double distance;      ///< rolled  [mm]
   ContactScale scale;   ///< of the contact
   NodeShift on_points;  ///< the nodes among the points that are remembered
-  NodeShift on_nodes;   ///< and among the nodes when the part began
+  NodeShift on_nodes;   ///< and among the nodes when the substep began
   bool is_whole;        ///< whether either end of the contact has travelled an element
 };
 
@@ -106,21 +106,21 @@ struct RememberedState : ElementTravel {
   double ahead = 0;  ///< what shifts since the last whole element have taken from the slip that
                      ///< the next point to be remembered shows  [mm]
 
-  /// The end of a part that begins here.
-  PartEnd end_of_part(const ReferenceNodes& nodes, double length, double end,
-                      const ContactScale& scale) const;
+  /// The end of a substep that begins here.
+  SubstepEnd end_of_substep(const ReferenceNodes& nodes, double length, double end,
+                            const ContactScale& scale) const;
 
   /// The displacement with which the material has come to a node.
-  double remembered_at(Eigen::Index i, const PartEnd& end) const;
+  double remembered_at(Eigen::Index i, const SubstepEnd& end) const;
 
-  /// Its derivative by the length of the part, where the contact does not change  [1]
-  double slope_at_node(const ReferenceNodes& nodes, Eigen::Index i, const PartEnd& end) const;
+  /// Its derivative by the length of the substep, where the contact does not change  [1]
+  double slope_at_node(const ReferenceNodes& nodes, Eigen::Index i, const SubstepEnd& end) const;
 
   /// Remembers the displacements now as if all material came just now.
   void remember_all();
 
-  /// Remembers the displacements at the end of a part.
-  void remember(const ReferenceNodes& nodes, const PartEnd& end, bool stuck_again);
+  /// Remembers the displacements at the end of a substep.
+  void remember(const ReferenceNodes& nodes, const SubstepEnd& end, bool stuck_again);
 
   /// Points next to the stick-slip point have slipped as they did: they stick again.
   void admit_slip(const ReferenceNodes& nodes);
@@ -134,9 +134,9 @@ struct RememberedState : ElementTravel {
   void go(const ReferenceNodes& nodes, double toward);
 
   /// Remembers the displacements after a shift.
-  /// \param end     of a part without length
+  /// \param end     of a substep without length
   /// \param zones   of nodes and entry
-  void remember_shift(const ReferenceNodes& nodes, const PartEnd& end,
+  void remember_shift(const ReferenceNodes& nodes, const SubstepEnd& end,
                       const std::vector<Zone>& zones, bool stuck_again);
 
   /// Points next to the leading end of adhesion have slipped as they did: they stick again.
@@ -154,9 +154,9 @@ struct RememberedState : ElementTravel {
   /// \param offset  of the leading edge from the last node  [dx]
   bool entry_has_come(const ReferenceNodes& nodes, double offset) const;
 
-  /// The part of the traction at the entry, and of the relief, that is left at the end of a part of
-  /// a step, and its derivative by the length of the part [1/mm].
-  std::pair<double, double> left_of_shift(const ReferenceNodes& nodes, const PartEnd& end) const;
+  /// The fraction of the traction at the entry, and of the relief, that is left at the end of a
+  /// substep, and its derivative by the length of the substep [1/mm].
+  std::pair<double, double> left_of_shift(const ReferenceNodes& nodes, const SubstepEnd& end) const;
 
   /// Writes or reads all members.
   /// \param size  N
@@ -171,26 +171,27 @@ struct RememberedState : ElementTravel {
     double half_width;  ///< over the problem's, of their contact
   };
 
-  Source source_of(Eigen::Index i, const PartEnd& end) const;
+  Source source_of(Eigen::Index i, const SubstepEnd& end) const;
   NodeShift among_points(const ReferenceNodes& nodes) const;
   void slip_points(const ReferenceNodes& nodes, Eigen::Index from, Eigen::Index to);
   void share_slip(const ReferenceNodes& nodes, double slip);
-  void renew_points(const PartEnd& end, Eigen::Index from);
+  void renew_points(const SubstepEnd& end, Eigen::Index from);
 };
 
-/// A part of a step on a contact that changes.
-struct NextPart {
+/// A substep on a contact that changes.
+struct NextSubstep {
   double end;     ///< as a fraction of the step
   bool is_whole;  ///< whether either end of the contact has travelled an element there
 };
 
-/// The part at the end of which either end of the contact has travelled an element of those by
+/// The substep at the end of which either end of the contact has travelled an element of those by
 /// which the state counts, forth or back; or the rest of the step.
-/// \param fraction   of the step, where the part begins; the state is there
+/// \param fraction   of the step, where the substep begins; the state is there
 /// \param start      distance at which the step began  [mm]
 /// \param length     of the step, >= 0  [mm]
 /// \param from, to   the contact at its ends
-NextPart next_part(const RememberedState& state, const ReferenceNodes& nodes, double fraction,
-                   double start, double length, const ContactScale& from, const ContactScale& to);
+NextSubstep next_substep(const RememberedState& state, const ReferenceNodes& nodes, double fraction,
+                         double start, double length, const ContactScale& from,
+                         const ContactScale& to);
 
 }  // namespace microslip

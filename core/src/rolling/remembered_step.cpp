@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "load_of_part.hpp"
+#include "load_of_substep.hpp"
 #include "microslip/support/require.hpp"
 #include "remembered_grid.hpp"
 
@@ -50,8 +50,8 @@ void RememberedGrid::accept_step() {
 
 void RememberedGrid::move_to(double distance) { state_.move_to(distance); }
 
-/// Rolls all the way in parts, each of which ends where an element has been travelled. Of a contact
-/// that changes, either end may be the first to do so.
+/// Rolls all the way in substeps. Each ends where an element has been travelled; in a contact that
+/// changes, either end may be the first to travel it.
 void RememberedGrid::roll(const Way& way) {
   const RememberedState& from = state_;
   if (from.shifts) {
@@ -63,10 +63,10 @@ void RememberedGrid::roll(const Way& way) {
   const double width = from.scale.half_width;
   const bool keeps_width = target_.half_width == width;
   if (way.length > 0 && keeps_width && from.counted_by == width) {
-    next_.state.distance_error = for_each_part(
-        state_, way.length, nodes_.spacing * width, [&](double part, double end, double rest) {
-          const double begin = 1 - (part + rest) / way.length;
-          roll_part_to(way, begin, part, end, {rest == 0 ? 1 : 1 - rest / way.length, false});
+    next_.state.distance_error = for_each_substep(
+        state_, way.length, nodes_.spacing * width, [&](double substep, double end, double rest) {
+          const double begin = 1 - (substep + rest) / way.length;
+          roll_substep_to(way, begin, substep, end, {rest == 0 ? 1 : 1 - rest / way.length, false});
         });
     return;
   }
@@ -75,11 +75,11 @@ void RememberedGrid::roll(const Way& way) {
   const double end = from.distance + added;
   const bool stands = keeps_width && way.length == 0;
   for (double fraction = 0; fraction < 1;) {
-    const NextPart next = stands ? NextPart{1, false}
-                                 : next_part(next_.state, nodes_, fraction, from.distance,
-                                             way.length, from.scale, target_);
-    roll_part_to(way, fraction, (next.end - fraction) * way.length,
-                 next.end == 1 ? end : from.distance + next.end * way.length, next);
+    const NextSubstep next = stands ? NextSubstep{1, false}
+                                    : next_substep(next_.state, nodes_, fraction, from.distance,
+                                                   way.length, from.scale, target_);
+    roll_substep_to(way, fraction, (next.end - fraction) * way.length,
+                    next.end == 1 ? end : from.distance + next.end * way.length, next);
     fraction = next.end;
   }
   next_.state.distance_error = (end - from.distance) - added;
@@ -93,29 +93,29 @@ void RememberedGrid::settle_lead(const Load& load) {
     return;
   }
   const PrescribedCreepage none{0};
-  roll_part(
-      {state.end_of_part(nodes_, 0, state.distance, state.scale), 0, none, {none, none}, false});
+  roll_substep(
+      {state.end_of_substep(nodes_, 0, state.distance, state.scale), 0, none, {none, none}, false});
   sum_.slip.setZero();
 }
 
-/// Rolls a part of the way.
-/// \param begin     of the part, as a fraction of the way
-/// \param length    of the part  [mm]
+/// Rolls a substep.
+/// \param begin     of the substep, as a fraction of the way
+/// \param length    of the substep  [mm]
 /// \param end       distance at its end  [mm]
-void RememberedGrid::roll_part_to(const Way& way, double begin, double length, double end,
-                                  const NextPart& next) {
+void RememberedGrid::roll_substep_to(const Way& way, double begin, double length, double end,
+                                     const NextSubstep& next) {
   const double fraction = next.end;
   const ContactScale scale = fraction == 1 ? target_ : between(state_.scale, target_, fraction);
   const bool is_last = fraction == 1;
   const double force = nodes_.spacing * state_.traction.sum();
-  // A shift has no length, and its parts are fractions of it.
+  // A shift has no length, and its substeps are fractions of it.
   const double share = way.length > 0 ? length : fraction - begin;
   const Load load = load_within(way.load, force, share, fraction);
   std::array<Load, 2> slopes =
       slopes_within(way.load, force, length, fraction, way.length, is_last);
-  PartEnd part = next_.state.end_of_part(nodes_, length, end, scale);
-  part.is_whole = part.is_whole || next.is_whole;
-  roll_part({part, length, load, slopes, is_last});
+  SubstepEnd substep = next_.state.end_of_substep(nodes_, length, end, scale);
+  substep.is_whole = substep.is_whole || next.is_whole;
+  roll_substep({substep, length, load, slopes, is_last});
 }
 
 /// Loses the contact, or begins one at the end of the way, at rest or with the force.
@@ -139,33 +139,33 @@ void RememberedGrid::change_contact(const Way& way) {
   next_.state.distance = next_.state.origin = end;
   sum_.traction = next_.state.traction;
   if (target_.carries() && force != nullptr && force->value != 0) {
-    roll_part({next_.state.end_of_part(nodes_, 0, end, target_), 0, way.load, {}, true});
+    roll_substep({next_.state.end_of_substep(nodes_, 0, end, target_), 0, way.load, {}, true});
   }
 }
 
 /// The displacements with which the material has come to the nodes.
-void RememberedGrid::recall(Step& step, const Part& part) const {
+void RememberedGrid::recall(Step& step, const Substep& substep) const {
   for (Index i = 0; i < nodes_.size; ++i) {
-    step.conditions.offset[i] = -step.state.remembered_at(i, part);
+    step.conditions.offset[i] = -step.state.remembered_at(i, substep);
   }
   if (step.entry != 0) step.conditions.offset += displaced_by_entry(step.entry);
   if (has_unlike_bodies() && &step == &next_) step.conditions.offset += pressed_.head(nodes_.size);
 }
 
-/// Adds the slip of a part. Next to the stick-slip point, slip is counted since a point was in
+/// Adds the slip of a substep. Next to the stick-slip point, slip is counted since a point was in
 /// adhesion, so that what it had slipped before has to be taken away.
-void RememberedGrid::add_slip(const Part& part) {
+void RememberedGrid::add_slip(const Substep& substep) {
   const RememberedState& before = next_.state;
   const ContactState& contact = next_.contact;
   sum_.slip += contact.slip;
   for (Index i = before.kept; i < std::min(before.stuck, nodes_.size); ++i) {
     if (sticks(contact.zones, i)) continue;
-    sum_.slip[i] -=
-        interpolated_at(before.nodes, i, part.on_nodes.of(i), 0) - before.remembered_at(i, part);
+    sum_.slip[i] -= interpolated_at(before.nodes, i, substep.on_nodes.of(i), 0) -
+                    before.remembered_at(i, substep);
   }
 }
 
-/// The load of the partition, which has the lead to make up for, and no part in the entry.
+/// The load of the partition, which has the lead to make up for, and no substep in the entry.
 Load RememberedGrid::of_partition(const Load& load, const Step& step) const {
   const auto* creepage = std::get_if<PrescribedCreepage>(&load);
   if (creepage != nullptr) return PrescribedCreepage{creepage->value + step.state.lead};
@@ -173,13 +173,13 @@ Load RememberedGrid::of_partition(const Load& load, const Step& step) const {
 }
 
 /// What is left of the last shift at the leading edge.
-void RememberedGrid::fade_shift(const Part& part) {
+void RememberedGrid::fade_shift(const Substep& substep) {
   RememberedState& state = next_.state;
   const bool is_relieved = state.relief.size() > 0;
   next_.entry = 0;
   if (state.entry == 0 && !is_relieved) return;
-  const auto [left, slope] = state.left_of_shift(nodes_, part);
-  const double by_length = has_slopes_ && part.is_last ? slope : 0;
+  const auto [left, slope] = state.left_of_shift(nodes_, substep);
+  const double by_length = has_slopes_ && substep.is_last ? slope : 0;
   next_.entry = left * state.entry;
   slopes_[1].entry = by_length * state.entry;
   if (!is_relieved) return;
@@ -196,16 +196,16 @@ void RememberedGrid::search_partition(const Load& load) {
 }
 
 /// Solves for the derivatives of the contact by the partition that has been found.
-void RememberedGrid::solve_slopes(const Part& part) {
+void RememberedGrid::solve_slopes(const Substep& substep) {
   for (std::size_t k = 0; k < 2; ++k) {
     Step& slope = slopes_[k];
-    recall(slope, part);
-    if (k == 1 && part.is_last) {
+    recall(slope, substep);
+    if (k == 1 && substep.is_last) {
       for (Index i = 0; i < nodes_.size; ++i) {
-        slope.conditions.offset[i] -= next_.state.slope_at_node(nodes_, i, part);
+        slope.conditions.offset[i] -= next_.state.slope_at_node(nodes_, i, substep);
       }
     }
-    active_set_.solve_partition(slope.conditions, of_partition(part.load_slopes[k], slope),
+    active_set_.solve_partition(slope.conditions, of_partition(substep.load_slopes[k], slope),
                                 next_.contact.zones, slope.contact);
   }
 }
@@ -220,12 +220,12 @@ void RememberedGrid::displace(Step& step) const {
   if (&step == &next_) press_nodes(step.state.nodes);
 }
 
-/// Moves to the end of a part, with the mean over partitions.
-void RememberedGrid::finish_part(Step& step, const Part& part, bool stuck_again) const {
+/// Moves to the end of a substep, with the mean over partitions.
+void RememberedGrid::finish_substep(Step& step, const Substep& substep, bool stuck_again) const {
   RememberedState& state = step.state;
   const ContactState& contact = step.contact;
-  step.part_pressed = work_of_pressure(state.traction + contact.traction) / 2;
-  step.part_force =
+  step.substep_pressed = work_of_pressure(state.traction + contact.traction) / 2;
+  step.substep_force =
       nodes_.spacing * (state.traction.sum() + contact.traction.sum() + step.entry) / 2;
   step.creepage = contact.creepage - state.lead;
   step.shift += step.creepage;
@@ -238,46 +238,46 @@ void RememberedGrid::finish_part(Step& step, const Part& part, bool stuck_again)
   state.traction[nodes_.size - 1] += step.entry;
   state.entry = step.entry;
   state.zones = contact.zones;
-  state.scale = part.scale;
-  state.remember(nodes_, part, stuck_again);
-  state.distance = part.distance;
+  state.scale = substep.scale;
+  state.remember(nodes_, substep, stuck_again);
+  state.distance = substep.distance;
 }
 
 /// Rolls up to where an element has been travelled at most.
-void RememberedGrid::roll_part(const Part& part) {
+void RememberedGrid::roll_substep(const Substep& substep) {
   const RememberedState& before = next_.state;
-  set_response(part.scale.half_width);
-  set_bound(part.scale);
+  set_response(substep.scale.half_width);
+  set_bound(substep.scale);
   const bool all_stuck = before.relief.size() == 0;
-  fade_shift(part);
-  recall(next_, part);
-  search_partition(part.load);
+  fade_shift(substep);
+  recall(next_, substep);
+  search_partition(substep.load);
   if (next_.entry != 0 && all_stuck && !sticks(next_.contact.zones, nodes_.size - 1)) {
     next_.entry = slopes_[1].entry = 0;
-    recall(next_, part);
-    search_partition(part.load);
+    recall(next_, substep);
+    search_partition(substep.load);
   }
   const bool stuck_again = first_stuck(next_.contact.zones) < before.stuck - 1;
   const std::size_t slopes = has_slopes_ ? 2 : 0;
   if (stuck_again) {
     next_.state.admit_slip(nodes_);
     for (std::size_t k = 0; k < slopes; ++k) slopes_[k].state.admit_slip(nodes_);
-    recall(next_, part);
-    search_partition(part.load);
+    recall(next_, substep);
+    search_partition(substep.load);
   }
-  if (has_slopes_) solve_slopes(part);
+  if (has_slopes_) solve_slopes(substep);
   double& residual = sum_.residuals.equations;
   residual = std::max(residual, next_.contact.residuals.equations);
-  add_slip(part);
+  add_slip(substep);
   sum_.traction = next_.contact.traction;
 
   displace(next_);
   for (std::size_t k = 0; k < slopes; ++k) displace(slopes_[k]);
   const std::array<RolledContact*, 2> sloped{&slopes_[0], &slopes_[1]};
-  stick_slip_point_.average(active_set_, next_.conditions, part.load, next_,
+  stick_slip_point_.average(active_set_, next_.conditions, substep.load, next_,
                             std::span(sloped).first(slopes));
-  finish_part(next_, part, stuck_again);
-  for (std::size_t k = 0; k < slopes; ++k) finish_part(slopes_[k], part, stuck_again);
+  finish_substep(next_, substep, stuck_again);
+  for (std::size_t k = 0; k < slopes; ++k) finish_substep(slopes_[k], substep, stuck_again);
   const VectorXd& p = next_.state.traction;
   if (next_.entry != 0) {
     next_.displacement = displaced_by(p);
@@ -286,18 +286,18 @@ void RememberedGrid::roll_part(const Part& part) {
     }
   }
   next_.state.stored = nodes_.spacing * p.dot(next_.displacement) / 2;
-  next_.mean_force += next_.part_force * part.length;
-  next_.work += next_.part_force * next_.creepage - next_.part_pressed * part.length;
+  next_.mean_force += next_.substep_force * substep.length;
+  next_.work += next_.substep_force * next_.creepage - next_.substep_pressed * substep.length;
   for (std::size_t k = 0; k < slopes; ++k) {
     Step& slope = slopes_[k];
     slope.state.stored =
         nodes_.spacing *
         (slope.state.traction.dot(next_.displacement) + p.dot(slope.displacement)) / 2;
-    slope.mean_force += slope.part_force * part.length;
-    if (k == 1 && part.is_last) slope.mean_force += next_.part_force;
-    slope.work += slope.part_force * next_.creepage + next_.part_force * slope.creepage -
-                  slope.part_pressed * part.length;
-    if (k == 1 && part.is_last) slope.work -= next_.part_pressed;
+    slope.mean_force += slope.substep_force * substep.length;
+    if (k == 1 && substep.is_last) slope.mean_force += next_.substep_force;
+    slope.work += slope.substep_force * next_.creepage + next_.substep_force * slope.creepage -
+                  slope.substep_pressed * substep.length;
+    if (k == 1 && substep.is_last) slope.work -= next_.substep_pressed;
   }
 }
 

@@ -91,7 +91,7 @@ class RollingGrid {
   /// \param influence  A, n x n
   /// \param weights    n, > 0  [mm]
   /// \param pressure_strain  of the problem  [mm^2/N]
-  RollingGrid(SquareMatrix influence, const Eigen::VectorXd& weights, const Solver& solver,
+  RollingGrid(LinearOperator influence, const Eigen::VectorXd& weights, const Solver& solver,
               double pressure_strain)
       : weights_(weights),
         active_set_(std::move(influence), weights, solver),

@@ -26,7 +26,7 @@ Index SteadySolution::slip_elements() const { return x.size() - adhesion_element
 namespace {
 
 /// -du/dx of the tractions, the last row of which may have been replaced.
-SquareMatrix strain_of(const SteadyProblem& problem, const Differences& differences) {
+LinearOperator strain_of(const SteadyProblem& problem, const Differences& differences) {
   const auto& [kernel, bound, grid, basis, method, load, solver, accepted, pressure_strain,
                coupling] = problem;
   const Index n = grid.size();

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "microslip/friction/full_sliding.hpp"
+#include "microslip/friction/sliding_field.hpp"
 #include "microslip/friction/traction_bound.hpp"
 #include "microslip/halfspace/kernel.hpp"
 #include "microslip/support/chebyshev_series.hpp"
@@ -23,7 +23,7 @@ class InvertedContact {
   Kernel kernel;
   TractionBound bound;
   SidedBound trailing, leading;
-  std::optional<FullSliding> sliding;  ///< none for a table
+  std::optional<SlidingField> sliding;  ///< none for a table
   double fineness;
 
   /// Whether the bound falls to the leading edge faster than a traction in adhesion does.

@@ -29,7 +29,7 @@ namespace {
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
 /// The nearest known key, or the key of the same name in another section.
-std::string meant(const std::string& key, const std::vector<std::string>& known) {
+std::string likely_key(const std::string& key, const std::vector<std::string>& known) {
   const std::string near = nearest(key, known);
   if (!near.empty()) return near;
   const auto last_name = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };
@@ -159,7 +159,7 @@ void Scene::remove(const std::string& key) {
   }
   throw std::invalid_argument(
       fmt::format("--set '{}=': expected a key of this scene{}", shown(key),
-                  below.empty() ? question(meant(key, keys()))
+                  below.empty() ? suggestion(likely_key(key, keys()))
                                 : ", not a section; its keys are " + joined(below, ", ")));
 }
 
@@ -167,7 +167,7 @@ const Scene::Value& Scene::value(const std::string& key) const {
   const auto found = values_.find(key);
   if (found != values_.end()) return found->second;
   const std::string near = nearest(key, keys());
-  throw BadParameter(near, fmt::format("missing key '{}'{}", key, question(near)));
+  throw BadParameter(near, fmt::format("missing key '{}'{}", key, suggestion(near)));
 }
 
 std::string Scene::at_most_one_of(const std::vector<std::string>& keys) const {
@@ -188,7 +188,7 @@ std::string Scene::one_of(const std::vector<std::string>& keys) const {
   if (!found.empty()) return found;
   const std::string near = nearest(keys.front(), this->keys());
   throw BadParameter(near,
-                     fmt::format("missing key '{}'{}", joined(keys, "' or '"), question(near)));
+                     fmt::format("missing key '{}'{}", joined(keys, "' or '"), suggestion(near)));
 }
 
 const Key* Scene::known(std::string_view key) const {
@@ -344,7 +344,7 @@ void Scene::reject_unread() const {
     const Key* elsewhere = find_key(key);
     const std::string why =
         elsewhere == nullptr
-            ? fmt::format("unknown key '{}'{}", shown(key), question(meant(key, known)))
+            ? fmt::format("unknown key '{}'{}", shown(key), suggestion(likely_key(key, known)))
             : fmt::format("key '{}' has no role here: it is for {}", key,
                           elsewhere->role.empty() ? "scenes" : elsewhere->role);
     throw BadParameter(key, fmt::format("{}; known to this model: {}", why, joined(known, ", ")));

@@ -139,7 +139,7 @@ std::vector<SweptKey> columns_of(Scene scene) {
       if (scene.known(column.name) == nullptr) {
         throw std::invalid_argument(fmt::format("column '{}': expected the name of a key{}",
                                                 shown(column.name),
-                                                question(nearest_key(column.name))));
+                                                suggestion(nearest_key(column.name))));
       }
       const bool is_fixed = scene.has(column.name) && scene.place_of(column.name).empty();
       if (!is_fixed) columns.push_back({column.name, values_of(column)});

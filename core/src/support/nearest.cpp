@@ -41,7 +41,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& nam
   return found;
 }
 
-std::string question(const std::string& meant) {
+std::string suggestion(const std::string& meant) {
   return meant.empty() ? "" : fmt::format(" (did you mean '{}'?)", shown(meant));
 }
 

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "microslip/linalg/linear_operator.hpp"
 #include "microslip/linalg/solver.hpp"
-#include "microslip/linalg/square_matrix.hpp"
 
 namespace microslip {
 
@@ -111,7 +111,7 @@ class ActiveSet {
   /// \param response  n x n, derivatives of the slip by the tractions
   /// \param weights   n, > 0: force = weights . p  [mm]
   /// \param solver    for its tolerance; the response matrix decides between dense and Toeplitz
-  ActiveSet(SquareMatrix response, Eigen::VectorXd weights, const Solver& solver = {});
+  ActiveSet(LinearOperator response, Eigen::VectorXd weights, const Solver& solver = {});
   ~ActiveSet();
   ActiveSet(const ActiveSet& other);  ///< copies the factors, too, so that both give the same bits
   ActiveSet& operator=(const ActiveSet& other);
@@ -149,7 +149,7 @@ class ActiveSet {
   /// \throws std::invalid_argument for a history that does not fit the response
   void archive(Archive& archive);
 
-  const SquareMatrix& response() const;
+  const LinearOperator& response() const;
   const Eigen::VectorXd& weights() const;
 
  private:

@@ -3,8 +3,8 @@
 
 #include "microslip/halfspace/basis.hpp"
 #include "microslip/halfspace/kernel.hpp"
+#include "microslip/linalg/linear_operator.hpp"
 #include "microslip/linalg/solver.hpp"
-#include "microslip/linalg/square_matrix.hpp"
 #include "microslip/linalg/toeplitz.hpp"
 
 namespace microslip {
@@ -62,11 +62,12 @@ bool by_fft(const Solver& solver, const Basis& basis, Eigen::Index n);
 // Coefficients arranged for a solver: Toeplitz if by_fft(), else all entries.
 // \throws std::invalid_argument as by_fft(), or if n is too large for all entries
 
-SquareMatrix influence_operator(const Kernel& kernel, const Basis& basis, double spacing,
-                                Eigen::Index n, const Solver& solver);
+LinearOperator influence_operator(const Kernel& kernel, const Basis& basis, double spacing,
+                                  Eigen::Index n, const Solver& solver);
 
-SquareMatrix influence_difference_operator(const Kernel& kernel, const Basis& basis, double spacing,
-                                           Eigen::Index n, double step_ratio, const Solver& solver);
+LinearOperator influence_difference_operator(const Kernel& kernel, const Basis& basis,
+                                             double spacing, Eigen::Index n, double step_ratio,
+                                             const Solver& solver);
 
 /// The solver for strain_operator. For c -> 0 the operator turns antisymmetric, and so singular for
 /// an odd number of elements in adhesion. Below c = 0.01 an automatic solver becomes dense, because
@@ -74,7 +75,7 @@ SquareMatrix influence_difference_operator(const Kernel& kernel, const Basis& ba
 Solver strain_solver(const Solver& wanted, Eigen::Index n, double step_ratio);
 
 /// (A - A')/dq, the negative of the strain by differences over dq  [mm^2/N].
-SquareMatrix strain_operator(const Kernel& kernel, const Basis& basis, double spacing,
-                             Eigen::Index n, double step_ratio, const Solver& solver);
+LinearOperator strain_operator(const Kernel& kernel, const Basis& basis, double spacing,
+                               Eigen::Index n, double step_ratio, const Solver& solver);
 
 }  // namespace microslip

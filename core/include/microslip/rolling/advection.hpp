@@ -8,8 +8,8 @@
 #include "microslip/friction/active_set.hpp"
 #include "microslip/halfspace/basis.hpp"
 #include "microslip/halfspace/kernel.hpp"
+#include "microslip/linalg/linear_operator.hpp"
 #include "microslip/linalg/solver.hpp"
-#include "microslip/linalg/square_matrix.hpp"
 #include "microslip/rolling/fractional_shift.hpp"
 
 namespace microslip {
@@ -79,7 +79,7 @@ class Advection {
   Solver solver_;
   std::optional<FractionalShift> shift_;
   double difference_step_ratio_ = 0;
-  std::optional<SquareMatrix> difference_;  ///< A - A' at that step ratio
+  std::optional<LinearOperator> difference_;  ///< A - A' at that step ratio
 };
 
 }  // namespace microslip

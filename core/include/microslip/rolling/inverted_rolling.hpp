@@ -73,7 +73,7 @@ class InvertedRolling {
  public:
   /// \param fineness  fineness of quadratures and series, >= 1; comparing two values shows the
   ///                  error
-  /// \throws std::invalid_argument as FullSliding, for a smooth bound
+  /// \throws std::invalid_argument as SlidingField, for a smooth bound
   InvertedRolling(const Kernel& kernel, const TractionBound& bound, double fineness = 1);
 
   /// The reason why a solution would cost too much, if there is one: a strip narrower than 0.02

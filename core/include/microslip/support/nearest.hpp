@@ -14,7 +14,7 @@ namespace microslip {
 std::string nearest(const std::string& word, const std::vector<std::string>& names);
 
 /// " (did you mean 'x'?)" with `meant` as x; empty if `meant` is empty.
-std::string question(const std::string& meant);
+std::string suggestion(const std::string& meant);
 
 /// The names of items.
 template <class Items>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/linalg/toeplitz_block.hpp"
+#include "microslip/linalg/toeplitz_submatrix.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -22,14 +22,14 @@ constexpr int most_iterations = 100;
 
 }  // namespace
 
-ToeplitzBlock::ToeplitzBlock(const Toeplitz& matrix, double tolerance)
+ToeplitzSubmatrix::ToeplitzSubmatrix(const Toeplitz& matrix, double tolerance)
     : matrix_(matrix),
       product_(matrix),
       tolerance_(tolerance),
       gmres_(most_iterations),
       all_(VectorXd::Zero(matrix.size())) {}
 
-ToeplitzBlock::Interval ToeplitzBlock::inverted(Index first, Index size) const {
+ToeplitzSubmatrix::Interval ToeplitzSubmatrix::inverted(Index first, Index size) const {
   const Toeplitz block = matrix_.leading(size);
   if (size <= small) {
     count_work(2.0 / 3 * std::pow(size, 3));
@@ -38,7 +38,7 @@ ToeplitzBlock::Interval ToeplitzBlock::inverted(Index first, Index size) const {
   return {first, size, ToeplitzInverse(block), {}};
 }
 
-void ToeplitzBlock::choose(const std::vector<Index>& indices) {
+void ToeplitzSubmatrix::choose(const std::vector<Index>& indices) {
   indices_ = indices;
   std::vector<Interval> known = std::exchange(intervals_, {});
   std::vector<std::pair<Index, Index>> others;
@@ -61,7 +61,7 @@ void ToeplitzBlock::choose(const std::vector<Index>& indices) {
   for (const auto& [first, size] : others) intervals_.push_back(inverted(first, size));
 }
 
-void ToeplitzBlock::invert_intervals(const VectorXd& b, VectorXd& x) {
+void ToeplitzSubmatrix::invert_intervals(const VectorXd& b, VectorXd& x) {
   x.resize(b.size());
   for (auto& [first, size, inverse, solution] : intervals_) {
     if (const auto* factors = std::get_if<SmallInverse>(&inverse)) {
@@ -74,21 +74,21 @@ void ToeplitzBlock::invert_intervals(const VectorXd& b, VectorXd& x) {
   }
 }
 
-void ToeplitzBlock::multiply(const VectorXd& x, VectorXd& y) {
+void ToeplitzSubmatrix::multiply(const VectorXd& x, VectorXd& y) {
   all_.setZero();
   all_(index_view(indices_)) = x;
   product_.apply(all_, response_);
   y = response_(index_view(indices_));
 }
 
-void ToeplitzBlock::solve(const VectorXd& b, VectorXd& x) {
+void ToeplitzSubmatrix::solve(const VectorXd& b, VectorXd& x) {
   if (intervals_.size() == 1) return invert_intervals(b, x);
   gmres_.solve([this](const VectorXd& p, VectorXd& y) { multiply(p, y); },
                [this](const VectorXd& p, VectorXd& y) { invert_intervals(p, y); }, b, tolerance_,
                x);
 }
 
-double ToeplitzBlock::condition() const {
+double ToeplitzSubmatrix::condition() const {
   double worst = 1;
   for (const Interval& interval : intervals_) {
     const auto* factors = std::get_if<SmallInverse>(&interval.inverse);

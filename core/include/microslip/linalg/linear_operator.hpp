@@ -12,10 +12,10 @@ namespace microslip {
 
 /// An n x n matrix. It is stored either by all its entries or as a Toeplitz matrix, whose products
 /// are made by FFT. One object serves one thread.
-class SquareMatrix {
+class LinearOperator {
  public:
-  SquareMatrix(Eigen::MatrixXd entries);  // NOLINT(google-explicit-constructor)
-  SquareMatrix(const Toeplitz& matrix);   // NOLINT(google-explicit-constructor)
+  LinearOperator(Eigen::MatrixXd entries);  // NOLINT(google-explicit-constructor)
+  LinearOperator(const Toeplitz& matrix);   // NOLINT(google-explicit-constructor)
 
   Eigen::Index size() const;
 

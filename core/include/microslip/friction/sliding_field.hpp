@@ -10,11 +10,11 @@ namespace microslip {
 
 /// Strain and displacement of the half-space in full sliding, where the traction is the bound;
 /// exact to rounding.
-class FullSliding {
+class SlidingField {
  public:
   /// \throws std::invalid_argument for a tabulated bound, which is not smooth, and as
   ///                               ChebyshevField
-  FullSliding(const Kernel& kernel, const TractionBound& bound);
+  SlidingField(const Kernel& kernel, const TractionBound& bound);
 
   double force() const { return force_; }  ///< [N/mm]
 

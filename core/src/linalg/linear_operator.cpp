@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/linalg/square_matrix.hpp"
+#include "microslip/linalg/linear_operator.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,27 +12,27 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-SquareMatrix::SquareMatrix(MatrixXd entries) : matrix_(std::move(entries)) {}
+LinearOperator::LinearOperator(MatrixXd entries) : matrix_(std::move(entries)) {}
 
-SquareMatrix::SquareMatrix(const Toeplitz& matrix)
+LinearOperator::LinearOperator(const Toeplitz& matrix)
     : matrix_(ByFft{matrix, ToeplitzProduct(matrix)}) {}
 
-Index SquareMatrix::size() const {
+Index LinearOperator::size() const {
   const auto* toeplitz_matrix = toeplitz();
   return toeplitz_matrix ? toeplitz_matrix->size() : entries()->rows();
 }
 
-const Toeplitz* SquareMatrix::toeplitz() const {
+const Toeplitz* LinearOperator::toeplitz() const {
   const auto* by_fft = std::get_if<ByFft>(&matrix_);
   return by_fft ? &by_fft->matrix : nullptr;
 }
 
-double SquareMatrix::operator()(Index i, Index j) const {
+double LinearOperator::operator()(Index i, Index j) const {
   const auto* toeplitz_matrix = toeplitz();
   return toeplitz_matrix ? (*toeplitz_matrix)(i, j) : (*entries())(i, j);
 }
 
-MatrixXd SquareMatrix::block(const std::vector<Index>& indices) const {
+MatrixXd LinearOperator::block(const std::vector<Index>& indices) const {
   if (entries() != nullptr) return (*entries())(indices, indices);
   const auto n = static_cast<Index>(indices.size());
   return MatrixXd::NullaryExpr(n, n, [&](Index i, Index j) {
@@ -40,7 +40,7 @@ MatrixXd SquareMatrix::block(const std::vector<Index>& indices) const {
   });
 }
 
-double SquareMatrix::largest() const {
+double LinearOperator::largest() const {
   if (entries() != nullptr) return entries()->cwiseAbs().maxCoeff();
   double largest = 0;
   for (Index k = 0; k < size(); ++k) {
@@ -49,7 +49,7 @@ double SquareMatrix::largest() const {
   return largest;
 }
 
-void SquareMatrix::apply(const VectorXd& x, VectorXd& y) const {
+void LinearOperator::apply(const VectorXd& x, VectorXd& y) const {
   if (const auto* by_fft = std::get_if<ByFft>(&matrix_)) {
     by_fft->product.apply(x, y);
   } else {
@@ -58,7 +58,7 @@ void SquareMatrix::apply(const VectorXd& x, VectorXd& y) const {
   }
 }
 
-VectorXd SquareMatrix::operator*(const VectorXd& x) const {
+VectorXd LinearOperator::operator*(const VectorXd& x) const {
   VectorXd y;
   apply(x, y);
   return y;

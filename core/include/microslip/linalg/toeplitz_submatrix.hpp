@@ -14,10 +14,10 @@ namespace microslip {
 /// Solves systems of some rows and columns of a Toeplitz matrix. Consecutive indices form an
 /// interval, the block of which is Toeplitz again and is inverted. If there are several intervals,
 /// GMRES solves, with the inverses of all as preconditioner.
-class ToeplitzBlock {
+class ToeplitzSubmatrix {
  public:
   /// \param tolerance  of the residual where there are several intervals
-  ToeplitzBlock(const Toeplitz& matrix, double tolerance);
+  ToeplitzSubmatrix(const Toeplitz& matrix, double tolerance);
 
   /// \param indices  at least one, ascending. Inverses of intervals of a known length are kept.
   /// \throws NotConverged as ToeplitzInverse

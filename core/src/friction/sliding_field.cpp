@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/friction/full_sliding.hpp"
+#include "microslip/friction/sliding_field.hpp"
 
 #include <stdexcept>
 
@@ -15,16 +15,16 @@ ChebyshevField field_of(const Kernel& kernel, const TractionBound& bound) {
 
 }  // namespace
 
-FullSliding::FullSliding(const Kernel& kernel, const TractionBound& bound)
+SlidingField::SlidingField(const Kernel& kernel, const TractionBound& bound)
     : force_(full_sliding_force(bound)),
       half_width_(half_width_of(bound)),
       field_(field_of(kernel, bound)) {}
 
-double FullSliding::strain(double x) const {
+double SlidingField::strain(double x) const {
   return x > -half_width_ ? field_.continued_strain(x) : field_.strain(x);
 }
 
-double FullSliding::displacement(double x) const {
+double SlidingField::displacement(double x) const {
   return x > -half_width_ ? field_.continued_displacement(x) : field_.displacement(x);
 }
 
