@@ -255,8 +255,6 @@ void press(Scene& scene, const Bodies& bodies, Problem& problem) {
   problem.coupling = bodies.dundurs_beta * friction;
 }
 
-}  // namespace
-
 SteadyProblem read_steady(Scene& scene, bool with_load) {
   const SteadyEntry& entry = read_steady_scheme(scene);
   const double step_ratio = entry.safe_steps ? scene.number("step.ratio") : 1;
