@@ -189,7 +189,11 @@ const std::vector<Role> roles = {
     {"response.wavelengths", "60", ""},
     {"converge.elements", "15 31", ""},
     {"converge.error", "1e-3", ""},
-    {"converge.step_time", "1e-4", ""}};
+    {"converge.step_time", "1e-4", ""},
+    {"curve.creepages", "0.001 0.002", ""},
+    {"curve.points", "51", ""},
+    {"curve.largest", "0.01", ""},
+    {"curve.beside", "fastsim", ""}};
 
 TEST(KeysOfScenes, AreAllInTheTableOfRoles) {
   std::vector<std::string> in_table, in_scenes;
