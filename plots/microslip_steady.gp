@@ -16,8 +16,8 @@ plot for [k=1:lines] traction using (of(k, column("x"))):"bound" with @bound_lin
 set format x
 set xlabel "x [mm], rolling to the right"
 set ylabel "relative slip s"
-# Where all that is shown sticks, gnuplot would warn of an empty range.
-set yrange [*<0:1e-9<*]
 unset key
-plot for [k=1:lines] traction using (of(k, column("x"))):"slip" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
+# Where all that is shown sticks, gnuplot would warn of an empty range without the dots.
+plot 1e-9 with dots linecolor "white", \
+     for [k=1:lines] traction using (of(k, column("x"))):"slip" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
 unset multiplot

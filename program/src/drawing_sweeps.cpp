@@ -190,7 +190,6 @@ std::string with_unit(const std::string& name, const std::string& unit) {
 struct Family {
   std::string label;
   std::string first;  ///< value of the first key
-  std::string rest;   ///< those of the others
   std::vector<std::size_t> rows;
 };
 
@@ -204,11 +203,7 @@ std::vector<Family> families_of(const Cases& cases, const Axes& axes) {
       const std::string unit = cases.unit(key);
       family.label += fmt::format("{}{} = {}{}", family.label.empty() ? "" : ", ", key, value,
                                   unit == "1" ? "" : " " + unit);
-      if (&key == &axes.families.front()) {
-        family.first = value;
-      } else {
-        family.rest += value + '\t';
-      }
+      if (&key == &axes.families.front()) family.first = value;
     }
     const auto [at, is_new] = known.emplace(family.label, families.size());
     if (is_new) families.push_back(family);
@@ -318,11 +313,11 @@ void add_lines(Lines& lines, const Result& result, const Cases& cases, const Axe
                std::size_t of_result, std::size_t results) {
   const std::vector<Family> families = families_of(cases, axes);
   require_few_lines(families.size() * results, cases, axes);
-  Names firsts, rests;
+  Names firsts;
   for (const Family& family : families) {
     if (std::ranges::find(firsts, family.first) == firsts.end()) firsts.push_back(family.first);
-    if (std::ranges::find(rests, family.rest) == rests.end()) rests.push_back(family.rest);
   }
+  std::map<std::string, int> drawn_in;  // colours, how many lines
   const Places places(cases, axes.over);
   const auto number = [&](std::size_t row) { return cases.number(row, axes.value); };
   const bool has_fastsim = axes.value == "force" && cases.has("fastsim_force");
@@ -330,12 +325,12 @@ void add_lines(Lines& lines, const Result& result, const Cases& cases, const Axe
   for (const Family& family : families) {
     const auto color =
         static_cast<std::size_t>(std::ranges::find(firsts, family.first) - firsts.begin());
-    const auto dash = static_cast<int>(std::ranges::find(rests, family.rest) - rests.begin()) + 1;
     const std::string label = family.label.empty() ? axes.value : family.label;
-    const Line line{
-        .label = results > 1 ? fmt::format("{}: {}", result.name, label) : label,
-        .color = results > 1 ? color_of(of_result, results) : color_of(color, firsts.size()),
-        .dash = results > 1 ? dash + static_cast<int>(color * rests.size()) : dash};
+    const std::string drawn_color =
+        results > 1 ? color_of(of_result, results) : color_of(color, firsts.size());
+    const Line line{.label = results > 1 ? fmt::format("{}: {}", result.name, label) : label,
+                    .color = drawn_color,
+                    .dash = ++drawn_in[drawn_color]};
     lines.add(line, cases, family, places, number);
     drawn.push_back(line);
   }
