@@ -62,18 +62,17 @@ std::string program_of(const fs::path& folder, const std::string& name) {
   if (is_case(folder)) return name;
   std::ifstream in(folder / "provenance.txt");
   std::string program;
-  if (!(in >> program)) reject(folder, "it has no provenance.txt");
-  return program;
+  if (in >> program) return program;
+  reject(folder,
+         fs::exists(folder / "plan.tsv")
+             ? "it is that of a sweep that has not ended; 'microslip merge' makes its sweep.tsv"
+             : "it has no provenance.txt");
 }
 
 /// Of those that have a figure of their own.
 std::string kind_of(const fs::path& folder) {
   for (const char* kind : {"sweep", "curve", "response", "converge"}) {
     if (fs::exists(folder / fmt::format("{}.tsv", kind))) return kind;
-  }
-  if (fs::exists(folder / "plan.tsv")) {
-    reject(folder,
-           "it is that of a sweep that has not ended; 'microslip merge' makes its sweep.tsv");
   }
   if (!fs::exists(folder / "traction.tsv")) reject(folder, "it has no traction.tsv");
   const std::string history = header_of(folder / "history.tsv");

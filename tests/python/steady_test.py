@@ -66,7 +66,7 @@ def test_bodies_of_different_material_creep_without_a_force(plane):
     unlike = {**plane, "material": {"shear_modulus": 3000, "poisson_ratio": 0.3, "dundurs_beta": 0.2},
               "contact": {"half_width": 5, "peak_traction": 300, "friction": 0.3}}
     result = ms.steady(unlike, force=0)
-    assert abs(result.creepage) > 1e-4 and result.states["method"] == 1
+    assert abs(result.creepage) > 1e-4 and result.states["method"] == 0
     assert result.creepage == ms.solve(unlike, problem="steady", load_force=0).summary["creepage"]
 
 

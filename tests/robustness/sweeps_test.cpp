@@ -324,7 +324,7 @@ TEST_F(Sweeps, BadGroupsAndTables) {
   std::ofstream(folder_ / "cases.tsv") << "kernel.width\tforce\n1\t2\n";
   expect_rejected(
       "",
-      "scene.info:12: sweep.table = 'cases.tsv': column 'force': expected the name of a "
+      "scene.info:10: sweep.table = 'cases.tsv': column 'force': expected the name of a "
       "key",
       by_table);
   std::ofstream(folder_ / "cases.tsv") << "kernel.width grid.elements\n40 20\n40 many\n";

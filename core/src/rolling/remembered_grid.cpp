@@ -160,7 +160,7 @@ void RememberedGrid::press_ends(RememberedPoints& nodes) const {
   nodes.exit += pressed_[nodes_.size + 1];
 }
 
-/// By which the pressure's strain moves tractions, over the distance rolled  [N/mm]
+/// Work of tractions on the strain by the pressure, per distance rolled  [N/mm]
 double RememberedGrid::work_of_pressure(const VectorXd& traction) const {
   return has_unlike_bodies() ? pressure_strain_ * nodes_.spacing * traction.dot(problem_bound_) : 0;
 }

@@ -224,7 +224,8 @@ void RememberedGrid::displace(Step& step) const {
 void RememberedGrid::finish_substep(Step& step, const Substep& substep, bool stuck_again) const {
   RememberedState& state = step.state;
   const ContactState& contact = step.contact;
-  step.substep_pressed = work_of_pressure(state.traction + contact.traction) / 2;
+  step.substep_pressed =
+      (work_of_pressure(state.traction) + work_of_pressure(contact.traction)) / 2;
   step.substep_force =
       nodes_.spacing * (state.traction.sum() + contact.traction.sum() + step.entry) / 2;
   step.creepage = contact.creepage - state.lead;

@@ -360,13 +360,15 @@ void warn_of_other_radius(Scene& scene, double radius) {
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator) {
   const Material material = read_material(scene);
   const ContactModel model = read_contact(scene, material, material);
-  CylinderScene cylinder{.contact = {.kernel = model.kernel,
-                                     .bound = model.bound,
-                                     .grid = model.grid,
-                                     .basis = read_basis(scene, model.grid),
-                                     .scheme = scheme,
-                                     .solver = read_solver(scene),
-                                     .accepted = read_acceptance(scene)},
+  // By itself: GCC 12 destroys a nested aggregate twice if a reader behind it throws.
+  const TransientProblem contact{.kernel = model.kernel,
+                                 .bound = model.bound,
+                                 .grid = model.grid,
+                                 .basis = read_basis(scene, model.grid),
+                                 .scheme = scheme,
+                                 .solver = read_solver(scene),
+                                 .accepted = read_acceptance(scene)};
+  CylinderScene cylinder{.contact = contact,
                          .cylinder = {.mass = scene.positive("cylinder.mass"),
                                       .inertia = scene.positive("cylinder.inertia"),
                                       .radius = scene.positive("cylinder.radius"),
