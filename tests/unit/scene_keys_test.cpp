@@ -190,6 +190,7 @@ const std::vector<Role> roles = {
     {"converge.elements", "15 31", ""},
     {"converge.error", "1e-3", ""},
     {"converge.step_time", "1e-4", ""},
+    {"converge.reference", "fine", ""},
     {"curve.creepages", "0.001 0.002", ""},
     {"curve.points", "51", ""},
     {"curve.largest", "0.01", ""},
@@ -280,7 +281,9 @@ TEST(KeysOfScenes, HaveTheWordsThatReadersTake) {
     EXPECT_EQ(key.type == Key::Type::word, !words_of(key).empty());
     if (key.type != Key::Type::word) continue;
     const auto role = std::ranges::find(roles, std::string(key.name), &Role::key);
-    const std::string name(key.name), scene = *words(role->scenes).begin();
+    const std::set<std::string> in = words(role->scenes);
+    if (in.empty()) continue;  // it is for another command
+    const std::string name(key.name), scene = *in.begin();
     for (const std::string_view word : words_of(key)) {
       const std::string said = answer(with(scenes.at(scene), {name + "=" + std::string(word)}));
       EXPECT_FALSE(said.starts_with(name + " = ")) << said;
