@@ -20,14 +20,11 @@ const double falling[] = {0.5, -0.5};
 
 TEST(CErrors, OfCreateNameKeyValueAndRange) {
   const std::vector<std::pair<std::string, std::function<void(Parts&)>>> cases{
-      {"shear_modulus = 0: expected a number > 0",
-       [](Parts& p) { p.material.shear_modulus = 0; }},
+      {"shear_modulus = 0: expected a number > 0", [](Parts& p) { p.material.shear_modulus = 0; }},
       {"poisson_ratio = 0.6: expected a number in [0, 0.5]",
        [](Parts& p) { p.material.poisson_ratio = 0.6; }},
-      {"half_width = nan: expected a number > 0",
-       [](Parts& p) { p.contact.half_width = nan; }},
-      {"peak_traction = -1: expected a number > 0",
-       [](Parts& p) { p.contact.peak_traction = -1; }},
+      {"half_width = nan: expected a number > 0", [](Parts& p) { p.contact.half_width = nan; }},
+      {"peak_traction = -1: expected a number > 0", [](Parts& p) { p.contact.peak_traction = -1; }},
       {"peak_traction = 1: expected 0 with a table of the bound",
        [](Parts& p) {
          p.contact = {1, 1, two, two, 2};
