@@ -48,6 +48,18 @@ TEST(ScenePlaces, AreLinesOfKeys) {
   }
 }
 
+// A key that is missing may be there, misspelt.
+TEST(ScenePlaces, AreThoseOfAKeyThatMayBeMeant) {
+  const Scene scene = scene_of("a 1\nload { forse -1 }\n");
+  EXPECT_EQ(
+      said(scene,
+           [](Scene& s) {
+             s.one_of({"load.creepage", "load.force_ratio"});
+           }),
+      "test:2: missing key 'load.creepage' or 'load.force_ratio'; 'load.forse' is no key (did "
+      "you mean 'load.force'?)");
+}
+
 // Errors of core name arguments; those of a scene name the key that gives the argument.
 TEST(ScenePlaces, AreThoseOfTheKeyThatGivesAnArgument) {
   const Scene scene = scene_of("contact {\n half_width -1\n bound_polynomial 1\n}\n");

@@ -94,6 +94,22 @@ TEST(Sweep, FilesStayRelativeToTheScene) {
   EXPECT_EQ(read, "folder/b.tsv");
 }
 
+// Behind the last of several values, a unit would be taken for that of all, as in other lists.
+TEST(SweptValues, HaveUnitsAllOrNot) {
+  const auto says = [](const std::string& values) {
+    return message([&] { swept_values("sweep.kernel.width", values); });
+  };
+  const std::string begin = "sweep.kernel.width = '";
+  for (const char* accepted : {"5 1", "5mm 1cm", "5 mm | 1 cm | 20", "1 | 2 | 3", "0.5:0.5:2"}) {
+    EXPECT_EQ(says(accepted), "") << accepted;
+  }
+  EXPECT_EQ(says("5 | 1 cm"),
+            begin + "5 | 1 cm': expected a unit behind each value, or behind none");
+  EXPECT_EQ(says("5 10 cm"), begin +
+                                 "5 10 cm': expected each unit next to its number, 5kN/mm 10kN/mm, "
+                                 "or values between |");
+}
+
 TEST(Sweep, NamesWhatItRejects) {
   EXPECT_EQ(message([] { Sweep(scene_of("a 1")); }).rfind("missing section 'sweep'", 0), 0U);
   EXPECT_EQ(message([] { Sweep(scene_of("sweep { a \"1:1:1000\"\nb \"1:1:1000\" }")); }),

@@ -39,6 +39,21 @@ std::string likely_key(const std::string& key, const std::vector<std::string>& k
   return found == known.end() ? "" : *found;
 }
 
+/// A key that nobody knows may be the missing one, misspelt.
+/// \param near  a given key of a similar name; may be empty
+[[noreturn]] void reject_missing(const Scene& scene, const std::string& names,
+                                 const std::string& near) {
+  std::string misspelt = near, hint = suggestion(near);
+  for (const std::string& key : scene.keys()) {
+    if (!hint.empty() || scene.known(key) != nullptr || key.starts_with("sweep.")) continue;
+    const std::string likely = likely_key(key, names_of(keys_of_scenes()));
+    if (likely.empty()) continue;
+    misspelt = key;
+    hint = fmt::format("; '{}' is no key{}", shown(key), suggestion(likely));
+  }
+  throw BadParameter(misspelt, fmt::format("missing key '{}'{}", names, hint));
+}
+
 /// Removes all that sweeps a key, alone or together with others, except for one name. Returns how
 /// many these were.
 template <class Values>
@@ -166,8 +181,7 @@ void Scene::remove(const std::string& key) {
 const Scene::Value& Scene::value(const std::string& key) const {
   const auto found = values_.find(key);
   if (found != values_.end()) return found->second;
-  const std::string near = nearest(key, keys());
-  throw BadParameter(near, fmt::format("missing key '{}'{}", key, suggestion(near)));
+  reject_missing(*this, key, nearest(key, keys()));
 }
 
 std::string Scene::at_most_one_of(const std::vector<std::string>& keys) const {
@@ -186,9 +200,7 @@ std::string Scene::at_most_one_of(const std::vector<std::string>& keys) const {
 std::string Scene::one_of(const std::vector<std::string>& keys) const {
   const std::string found = at_most_one_of(keys);
   if (!found.empty()) return found;
-  const std::string near = nearest(keys.front(), this->keys());
-  throw BadParameter(near,
-                     fmt::format("missing key '{}'{}", joined(keys, "' or '"), suggestion(near)));
+  reject_missing(*this, joined(keys, "' or '"), nearest(keys.front(), this->keys()));
 }
 
 const Key* Scene::known(std::string_view key) const {

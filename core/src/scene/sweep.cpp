@@ -90,6 +90,13 @@ std::optional<std::vector<std::string>> range(const std::vector<std::string>& pa
   return step ? linear_range(*first, *step, *last) : std::nullopt;
 }
 
+/// Whether words beside the numbers stand in a value, which are units if the key is one of numbers.
+bool has_a_unit(const std::string& value) {
+  return std::ranges::any_of(words_of(value), [](const std::string& word) {
+    return !finite_number(word) && (is_unit(word) || has_unit(word));
+  });
+}
+
 /// In the unit of the key, so that columns of swept values are numbers, or lists of them.
 std::string without_unit(const std::string& key, const std::string& value) {
   const auto is_number = [](const std::string& word) { return finite_number(word).has_value(); };
@@ -165,9 +172,15 @@ std::vector<std::string> swept_values(const std::string& name, const std::string
   };
   const bool has_lists = text.find('|') != std::string::npos;
   std::vector<std::string> values;
+  std::size_t first_with_unit = 0, given = 0;  // counted from 1
   for (const std::string& part : has_lists ? split(text, '|') : words_of(text)) {
     const std::string value = in_one_line(part);
     if (value.empty()) reject_list(text, "a value on both sides of |");
+    if (!has_lists && is_unit(value) && !finite_number(value)) {
+      reject_list(text, "each unit next to its number, 5kN/mm 10kN/mm, or values between |");
+    }
+    ++given;
+    if (first_with_unit == 0 && has_a_unit(value)) first_with_unit = given;
     if (values.size() > Sweep::max_cases) {
       reject_list(text, fmt::format("at most {} values", Sweep::max_cases));
     }
@@ -186,6 +199,9 @@ std::vector<std::string> swept_values(const std::string& name, const std::string
     values.insert(values.end(), expanded->begin(), expanded->end());
   }
   if (values.empty()) reject_list(text, "at least one value");
+  if (first_with_unit > 1 && first_with_unit == given) {  // as if the last unit were that of all
+    reject_list(text, "a unit behind each value, or behind none");
+  }
   return values;
 }
 
