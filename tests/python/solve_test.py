@@ -168,7 +168,7 @@ def test_progress_counts_to_the_end_and_can_stop(scene, capsys):
     with pytest.raises(KeyboardInterrupt):
         ms.solve(long, progress=tell)
     assert len(told) == 3 and all(0 < done < total == 40000 for done, total in told)
-    ms.solve(long, motion_distance=300, progress=True)
+    ms.solve(long, motion_distance=3000, progress=True)  # takes seconds
     assert "microslip: " in capsys.readouterr().err
 
 

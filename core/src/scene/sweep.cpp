@@ -172,15 +172,16 @@ std::vector<std::string> swept_values(const std::string& name, const std::string
   };
   const bool has_lists = text.find('|') != std::string::npos;
   std::vector<std::string> values;
-  std::size_t first_with_unit = 0, given = 0;  // counted from 1
+  bool were_plain = true, has_last_unit = false;  // single numbers, and a unit behind the last
   for (const std::string& part : has_lists ? split(text, '|') : words_of(text)) {
     const std::string value = in_one_line(part);
     if (value.empty()) reject_list(text, "a value on both sides of |");
     if (!has_lists && is_unit(value) && !finite_number(value)) {
       reject_list(text, "each unit next to its number, 5kN/mm 10kN/mm, or values between |");
     }
-    ++given;
-    if (first_with_unit == 0 && has_a_unit(value)) first_with_unit = given;
+    were_plain = were_plain && !has_last_unit;
+    has_last_unit = words_of(value).size() == 2 && has_a_unit(value);
+    were_plain = were_plain && (has_last_unit || finite_number(value));
     if (values.size() > Sweep::max_cases) {
       reject_list(text, fmt::format("at most {} values", Sweep::max_cases));
     }
@@ -199,7 +200,7 @@ std::vector<std::string> swept_values(const std::string& name, const std::string
     values.insert(values.end(), expanded->begin(), expanded->end());
   }
   if (values.empty()) reject_list(text, "at least one value");
-  if (first_with_unit > 1 && first_with_unit == given) {  // as if the last unit were that of all
+  if (were_plain && has_last_unit && values.size() > 1) {  // as if it were the unit of all
     reject_list(text, "a unit behind each value, or behind none");
   }
   return values;
