@@ -30,8 +30,8 @@ EdgeElements treatment_of(const std::string& name) {
   throw std::logic_error("no such treatment: " + name);
 }
 
-/// Generalised zeta function at s = -1/2: what is left of the sum of sqrt(k + t), k >= 0, when its
-/// integral is taken off. Euler-Maclaurin, to 1e-8.
+/// Evaluates the generalised zeta function at s = -1/2 to 1e-8, by Euler-Maclaurin: the sum of
+/// sqrt(k + t), k >= 0, without the integral that makes the sum diverge.
 double zeta(double t) {
   constexpr int terms = 40;
   double sum = 0;
@@ -46,12 +46,13 @@ int steps_per_element(double step_ratio) {
 
 using Creepages = Eigen::Ref<const VectorXd>;
 
-/// Standard deviation over the mean.
+/// Returns the standard deviation over the mean.
 double deviation_of(const Creepages& w) {
   return std::sqrt((w.array() - w.mean()).square().mean()) / std::abs(w.mean());
 }
 
-/// \param creepages  of the last steps, at least two elements' travel
+/// Measures the noise of the last `steps` creepages.
+/// \param creepages  of the last steps; they cover the travel of two elements or more
 Noise noise_of(const VectorXd& creepages, int steps) {
   const VectorXd last = creepages.tail(steps);
   const double mean = last.mean();
@@ -71,6 +72,7 @@ Noise noise_of(const VectorXd& creepages, int steps) {
           .adhesion = 0};
 }
 
+/// Rolls a distance, and measures the noise of the last steps.
 /// \param step  makes a step of the given ratio and returns its creepage
 Noise roll(double distance, double step_ratio, const std::function<double(double)>& step) {
   const int steps = steps_per_element(step_ratio);
@@ -127,7 +129,7 @@ double predicted_noise(const CattaneoToCarter& rolling, const Noise& measured, d
                        double step_ratio) {
   const double a = rolling.bound.half_width();
   const double dx = rolling.grid.spacing();
-  // Displacement at a distance from a rigid strip that carries a unit force, relative to the strip.
+  // A rigid strip carries a unit force: the displacement at a distance, relative to the strip.
   const double yielding = compliance(material_of(rolling.kernel)) / std::numbers::pi *
                           std::acosh((2 - measured.adhesion) / measured.adhesion);
   const double force = std::sqrt(2 / a) * rolling.bound.peak() * dx * std::sqrt(dx);

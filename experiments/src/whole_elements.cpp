@@ -15,14 +15,15 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// An edge this close to an element's is on it: distances are sums  [dx]
+/// An edge of the contact this close to an edge of an element counts as the same place, because
+/// distances are rounded sums  [dx]
 constexpr double rounding = 1e-9;
 
-/// Number of kept elements behind the contact, which the longest step may just have left; the
+/// So many elements are kept behind the contact: the longest step may just have left them, and the
 /// previous displacement depends on them.
 constexpr Index kept = 2;
 
-/// Moves values on by some elements; new values are `entering`.
+/// Shifts values by some elements; new values are `entering`.
 template <class Vector, class Value>
 void move_on(Vector& values, Index elements, const Value& entering) {
   std::fill(std::shift_left(values.begin(), values.end(), elements), values.end(), entering);
@@ -47,7 +48,8 @@ WholeElementRolling::WholeElementRolling(const CattaneoToCarter& rolling, EdgeEl
   state_.creepage = 0;
 }
 
-/// Elements are numbered from 0 at the trailing edge where nothing has been rolled.
+/// Returns the number of the leading element. Element 0 is at the trailing edge where nothing has
+/// been rolled.
 double WholeElementRolling::leading_element(double distance) const {
   return std::ceil(static_cast<double>(elements_) + distance - rounding) - 1;
 }
