@@ -9,8 +9,8 @@ namespace microslip::experiments::speed_accuracy_study {
 
 namespace {
 
-/// Begins the message about a combination of scheme, basis and solver that no number of elements makes
-/// possible.
+/// Begins the message about a combination of scheme, basis and solver that does not exist for any
+/// number of elements.
 const std::string not_there = "does not exist: ";
 
 std::string status_of(const Attempt& attempt, double limit) {

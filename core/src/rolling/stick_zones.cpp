@@ -18,16 +18,20 @@ using std::numbers::pi;
 
 namespace {
 
-/// To an end of a zone, over its width: at the end itself there would be 0/0.
+/// The least distance to an end of a zone, over the zone's width: at the end itself there would be
+/// 0/0.
 constexpr double nearest = 1e-30;
 
-/// A Gauss point so near to a place, over the distance to the zone's end, is there.
+/// A Gauss point counts as at a place if their distance is below this fraction of the place's
+/// distance from the zone's end.
 constexpr double same = 1e-6;
 
-/// Towards an edge of the contact, where a density vanishes like a square times a logarithm.
+/// Panels are halved so often towards an edge of the contact, where the density vanishes as a
+/// square times a logarithm.
 constexpr int halvings_at_edge = 8;
 
-/// Towards a stick zone, beyond which its other end makes the density nearly singular.
+/// Returns how often panels are halved towards a stick zone, whose far end makes the density nearly
+/// singular.
 /// \param ratio  of the stick zone's width to the slip zone's
 int halvings_for(double ratio) {
   constexpr int most = 60;
@@ -88,7 +92,7 @@ double StickZones::between(std::size_t from, std::size_t to) const {
   return sum;
 }
 
-/// From the boundary behind the zone of that number, or from the leading edge.
+/// Returns the distance from a boundary: behind the zone of that number, or the leading edge.
 double StickZones::distance(const ZonePlace& place, std::size_t boundary) const {
   return boundary <= place.zone ? place.behind + between(boundary, place.zone)
                                 : place.ahead + between(place.zone + 1, boundary);
@@ -122,7 +126,7 @@ double StickZones::logarithm(const ZonePlace& place) const {
   return std::log(distance(place, 0) / distance(place, pattern_.size()));
 }
 
-/// With the measure of the angle.
+/// Returns the density of the Cauchy integral, with the measure of the angle.
 double StickZones::density(const ZonePlace& place) const {
   const double sign = static_cast<double>(pattern_.zones[place.zone]);
   double value = bound(place) * (sign + ratio_ / pi * logarithm(place)) / root(place, false);
@@ -131,7 +135,7 @@ double StickZones::density(const ZonePlace& place) const {
   return value;
 }
 
-/// Its derivative by the place, within the zone.
+/// Returns the derivative of density() by the place, within the zone.
 double StickZones::density_slope(const ZonePlace& place) const {
   const double beside = 1e-5 * std::min(place.behind, place.ahead);
   const double next = density({place.zone, place.behind + beside, place.ahead - beside});
@@ -217,8 +221,8 @@ double StickZones::force() const {
   return moment(moments()) - pi * level_ * centre / 2;
 }
 
-/// Whether the traction leaves the bound with the power 3/2: the logarithm of the ratio of the terms
-/// that have to cancel.
+/// Tells by zero whether the traction leaves the bound with the power 3/2: the value is the
+/// logarithm of the ratio of two terms that have to cancel.
 double StickZones::leading_condition(std::size_t boundary) const {
   const Sum sum = cauchy({boundary - 1, pattern_.widths[boundary - 1], 0});
   return std::log(sum.up / sum.down);

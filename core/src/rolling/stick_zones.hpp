@@ -46,7 +46,7 @@ class StickZones {
   double creepage() const;
   double force() const;
 
-  /// What widths and level have to make zero, each relative to its terms.
+  /// Returns the residuals that the right widths and level make zero, each relative to its terms.
   /// \param force  prescribed; none if the level is
   Eigen::VectorXd residuals(std::optional<double> force) const;
 

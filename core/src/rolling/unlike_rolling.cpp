@@ -93,7 +93,7 @@ class UnlikeSolution {
     return evidence;
   }
 
-  /// At the leading edge, by the tractions as line loads.
+  /// Returns the displacement at the leading edge, by the tractions as line loads.
   double displacement_at_edge() const {
     double sum = 0;
     for (std::size_t i = 0; i < zones_.pattern().size(); ++i) {
@@ -129,7 +129,7 @@ class UnlikeSolution {
     return sum;
   }
 
-  /// By the strain, which is the creepage less slip and what the pressure stretches.
+  /// Integrates the strain, which is the creepage minus the slip and the strain by the pressure.
   VectorXd displacement(const VectorXd& x) const {
     VectorXd u(x.size());
     const double w = strain_ * zones_.creepage();

@@ -217,7 +217,7 @@ const SteadyEntry& read_steady_scheme(Scene& scene) {
   return steady_scheme(chebyshev ? "chebyshev" : scene.word("leading_edge"));
 }
 
-/// Of steady rolling.
+/// The keys of the load of steady rolling.
 constexpr std::array load_keys = {"load.creepage", "load.force", "load.force_ratio",
                                   "load.stick_ratio"};
 
@@ -360,7 +360,8 @@ void warn_of_other_radius(Scene& scene, double radius) {
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator) {
   const Material material = read_material(scene);
   const ContactModel model = read_contact(scene, material, material);
-  // By itself: GCC 12 destroys a nested aggregate twice if a reader behind it throws.
+  // This is not written within the braces of the scene, because GCC 12 destroys a nested aggregate
+  // twice if a later reader throws.
   const TransientProblem contact{.kernel = model.kernel,
                                  .bound = model.bound,
                                  .grid = model.grid,
