@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "stick_zone_search.hpp"
+#include "unlike_zone_search.hpp"
 
 namespace microslip {
 
@@ -23,7 +23,7 @@ constexpr Index elements_to_begin = 401;
 /// A solution over a contact in the units of a problem.
 class UnlikeSolution {
  public:
-  UnlikeSolution(const SteadyProblem& problem, StickZones zones)
+  UnlikeSolution(const SteadyProblem& problem, UnlikeZones zones)
       : problem_(problem),
         zones_(std::move(zones)),
         a_(problem.grid.half_width()),
@@ -147,7 +147,7 @@ class UnlikeSolution {
   }
 
   const SteadyProblem& problem_;
-  StickZones zones_;
+  UnlikeZones zones_;
   double a_, peak_;
   double strain_;  ///< by the peak
 };
