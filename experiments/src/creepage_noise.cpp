@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "microslip/experiments/cut_elements.hpp"
-#include "microslip/experiments/whole_elements.hpp"
 
 namespace microslip::experiments {
 
@@ -95,24 +94,14 @@ Noise creepage_noise(const CattaneoToCarter& rolling, const std::string& treatme
                      double step_ratio) {
   const auto elements = static_cast<double>(rolling.grid.size());
   Noise noise;
-  if (treatment == "cut") {
-    CutElementRolling contact(rolling, EdgeElements::cut, elements);
+  if (treatment != "direct") {
+    CutElementRolling contact(rolling, treatment_of(treatment), elements);
     noise = roll(distance, step_ratio, [&](double length) {
       contact.step(length);
       return contact.creepage();
     });
     const auto& zones = contact.zones();
     noise.adhesion = static_cast<double>(std::count(zones.begin(), zones.end(), Zone::adhesion));
-  } else if (treatment != "direct") {
-    WholeElementRolling contact(rolling, treatment_of(treatment));
-    noise = roll(distance, step_ratio, [&](double length) {
-      contact.step(length);
-      return contact.creepage();
-    });
-    for (Index i = 0; i < contact.bound().size(); ++i) {
-      const bool sticks = contact.zones()[static_cast<std::size_t>(i)] == Zone::adhesion;
-      noise.adhesion += contact.bound()[i] > 0 && sticks ? 1 : 0;
-    }
   } else {
     TransientRolling contact(rolling.problem(Direct{}), CattaneoShift{rolling.force});
     noise = roll(distance, step_ratio, [&](double length) {
@@ -152,19 +141,12 @@ VectorXd rolled_traction(const CattaneoToCarter& rolling, const std::string& tre
                          Index distance, double step_ratio) {
   const Index n = rolling.grid.size();
   const auto elements = static_cast<double>(distance);
-  const auto roll = [&](auto contact) -> VectorXd {
-    for (double rolled = 0; rolled < elements - rounding;) {
-      const double length = std::min(step_ratio, elements - rolled);
-      contact.step(length);
-      rolled += length;
-    }
-    return contact.traction().tail(n);
-  };
   if (treatment == "direct") return rolling.rolled(Direct{}, step_ratio, elements).state().traction;
-  const EdgeElements edges = treatment_of(treatment);
-  if (edges == EdgeElements::cut)
-    return roll(CutElementRolling(rolling, edges, static_cast<double>(n)));
-  return roll(WholeElementRolling(rolling, edges));
+  CutElementRolling contact(rolling, treatment_of(treatment), static_cast<double>(n));
+  while (contact.distance() < elements - rounding) {
+    contact.step(std::min(step_ratio, elements - contact.distance()));
+  }
+  return contact.traction().tail(n);
 }
 
 }  // namespace microslip::experiments

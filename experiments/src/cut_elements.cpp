@@ -89,13 +89,17 @@ MatrixXd CutElementRolling::response(const Elements& sources, const Elements& at
   });
 }
 
+LinearOperator CutElementRolling::response(const Elements& elements) const {
+  if (treatment_ == EdgeElements::cut) return response(elements, elements);
+  return influence_operator(kernel_, constant_basis(), spacing_, size_of(elements), Solver{});
+}
+
 ContactState CutElementRolling::solve(const Elements& elements, const SlipConditions& conditions,
                                       const std::vector<Zone>& first) const {
   const VectorXd weights = VectorXd::NullaryExpr(size_of(elements), [&](Index i) {
     return elements[static_cast<std::size_t>(i)].width * spacing_;
   });
-  return ActiveSet(response(elements, elements), weights)
-      .solve(conditions, PrescribedForce{force_}, first);
+  return ActiveSet(response(elements), weights).solve(conditions, PrescribedForce{force_}, first);
 }
 
 /// Returns the present zones, for the elements of the next step.
