@@ -76,7 +76,8 @@ std::optional<double> root_from(const Guess& guess, const Function& f, unsigned 
 }
 
 /// Finds the one stick zone of a load between bodies of the same material, for any bound. Its two
-/// ends are the unknowns. Bodies of different material have several zones, see unlike_zone_search.hpp.
+/// ends are the unknowns. Bodies of different material have several zones, see
+/// unlike_zone_search.hpp.
 class StickZoneSearch {
  public:
   explicit StickZoneSearch(std::shared_ptr<const InvertedContact> contact)

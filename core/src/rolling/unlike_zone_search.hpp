@@ -19,9 +19,9 @@ struct ScaledLoad {
 ZonePattern pattern_of(const SteadySolution& solution, double half_width, double ratio);
 
 /// Finds the zones of a load between bodies of different material, by Newton's method for the ends
-/// of all zones. Where a traction is then above the bound, or slip has the wrong direction, a zone is
-/// added, until there are no such places. Zones next to an edge that are shorter than 1e-7 of the
-/// half-width do not count.
+/// of all zones. Where a traction is then above the bound, or slip has the wrong direction, a zone
+/// is added, until there are no such places. Zones next to an edge that are shorter than 1e-7 of
+/// the half-width do not count.
 /// \param pattern  the first zones
 /// \param level    the first level; if the creepage is prescribed, the level of the solution
 /// \return none if no zones meet the conditions
