@@ -3,14 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
 
+#include "measured_order.hpp"
 #include "microslip/reference/carter.hpp"
 #include "microslip/rolling/steady.hpp"
-#include "microslip/support/convergence.hpp"
 #include "microslip/thesis/edge_displacement.hpp"
 
 namespace microslip {
 namespace {
+
+using std::numbers::pi;
 
 constexpr Material material{1, 0.28};
 
@@ -45,7 +50,7 @@ double force_order(const Basis& basis, Edges edges, const std::vector<double>& s
   for (const double n : sizes) {
     errors.push_back(relative_force_error(static_cast<Eigen::Index>(n), basis, edges, edge_known));
   }
-  return fitted_order(sizes, errors);
+  return measured_order(basis.name() + " functions", sizes, errors);
 }
 
 TEST(CarterForce, IsFirstOrderOnTheThesisGrid) {
@@ -60,11 +65,33 @@ TEST(CarterForce, IsOffBy0p15PercentAt240Elements) {
   EXPECT_GT(error, 0.0014);
 }
 
-// A c = 1 scheme behaves as if the leading edge were 0.825344 dx beyond the last node (constant
+// The error in closed form, docs/theory.md. An edge that is felt e beyond its place changes Carter's
+// force by pi e sqrt(a') (1 - sqrt(a')) at a constant creepage. The midpoint rule makes the force of
+// sqrt(2 d) at the trailing edge larger by sqrt(2) zeta(-1/2, 1/2) dx^(3/2), of which the part
+// sqrt(1 - a') remains when the stick-slip point has moved. What is left is of second order.
+TEST(CarterForce, ErrorIsThatOfTheShiftedEdgeAndOfTheMidpointRule) {
+  constexpr double stick = 0.6;
+  constexpr double zeta = 0.060888452;  // (1/sqrt(2) - 1) zeta(-1/2)
+  for (const auto& [basis, felt] :
+       {std::pair{constant_basis(), 0.825347}, std::pair{linear_basis(), 0.884948}}) {
+    std::vector<double> sizes = {60, 120, 240, 480, 960}, unexplained;
+    for (const double n : sizes) {
+      const double dx = 2 / n, force = pi / 2 * (1 - stick * stick);
+      const double by_edge = pi * (felt - 0.5) * dx * std::sqrt(stick) * (1 - std::sqrt(stick));
+      const double by_rule = std::sqrt(2 * (1 - stick)) * zeta * std::pow(dx, 1.5);
+      const double error = relative_force_error(static_cast<Eigen::Index>(n), basis, {});
+      unexplained.push_back(error - (by_edge + by_rule) / force);
+    }
+    EXPECT_NEAR(measured_order(basis.name() + " functions", sizes, unexplained), 2, 0.05);
+    EXPECT_LT(std::abs(unexplained.back()), 1e-6);
+  }
+}
+
+// A c = 1 scheme behaves as if the leading edge were 0.825347 dx beyond the last node (constant
 // basis); the midpoint sum at the trailing edge wants 0.656936 dx. On the grid that has its edges
 // there, the leading edge being the cause of first order, order 2 must come out, and does.
 TEST(CarterForce, IsSecondOrderWhereTheSchemeFeelsTheEdges) {
-  const Edges edges{.leading = 0.825344, .trailing = 0.656936};
+  const Edges edges{.leading = 0.825347, .trailing = 0.656936};
   EXPECT_NEAR(force_order(constant_basis(), edges, {15, 30, 60, 120, 240}), 2, 0.1);
 }
 
