@@ -2,6 +2,7 @@
 // Orders of convergence in steady rolling against Carter, stick ratio 0.6, plane strain, c = 1.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -100,6 +101,47 @@ TEST(CarterForce, IsSecondOrderWhereTheSchemeFeelsTheEdges) {
 TEST(CarterForce, IsOfOrderThreeHalvesWithTheEdgeDisplacementKnown) {
   for (const Basis& basis : {constant_basis(), linear_basis()}) {
     EXPECT_NEAR(force_order(basis, {}, {15, 30, 60, 120, 240, 480}, true), 1.5, 0.1);
+  }
+}
+
+/// Of the creepage under a part of full sliding, by elements that are laid where the edges are felt;
+/// the largest of five alignments of the stick-slip point.
+double creepage_error(double n, double ratio) {
+  const HertzBound bound(1, 1);
+  const double force = -ratio * bound.total();
+  const double exact = Carter::from_force(material, bound, force).creepage();
+  double largest = 0;
+  for (const Eigen::Index more : {0, 1, 2, 3, 4}) {
+    const Eigen::Index elements = static_cast<Eigen::Index>(n) + more;
+    const SteadyProblem problem{.kernel = PlaneKernel(material, 1),
+                                .bound = bound,
+                                .grid = Grid({.half_width = 1, .elements = elements}),
+                                .basis = constant_basis(),
+                                .method = Calibrated{},
+                                .load = PrescribedForce{force}};
+    largest = std::max(largest, std::abs(solve_steady(problem).creepage / exact - 1));
+  }
+  return largest;
+}
+
+TEST(CalibratedCreepage, IsSecondOrderWhereTheSlipZoneIsLongOrNone) {
+  const std::vector<double> sizes = {25, 50, 100, 200, 400};
+  for (const double ratio : {1e-7, 0.3, 0.64, 0.9}) {
+    std::vector<double> errors;
+    for (const double n : sizes) errors.push_back(creepage_error(n, ratio));
+    const double order = measured_order(fmt::format("{:g} of full sliding", ratio), sizes, errors);
+    EXPECT_NEAR(order, 2, 0.2) << ratio;
+  }
+}
+
+// A stick-slip point within the first element is not seen.
+TEST(CalibratedCreepage, IsFirstOrderWhereTheSlipZoneIsAsLongAsAnElement) {
+  for (const double n : {50., 100., 200.}) {
+    double largest = 0;
+    for (double ratio = 1e-5; ratio < 0.3; ratio *= 1.3) {
+      largest = std::max(largest, creepage_error(n, ratio));
+    }
+    EXPECT_NEAR(largest * n, 0.24, 0.03) << n;
   }
 }
 
