@@ -109,6 +109,9 @@ class Formulas(unittest.TestCase):
                     self.assertNotIn("|", formula)
         self.assertGreater(seen, 100)
 
+    def test_have_no_macro_that_a_forge_refuses(self):
+        self.assertNotRegex(text_of(THEORY), r"\\(operatorname|newcommand|def|label|ref|href|class)\b")
+
     def test_of_blocks_are_closed(self):
         fences = re.findall(r"^```(\w*)$", text_of(THEORY), re.MULTILINE)
         self.assertGreater(len(fences), 20)
