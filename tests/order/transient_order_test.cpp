@@ -144,5 +144,17 @@ TEST(TransientOrder, CattaneoShiftIsSecondOrderOnElements) {
   EXPECT_LT(std::abs(errors.back()), 4e-6);
 }
 
+// The slip zone at the leading edge is shorter than an element, and has a part of its effect.
+TEST(TransientOrder, CattaneoShiftOfASmallForceIsUpToATenThousandthTooSmall) {
+  const double small = -0.01 * std::numbers::pi / 2;
+  const Cattaneo exact(material, HertzBound(1, 1), small);
+  for (const Eigen::Index n : {20, 40, 80}) {
+    TransientRolling rolling = rolling_on(n, Remembered{});
+    const double shift = -rolling.start_from_shift({small}) / exact.displacement(length);
+    EXPECT_LT(shift, 1 - 4e-5) << n;
+    EXPECT_GT(shift, 1 - 1e-4) << n;
+  }
+}
+
 }  // namespace
 }  // namespace microslip
