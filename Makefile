@@ -14,7 +14,7 @@ STUDIES := $(patsubst studies/%/study.info,%,$(wildcard studies/*/study.info))
 SOURCES = $(shell find core thesis capi python experiments program apps studies bench examples tests tools fuzz \
   -name '*.[ch]pp' -o -name '*.[ch]')
 
-.PHONY: help deps build install package docs figures report quick bench test verify references coverage mutants sanitize fuzz keep-corpus \
+.PHONY: help deps build install package docs figures report quick bench test verify references accuracy coverage mutants sanitize fuzz keep-corpus \
   format check-format clean $(STUDIES)
 
 help:
@@ -26,6 +26,7 @@ help:
 	@echo 'make test         build and run all tests'
 	@echo 'make verify       two clean builds: the same bytes; these, and other instructions and compilers: agreement with tests/reference_tables'
 	@echo 'make references   make the tables of this build those of tests/reference_tables'
+	@echo 'make accuracy     the orders that the tests measure, into docs/accuracy.md'
 	@echo 'make coverage     the lines of core that the tests run; at least 95 %'
 	@echo 'make mutants      which test fails for each change of tests/mutants.tsv; MUTANTS="NAME ..." for some'
 	@echo 'make sanitize     the tests of units and of the C interface, and the corpus, under the address and undefined-behaviour sanitizers'
@@ -121,6 +122,10 @@ references: deps
 	rm -rf build/references
 	tools/quick_tables.sh $(BUILD)/bin build/references $(JOBS)
 	$(BUILD)/bin/compare_tables --update build/references tests/reference_tables
+
+accuracy: deps
+	@$(call cmake_build,release,--target order_tests)
+	@tools/accuracy.py $(BUILD)/bin/order_tests
 
 # Tests of studies assert other things and would run for minutes; those of faults kill programs that
 # write their counts, and let them run out of disk.

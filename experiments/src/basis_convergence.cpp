@@ -15,8 +15,8 @@ namespace microslip::experiments {
 
 namespace {
 
-/// A basis for the displacements, and the one whose weights integrate the traction. They differ for
-/// (B.30): its slip is in the influence coefficients, while the traction is that of (B.7).
+/// A basis for the displacements, and a basis whose weights integrate the traction. The two differ
+/// for (B.30), whose slip is in the influence coefficients, while the traction is that of (B.7).
 struct Variant {
   Basis basis;
   Basis traction;

@@ -9,9 +9,9 @@ namespace microslip::experiments {
 
 using std::numbers::pi;
 
-/// A bristle that sticks at x entered the contact a distance a - x ago, at the former position of
-/// the edge, and has been stretched since then according to the compliance at each moment. Bristles
-/// stick from b on: with r = w a / (compliance mu p0), b/a = (r^2 - 1)/(r^2 + 1).
+/// Derivation: a bristle that sticks at x entered the contact a distance a - x ago, at the former
+/// position of the edge, and has been stretched since then according to the compliance at each
+/// moment. Bristles stick from b on: with r = w a / (compliance mu p0), b/a = (r^2 - 1)/(r^2 + 1).
 std::complex<double> Bristles::force_by_normal_load(double wavelength) const {
   const double a = bound.half_width();
   const double rate = creepage / compliance;

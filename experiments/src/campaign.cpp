@@ -63,8 +63,8 @@ Rolled roll(const CattaneoToCarter& start, const AdvectionScheme& scheme, double
 
 namespace {
 
-/// Expected operations of a run, extrapolated from smaller runs: with the growth between the last
-/// two runs, at least as N; from a single run, as N^2.
+/// Extrapolates the operations of a run from smaller runs: with the growth between the last two
+/// runs, at least as N; from a single run, as N^2.
 double expected_work(const std::vector<double>& sizes, const std::vector<double>& work,
                      double elements) {
   if (work.empty()) return 0;
@@ -113,7 +113,7 @@ Attempt Runs::run(double size, const std::function<void()>& solve) {
 
 /// Measures processor time, so that other processes do not count.
 void Runs::measure(const std::function<void()>& solve, Attempt& attempt) const {
-  constexpr double long_run = 2;  // [s], which is not repeated
+  constexpr double long_run = 2;  // [s]; a longer run is not repeated
   double total = 0;
   do {
     const WorkCount count;

@@ -47,7 +47,7 @@ struct Compared {
 
 Compared compared(const SteadyProblem& problem, const Truth& truth);
 
-/// A Cattaneo shift after rolling, and the creep on the way.
+/// A run from a Cattaneo shift on: the tractions at its end, and the creep on the way.
 struct Rolled {
   Eigen::VectorXd x;
   Eigen::VectorXd traction;  ///< absolute values at the nodes
@@ -63,8 +63,8 @@ Rolled roll(const CattaneoToCarter& start, const AdvectionScheme& scheme, double
 enum class Status {
   ok,
   refused,      ///< as bad input
-  no_solution,  ///< it did not converge
-  not_run       ///< it would take too long
+  no_solution,  ///< no convergence
+  not_run       ///< expected to take too long
 };
 
 /// ok, refused, no_solution or not_run
@@ -79,13 +79,13 @@ struct Attempt {
   double time = not_given;  ///< of the processor for a solution, least of the repeats  [s]
 };
 
-/// Runs of one scheme on one case that differ in N, from few to many.
+/// The runs of one scheme on one case, from few elements to many.
 class Runs {
  public:
   struct Limits {
     double operations;     ///< a run that is expected to take more is left out
-    double repeats = 0;    ///< a run is repeated until it has taken so long in all  [s]
-    double solutions = 1;  ///< in a run
+    double repeats = 0;    ///< a run is repeated until all repeats have taken so long  [s]
+    double solutions = 1;  ///< number of solutions in a run
   };
 
   explicit Runs(const Limits& limits) : limits_(limits) {}

@@ -38,7 +38,8 @@ std::vector<Column> columns() {
           {"figure", "1", "name of the figure that shows it, or none"}};
 }
 
-/// \param rounding  up to which the measured value is nothing else, or 0
+/// Adds a row to the claims.
+/// \param rounding  a measured value up to this is rounding only; 0 if none is
 void add(Table& claims, std::vector<Cell> row, double rounding) {
   if (rounding > 0) {
     claims.add(std::move(row), {measured_value, rounding});

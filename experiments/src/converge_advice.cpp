@@ -13,7 +13,7 @@ namespace microslip::experiments {
 
 namespace {
 
-/// Two digits: "180 us".
+/// Writes a time with two digits: "180 us".
 std::string duration(double seconds) {
   const auto [unit, name] = seconds >= 1      ? std::pair(1.0, "s")
                             : seconds >= 1e-3 ? std::pair(1e-3, "ms")
@@ -35,11 +35,11 @@ std::string cost(const Candidate& one, bool steady) {
 }
 
 struct Accurate {
-  std::vector<Candidate> found;   ///< the least N of each scheme; the cheapest first
+  std::vector<Candidate> found;   ///< each accurate scheme with its least N; the cheapest first
   std::vector<Candidate> others;  ///< schemes that are not as accurate, with their largest N
 };
 
-/// From the least N on, errors are at most that.
+/// Finds the least N of each scheme from which on all errors are at most `error`.
 Accurate accurate(const std::vector<Candidate>& candidates, double error) {
   Accurate all;
   for (auto of = candidates.begin(); of != candidates.end();) {

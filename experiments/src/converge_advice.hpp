@@ -22,14 +22,14 @@ struct Candidate {
 
 struct Wanted {
   double error;                     ///< relative
-  std::optional<double> step_time;  ///< that the longest step may last  [s]
-  std::string quantity;             ///< that the error is of
+  std::optional<double> step_time;  ///< the longest step may last so long  [s]
+  std::string quantity;             ///< whose error is meant
   bool steady;
   double reference_error;
 };
 
-/// A line of text for each wish. Each scheme enters with the least N from which on its errors are
-/// small enough.
+/// Writes a line of text for each wish. Each scheme enters with the least N from which on its
+/// errors are small enough.
 Table advice(const std::vector<Candidate>& candidates, const Wanted& wanted);
 
 }  // namespace microslip::experiments

@@ -26,17 +26,17 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// A solution, as far as errors are about it.
+/// The part of a solution that errors are measured of.
 struct Outcome {
-  VectorXd distance;  ///< at the start and after each step; 0 of steady rolling  [mm]
-  /// The force; or under a force the creepage, in transients the creep until then.
+  VectorXd distance;  ///< at the start and after each step; steady rolling has one, 0  [mm]
+  /// The force; if the force is prescribed, the creepage, and in transients the creep so far.
   VectorXd answer;
   VectorXd x;
   VectorXd traction;        ///< at the end  [N/mm^2]
-  double lost = 0;          ///< energy  [N/mm or N]
-  double longest_step = 0;  ///< of all but the first  [s]
+  double lost = 0;          ///< dissipated energy  [N/mm or N]
+  double longest_step = 0;  ///< time of the longest step except for the first  [s]
 
-  /// Steps of a transient; 1 of steady rolling.
+  /// Counts the steps of a transient; steady rolling counts as one step.
   double steps() const { return std::max(1.0, static_cast<double>(distance.size() - 1)); }
 };
 
@@ -103,7 +103,7 @@ Errors errors_of(const Outcome& outcome, const Outcome& exact) {
       std::abs(outcome.lost / exact.lost - 1)};
 }
 
-/// A scheme, as what a scene sets to choose it.
+/// A scheme, with the settings of a scene that choose it.
 struct Contestant {
   std::string name;
   std::vector<std::string> settings;
@@ -146,7 +146,7 @@ struct Reference {
   double error;  ///< of the answer, estimate
 };
 
-/// Ten digits of steady rolling, if there are.
+/// Solves steady rolling by inversion to ten digits, if the inversion can solve the problem.
 std::optional<Reference> inverted(const ConvergeScene& converge, Index elements) {
   constexpr double of_inversion = 1e-10;
   try {
@@ -158,7 +158,7 @@ std::optional<Reference> inverted(const ConvergeScene& converge, Index elements)
   }
 }
 
-/// The default scheme of those by elements.
+/// Returns the default one of the schemes by elements.
 Contestant second_order(bool steady) {
   const std::vector<Contestant> all = contestants_for(steady);
   return *std::ranges::find_if(all, &Contestant::by_elements);
@@ -166,7 +166,7 @@ Contestant second_order(bool steady) {
 
 Index reference_elements(const ConvergeScene& converge) { return 4 * converge.elements.back() + 3; }
 
-/// The scheme of that name, with as many nodes shown.
+/// Solves by the scheme chebyshev, sampled at as many nodes as given.
 Reference by_chebyshev(const ConvergeScene& converge, Index nodes) {
   constexpr double of_chebyshev = 1e-10;
   const std::vector<Contestant> all = contestants_for(true);

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "microslip/experiments/cut_elements.hpp"
-#include "microslip/experiments/whole_elements.hpp"
 
 namespace microslip::experiments {
 
@@ -30,8 +29,8 @@ EdgeElements treatment_of(const std::string& name) {
   throw std::logic_error("no such treatment: " + name);
 }
 
-/// Generalised zeta function at s = -1/2: what is left of the sum of sqrt(k + t), k >= 0, when its
-/// integral is taken off. Euler-Maclaurin, to 1e-8.
+/// Evaluates the generalised zeta function at s = -1/2 to 1e-8, by Euler-Maclaurin: the sum of
+/// sqrt(k + t), k >= 0, without the integral that makes the sum diverge.
 double zeta(double t) {
   constexpr int terms = 40;
   double sum = 0;
@@ -46,12 +45,13 @@ int steps_per_element(double step_ratio) {
 
 using Creepages = Eigen::Ref<const VectorXd>;
 
-/// Standard deviation over the mean.
+/// Returns the standard deviation over the mean.
 double deviation_of(const Creepages& w) {
   return std::sqrt((w.array() - w.mean()).square().mean()) / std::abs(w.mean());
 }
 
-/// \param creepages  of the last steps, at least two elements' travel
+/// Measures the noise of the last `steps` creepages.
+/// \param creepages  of the last steps; they cover the travel of two elements or more
 Noise noise_of(const VectorXd& creepages, int steps) {
   const VectorXd last = creepages.tail(steps);
   const double mean = last.mean();
@@ -71,6 +71,7 @@ Noise noise_of(const VectorXd& creepages, int steps) {
           .adhesion = 0};
 }
 
+/// Rolls a distance, and measures the noise of the last steps.
 /// \param step  makes a step of the given ratio and returns its creepage
 Noise roll(double distance, double step_ratio, const std::function<double(double)>& step) {
   const int steps = steps_per_element(step_ratio);
@@ -93,24 +94,14 @@ Noise creepage_noise(const CattaneoToCarter& rolling, const std::string& treatme
                      double step_ratio) {
   const auto elements = static_cast<double>(rolling.grid.size());
   Noise noise;
-  if (treatment == "cut") {
-    CutElementRolling contact(rolling, EdgeElements::cut, elements);
+  if (treatment != "direct") {
+    CutElementRolling contact(rolling, treatment_of(treatment), elements);
     noise = roll(distance, step_ratio, [&](double length) {
       contact.step(length);
       return contact.creepage();
     });
     const auto& zones = contact.zones();
     noise.adhesion = static_cast<double>(std::count(zones.begin(), zones.end(), Zone::adhesion));
-  } else if (treatment != "direct") {
-    WholeElementRolling contact(rolling, treatment_of(treatment));
-    noise = roll(distance, step_ratio, [&](double length) {
-      contact.step(length);
-      return contact.creepage();
-    });
-    for (Index i = 0; i < contact.bound().size(); ++i) {
-      const bool sticks = contact.zones()[static_cast<std::size_t>(i)] == Zone::adhesion;
-      noise.adhesion += contact.bound()[i] > 0 && sticks ? 1 : 0;
-    }
   } else {
     TransientRolling contact(rolling.problem(Direct{}), CattaneoShift{rolling.force});
     noise = roll(distance, step_ratio, [&](double length) {
@@ -127,7 +118,7 @@ double predicted_noise(const CattaneoToCarter& rolling, const Noise& measured, d
                        double step_ratio) {
   const double a = rolling.bound.half_width();
   const double dx = rolling.grid.spacing();
-  // Displacement at a distance from a rigid strip that carries a unit force, relative to the strip.
+  // A rigid strip carries a unit force: the displacement at a distance, relative to the strip.
   const double yielding = compliance(material_of(rolling.kernel)) / std::numbers::pi *
                           std::acosh((2 - measured.adhesion) / measured.adhesion);
   const double force = std::sqrt(2 / a) * rolling.bound.peak() * dx * std::sqrt(dx);
@@ -150,19 +141,12 @@ VectorXd rolled_traction(const CattaneoToCarter& rolling, const std::string& tre
                          Index distance, double step_ratio) {
   const Index n = rolling.grid.size();
   const auto elements = static_cast<double>(distance);
-  const auto roll = [&](auto contact) -> VectorXd {
-    for (double rolled = 0; rolled < elements - rounding;) {
-      const double length = std::min(step_ratio, elements - rolled);
-      contact.step(length);
-      rolled += length;
-    }
-    return contact.traction().tail(n);
-  };
   if (treatment == "direct") return rolling.rolled(Direct{}, step_ratio, elements).state().traction;
-  const EdgeElements edges = treatment_of(treatment);
-  if (edges == EdgeElements::cut)
-    return roll(CutElementRolling(rolling, edges, static_cast<double>(n)));
-  return roll(WholeElementRolling(rolling, edges));
+  CutElementRolling contact(rolling, treatment_of(treatment), static_cast<double>(n));
+  while (contact.distance() < elements - rounding) {
+    contact.step(std::min(step_ratio, elements - contact.distance()));
+  }
+  return contact.traction().tail(n);
 }
 
 }  // namespace microslip::experiments

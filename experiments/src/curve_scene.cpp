@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* creepages_key = "curve.creepages";
 
-/// The contact of what rolls otherwise.
+/// Returns the contact of a transient problem as a problem of steady rolling.
 SteadyProblem contact_of(const TransientProblem& problem) {
   return {.kernel = problem.kernel,
           .bound = problem.bound,
@@ -45,7 +45,7 @@ SteadyProblem read_contact_of_curve(Scene& scene) {
                                          : std::get<CylinderScene>(model).contact);
 }
 
-/// Ranges and units as in a sweep.
+/// Reads creepages with the ranges and units of a sweep.
 std::vector<double> read_creepages(Scene& scene) {
   if (!scene.has(creepages_key)) return {};
   std::string expanded;
@@ -68,7 +68,7 @@ SteadySolution solved(SteadyProblem problem, const Load& load) {
   return solution;
 }
 
-/// At a creepage, which a message about a missing solution names.
+/// Solves at a creepage. The message about a missing solution names the creepage.
 SteadySolution solved_at(const SteadyProblem& problem, double creepage) {
   try {
     return solved(problem, PrescribedCreepage{creepage});
@@ -77,13 +77,13 @@ SteadySolution solved_at(const SteadyProblem& problem, double creepage) {
   }
 }
 
-/// Up to two digits.
+/// Rounds up to two digits.
 double rounded_up(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
   return std::ceil(value / unit * (1 - 1e-12)) * unit;
 }
 
-/// A creepage at which all slides, by some margin.
+/// Returns a creepage at which the whole contact slides, with some margin.
 double beyond_sliding(const SteadyProblem& problem) {
   constexpr double almost_all = 0.999, margin = 1.25;
   const double most = full_sliding_force(problem.bound);
@@ -102,7 +102,7 @@ std::vector<double> creepages_of(const CurveScene& scene) {
   return creepages;
 }
 
-/// |dF/dw| where nothing slips yet.
+/// Returns |dF/dw| at a creepage so small that nothing slips.
 double slope_without_creepage(const SteadyProblem& problem, double largest) {
   constexpr double small = 1e-9;
   const double creepage = small * largest;

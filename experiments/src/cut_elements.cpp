@@ -15,10 +15,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// An edge this close to an element's is on it: distances are sums  [dx]
+/// An edge of the contact this close to an edge of an element counts as the same place, because
+/// distances are rounded sums  [dx]
 constexpr double rounding = 1e-9;
 
-/// Narrower parts are left out  [dx]
+/// Cut elements narrower than this are left out  [dx]
 constexpr double narrowest = 1e-6;
 
 Index size_of(const auto& elements) { return static_cast<Index>(elements.size()); }
@@ -88,16 +89,20 @@ MatrixXd CutElementRolling::response(const Elements& sources, const Elements& at
   });
 }
 
+LinearOperator CutElementRolling::response(const Elements& elements) const {
+  if (treatment_ == EdgeElements::cut) return response(elements, elements);
+  return influence_operator(kernel_, constant_basis(), spacing_, size_of(elements), Solver{});
+}
+
 ContactState CutElementRolling::solve(const Elements& elements, const SlipConditions& conditions,
                                       const std::vector<Zone>& first) const {
   const VectorXd weights = VectorXd::NullaryExpr(size_of(elements), [&](Index i) {
     return elements[static_cast<std::size_t>(i)].width * spacing_;
   });
-  return ActiveSet(response(elements, elements), weights)
-      .solve(conditions, PrescribedForce{force_}, first);
+  return ActiveSet(response(elements), weights).solve(conditions, PrescribedForce{force_}, first);
 }
 
-/// Those of now, for the elements of the next step.
+/// Returns the present zones, for the elements of the next step.
 std::vector<Zone> CutElementRolling::zones_at(const Elements& next) const {
   std::vector<Zone> zones;
   for (const Element& element : next) {

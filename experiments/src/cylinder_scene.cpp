@@ -17,10 +17,11 @@ namespace {
 
 constexpr int most_steps = 1000000;
 
-/// Errors of an energy balance up to this part of the energy turned over are nothing but rounding.
+/// An error of the energy balance up to this fraction of the energy turned over is rounding only.
 constexpr double relative_rounding = 1e-12;
 
-/// Near rest, a small slope takes more steps than the distance tells.
+/// Refuses more steps than a run may have: near rest, a small slope takes more steps than the
+/// distance suggests.
 void require_few_steps(const RollingCylinder& body, const CylinderScene& scene) {
   const double steps = body.steps_from_start(scene.distance);
   require(steps <= most_steps, "cylinder.slope_force", scene.cylinder.slope_force, [&] {
@@ -32,7 +33,7 @@ void require_few_steps(const RollingCylinder& body, const CylinderScene& scene) 
   });
 }
 
-/// What the slope does on the way, and what it starts with  [N]
+/// Adds the work of the slope on the way to the kinetic energy at the start  [N]
 double energy_turned_over(const Cylinder& body, double distance) {
   const double angular_velocity = body.velocity / body.radius;
   return body.slope_force * distance + body.mass * body.velocity * body.velocity / 2 +

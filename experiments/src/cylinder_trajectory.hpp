@@ -14,12 +14,13 @@ struct Trajectory {
   double contact_steps;    ///< solved
 };
 
-/// By the cubics between steps that have the rates too: their error is of fourth order.
+/// Rolls a cylinder, and interpolates its motion by the cubics that fit values and rates at the
+/// ends of each step: the error is of fourth order.
 /// \param cylinder  that rolls
 /// \param times     ascending, > 0  [s]
 Trajectory trajectory(RollingCylinder body, const Cylinder& cylinder, const Eigen::VectorXd& times);
 
-/// Root of mean square of each of the three, over the value at the end.
+/// Returns the root of the mean square of each of the three errors, over the value at the end.
 Eigen::Array3d errors_of(const Trajectory& coarse, const Trajectory& fine);
 
 }  // namespace microslip::experiments

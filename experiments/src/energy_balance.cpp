@@ -127,7 +127,7 @@ void add_energy(Table& table, const Named& named, const RollingCylinder& body) {
              e.rotation, e.elastic, e.end_dissipated, e.end_total(), e.dissipated, e.total()});
 }
 
-/// Times between one braking maximum of the force and the next.
+/// Returns the times between one braking maximum of the force and the next.
 std::vector<double> force_periods(const Table& motion) {
   std::vector<double> maxima;
   for (std::size_t i = 1; i + 1 < motion.rows(); ++i) {
@@ -141,7 +141,7 @@ std::vector<double> force_periods(const Table& motion) {
   return periods;
 }
 
-/// The motion shown, with snapshots and energies. Returns the period on a contact that sticks.
+/// Adds the motion with snapshots and energies. Returns the period on a contact that sticks.
 double add_motion(Tables& tables, const Parameters& p) {
   const double radius = p.scene.cylinder.radius;
   const Index elements = p.scene.contact.grid.size();
@@ -199,7 +199,7 @@ void add_energy_errors(Tables& tables, const Parameters& p, const Progress& prog
 
 Eigen::VectorXd times_to(double end) { return Eigen::VectorXd::LinSpaced(200, end / 200, end); }
 
-/// The time at which a body with the shown grid has rolled a distance.
+/// Returns the time at which a body with the shown grid has rolled a distance.
 double time_of(const Parameters& p, double distance) {
   RollingCylinder body =
       cylinder_on(p, p.scene.contact.grid.size(), Remembered{}, Integrator::verlet);
@@ -232,7 +232,7 @@ void add_motion_errors(Tables& tables, const Parameters& p) {
   }
 }
 
-/// On the grid shown, over the distance shown.
+/// Adds what the control of steps gains, on the shown grid over the shown distance.
 void add_step_control(Tables& tables, const Parameters& p) {
   const Eigen::VectorXd times = times_to(time_of(p, p.scene.distance));
   const auto rolled = [&](double step_ratio, std::optional<double> tolerance) {
@@ -251,8 +251,8 @@ void add_step_control(Tables& tables, const Parameters& p) {
   for (const double tolerance : p.tolerances) add("tolerance", p.step_ratios.front(), tolerance);
 }
 
-/// Ratio of the number of equal steps with the error of the smallest tolerance to the number of
-/// steps by tolerance; the error falls with the square of the number of equal steps.
+/// Divides the number of equal steps that reach the error of the smallest tolerance by the number
+/// of steps by tolerance. The error falls with the square of the number of equal steps.
 double saved_by_tolerance(const Parameters& p, const Table& control) {
   const auto square_root_error = [&](std::size_t row) {
     return std::sqrt(control.number(row, "velocity_error"));
@@ -267,8 +267,8 @@ double order_of(const Tables& tables, const Named& named, const std::string& qua
       {{"scheme", named.name}, {"integrator", named.integrator}, {"quantity", quantity}}, "order");
 }
 
-/// Order of the energy balance with tractions at the end of each step, over the last three of n
-/// rows.
+/// Fits the order of the energy balance with tractions at the end of each step, to the last three
+/// of n rows.
 double end_order_on_fine_grids(const Table& errors, std::size_t first, std::size_t n) {
   std::vector<double> sizes, values;
   for (std::size_t row = first + n - 3; row < first + n; ++row) {

@@ -17,7 +17,8 @@ using namespace extremes_study;
 
 namespace {
 
-/// \param steps  its table
+/// Judges the claims.
+/// \param steps  the table of the map of steps
 Table claims_of(const Table& steps, const ExtremesParameters& p) {
   const auto wiggle = [&](double step_ratio) {
     return steps.latest({{"scheme", "standard"},

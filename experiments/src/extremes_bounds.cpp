@@ -33,7 +33,7 @@ TractionBound table_of(double half_width, const VectorXd& places, const VectorXd
   return TabulatedBound(half_width, half_width * places, values);
 }
 
-/// In the order of the coordinate `bound`.
+/// Lists bounds in the order of the coordinate `bound`.
 std::vector<TractionBound> bounds(const HertzBound& hertz) {
   const double a = hertz.half_width();
   const double peak = hertz.peak();
@@ -42,7 +42,8 @@ std::vector<TractionBound> bounds(const HertzBound& hertz) {
           PolynomialBound(a, peak, Eigen::Vector3d(0.05, 0, 1))};
 }
 
-/// The creepage: by inversion with finer quadratures, or by as many elements as give four digits.
+/// Returns the creepage: by inversion with finer quadratures, or by so many elements that four
+/// digits are right.
 double truth_of(const Kernel& kernel, const TractionBound& bound, const Load& load) {
   constexpr double finer = 2;
   constexpr Index elements = 4001;
@@ -70,7 +71,7 @@ Finding solve(const SteadyProblem& problem, double truth) {
 }  // namespace
 
 Map bounds_map(const ExtremesParameters& p) {
-  // Rounding: what the tolerance of the solver leaves of many elements.
+  // Rounding is the error that the tolerance of the solver leaves with many elements.
   Map map{
       "bounds",
       "steady rolling in plane strain, bounds that are not smooth, under small and large forces",

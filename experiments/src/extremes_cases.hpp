@@ -14,7 +14,7 @@ namespace microslip::experiments::extremes_study {
 
 /// Errors of a result at an extreme.
 struct Finding {
-  double error = not_given;   ///< of what is not prescribed, or of the force; relative  [1]
+  double error = not_given;   ///< relative, of a result that is not prescribed  [1]
   double wiggle = not_given;  ///< see wiggle_of()  [1]
   double condition = not_given;
   Evidence evidence;
@@ -31,7 +31,7 @@ struct Case {
   std::string scheme;
   std::vector<double> place;  ///< coordinates
   double size;                ///< N
-  bool goes_on = false;       ///< the one before is the same with fewer elements
+  bool goes_on = false;       ///< whether the case before is the same with fewer elements
   std::function<Finding()> solve;
 };
 
@@ -41,7 +41,7 @@ struct Outcome {
   Finding finding;
   /// ok, wiggles, inaccurate, refused (bad input), no_solution, or not_run (too much work)
   std::string verdict;
-  std::string message;  ///< of what was thrown
+  std::string message;  ///< of the exception
 };
 
 /// A set of cases in one table.
@@ -53,23 +53,24 @@ struct Map {
   /// from the others.
   std::vector<double> ordinary;
   std::vector<Case> cases;
-  double rounding = 1e-12;  ///< an error up to this is nothing but rounding
+  double rounding = 1e-12;  ///< an error up to this is rounding only
 };
 
 /// Runs a case.
-/// \param smaller  the same with fewer elements
+/// \param smaller  runs of the same case with fewer elements
 Outcome outcome_of(Runs& smaller, const Case& at, const ExtremesParameters::Limits& limits);
 
 Table table_of(const Map& map, const std::vector<Outcome>& outcomes);
 
-/// Where each scheme is safe: a row a scheme and coordinate.
+/// Makes an empty table of the ranges in which each scheme is safe: a row for each scheme and
+/// coordinate.
 Table empty_ranges();
 
-/// Adds the ranges of one map: with all other coordinates ordinary, from the ordinary value on up
-/// to the last case before one fails.
+/// Adds the ranges of one map. A range goes along one coordinate, while the others are ordinary,
+/// from the ordinary value to the last case before one fails.
 void add_ranges(Table& ranges, const Map& map, const std::vector<Outcome>& outcomes);
 
-// The maps.
+// These functions make the maps.
 Map steps_map(const ExtremesParameters& p);
 Map widths_map(const ExtremesParameters& p);
 Map loads_map(const ExtremesParameters& p);
@@ -79,7 +80,7 @@ Map transient_map(const ExtremesParameters& p);
 Map endurance_map(const ExtremesParameters& p);
 Map cylinder_map(const ExtremesParameters& p);
 
-/// The table of errors of scale invariance.
+/// Measures the errors of scale invariance.
 Table scales_table(const ExtremesParameters& p);
 
 }  // namespace microslip::experiments::extremes_study

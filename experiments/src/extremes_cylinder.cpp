@@ -26,8 +26,8 @@ const std::array<Scheme, 4> schemes{{{"midpoint", Remembered{}, Integrator::midp
                                      {"leapfrog", Remembered{}, Integrator::leapfrog},
                                      {"direct_midpoint", Direct{}, Integrator::midpoint}}};
 
-/// A solid body of the mass 1, ten times as large as the contact. Other masses are other units of
-/// time.
+/// Makes a solid body of the mass 1, ten times as large as the contact. Another mass would only
+/// change the unit of time.
 RollingCylinder body_on(const ExtremesParameters& p, const Scheme& scheme, Index elements,
                         double slope_ratio, double step_ratio) {
   const double radius = 10 * p.bound.half_width();
@@ -45,12 +45,12 @@ RollingCylinder body_on(const ExtremesParameters& p, const Scheme& scheme, Index
 }
 
 struct Roll {
-  double velocity = 0;  ///< where the distance has been rolled  [mm/s]
-  double missed = 0;    ///< by the balance of energy, over what gravity has done
+  double velocity = 0;  ///< after the distance  [mm/s]
+  double missed = 0;    ///< error of the balance of energy, over the work of gravity
   WorstOfSteps worst;
 };
 
-/// Rolls over three contact widths. The square of the velocity is linear within a step.
+/// Rolls over three contact widths. The square of the velocity is taken as linear within a step.
 Roll roll(const ExtremesParameters& p, RollingCylinder body) {
   const double distance = 6 * p.bound.half_width();
   Roll rolled;
@@ -68,7 +68,7 @@ Roll roll(const ExtremesParameters& p, RollingCylinder body) {
   }
 }
 
-/// The velocity by finer elements and steps.
+/// The velocity, computed with finer elements and steps.
 class CylinderTruth {
  public:
   explicit CylinderTruth(const ExtremesParameters& p) : p_(p) {}

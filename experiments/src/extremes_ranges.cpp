@@ -9,10 +9,11 @@ namespace microslip::experiments::extremes_study {
 
 namespace {
 
-/// Places of a row may have been computed.
+/// Compares coordinates with a tolerance, because a row's place may have been computed.
 bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); }
 
-/// Of one scheme, along one coordinate, the others being ordinary.
+/// Selects the outcomes of one scheme along one coordinate, where all other coordinates are
+/// ordinary.
 std::vector<Outcome> along(const Map& map, const std::vector<Outcome>& outcomes,
                            const std::string& scheme, std::size_t coordinate) {
   std::vector<Outcome> found;
@@ -34,7 +35,7 @@ struct End {
   std::string beyond;  ///< verdict on the next case; none was tried if "-"
 };
 
-/// From a safe place on, in steps of +-1, to the last safe one.
+/// Goes from a safe place, in steps of +-1, to the last safe place.
 End end_of(const std::vector<Outcome>& line, std::ptrdiff_t from, int step,
            std::size_t coordinate) {
   const auto size = static_cast<std::ptrdiff_t>(line.size());

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Factors of what has a unit.
+/// Factors by which quantities with a unit are scaled.
 struct Scale {
   double modulus = 1;
   double length = 1;
@@ -69,7 +69,7 @@ Scheme steady(const std::string& name, const std::string& in_tables, bool strip,
           }};
 }
 
-/// Steps that do not divide an element.
+/// Rolls in steps that do not divide an element.
 Scheme transient(const std::string& name) {
   return {name, [=, scheme = advection_scheme(name).scheme(1)](const ExtremesParameters& p,
                                                                const Scale& scale) {

@@ -19,15 +19,15 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// A scheme with functions.
+/// A scheme with a basis.
 struct Scheme {
   std::string name;
   const SteadyEntry* entry;
   Basis basis;
 };
 
-/// Lists all of the catalogue except for some: differences first, then the others by their order.
-/// The standard scheme takes part with all functions, others with one.
+/// Lists the catalogue without the named schemes: first differences, then the others by their
+/// order. The standard scheme takes part with all bases, each other scheme with one.
 std::vector<Scheme> schemes_except(const std::vector<std::string>& names) {
   std::vector<Scheme> all;
   const auto add = [&](const SteadyEntry& entry, const Basis& basis, const std::string& name) {
@@ -54,7 +54,7 @@ struct Setting {
   std::shared_ptr<const Truth> truth;
 };
 
-/// Plane strain, where a part 1 - `sliding` of the contact sticks.
+/// Sets up plane strain in which the fraction 1 - `sliding` of the contact sticks.
 Setting carter_setting(const ExtremesParameters& p, double sliding) {
   const double creepage = compliance(p.material) * p.bound.peak() * sliding;
   const Carter carter = Carter::from_creepage(p.material, p.bound, creepage);
@@ -65,7 +65,7 @@ Setting carter_setting(const ExtremesParameters& p, double sliding) {
                     .traction = [carter](double x) { return carter.traction(x); }})};
 }
 
-/// The larger of each.
+/// Takes the larger value of each error.
 Finding worst_of(const Finding& a, const Finding& b) {
   return {.error = std::max(a.error, b.error),
           .wiggle = std::max(a.wiggle, b.wiggle),
@@ -99,7 +99,7 @@ Finding solve(const Scheme& scheme, const Setting& setting, const Grid& grid, do
           .iterations = static_cast<double>(found.iterations)};
 }
 
-/// Under the creepage and under the force: the worst of both.
+/// Solves under the creepage and under the force; the finding is the worst of both.
 Case case_of(const Scheme& scheme, const Setting& setting, const Grid::Parameters& grid,
              double step_ratio, std::vector<double> place) {
   return {.scheme = scheme.name,
@@ -118,7 +118,8 @@ Grid::Parameters grid_of(const ExtremesParameters& p, Index elements) {
   return {.half_width = p.bound.half_width(), .elements = elements};
 }
 
-/// The reference for a strip: Chebyshev collocation if possible, otherwise the finest elements.
+/// Solves the reference for a strip: by Chebyshev collocation if possible, otherwise by the finest
+/// elements.
 std::shared_ptr<const Truth> strip_truth(const Kernel& kernel, const HertzBound& bound,
                                          const ExtremesParameters& p) {
   const double force = -bound.total() * (1 - p.stick_ratio) * (1 + p.stick_ratio);
@@ -216,8 +217,8 @@ Map loads_map(const ExtremesParameters& p) {
   for (const double sliding : p.loads.sliding) add(1 - sliding, sliding);
   add(p.stick_ratio, 1 - p.stick_ratio);
   for (const double stuck : p.loads.stuck) add(stuck, 1 - stuck);
-  // The quantity that is not prescribed follows from a difference: of a load close to full sliding
-  // and full sliding, or of the edges of stick zone and contact.
+  // The quantity that is not prescribed follows from a difference of nearly equal numbers: the load
+  // and full sliding, or the edges of stick zone and contact.
   for (const std::vector<double>& parts : {p.loads.sliding, p.loads.stuck}) {
     for (const double part : parts) {
       if (part > 0) map.rounding = std::max(map.rounding, 1e-16 / part);

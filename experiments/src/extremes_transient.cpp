@@ -34,7 +34,7 @@ CattaneoToCarter rolling_of(const ExtremesParameters& p, Index elements) {
           .force = -force_ratio * p.bound.total()};
 }
 
-/// Tractions, at any place, after a distance. Carter's once the start has long been left behind.
+/// The tractions at any place after a distance; Carter's, once the start has been left far behind.
 class TransientTruth {
  public:
   explicit TransientTruth(const ExtremesParameters& p) : p_(p) {}

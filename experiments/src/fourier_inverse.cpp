@@ -29,7 +29,7 @@ VectorXcd coefficients_of(const Toeplitz& b) {
   return fourier_coefficients(diagonal_first(middle_column(b)));
 }
 
-/// The first, middle and last column of the inverse.
+/// Solves for the first, middle and last column of the inverse.
 MatrixXd exact_columns(const Toeplitz& b) {
   const Index n = b.size();
   MatrixXd units = MatrixXd::Zero(n, 3);
@@ -135,7 +135,7 @@ Table errors_table(const Parameters& p, const Progress& progress) {
   return table;
 }
 
-/// |coefficient| at the highest frequency over the largest of all.
+/// Divides |coefficient| at the highest frequency by the largest |coefficient|.
 double highest_over_largest(const Parameters& p, const ShapeFunction& shape, double step_ratio) {
   const VectorXd magnitudes =
       coefficients_of(difference(p, shape, p.elements, step_ratio)).cwiseAbs();

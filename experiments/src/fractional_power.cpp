@@ -43,7 +43,8 @@ struct Tables {
                         {"start_variation", "1", "that of the start"}}};
 };
 
-/// Fig. 8.2: shapes of a third of the contact next to the leading edge, and a single one there.
+/// Makes the shapes of Fig. 8.2: some fill a third of the contact next to the leading edge, one is
+/// a single value there.
 std::map<std::string, VectorXd> start_shapes(Index n) {
   const Index length = n / 5;
   const auto shape = [&](const auto& height) -> VectorXd {
@@ -107,7 +108,8 @@ RolledTables roll_all(const Parameters& p) {
   return rolled;
 }
 
-/// (A^-1 A')^n p against (A^-1 A*)^m p, n c = m, thesis (8.1), on the sharpest of the shapes.
+/// Compares (A^-1 A')^n p with (A^-1 A*)^m p, n c = m, thesis (8.1), for the sharpest of the
+/// shapes.
 double whole_distance_error(const Parameters& p) {
   const FractionalShift shift = shape_shift(p);
   const VectorXd start = start_shapes(p.shape_elements).at("pulse");

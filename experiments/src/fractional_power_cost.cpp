@@ -19,7 +19,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Parameters = FractionalPowerParameters;
 
-/// Least time of up to five repeats, none begun after a second  [s]
+/// Returns the least time of up to five repeats; no repeat begins after a second  [s]
 template <class Work>
 double least_time(Work work) {
   using Clock = std::chrono::steady_clock;
@@ -49,7 +49,7 @@ class Sized {
     return influence_difference_matrix(kernel_, basis_, spacing_, elements_, step_ratio);
   }
 
-  /// C, for any number of elements.
+  /// Returns C for any number of elements.
   MatrixXd matrix() const {
     const MatrixXd a = influence_matrix(kernel_, basis_, spacing_, elements_);
     return MatrixXd::Identity(elements_, elements_) - a.partialPivLu().solve(difference(1));

@@ -25,17 +25,17 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-constexpr double farthest = 5;    // rolled, in half-widths
-constexpr double delay = 2;       // of the peak, likewise
-constexpr double next_to = 0.25;  // of the peak, where its error is not that of the rest
+constexpr double farthest = 5;    // distance rolled, in half-widths
+constexpr double delay = 2;       // distance to the peak, in half-widths
+constexpr double next_to = 0.25;  // closer to the peak than this, errors are measured apart
 
-/// After a step, over the steady value; against the distance in half-widths.
+/// The response to a step over its steady value, against the distance in half-widths.
 struct Answer {
   std::vector<double> distance;
   std::vector<double> value;
 };
 
-/// Small loads, after which the contact adheres except for 1e-7 of it.
+/// Rolls after steps of a load so small that all but 1e-7 of the contact adheres.
 class Motions {
  public:
   explicit Motions(const FrequencyResponseParameters& p) : p_(p), a_(p.bound.half_width()) {}
@@ -50,7 +50,7 @@ class Motions {
             .scheme = entry.scheme(1)};
   }
 
-  /// Of the force, at the end of each step.
+  /// Returns the force at the end of each step, after a step of the creepage.
   Answer after_creepage(const AdvectionEntry& entry, double c, Index n) const {
     TransientRolling rolling(problem(entry, n));
     const double creepage = tiny() * log_compliance() * pi * p_.bound.peak();
@@ -64,7 +64,8 @@ class Motions {
     return answer;
   }
 
-  /// Of the creepage, its mean over an element, at the middle of that.
+  /// Returns the creepage after a step of the force: the mean over each element, at the element's
+  /// middle.
   Answer after_force(const AdvectionEntry& entry, double c, Index n) const {
     const double force = -tiny() * full_sliding_force(p_.bound);
     TransientRolling rolling(problem(entry, n), CattaneoShift{force});
@@ -88,7 +89,7 @@ class Motions {
     return answer;
   }
 
-  /// Of whole steps.
+  /// Returns the longest distance that consists of whole steps.
   double distance(double step) const { return std::floor(farthest * a_ / step) * step; }
 
   double spacing(Index n) const { return 2 * a_ / static_cast<double>(n); }
@@ -101,7 +102,7 @@ class Motions {
   double a_;
 };
 
-/// A function that is dear, and asked for at the same places for each scheme.
+/// An expensive function that is asked for at the same places for each scheme.
 class Tabulated {
  public:
   explicit Tabulated(std::function<double(double)> function) : function_(std::move(function)) {}
@@ -117,8 +118,9 @@ class Tabulated {
   std::map<double, double> values_;
 };
 
-/// The mean of the exact creepage over a length about a distance next to the peak. Integrals begin
-/// there, with q = peak + (to - peak) t^3, which takes its logarithm.
+/// Returns the mean of the exact creepage over a length about a distance next to the peak.
+/// Integrals begin at the peak; the substitution q = peak + (to - peak) t^3 removes the logarithm
+/// there.
 double mean_of(Tabulated& creepage, double distance, double length) {
   const auto from_peak = [&](double to) {
     const auto at = [&](double t) {
@@ -130,7 +132,7 @@ double mean_of(Tabulated& creepage, double distance, double length) {
   return (from_peak(distance + length / 2) - from_peak(distance - length / 2)) / length;
 }
 
-/// Places of a curve, ever closer to the peak.
+/// Lists the places of a curve, ever closer to the peak.
 std::vector<double> places_about_peak(int points) {
   std::vector<double> places;
   const auto add = [&](double far, int first, int last) {
@@ -145,14 +147,15 @@ std::vector<double> places_about_peak(int points) {
   return places;
 }
 
-/// Index of the first value at a distance or beyond.
+/// Returns the index of the first value at a distance or beyond.
 std::size_t index_at(const Answer& answer, double distance) {
   const auto found =
       std::lower_bound(answer.distance.begin(), answer.distance.end(), distance - 1e-9);
   return static_cast<std::size_t>(found - answer.distance.begin());
 }
 
-/// Largest difference to the exact function, at some distances that are not next to the peak.
+/// Returns the largest difference from the exact function at some distances that are not next to
+/// the peak.
 double largest_error(const Answer& answer, Tabulated& exact) {
   double error = 0;
   for (const double distance :
@@ -164,7 +167,7 @@ double largest_error(const Answer& answer, Tabulated& exact) {
   return error;
 }
 
-/// The largest value next to the peak.
+/// Returns the index of the largest value next to the peak.
 std::size_t peak_of(const Answer& answer) {
   std::size_t peak = index_at(answer, delay - next_to);
   for (std::size_t i = peak; i < index_at(answer, delay + next_to); ++i) {

@@ -10,7 +10,7 @@ struct MotionTables {
   Table errors;
 };
 
-/// Small steps of the creepage and of the force, by each scheme.
+/// Rolls after small steps of the creepage and of the force by each scheme.
 MotionTables motion_tables(const FrequencyResponseParameters& parameters, const Progress& progress);
 
 }  // namespace microslip::experiments::frequency_response_study

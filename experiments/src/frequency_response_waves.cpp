@@ -27,14 +27,14 @@ using std::numbers::pi;
 struct State {
   std::string kernel_name;
   Kernel kernel;
-  double stick_ratio;  ///< as the table has it
+  double stick_ratio;  ///< as written into the table
   double creepage;
   double amplitude;  ///< of each wave
   double begin;      ///< of the stick zone, which ends at the leading edge  [mm]
 };
 
-/// The creepage of a step from a to b is the mean over the step of the state's creepage and all
-/// waves, W exp(i (K q + phase)).
+/// The waves of the creepage. The creepage of a step from a to b is the mean over the step of the
+/// state's creepage plus all waves, W exp(i (K q + phase)).
 class Waves {
  public:
   Waves(const FrequencyResponseParameters& p, const State& state) : state_(state) {
@@ -55,7 +55,7 @@ class Waves {
     return state_.creepage + state_.amplitude * sum / (b - a);
   }
 
-  /// The contribution of the force at q to dF/dw of wave j, over a whole period of `steps`.
+  /// Returns the contribution of the force at q to dF/dw of wave j, over a whole period of `steps`.
   Complex part(std::size_t j, double force, double q, double steps) const {
     return 2 / steps * force / state_.amplitude * std::polar(1.0, -numbers_[j] * q - phases_[j]);
   }
@@ -66,9 +66,9 @@ class Waves {
   std::vector<double> phases_;
 };
 
-/// dF/dw of each wave. The effect of the start decays as exp(-0.4 q/a), or faster: 40 half-widths
-/// in steps of an element, and 15 in the given steps, leave 2e-3 of the difference between both
-/// kinds of steps.
+/// Measures dF/dw of each wave. The effect of the start decays as exp(-0.4 q/a) or faster. It is
+/// rolled off over 40 half-widths in steps of an element and 15 half-widths in the given steps,
+/// which leaves 2e-3 of the difference between both kinds of steps.
 std::vector<Complex> measured_slopes(const FrequencyResponseParameters& p, const State& state,
                                      const AdvectionEntry& entry, double step_ratio, Index n) {
   const Grid grid({.half_width = p.bound.half_width(), .elements = n});
@@ -79,7 +79,8 @@ std::vector<Complex> measured_slopes(const FrequencyResponseParameters& p, const
                             .scheme = entry.scheme(1)});
   const Waves waves(p, state);
   const double a = p.bound.half_width();
-  // Steps of one length each: a scheme makes its coefficients anew for another one.
+  // All steps of a run have one length, because a scheme computes new coefficients for another
+  // length.
   const auto roll = [&](double from, double length, long steps, const auto& after) {
     for (long i = 0; i < steps; ++i) {
       const double q = from + static_cast<double>(i) * length;
@@ -184,8 +185,8 @@ class Campaign {
   double sliding() const { return compliance(p_.plane.material()) * p_.bound.peak(); }
   double waves() const { return static_cast<double>(p_.waves.size()); }
 
-  /// States of about that stick ratio, whose stick zones end at different positions within an
-  /// element.
+  /// Lists states of about the given stick ratio, whose stick zones end at different positions
+  /// within an element.
   std::vector<State> aligned(double stick_ratio, Index n) const {
     std::vector<State> states;
     for (const double moved : aligned_stick_ratios(stick_ratio, p_.alignments, n)) {

@@ -5,7 +5,7 @@
 
 namespace microslip::experiments::frequency_response_study {
 
-/// In the column stick_ratio: the whole contact adheres.
+/// Marks full adhesion in the column stick_ratio.
 inline constexpr double all_adheres = 1;
 
 struct WaveTables {
@@ -14,7 +14,7 @@ struct WaveTables {
   Table orders;
 };
 
-/// Rolls with all waves at once by each scheme, about full adhesion and about the states.
+/// Rolls by each scheme with all waves at once, about full adhesion and about the states.
 WaveTables wave_tables(const FrequencyResponseParameters& parameters, const Progress& progress);
 
 }  // namespace microslip::experiments::frequency_response_study

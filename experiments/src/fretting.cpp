@@ -31,11 +31,11 @@ namespace {
 
 using Parameters = FrettingParameters;
 
-/// Energies of closed cycles, and what L0 changes, relative.
+/// Relative rounding of the energies of closed cycles, and of the change by L0.
 constexpr double energy_rounding = 1e-10;
 constexpr double length_rounding = 1e-9;
 
-/// A slip zone of so many elements counts as resolved.
+/// A slip zone of at least so many elements counts as resolved.
 constexpr double resolved = 5;
 
 TransientRolling at_rest(const Parameters& p, const TractionBound& bound, const std::string& scheme,
@@ -49,9 +49,9 @@ TransientRolling at_rest(const Parameters& p, const TractionBound& bound, const 
 
 /// A force that rises from nothing, and then goes back and forth once.
 struct Cycle {
-  double shift;        ///< until it has risen, positive with it  [mm]
+  double shift;        ///< until the force has risen, positive with the force  [mm]
   double dissipation;  ///< of the closed cycle  [N]
-  double work;         ///< likewise  [N]
+  double work;         ///< of the force over the closed cycle  [N]
 };
 
 Cycle cycle_of(TransientRolling rolling, double force) {
@@ -247,7 +247,8 @@ double largest(const Table& table, const std::string& column) {
   return most;
 }
 
-/// The least amplitude whose slip zones have enough elements, and its dissipation over the exact.
+/// Returns the least amplitude whose slip zones have enough elements, and the ratio of its
+/// dissipation to the exact dissipation.
 std::array<double, 2> smallest_resolved(const Table& curve, double elements) {
   for (std::size_t i = 0; i < curve.rows(); ++i) {
     if (curve.at(i, "scheme") != Cell("remembered") || curve.number(i, "elements") != elements ||

@@ -7,7 +7,7 @@ namespace microslip::experiments::fretting_study {
 
 namespace {
 
-/// The way of the force at standstill, in so many parts each.
+/// Each change of the force at standstill is divided into so many shifts.
 constexpr int parts = 20;
 
 /// Energies since the start.

@@ -9,7 +9,7 @@ namespace microslip::experiments::fretting_study {
 /// Largest error of the energy balance due to rounding, over the total work.
 inline constexpr double run_rounding = 1e-11;
 
-/// A cycle at standstill, rolling, another cycle at standstill, rolling, and back to no force.
+/// Runs a cycle at standstill, rolls, runs another cycle, rolls, and takes the force off.
 /// \param rolling  at rest
 Table run_table(const FrettingParameters& parameters, TransientRolling rolling);
 

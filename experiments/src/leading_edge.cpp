@@ -59,7 +59,7 @@ Table reductions_table(const std::vector<Series>& all) {
   return table;
 }
 
-/// Every single factor of a scheme, sorted.
+/// Sorts all factors of a scheme.
 std::vector<double> sorted_reductions(const std::vector<Series>& all, const std::string& scheme) {
   std::vector<double> factors;
   for (const Series& s : all) {
@@ -91,8 +91,8 @@ Table summary_table(const std::vector<Series>& all) {
   return table;
 }
 
-/// The setting whose mean and best factor are nearest to a pair of the thesis, in relative
-/// distance.
+/// The setting whose mean and best factor have the least relative distance from a pair of the
+/// thesis.
 struct Nearest {
   double distance = std::numeric_limits<double>::infinity();
   Series series;
@@ -114,8 +114,8 @@ Nearest nearest_setting(const std::vector<Series>& all, const Wanted& wanted, do
   return nearest;
 }
 
-/// A pair of factors of the thesis, and the settings that come nearest to it: at one stick ratio,
-/// and at any. The mean over all settings tells how far both were chosen.
+/// A pair of factors of the thesis, and the settings nearest to the pair: at one stick ratio, and
+/// at any. The mean over all settings tells how far both are from an average setting.
 struct Pair {
   double thesis_mean;
   double thesis_best;
@@ -174,8 +174,8 @@ bool same_setting(const Series& a, const Series& b) {
          a.stick_ratio == b.stick_ratio;
 }
 
-/// What a better leading edge gains in one setting: errors of the plain scheme over its own, a
-/// factor for each N.
+/// The gain by a better leading edge in one setting: for each N, the error of the plain scheme over
+/// the error of the better one.
 struct Gain {
   const Series* better;
   std::vector<double> factors;
@@ -197,7 +197,7 @@ std::vector<Gain> gains_over(const std::vector<Series>& all, const std::string& 
   return gains;
 }
 
-/// Of all settings and N.
+/// Returns the geometric mean over all settings and N.
 double geometric_mean(const std::vector<Gain>& gains) {
   std::vector<double> logarithms;
   for (const Gain& gain : gains) {
@@ -211,7 +211,8 @@ std::string described(const Series& s) {
                      format_short(s.trailing_offset), format_short(s.stick_ratio));
 }
 
-/// p_N over its exact value for trimmed hats: the smallest over all offsets at one stick ratio.
+/// Divides p_N of trimmed hats by its exact value. Returns the smallest ratio over all offsets, at
+/// one stick ratio.
 double smallest_overestimate(const LeadingEdgeParameters& p) {
   double smallest = std::numeric_limits<double>::infinity();
   const Scheme trimmed = scheme_of("trimmed linear");

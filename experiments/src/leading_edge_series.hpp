@@ -14,7 +14,7 @@ namespace microslip::experiments::leading_edge_study {
 /// One treatment of the leading edge.
 struct Scheme {
   std::string name;
-  std::function<Basis(double)> basis;  ///< from the leading offset
+  std::function<Basis(double)> basis;  ///< by the leading offset
   bool edge_known = false;
 };
 
@@ -35,21 +35,22 @@ struct Series {
   std::vector<double> force;
 };
 
-/// All treatments, in the order of the tables.
+/// Lists all treatments in the order of the tables.
 std::vector<Scheme> schemes();
 
-/// The scheme of that name.
+/// Finds the scheme of that name.
 Scheme scheme_of(const std::string& name);
 
-/// The thesis's edge function (C.1) lives on an element that ends at the edge.
+/// Tells whether a scheme applies: the thesis's edge function (C.1) needs an element that ends at
+/// the edge.
 bool applies(const Scheme& scheme, double offset);
 
 Compared solve(const LeadingEdgeParameters& p, const Scheme& scheme, const Setting& setting);
 
-/// Every scheme that applies, for all offsets and stick ratios.
+/// Solves by every scheme that applies, for all offsets and stick ratios.
 std::vector<Series> solve_all(const LeadingEdgeParameters& p, const Progress& progress);
 
-/// Factors by which each doubling of N reduces the errors.
+/// Returns the factors by which each doubling of N reduces the errors.
 std::vector<double> reductions(const std::vector<double>& errors);
 
 double mean(const std::vector<double>& values);

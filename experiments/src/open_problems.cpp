@@ -31,7 +31,7 @@ double largest_of(const Table& table, const std::string& scheme, const std::stri
   return largest;
 }
 
-/// Which scheme for which need, with what was measured of it.
+/// Recommends a scheme for each need, with its measured errors.
 Table schemes_table(const OpenProblemsParameters& p, const SteadyTables& steady,
                     const CurveTables& curve, const StepTables& steps) {
   Table table("schemes", "which scheme for which need",
@@ -104,8 +104,8 @@ Table claims_of(const OpenProblemsParameters& p, const SteadyTables& steady,
 
 namespace {
 
-/// Not within the braces of the parameters: what throws behind a nested aggregate there makes GCC
-/// 12 destroy it twice.
+/// This is not written within the braces of the parameters, because GCC 12 destroys a nested
+/// aggregate twice if a later member throws.
 CattaneoToCarter read_motion(Scene& scene, const PolynomialBound& bound, const Kernel& kernel) {
   return {
       .kernel = kernel,

@@ -13,7 +13,7 @@ namespace microslip::experiments::open_problems_study {
 
 namespace {
 
-/// Lists those that are compared, by their order.
+/// Lists the schemes that are compared, by their order.
 std::vector<SteadyEntry> treatments() {
   std::vector<SteadyEntry> all;
   for (const SteadyEntry& entry : steady_schemes()) {
@@ -23,7 +23,7 @@ std::vector<SteadyEntry> treatments() {
   return all;
 }
 
-/// Adhesion and alignment of one case, spread evenly by multiples of irrational numbers.
+/// Stick ratio and alignment of one case. Multiples of irrational numbers spread the cases evenly.
 struct Case {
   double stick_ratio;
   double leading_offset;   ///< in (0, 1]
@@ -47,7 +47,7 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
 }
 
-/// Errors of one treatment: [size][case].
+/// Errors of one treatment, by [size][case].
 struct Series {
   std::vector<std::vector<double>> force;
   std::vector<std::vector<double>> traction;
@@ -84,8 +84,8 @@ Series series_of(const OpenProblemsParameters& p, const SteadyEntry& treatment, 
   return series;
 }
 
-/// By how much the median falls with each doubling, and the least that any case does; nothing where
-/// errors are rounding.
+/// The reduction of errors with each doubling of N: of the median, and the least of any case. Both
+/// are empty where errors are rounding.
 struct Reductions {
   double order;
   double least;

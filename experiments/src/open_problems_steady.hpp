@@ -15,10 +15,10 @@ struct SteadyTables {
 
 SteadyTables steady_tables(const OpenProblemsParameters& p, const Progress& progress);
 
-/// An error of Chebyshev collocation up to this is nothing but rounding  [1].
+/// An error of Chebyshev collocation up to this is rounding only  [1].
 inline constexpr double chebyshev_rounding = 1e-12;
 
-/// Of errors of the inversion.
+/// An error of the inversion up to this is rounding only  [1].
 inline constexpr double inversion_rounding = 1e-12;
 
 /// The creepage-force curve, and the digits of its points.

@@ -16,12 +16,12 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Steps may go as far as this: the relaxed scheme has c* = 1.
+/// Returns the largest step ratio of a scheme: the relaxed scheme has c* = 1.
 double largest_ratio(const AdvectionEntry& scheme) {
   return scheme.takes_relaxation ? 1 : HUGE_VAL;
 }
 
-/// The largest value within a fifth of the half-width of a place.
+/// Returns the largest traction within a fifth of the half-width about a place.
 double peak_near(const Rolled& rolled, double x, double half_width) {
   double peak = 0;
   for (Index i = 0; i < rolled.x.size(); ++i) {

@@ -5,7 +5,7 @@
 
 namespace microslip::experiments::open_problems_study {
 
-/// Cattaneo to Carter by several schemes and step ratios, against a finer grid.
+/// Cattaneo to Carter by several schemes and step ratios, compared with a finer grid.
 struct StepTables {
   Table steps;
   Table traction;

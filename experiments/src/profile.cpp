@@ -10,7 +10,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Distance from `peak` to the half height, in steps of +1 or -1.
+/// Returns the distance from `peak` to half its height, in the direction of `step`, +1 or -1.
 double half_width(const VectorXd& values, Index peak, Index step) {
   const double half = values[peak] / 2;
   for (Index i = peak; i + step >= 0 && i + step < values.size(); i += step) {

@@ -22,7 +22,7 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double default_shortest = 0.3;  // over the half-length of the stick zone
+constexpr double default_shortest = 0.3;  // wavelength over the half-length of the stick zone
 constexpr double default_longest = 300;
 
 [[noreturn]] void refuse(const std::string& why) {
@@ -52,7 +52,7 @@ std::optional<double> wavelength(Scene& scene, const std::string& key) {
   return scene.positive(key);
 }
 
-/// A narrow strip under a smooth bound is refused with words about other methods.
+/// Refuses a narrow strip under a smooth bound in words that do not name other methods.
 InvertedRolling rolling_of(const SteadyContact& contact) {
   try {
     return {contact.kernel, contact.bound};
@@ -68,7 +68,7 @@ struct Stuck {
   double creepage;
 };
 
-/// Without a load all sticks that carries a traction.
+/// Returns the state without a load: all parts of the contact stick that can carry a traction.
 Stuck at_rest(const TractionBound& bound) {
   const auto* table = std::get_if<TabulatedBound>(&bound);
   if (table == nullptr) return {-half_width_of(bound), half_width_of(bound), 0, 0};
@@ -135,7 +135,7 @@ std::vector<Table> response_tables(const ResponseScene& scene, const Progress& p
   const FrequencyResponse response(scene.contact.kernel, state.begin, state.end, shortest);
   const double steady = response.steady_slope();
   Table table = empty_response();
-  // A short zone next to full sliding is a difference of its ends.
+  // The length of a short zone next to full sliding is a difference of its ends.
   double error = 2 * std::numeric_limits<double>::epsilon() * half_width / half_length;
   for (Index i = 0; i < scene.wavelengths; ++i) {
     const double length = log_spaced(shortest, longest, i, scene.wavelengths);

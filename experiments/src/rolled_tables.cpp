@@ -11,7 +11,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// The largest x at which |p| has the level.
+/// Returns the largest x at which |p| reaches the level.
 double flank_of(const VectorXd& x, const VectorXd& traction, double level) {
   const VectorXd p = traction.cwiseAbs();
   Index i = p.size() - 1;

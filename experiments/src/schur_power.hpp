@@ -6,17 +6,17 @@
 
 namespace microslip::experiments {
 
-/// Powers of a matrix by Eigen's Schur-Pade method, with what tells whether they can be trusted:
-/// that method returns a matrix for any argument.
+/// Powers of a matrix by Eigen's Schur-Pade method. The method returns a matrix for any argument;
+/// residual() tells whether the matrix is the power.
 class SchurPowers {
  public:
   /// \param matrix  must outlive this
   explicit SchurPowers(const Eigen::MatrixXd& matrix);
 
-  /// M^c, c in (0, 1). O(n^3).
+  /// Returns M^c, c in (0, 1). O(n^3).
   Eigen::MatrixXd power(double c);
 
-  /// Largest entry of |M^c M^(1-c) - M|, over that of |M|.
+  /// Returns the largest entry of |M^c M^(1-c) - M| over the largest of |M|.
   double residual(const Eigen::MatrixXd& power, double c);
 
  private:
@@ -24,7 +24,7 @@ class SchurPowers {
   Eigen::MatrixPower<Eigen::MatrixXd> powers_;
 };
 
-/// Where the principal power would be complex: on the negative real axis.
+/// Tells whether an eigenvalue is on the negative real axis, where the principal power is complex.
 bool is_negative(const std::complex<double>& eigenvalue);
 
 }  // namespace microslip::experiments

@@ -41,7 +41,7 @@ class Transport {
     return MatrixXd::Identity(size_, size_) - factors_.solve(difference);
   }
 
-  /// A unit pulse in the middle after a distance in elements, the last step shortened.
+  /// Moves a unit pulse from the middle over a distance in elements; the last step is shortened.
   VectorXd pulse(double step_ratio, double distance) const {
     VectorXd traction = VectorXd::Unit(size_, size_ / 2);
     const double full_steps = std::floor(distance / step_ratio * (1 + 1e-12));
@@ -126,7 +126,7 @@ void add_pulses(Tables& tables, const Parameters& p, const Basis& basis) {
   }
 }
 
-/// Statements of the thesis on A^-1 A', with constant functions and its own step ratios.
+/// Judges the thesis's statements on A^-1 A', with constant functions and the thesis's step ratios.
 std::vector<Claim> pulse_claims(const Parameters& p) {
   const Transport transport(p, constant_basis());
   const MatrixXd unit = transport.matrix(1);

@@ -72,7 +72,8 @@ Table times_table(const std::vector<Run>& runs) {
   return table;
 }
 
-/// The least work in plane strain for a part of 1e-3 of the force, among some runs.
+/// Returns the least work, among the accepted runs in plane strain, for an error of the force of
+/// 1e-3.
 template <class Accept>
 double work_for_force(const std::vector<Run>& runs, const Accept& accept) {
   double least = not_given;

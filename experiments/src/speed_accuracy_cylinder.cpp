@@ -42,7 +42,8 @@ Motion let_go(const SpeedAccuracyParameters& p, Index elements, const AdvectionS
           VectorXd::Map(velocity.data(), static_cast<Index>(velocity.size())), body.ledger()};
 }
 
-/// Over the second half of the way: from rest the velocity grows as a square root.
+/// Interpolates velocities over the second half of the way; over the first half they grow as a
+/// square root from rest.
 VectorXd velocities(const SpeedAccuracyParameters& p, const Motion& motion) {
   constexpr Index places = 21;
   const double end = p.rolling.distance;

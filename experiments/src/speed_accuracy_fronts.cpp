@@ -13,14 +13,15 @@ namespace microslip::experiments::speed_accuracy_study {
 
 namespace {
 
-/// Errors that differ by less than this part, or are below it, differ by rounding only.
+/// Two errors differ by rounding only if both are below `rounding`, or their relative difference is
+/// below `equal`.
 constexpr double rounding = 1e-13;
 constexpr double equal = 1e-6;
 
 constexpr std::array accuracies = {1e-2, 1e-3, 1e-4, 1e-6, 1e-9};
 
-/// A quantity of a problem, with the runs that have it, from cheap to dear: among all of them, or
-/// among those by elements, which need no smooth bound.
+/// A quantity of a problem, and the runs that have it, from cheap to dear. They are all such runs,
+/// or the runs by elements, which need no smooth bound.
 struct Contest {
   std::string problem;
   std::string among;
@@ -37,7 +38,7 @@ bool by_elements(const Run& run) {
   });
 }
 
-/// Runs of a problem that succeeded, if they have the quantity.
+/// Selects the runs of a problem that succeeded and have the quantity.
 Contest contest_of(const std::string& problem, std::size_t quantity, bool elements_only,
                    const Cost& cost, const std::vector<Run>& runs) {
   Contest contest{problem, elements_only ? "elements" : "all", quantity, {}};

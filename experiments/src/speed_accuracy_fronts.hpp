@@ -13,14 +13,15 @@ struct Cost {
   double Run::*value;
 };
 
-/// Runs that succeeded and that no other of the same problem beats: none is both as cheap and as
-/// accurate. By problem and quantity, from cheap to accurate.
+/// Lists the runs that succeeded and that no other run of the same problem beats: no other run is
+/// both as cheap and as accurate. Rows go by problem and quantity, from cheap to accurate.
 Table fronts_table(const std::string& name, const Cost& cost, const std::vector<Run>& runs);
 
-/// By problem and quantity, the cheapest run within each accuracy, "none" where there is none.
+/// Lists, by problem and quantity, the cheapest run within each accuracy; "none" where no run
+/// reaches the accuracy.
 Table cheapest_table(const std::string& name, const Cost& cost, const std::vector<Run>& runs);
 
-/// Columns and cells that say who a run is.
+/// These columns and cells identify a run.
 std::vector<Column> contestant_columns();
 std::vector<Cell> contestant_cells(const Contestant& contestant);
 

@@ -5,14 +5,15 @@
 
 namespace microslip::experiments::speed_accuracy_study {
 
-/// Steady rolling under prescribed creepages, against Chebyshev collocation: plane strain with all
-/// step ratios, and a strip with the first of them.
+/// Compares schemes in steady rolling under prescribed creepages with Chebyshev collocation: in
+/// plane strain with all step ratios, on a strip with the first step ratio.
 std::vector<RunSeries> steady_contest(const SpeedAccuracyParameters& p);
 
-/// From a Cattaneo shift, under a constant force, against a fine grid (remembered).
+/// Compares schemes that roll from a Cattaneo shift under a constant force with `remembered` on a
+/// fine grid.
 std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p);
 
-/// A cylinder from rest down a slope.
+/// Compares schemes for a cylinder that rolls from rest down a slope.
 std::vector<RunSeries> cylinder_contest(const SpeedAccuracyParameters& p);
 
 }  // namespace microslip::experiments::speed_accuracy_study

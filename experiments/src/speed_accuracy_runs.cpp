@@ -9,7 +9,8 @@ namespace microslip::experiments::speed_accuracy_study {
 
 namespace {
 
-/// A combination of a scheme with a basis or solver, of any size.
+/// Begins the message about a combination of scheme, basis and solver that does not exist for any
+/// number of elements.
 const std::string not_there = "does not exist: ";
 
 std::string status_of(const Attempt& attempt, double limit) {

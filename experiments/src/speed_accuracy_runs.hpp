@@ -12,7 +12,7 @@
 
 namespace microslip::experiments::speed_accuracy_study {
 
-/// Identity of a run; "none" or nan for a property without a role.
+/// Identity of a run; a property without a role is "none" or nan.
 struct Contestant {
   std::string problem;  ///< plane, strip, transient or cylinder
   std::string scheme;
@@ -26,7 +26,7 @@ enum class Quantity { force, creep, traction, peak, energy, motion };
 inline constexpr std::array quantity_names = {"force", "creep",  "traction",
                                               "peak",  "energy", "motion"};
 
-/// Relative errors, nan where a problem does not have the quantity.
+/// Relative errors; nan if a problem does not have the quantity.
 struct Errors {
   std::array<double, quantity_names.size()> values;
 
@@ -40,14 +40,14 @@ struct Judgement {
   double rounds = 0;  ///< partitions tried, or systems solved
 };
 
-/// Solves with N elements; calling the result judges.
+/// Solves with N elements. The function that is returned compares the solution with the truth.
 using Solve = std::function<std::function<Judgement()>(Eigen::Index elements)>;
 
 struct RunSeries {
   Contestant contestant;
   std::vector<Eigen::Index> sizes;
   WorkLimit limit;
-  double solutions;  ///< that a run consists of
+  double solutions;  ///< number of solutions in a run
   Solve solve;
 };
 
@@ -56,12 +56,12 @@ struct Run {
   Eigen::Index elements;
   Judgement judgement;
   double work = not_given;  ///< counted operations for a solution
-  double time = not_given;  ///< least of the repeats, for a solution  [s]
+  double time = not_given;  ///< for a solution, the least of the repeats  [s]
   std::string status = "ok";
 };
 
-/// All sizes of a series, one after the other. What throws says so in its status; what is not run
-/// because it is expected to exceed the limit, too.
+/// Runs all sizes of a series, one after the other. The status of a run tells if it threw, or was
+/// left out because it was expected to exceed the limit.
 std::vector<Run> runs_of(const RunSeries& series, double repeats);
 
 std::string name_of(Solver::Type type);

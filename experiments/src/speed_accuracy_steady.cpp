@@ -15,10 +15,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Of tractions that are functions of the position, at so many places.
+/// Tractions that are functions of the position are sampled at so many places.
 constexpr Index samples = 1023;
 
-/// One kernel and bound under some loads.
+/// One kernel and bound under several loads.
 struct Problem {
   std::string name;
   Kernel kernel;
@@ -36,7 +36,7 @@ std::shared_ptr<const Problem> make_problem(const SpeedAccuracyParameters& p, st
   return std::make_shared<const Problem>(Problem{std::move(name), kernel, p.bound, truths});
 }
 
-/// Raises the errors to those of one more load.
+/// Raises the errors to the errors of one more load, where these are larger.
 void judge(const Truth& truth, double force, double spacing, const VectorXd& x,
            const VectorXd& traction, Errors& errors) {
   const VectorXd difference = traction - truth.at(x);
@@ -47,9 +47,9 @@ void judge(const Truth& truth, double force, double spacing, const VectorXd& x,
   raise(Quantity::traction, spacing * difference.lpNorm<1>());
 }
 
-/// One that takes part, as the catalogue has it.
+/// A scheme of the catalogue that takes part, with its basis and grid.
 struct Entrant {
-  std::string_view edge;  ///< as tables show it
+  std::string_view edge;  ///< as written into tables
   const SteadyEntry* scheme;
   std::string_view basis;
   double step_ratio;
@@ -87,7 +87,7 @@ Solve steady_solve(const std::shared_ptr<const Problem>& problem, const Entrant&
   };
 }
 
-/// N unknowns.
+/// Solves by Chebyshev collocation with N unknowns.
 Solve chebyshev_solve(const std::shared_ptr<const Problem>& problem) {
   return [=](Index unknowns) {
     std::vector<ChebyshevSolution> solutions;
@@ -110,8 +110,8 @@ Solve chebyshev_solve(const std::shared_ptr<const Problem>& problem) {
   };
 }
 
-/// The edges lie where a difference over one element feels the leading one, and the midpoint rule
-/// the trailing one.
+/// Aligns the grid: the edges lie where a difference over one element feels the leading edge, and
+/// the midpoint rule the trailing edge.
 Entrant aligned(std::string_view basis) {
   return {.edge = "aligned",
           .scheme = &steady_scheme("standard"),
@@ -121,7 +121,7 @@ Entrant aligned(std::string_view basis) {
           .trailing_offset = 0.656936};
 }
 
-/// Lists all that solve by elements, from the catalogues of schemes and functions.
+/// Lists all schemes that solve by elements, from the catalogues of schemes and bases.
 std::vector<Entrant> entrants(const std::vector<double>& step_ratios) {
   std::vector<Entrant> all;
   const auto add = [&](std::string_view basis, double c, const auto& accepts) {

@@ -15,7 +15,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Part of the contact's length that is rolled; sizes are its multiples.
+/// The distance rolled is the contact's length over this. Numbers of elements are multiples of
+/// this.
 constexpr Index parts = 3;
 
 Rolled roll_a_part(const SpeedAccuracyParameters& p, Index elements, const AdvectionScheme& scheme,
@@ -30,7 +31,8 @@ Rolled roll_a_part(const SpeedAccuracyParameters& p, Index elements, const Advec
               scheme, step_ratio, static_cast<double>(elements / parts));
 }
 
-/// The peak starts at the stick zone's leading end, k = (1 - F)^1/2 of the half-width.
+/// Returns the place of the peak, which starts at the leading end of the stick zone, k = (1 -
+/// F)^1/2 of the half-width from the centre.
 double peak_place(const SpeedAccuracyParameters& p) {
   const double a = p.transient.bound.half_width();
   const double part = p.transient.force / full_sliding_force(p.transient.bound);

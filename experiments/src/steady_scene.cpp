@@ -13,14 +13,14 @@ namespace microslip::experiments {
 
 namespace {
 
-/// The scheme that ran, and why it is not the one asked for.
+/// Names the scheme that ran, and says why it is not the scheme asked for.
 std::string method_of(const SteadySolution& solution) {
   return fmt::format("by {}{}", name_of(solution.scheme),
                      solution.fallback.empty() ? "" : ", because " + solution.fallback);
 }
 
-/// That another scheme ran, except for tables, and for other bounds than Hertz's of bodies of
-/// different material, which are meant to be solved over the whole contact.
+/// Warns if another scheme ran than asked for. Tables do not count, nor other bounds than Hertz's
+/// for bodies of different material: the whole contact is the regular way to solve them.
 std::optional<std::string> doubt_of(const SteadySolution& solution, const SteadyProblem& problem) {
   const bool table = std::holds_alternative<TabulatedBound>(problem.bound);
   const bool elements =
@@ -75,7 +75,7 @@ std::vector<Table> scene_tables(const SteadyProblem& problem, const Progress& pr
 }
 
 std::vector<Table> scene_tables(const SteadyTarget& target, const Progress& progress) {
-  constexpr double unit = 1e8;  // of operations
+  constexpr double unit = 1e8;  // operations that progress counts as one
   const EstimatedSteady found = [&] {
     const WorkWatch watch(
         [&](double done) { progress(static_cast<std::size_t>(done / unit), unknown_total); });

@@ -26,7 +26,7 @@ void demand_rising(const Scene& scene, const std::string& key, const std::vector
   }
 }
 
-/// Two or more, each twice the one before.
+/// Demands two or more values, each twice the one before.
 inline void demand_doubling(const Scene& scene, const std::string& key,
                             const std::vector<Eigen::Index>& values) {
   demand_count(scene, key, values, 2);

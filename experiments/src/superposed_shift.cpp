@@ -18,20 +18,20 @@ namespace {
 
 constexpr double half_pi = std::numbers::pi / 2;
 
-/// Functions with less than this part of the first have it by rounding.
+/// Coefficients below this fraction of the first one are rounding only.
 constexpr double rounding = 1e-14;
 
-/// T_n(t), for any t in [-1, 1].
+/// Evaluates T_n(t) for any t in [-1, 1].
 double chebyshev(Index n, double t) { return std::cos(static_cast<double>(n) * std::acos(t)); }
 
-/// Integral of -ln|t - t'| U_n(t') sqrt(1 - t'^2) over [-1, 1].
+/// Integrates -ln|t - t'| U_n(t') sqrt(1 - t'^2) over [-1, 1].
 double potential(Index n, double t) {
   if (n == 0) return half_pi * (std::numbers::ln2 - chebyshev(2, t) / 2);
   const auto degree = static_cast<double>(n);
   return half_pi * (chebyshev(n, t) / degree - chebyshev(n + 2, t) / (degree + 2));
 }
 
-/// Where a function is zero that is negative at the first place and positive at the second.
+/// Finds the zero of a function that is negative at the first place and positive at the second.
 double root(const std::function<double(double)>& rising, double low, double high) {
   constexpr int most_evaluations = 100;
   std::uintmax_t evaluations = most_evaluations;
@@ -46,7 +46,7 @@ SuperposedShift::SuperposedShift(const PolynomialBound& bound, double compliance
     : scale_(bound.half_width()),
       factor_(compliance / std::numbers::pi * bound.half_width()),
       log_length_(std::log(length / bound.half_width())) {
-  // By Gauss's points of these functions, exact as a bound has degree 32 at most.
+  // Gauss's points of these functions integrate exactly: a bound has degree 32 at most.
   constexpr Index points = 40;
   constexpr Index functions = 33;
   sines_ = VectorXd::Zero(functions);
@@ -62,7 +62,8 @@ SuperposedShift::SuperposedShift(const PolynomialBound& bound, double compliance
   sines_.conservativeResize(used);
 }
 
-/// Strain of full sliding on a zone, by T_n there: that of U_n times the square root is T_(n+1).
+/// Expands the strain of full sliding on a zone in T_n of the zone: the term U_n times the square
+/// root has the strain T_(n+1).
 VectorXd SuperposedShift::strain_on(const StickZone& zone) const {
   const Index points = sines_.size() + 1;
   VectorXd series = VectorXd::Zero(points);
@@ -81,7 +82,8 @@ VectorXd SuperposedShift::strain_on(const StickZone& zone) const {
   return series;
 }
 
-/// There the strain has no mean, and so the tractions that cancel it vanish at both ends.
+/// Finds the centre at which the strain has no mean: the tractions that cancel the strain then
+/// vanish at both ends.
 double SuperposedShift::centre_of(double half_length) const {
   const double most = 1 - half_length;
   if (most <= 0) return 0;

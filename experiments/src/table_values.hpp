@@ -12,7 +12,7 @@
 
 namespace microslip::experiments {
 
-/// Number `i` of `count`, from the first to the last in equal ratios.
+/// Returns number `i` of `count` values from `first` to `last` in equal ratios.
 /// \param count  >= 2
 template <class Number>
 double log_spaced(double first, double last, Number i, Number count) {
@@ -20,7 +20,8 @@ double log_spaced(double first, double last, Number i, Number count) {
   return std::clamp(first * std::pow(last / first, part), first, last);
 }
 
-/// Stick ratios next to one, so that stick-slip points lie at so many places of an element.
+/// Lists stick ratios close to one stick ratio, such that the stick-slip points lie at so many
+/// different places of an element.
 /// \param elements  N
 /// \return          in (0, 1)
 inline std::vector<double> aligned_stick_ratios(double stick_ratio, int alignments,
@@ -34,9 +35,9 @@ inline std::vector<double> aligned_stick_ratios(double stick_ratio, int alignmen
   return ratios;
 }
 
-/// The least or the largest number of a column, in the rows that are wanted.
-/// \param wanted  of the index of a row
-/// \return        not_given if there is none
+/// Finds the least or the largest number of a column, among the wanted rows.
+/// \param wanted  takes the index of a row
+/// \return        not_given if no row is wanted
 template <class Wanted>
 double extreme(const Table& table, const char* column, bool least, const Wanted& wanted) {
   double found = not_given;

@@ -52,12 +52,12 @@ void add(Table& history, const TransientState& state, const TransientScene& scen
   history.add(row);
 }
 
-/// The sum of all shifts before rolling.
+/// A record of all shifts before rolling, with their sums.
 struct ShiftRecord {
   std::vector<std::vector<Cell>> rows = {};  ///< of the table
   double distance = 0;                       ///< [mm]
   double dissipation = 0;                    ///< [N]
-  double largest_work = 0;                   ///< of one of them  [N]
+  double largest_work = 0;                   ///< of a single shift  [N]
   WorstOfSteps worst = {};
 };
 
@@ -99,7 +99,7 @@ Table shifts_table(const ShiftRecord& record) {
   return table;
 }
 
-/// A warning about shifts that are accepted but doubtful; none otherwise.
+/// Warns about shifts that are accepted but doubtful; returns none otherwise.
 /// \throws as require_evidence
 std::optional<std::string> doubt_of(const ShiftRecord& shifts, const Acceptance& accepted) {
   constexpr double no_condition = 1;  // estimated once, after the last step
@@ -125,7 +125,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   const auto shift_doubt = doubt_of(shifts, scene.problem.accepted);
   Table history = empty_history(scene.loads);
   TransientState start = rolling.state();
-  if (scene.from == 0) start.iterations = 0;  // it is no step
+  if (scene.from == 0) start.iterations = 0;  // the start is no step
   add(history, start, scene);
   double cumulative_creep = 0;
   double dissipated = 0;
@@ -139,7 +139,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
     worst.include(state);
     count();
   });
-  at_end(rolling);  // before the condition, for which factors are made anew
+  at_end(rolling);  // before the estimate of the condition, which refactorises
 
   const TransientState& last = rolling.state();
   const double full_sliding = full_sliding_of(scene, last);

@@ -21,7 +21,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Parameters = UnderRelaxationParameters;
 
-/// Rises and falls below this, of the peak bound, are flat.
+/// Rises and falls below this fraction of the peak bound count as flat.
 constexpr double flat = 1e-9;
 
 double turns(const VectorXd& traction, const HertzBound& bound) {
@@ -73,11 +73,11 @@ void add_wiggles(Tables& tables, const Parameters& p, const Progress& progress, 
   for (const double c : p.direct_step_ratios) add("direct", Direct{}, c);
 }
 
-/// The largest difference before the partitions part, and after.
+/// The largest difference before and after the first step at which the partitions differ.
 struct Differences {
   double before = 0;
   double after = 0;
-  double first = 0;  ///< distance at which they part, in elements
+  double first = 0;  ///< distance rolled until that step, in elements
 };
 
 Differences compare(Tables& tables, const Parameters& p) {
@@ -117,8 +117,8 @@ Differences compare(Tables& tables, const Parameters& p) {
   return differences;
 }
 
-/// The largest factor, from one step to the next, of the difference between (7.4) and (7.10), among
-/// steps with equal partitions after the partitions had first differed.
+/// Returns the largest factor, from one step to the next, of the difference between (7.4) and
+/// (7.10). Steps count that have equal partitions after the first step with different ones.
 double decay(const Table& comparison) {
   double slowest = 0;
   for (std::size_t i = 1; i < comparison.rows(); ++i) {
@@ -131,7 +131,7 @@ double decay(const Table& comparison) {
   return slowest;
 }
 
-/// How much the tractions of two step ratios differ, over their size.
+/// Compares the tractions of two step ratios: their difference over their size.
 double spread(const CattaneoToCarter& rolling, const AdvectionScheme& scheme, double distance) {
   const VectorXd large = rolling.rolled(scheme, 0.8, distance).state().traction;
   const VectorXd small = rolling.rolled(scheme, 0.2, distance).state().traction;

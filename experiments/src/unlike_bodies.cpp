@@ -20,11 +20,13 @@ using Parameters = UnlikeBodiesParameters;
 
 namespace {
 
-/// Creepages over beta a/R, and over mu a/R; they depend on neither L0 nor the scale.
+/// Creepages of free rolling, over beta a/R without slip and over mu a/R without friction; they
+/// depend on neither L0 nor the scale.
 constexpr double without_slip = 2 / std::numbers::pi;
 constexpr double without_friction = 2 * 0.457385508786518;  // Bentall and Johnson 1967 print 0.457
 
-/// By a Gauss-Chebyshev method, beta/mu = 2.87667; over mu a/R, force over full sliding.
+/// Results of a Gauss-Chebyshev method for beta/mu = 2.87667: creepage over mu a/R, force over full
+/// sliding.
 struct Known {
   double force_ratio, creepage;
 };
@@ -42,10 +44,10 @@ SteadySolution rolled(const Parameters& p, double ratio, double force_ratio, Ind
                                  .pressure_strain = pressure_strain({p.material, ratio}, 1)}));
 }
 
-/// mu a/R: what a strain over the combined compliance is for a ratio of one.
+/// Returns mu a/R, the combined compliance times the peak of the bound.
 double unit_of(const Parameters& p) { return compliance(p.material) * p.bound.peak(); }
 
-/// A row for each zone.
+/// Adds a row for each zone.
 void add_zones(Table& table, const char* of, double value, const Parameters& p,
                const SteadySolution& solution) {
   const Index n = solution.x.size();
@@ -148,7 +150,7 @@ Errors errors_of(const Parameters& p) {
   return found;
 }
 
-/// The largest difference from what is known, relative.
+/// Returns the largest relative difference from the known results.
 double from_known(const Errors& found) {
   double largest = 0;
   for (const auto& [force_ratio, expected] : known) {
@@ -164,7 +166,7 @@ Table claims_of(const Parameters& p, const Curves& curves, const Errors& found) 
   const auto order = [&](const char* scheme) {
     return found.orders.latest({{"scheme", scheme}, {"force_ratio", 0.0}}, "order");
   };
-  // Aluminium on steel, a = 0.1 mm, R = 25 mm, mu = 0.05.
+  // Bentall and Johnson print this for aluminium on steel: a = 0.1 mm, R = 25 mm, mu = 0.05.
   const double printed =
       rolled(p, 2.87667, 0, 200, "standard").creepage / unit_of(p) * 0.05 * 0.1 / 25;
   return claims_table(

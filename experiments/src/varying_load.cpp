@@ -40,8 +40,8 @@ double creepage_of(const VaryingLoadParameters& p, double stick_ratio) {
 
 double full_sliding(const VaryingLoadParameters& p) { return full_sliding_force(p.bound); }
 
-/// The force of Carter's solution under another load, which scales half-width and bound by its
-/// root.
+/// Returns the force of Carter's solution under another load. Half-width and bound are proportional
+/// to the root of the load.
 double quasi_steady_force(const VaryingLoadParameters& p, double creepage, double load) {
   const double size = std::sqrt(load);
   const HertzBound bound(size * p.bound.half_width(), size * p.bound.peak());
@@ -67,7 +67,7 @@ TransientRolling settled(const VaryingLoadParameters& p, double creepage, Index 
 /// Rolls waves of the load. Calls `after` along the last wave, with the distance from the wave's
 /// beginning and the step as a fraction of the wave.
 /// \param wavelength  [mm]
-/// \param step        about as long  [mm]
+/// \param step        a wave has a whole number of steps of about this length  [mm]
 void roll_waves(const VaryingLoadParameters& p, TransientRolling& rolling, double creepage,
                 double wavelength, double amplitude, double step,
                 const std::function<void(double q, double part)>& after) {
@@ -81,7 +81,7 @@ void roll_waves(const VaryingLoadParameters& p, TransientRolling& rolling, doubl
   }
 }
 
-/// dF/(mu dP), from waves of either sign.
+/// Measures dF/(mu dP) as the mean over waves of either sign.
 Complex measured_response(const VaryingLoadParameters& p, const TransientRolling& steady,
                           double creepage, double wavelength, double step) {
   Complex sum = 0;
@@ -95,14 +95,14 @@ Complex measured_response(const VaryingLoadParameters& p, const TransientRolling
   return sum * Complex(0, 1) / p.amplitude / full_sliding(p);
 }
 
-/// With the steady slope of the half-space for small creepages.
+/// Makes bristles with the steady slope of the half-space for small creepages.
 Bristles bristles_of(const VaryingLoadParameters& p, double creepage) {
   const double k = compliance(p.material) / pi;
   return {p.bound, creepage, 2 * p.bound.half_width() * k};
 }
 
-/// The force along a wave of the load, after preceding waves; the last value is the force at the
-/// end of the wave.
+/// Rolls bristles along a wave of the load, after preceding waves. The last force is at the end of
+/// the wave.
 std::vector<double> roll_bristles(const Bristles& bristles, double wavelength, double amplitude) {
   BristleContact contact(bristles, bristles_of_half_width);
   const int steps = std::max(1, static_cast<int>(std::lround(wavelength / contact.step())));
@@ -150,15 +150,15 @@ struct SmallWaves {
   Table orders;
 };
 
-/// Carter's solution under the mean load, by the scheme.
+/// Carter's solution under the mean load, as the scheme computes it.
 struct SteadyState {
   double stick_ratio;
   double creepage;
   TransientRolling rolling;
 };
 
-/// States of about that stick ratio, whose stick zones end at different positions within an
-/// element.
+/// Lists states of about the given stick ratio, whose stick zones end at different positions within
+/// an element.
 std::vector<SteadyState> aligned(const VaryingLoadParameters& p, double stick_ratio, Index n) {
   std::vector<SteadyState> states;
   for (const double ratio : aligned_stick_ratios(stick_ratio, p.alignments, n)) {
@@ -303,15 +303,15 @@ LargeWaves large_waves(const VaryingLoadParameters& p, const Progress& progress)
   return tables;
 }
 
-/// The least order of waves of ten elements or more.
+/// Returns the least order for waves of ten elements or more.
 double least_order(const VaryingLoadParameters& p, const Table& orders) {
   return extreme(orders, "order", true, [&](std::size_t i) {
     return orders.number(i, "wavelength_ratio") * static_cast<double>(p.sizes.front()) >= 20;
   });
 }
 
-/// The largest difference of the response from Carter's solution under the current load, at
-/// wavelengths of at least so many half-widths.
+/// Returns the largest difference of the response from Carter's solution under the current load,
+/// for wavelengths of at least so many half-widths.
 double from_quasi_steady(const VaryingLoadParameters& p, double wavelength_ratio) {
   double largest = 0;
   for (const double stick_ratio : p.stick_ratios) {

@@ -22,7 +22,7 @@ namespace {
 
 using Parameters = WiggleSpectrumParameters;
 
-/// B_11, B_21 and B_12, the entries on and next to the diagonal, in units of 2 (1 - nu) dx / G.
+/// The entries B_11, B_21 and B_12, on and next to the diagonal, in units of 2 (1 - nu) dx / G.
 struct Diagonals {
   double main;
   double lower;
@@ -136,7 +136,7 @@ Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& b) {
   return Eigen::EigenSolver<Eigen::MatrixXd>(b, false).eigenvalues();
 }
 
-/// From 1 down to the smallest, equally spaced in the logarithm.
+/// Lists step ratios from 1 down to the smallest, in equal ratios.
 std::vector<double> spectrum_steps(const Parameters& p) {
   std::vector<double> steps;
   for (int k = 0;; ++k) {
@@ -146,7 +146,7 @@ std::vector<double> spectrum_steps(const Parameters& p) {
   }
 }
 
-/// The tables spectrum and eigenvalues.
+/// Makes the tables spectrum and eigenvalues.
 std::pair<Table, Table> spectrum_tables(const Parameters& p, const Progress& progress) {
   Table spectrum(
       "spectrum", "B = A - A' for falling step ratios",
@@ -182,7 +182,8 @@ std::pair<Table, Table> spectrum_tables(const Parameters& p, const Progress& pro
 Table claims_of(const Parameters& p, const Table& spectrum) {
   const double crossing = diagonal_crossing(p.kernel, constant_shape(), p.spacing);
   const Diagonals at_one = diagonals(p.kernel, constant_shape(), p.spacing, 1);
-  const std::size_t last = spectrum.rows() / 2 - 1;  // of the constant functions
+  // The smallest step ratio of the constant functions.
+  const std::size_t last = spectrum.rows() / 2 - 1;
   const auto growth = [&](const std::string& column) {
     return spectrum.number(last, column) / spectrum.number(0, column);
   };

@@ -23,7 +23,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Parameters = WorldFixedParameters;
 
-/// What the noise of the creepage is to stay below at most.
+/// The largest noise of the creepage that is wanted.
 constexpr double target = 0.01;
 
 struct Tables {
@@ -77,12 +77,12 @@ CattaneoToCarter on_grid(const CattaneoToCarter& rolling, Index elements) {
   return other;
 }
 
-/// A whole number of elements.
+/// Rounds the distance to a whole number of elements.
 double distance_on(const Parameters& p, Index elements) {
   return std::round(p.distance * static_cast<double>(elements) / 2);
 }
 
-/// One step of the creepage shown.
+/// A step of the creepage shown.
 struct Step {
   double q;
   double creepage;
@@ -190,7 +190,7 @@ double noise_at(const Tables& tables, const std::string& treatment, double step_
       {{"treatment", treatment}, {"series", "step_ratio"}, {"step_ratio", step_ratio}}, column);
 }
 
-/// Share of an event in the jumps of a treatment.
+/// Returns the share of an event in the jumps of a treatment.
 double share_of(const Tables& tables, const std::string& treatment, const std::string& event) {
   const double share = tables.events.latest({{"treatment", treatment}, {"event", event}}, "share");
   return std::isnan(share) ? 0 : share;

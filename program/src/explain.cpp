@@ -77,11 +77,11 @@ void print_lines(const std::string& title, const std::vector<std::string>& lines
   for (const std::string& line : lines) std::cout << "  " << line << '\n';
 }
 
-/// Forecast for all cases of a sweep, or for a single scene.
-struct Foreseen {
+/// Costs and warnings of all cases of a sweep, or of a single scene.
+struct Costs {
   std::size_t cases = 0;
-  double work = 0;    ///< of all together
-  double memory = 0;  ///< of the case that takes most  [bytes]
+  double work = 0;    ///< of all cases
+  double memory = 0;  ///< largest of a case  [bytes]
   std::vector<std::string> warnings;
 };
 
@@ -93,14 +93,14 @@ void print_scene(const Scene& scene, const Preview& preview, bool is_swept, std:
   print_lines("Not modelled", preview.explanation.not_modelled);
 }
 
-/// Reads all cases, and prints the first.
-Foreseen foresee(const Scene& read, const std::function<Preview(Scene&)>& preview) {
+/// Reads all cases, and prints the first one.
+Costs preview_cases(const Scene& read, const std::function<Preview(Scene&)>& preview) {
   const std::vector<std::string> keys = read.keys();
   const bool is_swept =
       std::ranges::any_of(keys, [](const std::string& key) { return key.starts_with("sweep."); });
   const auto sweep =
       with_places(read, [&] { return is_swept ? std::make_optional<Sweep>(read) : std::nullopt; });
-  Foreseen all;
+  Costs all;
   all.cases = sweep ? sweep->size() : 1;
   for (std::size_t i = 0; i < all.cases; ++i) {
     Scene scene = sweep ? sweep->scene(i) : read;
@@ -120,7 +120,7 @@ Foreseen foresee(const Scene& read, const std::function<Preview(Scene&)>& previe
   return all;
 }
 
-void print_cost(const Foreseen& all) {
+void print_cost(const Costs& all) {
   constexpr double program = 12e6;  // of memory, without a scene
   std::vector<std::string> lines;
   if (std::isfinite(all.work)) {
@@ -148,7 +148,7 @@ int explain(const Program& program, const std::function<Preview(Scene&)>& previe
     const std::string purpose =
         "says what a scene models, what it does not, and at which cost, and solves nothing";
     if (answers(given, known, program.name + " explain", purpose)) return 0;
-    const Foreseen all = foresee(read_scene(program, given), preview);
+    const Costs all = preview_cases(read_scene(program, given), preview);
     print_cost(all);
     print_lines("Warnings", all.warnings);
     return 0;

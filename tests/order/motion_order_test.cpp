@@ -8,12 +8,13 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "hertz_cylinder.hpp"
+#include "measured_order.hpp"
 #include "microslip/dynamics/cylinder.hpp"
-#include "microslip/support/convergence.hpp"
 
 namespace microslip {
 namespace {
@@ -80,6 +81,12 @@ Errors errors_of_small_motion(Eigen::Index n, const AdvectionScheme& scheme, Int
 
 constexpr std::array integrators = {Integrator::verlet, Integrator::leapfrog, Integrator::midpoint};
 
+const char* name_of(Integrator integrator) {
+  constexpr std::array names = {"Verlet", "leapfrog", "midpoint"};
+  return names.at(
+      static_cast<std::size_t>(std::ranges::find(integrators, integrator) - integrators.begin()));
+}
+
 TEST(SmallMotionOfACylinder, IsSecondOrder) {
   const std::vector<double> sizes = {20, 40, 80};
   for (const Integrator integrator : integrators) {
@@ -91,8 +98,9 @@ TEST(SmallMotionOfACylinder, IsSecondOrder) {
         velocity.push_back(errors.velocity);
         slip_speed.push_back(errors.slip_speed);
       }
-      EXPECT_NEAR(fitted_order(sizes, velocity), 2, 0.3);
-      EXPECT_NEAR(fitted_order(sizes, slip_speed), 2, 0.3);
+      const std::string by = fmt::format("{}, c = {:g}", name_of(integrator), step_ratio);
+      EXPECT_NEAR(measured_order(by + ": velocity", sizes, velocity), 2, 0.3);
+      EXPECT_NEAR(measured_order(by + ": slip speed", sizes, slip_speed), 2, 0.3);
       EXPECT_LT(velocity.back(), step_ratio == 1 ? 5.5e-4 : 5e-5);
       EXPECT_LT(slip_speed.back(), step_ratio == 1 ? 1.7e-3 : 1.5e-4);
     }
@@ -108,7 +116,7 @@ TEST(SmallMotionOfACylinder, IsFirstOrderByTheDirectScheme) {
         errors_of_small_motion(static_cast<Eigen::Index>(n), Direct{}, Integrator::midpoint, 0.25)
             .velocity);
   }
-  EXPECT_NEAR(fitted_order(sizes, velocity), 0.95, 0.15);
+  EXPECT_NEAR(measured_order("midpoint, c = 0.25: velocity", sizes, velocity), 0.95, 0.15);
 }
 
 struct Motion {
@@ -190,6 +198,9 @@ TEST_P(MotionFromRest, IsSecondOrder) {
       EXPECT_NEAR(fitted_order(sizes, of), 2, 0.25);
       EXPECT_LT(of.back(), accepted);
     }
+    const std::string problem =
+        fmt::format("F_cm = {:g}, {}, c = {:g}", slope_force, name_of(integrator), step_ratio);
+    measured_order(problem, sizes, errors.back());
   }
 }
 

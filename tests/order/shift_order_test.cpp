@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "measured_order.hpp"
 #include "microslip/rolling/transient.hpp"
-#include "microslip/support/convergence.hpp"
 
 namespace microslip {
 namespace {
@@ -64,8 +64,8 @@ TEST(ShiftOrder, BetweenTwoWaysOfRollingIsOfSecondOrderWhereEverythingSticks) {
       later[i] = std::max(later[i], std::abs(found.later / truth.later - 1));
     }
   }
-  EXPECT_NEAR(fitted_order(sizes, shifted), 2, 0.3);
-  EXPECT_NEAR(fitted_order(sizes, later), 2, 0.5);
+  EXPECT_NEAR(measured_order("force after the shift", sizes, shifted), 2, 0.3);
+  EXPECT_NEAR(measured_order("force 0.4 a later", sizes, later), 2, 0.5);
   EXPECT_LT(shifted[1], 5e-6);
   EXPECT_LT(later[1], 5e-6);
 }

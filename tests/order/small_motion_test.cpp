@@ -13,9 +13,11 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "measured_order.hpp"
 #include "microslip/rolling/frequency_response.hpp"
 #include "microslip/rolling/inverted_rolling.hpp"
 #include "microslip/rolling/transient.hpp"
@@ -69,10 +71,18 @@ double error_of_creepage_step(Eigen::Index n, const Case& by) {
   return error;
 }
 
-TEST_P(SmallMotion, ForceAfterAStepOfTheCreepageIsSecondOrder) {
+constexpr std::array<double, 3> sizes = {40, 80, 160};
+
+/// Of three sizes, whose order is printed.
+std::vector<double> errors_of(double (*error)(Eigen::Index n, const Case& by), const Case& by) {
   std::vector<double> errors;
-  for (const Eigen::Index n : {40, 80, 160})
-    errors.push_back(error_of_creepage_step(n, GetParam()));
+  for (const double n : sizes) errors.push_back(error(static_cast<Eigen::Index>(n), by));
+  measured_order(fmt::format("c = {:g}", by.step_ratio), sizes, errors);
+  return errors;
+}
+
+TEST_P(SmallMotion, ForceAfterAStepOfTheCreepageIsSecondOrder) {
+  const std::vector<double> errors = errors_of(error_of_creepage_step, GetParam());
   EXPECT_LT(errors[1], GetParam().accepted);
   EXPECT_LT(errors[2], GetParam().accepted / 3.3);
   EXPECT_GT(errors[0] / errors[2], 9);
@@ -108,8 +118,7 @@ double error_of_force_step(Eigen::Index n, const Case& by) {
 }
 
 TEST_P(SmallMotion, CreepageAfterAStepOfTheForceIsSecondOrder) {
-  std::vector<double> errors;
-  for (const Eigen::Index n : {40, 80, 160}) errors.push_back(error_of_force_step(n, GetParam()));
+  const std::vector<double> errors = errors_of(error_of_force_step, GetParam());
   EXPECT_LT(errors[1], 2e-4);
   EXPECT_GT(errors[0] / errors[2], 14);
 }
@@ -150,22 +159,25 @@ double error_about_state(const Kernel& kernel, Eigen::Index n, double step_ratio
   return std::abs(answer / (amplitude * mean) / exact - 1.0);
 }
 
-/// In five alignments of the stick-slip point with the elements, for about so many of them.
-std::array<double, 2> largest_errors(const Kernel& kernel, double step_ratio,
-                                     const std::array<Eigen::Index, 2>& elements) {
+/// In five alignments of the stick-slip point with the elements, for about so many of them. Their
+/// order is printed.
+std::array<double, 2> largest_errors(std::string_view problem, const Kernel& kernel,
+                                     double step_ratio, const std::array<double, 2>& elements) {
   std::array<double, 2> largest{};
   for (const Eigen::Index alignment : {0, 1, 2, 3, 4}) {
     for (const std::size_t k : {0, 1}) {
-      const double error = error_about_state(kernel, elements[k] + alignment, step_ratio, 1e-4);
-      largest[k] = std::max(largest[k], error);
+      const Eigen::Index n = static_cast<Eigen::Index>(elements[k]) + alignment;
+      largest[k] = std::max(largest[k], error_about_state(kernel, n, step_ratio, 1e-4));
     }
   }
+  measured_order(problem, elements, largest);
   return largest;
 }
 
 TEST(SmallMotionAboutCarter, IsSecondOrder) {
   for (const double step_ratio : {1.0, 0.3}) {
-    const auto largest = largest_errors(PlaneKernel(material, length), step_ratio, {50, 100});
+    const auto largest = largest_errors(fmt::format("c = {:g}", step_ratio),
+                                        PlaneKernel(material, length), step_ratio, {50, 100});
     EXPECT_LT(largest[0], 1.2e-4) << step_ratio;
     EXPECT_LT(largest[1], 3e-5) << step_ratio;
     EXPECT_GT(largest[0] / largest[1], 3.5) << step_ratio;
@@ -174,7 +186,8 @@ TEST(SmallMotionAboutCarter, IsSecondOrder) {
 
 TEST(SmallMotionAboutPartialSlipOfStrips, IsSecondOrder) {
   for (const auto& [width, step_ratio] : {std::pair{2.0, 1.0}, std::pair{0.5, 0.3}}) {
-    const auto largest = largest_errors(StripKernel(material, width), step_ratio, {50, 200});
+    const auto largest = largest_errors(fmt::format("strip of {:g} a, c = {:g}", width, step_ratio),
+                                        StripKernel(material, width), step_ratio, {50, 200});
     EXPECT_LT(largest[0], 2.3e-4) << width;
     EXPECT_LT(largest[1], 1.5e-5) << width;
     EXPECT_NEAR(largest[0] / largest[1], 15, 4) << width;

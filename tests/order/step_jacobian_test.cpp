@@ -10,6 +10,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "measured_order.hpp"
 #include "microslip/reference/small_motion.hpp"
 #include "microslip/rolling/transient.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 
 const Material material{1.44, 0.28};  // k = 1/pi
 constexpr double length = 10;
-constexpr std::array<Eigen::Index, 3> sizes = {50, 100, 200};
+constexpr std::array<double, 3> sizes = {50, 100, 200};
 
 /// For small distances by its first terms, as 1/H = 1/2 + 1/(8 s) + ... + lambda s.
 double response_to_step(double distance, double lambda) {
@@ -35,9 +36,10 @@ std::array<double, 3> errors_of_slope(const Case& c) {
   std::array<double, 3> errors{};
   const double force = -(1 - c.stick * c.stick) * HertzBound(1, 1).total();
   for (std::size_t i = 0; i < sizes.size(); ++i) {
+    const auto n = static_cast<Eigen::Index>(sizes[i]);
     TransientRolling rolling({.kernel = PlaneKernel(material, length),
                               .bound = HertzBound(1, 1),
-                              .grid = Grid({.half_width = 1, .elements = sizes[i]}),
+                              .grid = Grid({.half_width = 1, .elements = n}),
                               .basis = constant_basis(),
                               .scheme = Remembered{}});
     rolling.roll(30, {rolling.x()[1] - rolling.x()[0]}, PrescribedForce{force},
@@ -51,6 +53,10 @@ std::array<double, 3> errors_of_slope(const Case& c) {
   return errors;
 }
 
+void print_order(const Case& c, const std::array<double, 3>& errors) {
+  measured_order(fmt::format("a' = {:.4g} a, dq = {:g} a", c.stick, c.distance), sizes, errors);
+}
+
 class StepJacobian : public testing::TestWithParam<Case> {};
 
 // Steps of whole elements, from where one has been travelled, have an error of their own, which is
@@ -61,6 +67,7 @@ TEST_P(StepJacobian, OfLongStepsIsSecondOrder) {
     const auto errors = errors_of_slope({GetParam().stick, stretch * GetParam().distance});
     for (std::size_t i = 0; i < errors.size(); ++i) largest[i] = std::max(largest[i], errors[i]);
   }
+  print_order(GetParam(), largest);
   EXPECT_LT(largest[1], 2e-4);
   EXPECT_GT(largest[0] / largest[1], 3.3);
   EXPECT_GT(largest[1] / largest[2], 3.3);
@@ -87,6 +94,7 @@ TEST(StepJacobianWithinAnElement, IsFirstOrder) {
   for (const double stick : {0.9999999, 0.6, 0.3}) {
     for (const double distance : {1e-6, 1e-3}) {
       const auto errors = errors_of_slope({stick, distance});
+      print_order({stick, distance}, errors);
       EXPECT_LT(errors[1], 4.2e-3) << stick << ", " << distance;
       EXPECT_NEAR(errors[1] / errors[2], 2, 0.2) << stick << ", " << distance;
     }

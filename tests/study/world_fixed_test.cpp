@@ -9,7 +9,6 @@
 
 #include "microslip/experiments/creepage_noise.hpp"
 #include "microslip/experiments/cut_elements.hpp"
-#include "microslip/experiments/whole_elements.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "study_tables.hpp"
 
@@ -76,30 +75,6 @@ double order(const std::string& treatment) {
   return value("orders", treatment, 200.0, "deviation_order");
 }
 
-// Two programs for whole elements; the one keeps some behind the contact besides.
-TEST(CutElements, WholeOnesAreWholeElements) {
-  for (const EdgeElements treatment : {EdgeElements::at_node, EdgeElements::cell_mean}) {
-    const CattaneoToCarter rolling = rolling_on(20);
-    WholeElementRolling known(rolling, treatment);
-    CutElementRolling contact(rolling, treatment, 20);
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> ratio(0.01, 1.5);
-    for (int k = 0; k < 40; ++k) {
-      const double c = ratio(random);
-      known.step(c);
-      contact.step(c);
-      EXPECT_NEAR(contact.creepage(), known.creepage(), 1e-9);
-      const VectorXd x = contact.x(), at_known = known.x();
-      for (Eigen::Index i = 0; i < x.size(); ++i) {
-        const auto at = std::find_if(at_known.begin(), at_known.end(),
-                                     [&](double xi) { return std::abs(xi - x[i]) < 1e-9; });
-        ASSERT_NE(at, at_known.end());
-        EXPECT_NEAR(contact.traction()[i], known.traction()[at - at_known.begin()], 1e-10);
-      }
-    }
-  }
-}
-
 /// Displacement at a place by what lies on elements of other widths  [mm]
 double displacement(const VectorXd& x, const VectorXd& width, const VectorXd& traction, double at) {
   double sum = 0;
@@ -114,30 +89,33 @@ double displacement(const VectorXd& x, const VectorXd& width, const VectorXd& tr
 TEST(CutElements, MeetTheContactConditions) {
   const CattaneoToCarter rolling = rolling_on(20);
   const double elements = 20.4, dx = 2 / elements;
-  CutElementRolling contact(rolling, EdgeElements::cut, elements);
-  std::mt19937 random(3);
-  std::uniform_real_distribution<double> ratio(0.01, 1.5);
-  for (int k = 0; k < 40; ++k) {
-    const double c = ratio(random);
-    const VectorXd x = contact.x(), width = contact.width(), traction = contact.traction();
-    contact.step(c);
-    EXPECT_NEAR(contact.force(), rolling.force, 1e-11);
-    EXPECT_NEAR(contact.width().sum(), 2, 1e-12);
-    const VectorXd now = contact.x(), widths = contact.width();
-    for (Eigen::Index i = 0; i < now.size(); ++i) {
-      const double bound = (rolling.bound.integral(now[i] + widths[i] / 2) -
-                            rolling.bound.integral(now[i] - widths[i] / 2)) /
-                           widths[i];
-      const double p = contact.traction()[i];
-      const double slip = c * dx * contact.creepage() +
-                          displacement(now, widths, contact.traction(), now[i]) -
-                          displacement(x, width, traction, now[i] + c * dx);
-      if (contact.zones()[static_cast<std::size_t>(i)] == Zone::adhesion) {
-        EXPECT_LE(std::abs(p), bound + 1e-9);
-        EXPECT_NEAR(slip, 0, 1e-10);
-      } else {
-        EXPECT_NEAR(std::abs(p), bound, 1e-9);
-        EXPECT_LE(slip * p, 1e-10);
+  for (const auto treatment : {EdgeElements::at_node, EdgeElements::cell_mean, EdgeElements::cut}) {
+    CutElementRolling contact(rolling, treatment, elements);
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> ratio(0.01, 1.5);
+    for (int k = 0; k < 40; ++k) {
+      const double c = ratio(random);
+      const VectorXd x = contact.x(), width = contact.width(), traction = contact.traction();
+      contact.step(c);
+      EXPECT_NEAR(contact.force(), rolling.force, 1e-11);
+      if (treatment == EdgeElements::cut) EXPECT_NEAR(contact.width().sum(), 2, 1e-12);
+      const VectorXd now = contact.x(), widths = contact.width();
+      for (Eigen::Index i = 0; i < now.size(); ++i) {
+        const double mean = (rolling.bound.integral(now[i] + widths[i] / 2) -
+                             rolling.bound.integral(now[i] - widths[i] / 2)) /
+                            widths[i];
+        const double bound = treatment == EdgeElements::at_node ? rolling.bound(now[i]) : mean;
+        const double p = contact.traction()[i];
+        const double slip = c * dx * contact.creepage() +
+                            displacement(now, widths, contact.traction(), now[i]) -
+                            displacement(x, width, traction, now[i] + c * dx);
+        if (contact.zones()[static_cast<std::size_t>(i)] == Zone::adhesion) {
+          EXPECT_LE(std::abs(p), bound + 1e-9);
+          EXPECT_NEAR(slip, 0, 1e-10);
+        } else {
+          EXPECT_NEAR(std::abs(p), bound, 1e-9);
+          EXPECT_LE(slip * p, 1e-10);
+        }
       }
     }
   }

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
+#include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/transient.hpp"
 
 namespace microslip {
@@ -56,6 +58,34 @@ TEST(Dissipation, OfTransientsIsTheWorkLessWhatIsStored) {
       EXPECT_LT(std::abs(found.by_mean), c.accepted) << c.scheme.index() << ' ' << c.step_ratio;
       if (std::holds_alternative<Fractional>(c.scheme)) continue;
       EXPECT_LT(found.by_end, -2.5e-3) << c.scheme.index() << ' ' << c.step_ratio;
+    }
+  }
+}
+
+// Of any tractions, on elements that move along with the material: what slip loses by their means
+// over the step is what the force does less what is stored. With those at the end of the step the
+// energy of their change is missing.
+TEST(Dissipation, MeanTractionsBalanceAnyStepAndThoseAtItsEndDoNot) {
+  std::mt19937 generator(9);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const auto any = [&](double) { return uniform(generator); };
+  constexpr Eigen::Index n = 24;
+  for (const Kernel& kernel :
+       {Kernel(PlaneKernel({1, 0.28}, 9)), Kernel(StripKernel({1, 0.28}, 0.7))}) {
+    const Eigen::MatrixXd a = influence_matrix(kernel, constant_basis(), 0.1, n);
+    for (int i = 0; i < 20; ++i) {
+      const Eigen::VectorXd before = Eigen::VectorXd::Zero(n).unaryExpr(any);
+      const Eigen::VectorXd after = Eigen::VectorXd::Zero(n).unaryExpr(any);
+      const double shift = uniform(generator);  // w dq
+      const Eigen::VectorXd slip = (a * (after - before)).array() + shift;
+      const double stored = (after.dot(a * after) - before.dot(a * before)) / 2;
+      const double change = (after - before).dot(a * (after - before)) / 2;
+      const auto missing = [&](const Eigen::VectorXd& p) {
+        return -p.sum() * shift - stored - -p.dot(slip);
+      };
+      EXPECT_NEAR(missing((before + after) / 2), 0, 1e-12);
+      EXPECT_NEAR(missing(after), change, 1e-12);
+      EXPECT_GT(change, 1e-3);
     }
   }
 }

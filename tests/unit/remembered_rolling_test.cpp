@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "microslip/rolling/transient.hpp"
@@ -167,6 +169,73 @@ TEST(Remembered, SlipLosesTheEnergyOfSteadyRolling) {
             << ratio << ", " << n << ", " << c;
       }
     }
+  }
+}
+
+/// Integral of f over sqrt of the product of distances from both ends, by the midpoint rule in the
+/// angle.
+template <class Function>
+double weighed(double low, double high, const Function& f) {
+  constexpr int points = 2000;
+  double sum = 0;
+  for (int i = 0; i < points; ++i) {
+    const double part = (1 - std::cos((i + 0.5) * std::numbers::pi / points)) / 2;
+    sum += f(low + (high - low) * part) * std::numbers::pi / points;
+  }
+  return sum;
+}
+
+/// Strain at any place: linear between the middles of elements.
+auto strain_of(const TransientRolling& rolling) {
+  return [u = rolling.displacement(), x = rolling.x()](double at) {
+    const Index last = x.size() - 3;
+    const double place = std::clamp((at - x[0]) / (x[1] - x[0]) - 0.5, 0.0, double(last) + 1);
+    const Index k = std::min(static_cast<Index>(place), last);
+    const auto between = [&](Index i) { return (u[i + 1] - u[i]) / (x[1] - x[0]); };
+    return std::lerp(between(k), between(k + 1), place - static_cast<double>(k));
+  };
+}
+
+// The inversion on the stick zone [b, 1], docs/theory.md, with 2 (1 - nu)/G = 1: the strain of what
+// sticks and the bound of what slips give the force, and meet a condition at the stick-slip point,
+// which they do not ahead of it.
+TEST(Remembered, StrainAndBoundGiveTheStickSlipPointAndTheForce) {
+  TransientProblem contact = problem(400);
+  contact.kernel = PlaneKernel({1.44, 0.28}, 20);
+  TransientRolling rolling(contact);
+  const double dx = spacing_of(rolling);
+  for (int i = 0; i < 1200; ++i) {  // not steady: the creepage changes over less than the contact
+    rolling.step(dx, PrescribedCreepage{0.35 + 0.15 * std::sin(4 * i * dx)});
+    if (i < 800 || i % 50 != 0) continue;
+    const auto strain = strain_of(rolling);
+    // Over a slip zone from -1 to b, whose ends have no product of roots but b's.
+    const auto slipping = [](double t) {
+      return std::sqrt(1 - t * t) * std::sqrt((1 + t) / (1 - t));
+    };
+    const auto missing = [&](double b) {
+      return weighed(b, 1, strain) / weighed(-1, b, slipping) - 1;
+    };
+    const auto& zones = rolling.state().zones;
+    const double b = rolling.x()[std::ranges::find(zones, Zone::adhesion) - zones.begin()];
+    EXPECT_LT(std::abs(missing(b)), 8e-3) << i;
+    EXPECT_GT(std::abs(missing(b + 0.1)), 0.1) << i;
+    const double force = -weighed(b, 1, [&](double t) { return strain(t) * (t - b); }) -
+                         weighed(-1, b, [&](double t) { return slipping(t) * (b - t); });
+    EXPECT_NEAR(force / rolling.state().force, 1, 2e-4) << i;
+  }
+}
+
+// By that formulation itself, with e on cells of 0.04, 0.02 and 0.01, extrapolated: L0 = 20.
+TEST(Remembered, ForceFromRestIsThatOfTheStrainThatEnters) {
+  TransientProblem contact = problem(400);
+  contact.kernel = PlaneKernel({1.44, 0.28}, 20);
+  TransientRolling rolling(contact);
+  double last = 0;
+  for (const auto& [distance, force] :
+       {std::pair{1.0, -0.15748}, {2.0, -0.28384}, {8.0, -0.53526}}) {
+    rolling.roll(distance - last, {0.005}, PrescribedCreepage{0.2}, [](const TransientState&) {});
+    last = distance;
+    EXPECT_NEAR(rolling.state().force, force, 1.5e-5) << distance;
   }
 }
 

@@ -86,5 +86,13 @@ TEST(SchemeCatalogue, AreInTheDocumentation) {
   }
 }
 
+TEST(SchemeCatalogue, EachBasisOfScenesHasASafeNumberOfElements) {
+  for (const std::string_view name : basis_names()) {
+    EXPECT_GT(safe_elements(make_basis(name)).least, 1) << name;
+  }
+  const Basis unmeasured("spline", Basis::Pattern::uniform, {linear_shape()});
+  EXPECT_THROW(safe_elements(unmeasured), std::logic_error);
+}
+
 }  // namespace
 }  // namespace microslip

@@ -25,8 +25,9 @@ constexpr double negligible = 40;
 /// The least magnitude is looked for from here on.
 constexpr double lowest_wave = pi / 64;
 
-/// Of panels no longer than half the distance of the nearest singularity: of the coefficients, at
-/// y = 0 and +-clear beside the line, and of 1/(exp(2 pi y) - 1) at multiples of i.
+/// Adds the Gauss points of panels that are at most half as long as the distance to the nearest
+/// singularity: of the coefficients, at y = 0 and +-clear beside the line, and of 1/(exp(2 pi y) -
+/// 1) at multiples of i.
 void add_panels(double clear, std::vector<double>& heights, std::vector<double>& weights) {
   using Gauss = boost::math::quadrature::gauss<double, 15>;
   const double end = negligible / lowest;

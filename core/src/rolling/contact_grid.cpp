@@ -73,8 +73,9 @@ void ContactGrid::solve_step(const TransientState& before, double length, const 
   after.mean_force = (before.force + after.force) / 2;
 }
 
-/// With mean tractions. Those before are on material that has moved on, beyond the trailing node
-/// with the slip there. Slip of relaxed schemes is that over c* dx, whatever the step.
+/// Computes the dissipation with mean tractions. The tractions before the step are on material that
+/// has moved on; beyond the trailing node they meet the slip of that node. The slip of relaxed
+/// schemes is over c* dx, whatever the step.
 double ContactGrid::dissipation(const TransientState& before, const TransientState& after,
                                 double length) const {
   const auto* relaxed = std::get_if<Relaxed>(&scheme_);

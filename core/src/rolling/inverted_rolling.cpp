@@ -75,16 +75,19 @@ std::optional<double> root_from(const Guess& guess, const Function& f, unsigned 
   return (root.first + root.second) / 2;
 }
 
-/// Finds the stick zone of a load.
-class Search {
+/// Finds the one stick zone of a load between bodies of the same material, for any bound. Its two
+/// ends are the unknowns. Bodies of different material have several zones, see
+/// unlike_zone_search.hpp.
+class StickZoneSearch {
  public:
-  explicit Search(std::shared_ptr<const InvertedContact> contact) : contact_(std::move(contact)) {}
+  explicit StickZoneSearch(std::shared_ptr<const InvertedContact> contact)
+      : contact_(std::move(contact)) {}
 
   int evaluations() const { return evaluations_; }
 
   /// The next search for the same load on another contact with a similar stick zone.
-  Search next(std::shared_ptr<const InvertedContact> contact, double near) const {
-    Search next(std::move(contact));
+  StickZoneSearch next(std::shared_ptr<const InvertedContact> contact, double near) const {
+    StickZoneSearch next(std::move(contact));
     next.trailing_ = {trailing_.at, near, most_step};
     next.leading_ = {leading_.at, near, most_step};
     next.known_ = true;
@@ -254,7 +257,7 @@ InvertedSolution InvertedRolling::solve(const Load& load) const {
   const auto reached = [&](const StickZone& zone) {
     return force != nullptr ? zone.force() : zone.creepage();
   };
-  Search search(stages_.front().contact);
+  StickZoneSearch search(stages_.front().contact);
   StickZone zone = search.meet(target, reached);
   for (std::size_t i = 1; i < stages_.size(); ++i) {
     search = search.next(stages_[i].contact, stages_[i].near);

@@ -152,7 +152,7 @@ double LoadHistory::distance() const {
   return constant_ ? std::numeric_limits<double>::infinity() : distances_.back();
 }
 
-/// From a row on, the distance is quadratic in time.
+/// Finds the place of a distance. Within a row the distance is quadratic in time.
 LoadHistory::Place LoadHistory::place_of(double distance) const {
   const auto next = std::upper_bound(distances_.begin() + 1, distances_.end() - 1, distance);
   const auto row = static_cast<std::size_t>(next - distances_.begin()) - 1;

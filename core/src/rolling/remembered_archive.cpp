@@ -61,7 +61,7 @@ void RememberedState::archive(Archive& archive, Index size) {
   archive.number("ahead", ahead);
 }
 
-/// A step begins with the state and changes all else.
+/// A step begins with `state_` and overwrites all other members, so `state_` is all that is stored.
 void RememberedGrid::archive(Archive& archive, bool with_solved) {
   ContactScale target = target_;
   double response_to = response_to_;

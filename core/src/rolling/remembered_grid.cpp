@@ -18,15 +18,15 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Displacement by an element, against the distance in elements, from the entry to the exit; by the
-/// kernel on the problem's contact  [mm^3/N]
+/// Returns the displacement by an element against the distance in elements, from the entry to the
+/// exit, for a kernel on the problem's contact  [mm^3/N]
 VectorXd influence_at_distances(const Kernel& kernel, const ReferenceNodes& nodes) {
   return VectorXd::NullaryExpr(nodes.size + 2, [&](Index distance) {
     return influence(kernel, constant_shape(), nodes.spacing, static_cast<double>(distance));
   });
 }
 
-/// Displacement by the pressure, zero in the middle of a symmetric contact.
+/// Returns the displacement by the pressure; it is zero in the middle of a symmetric contact.
 /// \param x  of the nodes  [mm]
 /// \return at nodes, entry and exit  [mm]
 VectorXd pressed_at(const TransientProblem& problem, const VectorXd& x, double spacing) {
@@ -44,9 +44,9 @@ VectorXd pressed_at(const TransientProblem& problem, const VectorXd& x, double s
 
 }  // namespace
 
-/// Nodes are 2 a/N apart, so that steps of one element are not divided, and the last one is where
-/// the scheme feels the leading edge. The trailing edge is then 0.15 elements ahead of where the
-/// first node would feel it.
+/// Nodes are 2 a/N apart, so that a step of one element is not divided, and the last node stands
+/// where the scheme feels the leading edge at the contact's edge. The first node would then feel
+/// the trailing edge 0.15 elements behind the contact's edge.
 double RememberedGrid::exit_share(const LeadingEdgeConstants& edge) {
   return 2.5 - 2 * edge.offset;
 }
@@ -97,8 +97,8 @@ std::unique_ptr<RollingGrid> RememberedGrid::clone() const {
   return std::make_unique<RememberedGrid>(*this);
 }
 
-/// The response on a contact of this half-width, over the problem's, by tractions on the problem's
-/// contact: the kernel's lengths are divided by it.
+/// Sets the response on a contact of the given half-width (over the problem's) to tractions on the
+/// problem's contact: the kernel's lengths are divided by the half-width.
 void RememberedGrid::set_response(double half_width) {
   if (std::holds_alternative<PlaneKernel>(kernel_)) {
     const double common = -log_factor(kernel_) * std::log(half_width);
@@ -116,7 +116,7 @@ void RememberedGrid::set_response(double half_width) {
   response_to_ = half_width;
 }
 
-/// The bound of tractions on the problem's contact.
+/// Sets the bound of tractions on the problem's contact.
 void RememberedGrid::set_bound(const ContactScale& scale) {
   next_.conditions.bound = scale.full_sliding() * problem_bound_;
 }
@@ -140,6 +140,7 @@ VectorXd RememberedGrid::displacement(const VectorXd& traction) {
   return displaced_by(state_.scale.half_width * traction);
 }
 
+/// Returns the displacement of the nodes by tractions.
 /// \param traction  on the problem's contact
 VectorXd RememberedGrid::displaced_by(const VectorXd& traction) const {
   VectorXd displacement = (active_set_.response() * traction).array() +
@@ -148,31 +149,32 @@ VectorXd RememberedGrid::displaced_by(const VectorXd& traction) const {
   return displacement;
 }
 
-/// Adds what the pressure displaces at the nodes.
+/// Adds the displacement by the pressure at the nodes.
 void RememberedGrid::press_nodes(RememberedPoints& nodes) const {
   if (has_unlike_bodies()) nodes.at.head(nodes_.size) += pressed_.head(nodes_.size);
 }
 
-/// The same at entry and exit.
+/// Adds the displacement by the pressure at entry and exit.
 void RememberedGrid::press_ends(RememberedPoints& nodes) const {
   if (!has_unlike_bodies()) return;
   nodes.at[nodes_.size] += pressed_[nodes_.size];
   nodes.exit += pressed_[nodes_.size + 1];
 }
 
-/// Work of tractions on the strain by the pressure, per distance rolled  [N/mm]
+/// Returns the work of tractions on the strain by the pressure, per distance rolled  [N/mm]
 double RememberedGrid::work_of_pressure(const VectorXd& traction) const {
   return has_unlike_bodies() ? pressure_strain_ * nodes_.spacing * traction.dot(problem_bound_) : 0;
 }
 
-/// \param entry  traction of the element there, on the problem's contact
+/// Returns the displacement of the nodes by the element at the entry.
+/// \param entry  traction of that element, on the problem's contact
 VectorXd RememberedGrid::displaced_by_entry(double entry) const {
   return entry * (influence_.segment(1, nodes_.size).reverse().array() +
                   nodes_.spacing * next_.conditions.common);
 }
 
-/// At entry and exit.
-/// \param entry  traction of the element there
+/// Computes the displacements at entry and exit.
+/// \param entry  traction of the element at the entry
 void RememberedGrid::displace_ends(RememberedPoints& nodes, const VectorXd& traction,
                                    double entry) const {
   const auto from_next = influence_.segment(1, nodes_.size);
@@ -189,7 +191,8 @@ void RememberedGrid::set_contact(const ContactScale& scale) {
   target_ = scale;
 }
 
-/// A start from tractions that nothing has rolled with, within the bound that is set.
+/// Makes a state of tractions on a contact that has not rolled yet; the bound that is set limits
+/// them.
 RememberedState RememberedGrid::start_of(const VectorXd& traction,
                                          const ContactScale& scale) const {
   RememberedState state;
@@ -207,6 +210,7 @@ RememberedState RememberedGrid::start_of(const VectorXd& traction,
   return state;
 }
 
+/// Begins with tractions.
 /// \param traction  on the problem's contact, within the bound that is set
 void RememberedGrid::begin(const VectorXd& traction, TransientState& state) {
   if (target_.carries()) set_response(target_.half_width);
@@ -217,7 +221,7 @@ void RememberedGrid::begin(const VectorXd& traction, TransientState& state) {
   place_nodes();
 }
 
-/// Gives a state the tractions on the contact now, the mean over partitions.
+/// Writes the tractions on the present contact into a state: the mean over partitions.
 void RememberedGrid::give_tractions(const RememberedState& now, TransientState& state) const {
   state.scale = now.scale;
   state.force = weights_.dot(now.traction);
@@ -225,7 +229,7 @@ void RememberedGrid::give_tractions(const RememberedState& now, TransientState& 
   if (now.scale.half_width > 0) state.traction /= now.scale.half_width;
 }
 
-/// Takes nodes and bound to where they are after a step.
+/// Places nodes and bound where they are after a step.
 void RememberedGrid::place_nodes() {
   if (placed_ == state_.scale) return;
   placed_ = state_.scale;
@@ -233,7 +237,7 @@ void RememberedGrid::place_nodes() {
   bound_ = placed_.bound * problem_bound_;
 }
 
-/// Takes the ratio of tractions to the bound to the nodes of this grid.
+/// Begins with tractions of another grid: the nodes keep the ratio of tractions to the bound.
 void RememberedGrid::start_from(const VectorXd& traction, TransientState& state) {
   const VectorXd ratio = ratio_to_bound(traction_bound_, problem_nodes_, traction);
   set_bound(target_);

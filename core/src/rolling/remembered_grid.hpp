@@ -18,30 +18,30 @@
 
 namespace microslip {
 
-/// Nodes that stand in the contact, constant functions. The material remembers the displacement
-/// with which it came: s = W + A p - m, where m is the displacement that it would have without
-/// slip, cubic between points one element apart.
+/// A grid whose nodes stand in the contact, with constant functions. The material remembers the
+/// displacement with which it came: s = W + A p - m, where m is the displacement that the material
+/// would have without slip, cubic between points one element apart.
 ///
 /// - Both edges of the contact lie where the scheme feels them: the leading edge
-///   LeadingEdgeConstants::offset elements before the last node. The trailing edge is so near to
-///   the first node that its element is on a spring.
-/// - A displacement is remembered where a point enters, one element before the last node, once per
-///   element. Steps in between record nothing of adhesion, so that results do not depend on the
+///   LeadingEdgeConstants::offset elements ahead of the last node; the trailing edge so near to
+///   the first node that the first element is on a spring (MeanSpring).
+/// - A displacement is remembered where a point enters, one element ahead of the last node, once
+///   for each element. Steps in between record no adhesion, so that results do not depend on the
 ///   step.
 /// - StickSlipPoint gives the mean of the solutions of four partitions, so that the stick-slip
 ///   point moves evenly through the elements.
-/// - Bodies of different material remember what the pressure displaces, too.
-/// - A shift without rolling has an element at the entry besides, and the mean at the leading end
-///   of adhesion, too (remembered_shift.cpp).
-/// - On a contact that changes its size, nodes keep their places over its half-width. Whatever
-///   travels an element first, the leading edge or the trailing one, points are renewed: they are
-///   where nodes are then. In plane strain the half-width shifts the whole contact in proportion to
-///   the force, and is a common compliance of the same response; a strip needs a new one.
+/// - Bodies of different material remember the displacement by the pressure, too.
+/// - In a shift without rolling, an element at the entry carries traction, too, and a second mean
+///   is taken at the leading end of adhesion (remembered_shift.cpp).
+/// - If the contact changes its size, nodes keep their places over its half-width. Points are
+///   renewed at the nodes as soon as the leading or the trailing edge has travelled an element. In
+///   plane strain, another half-width has the same response and a common compliance, which shifts
+///   the whole contact in proportion to the force; a strip needs a new response.
 ///
-/// Cost: a step is a solve of ActiveSet for each substep, which ends where an element has been
-/// travelled or with the step. Where the partition changes, four neighbours of the stick-slip point
-/// are solved, too. Nothing is allocated where partitions are those of steps before.
-/// Accuracy: second order in dx, of small changes of the load, too; docs/theory.md,
+/// Cost: a solve of ActiveSet for each substep; a substep ends where an element has been travelled
+/// or with the step. Where the partition changes, four neighbours of the stick-slip point are
+/// solved, too. Nothing is allocated if the partitions are those of earlier steps.
+/// Accuracy: second order in dx, for small changes of the load, too; docs/theory.md,
 /// tests/order/small_motion_test.cpp, tests/unit/remembered_rolling_test.cpp
 class RememberedGrid final : public RollingGrid {
  public:
@@ -65,33 +65,34 @@ class RememberedGrid final : public RollingGrid {
   RememberedGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge,
                  const Grid& grid);
 
-  /// An element that is the mean of the solutions with it and without it is on a spring.
+  /// A spring under an element, with which the solution is the mean of the solutions with and
+  /// without the element.
   struct MeanSpring {
     double compliance;  ///< [mm^3/N]
-    /// \param weight  of the solution with it, in (0, 1)
+    /// \param weight  of the solution with the element, in (0, 1)
     double of_mean(double weight) const { return compliance * (1 - weight) / weight; }
   };
 
-  /// The nodes, and an element at the entry, in a shift without rolling. Adhesion may end anywhere
-  /// within an element at either side.
+  /// The contact in a shift without rolling: the nodes and an element at the entry. Adhesion may
+  /// end anywhere within an element on either side.
   struct StandingContact {
     Eigen::VectorXd bound;    ///< its means over elements of the problem's contact  [N/mm^2]
     ActiveSet active_set;     ///< N + 1
     StickSlipPoint trailing;  ///< stick-slip point
-    StickSlipPoint leading;   ///< of the mirrored contact
+    StickSlipPoint leading;   ///< stick-slip point of the mirrored contact
 
     void archive(Archive& archive, Eigen::Index size);
   };
 
-  /// A step on its way through its substeps, or a derivative of the step. Each substep ends where an
-  /// element has been travelled or with the step. Given the partition, all is linear except for products
-  /// of force and displacement.
+  /// A step that goes through its substeps, or a derivative of the step. Each substep ends where an
+  /// element has been travelled or with the step. For a given partition all is linear except for
+  /// products of force and displacement.
   struct Step : RolledContact {
-    RememberedState state;       ///< at the end of the substep
-    SlipConditions conditions;   ///< of the substep
-    double moved = 0;            ///< shift by the partition in the substep, with the lead  [mm]
-    double creepage = 0;         ///< shift by the mean in the substep  [mm]
-    double substep_force = 0;    ///< mean of the force over the substep  [N/mm]
+    RememberedState state;      ///< at the end of the substep
+    SlipConditions conditions;  ///< of the substep
+    double moved = 0;           ///< shift of the partition in the substep, including the lead  [mm]
+    double creepage = 0;        ///< shift of the mean over partitions in the substep  [mm]
+    double substep_force = 0;   ///< mean of the force over the substep  [N/mm]
     double substep_pressed = 0;  ///< work of the pressure per mm rolled in the substep  [N/mm]
     double entry = 0;            ///< traction of the element at the entry  [N/mm^2]
 
@@ -101,22 +102,22 @@ class RememberedGrid final : public RollingGrid {
     double work = 0;        ///< of the force  [N]
   };
 
-  /// A substep.
+  /// A substep with its load.
   struct Substep : SubstepEnd {
     double length;                    ///< [mm]
-    Load load;                        ///< its creepage is the shift  [mm]
+    Load load;                        ///< a creepage is given as the shift  [mm]
     std::array<Load, 2> load_slopes;  ///< by load and length of the step
     bool is_last;
   };
 
-  /// A step, or with no length a shift without rolling.
+  /// A step; if its length is 0, a shift without rolling.
   struct Way {
     double length;  ///< [mm]
-    Load load;      ///< of a shift: its creepage is the shift  [mm]
+    Load load;      ///< the creepage of a shift is given as the shift  [mm]
   };
 
-  /// The fraction of the first element that is in the contact, from where the scheme would feel the
-  /// trailing edge without it.
+  /// Returns the fraction of the first element that is in the contact. The contact begins where the
+  /// scheme would feel the trailing edge without the first element.
   static double exit_share(const LeadingEdgeConstants& edge);
 
   void set_response(double half_width);
@@ -158,13 +159,13 @@ class RememberedGrid final : public RollingGrid {
   TractionBound traction_bound_;
   Eigen::VectorXd problem_nodes_;  ///< [mm]
   Eigen::VectorXd problem_x_;      ///< of the nodes on the problem's contact  [mm]
-  double reach_;                   ///< of its elements from the centre  [mm]
+  double reach_;                   ///< largest distance of its elements from the centre  [mm]
   Eigen::VectorXd problem_bound_;  ///< its means over elements of the problem's contact  [N/mm^2]
   ReferenceNodes nodes_;
   LeadingEdgeConstants edge_;
   Kernel kernel_;
   Solver solver_;
-  double response_to_ = 1;   ///< half-width, over the problem's, of the response
+  double response_to_ = 1;   ///< half-width for which the response is made, over the problem's
   Eigen::VectorXd pressed_;  ///< displacement by the pressure, of bodies of different material, at
                              ///< nodes, entry and exit; else none  [mm]
   Eigen::VectorXd influence_;  ///< displacement by an element 0 ... N + 1 elements away  [mm^3/N]
@@ -174,10 +175,10 @@ class RememberedGrid final : public RollingGrid {
   std::optional<StandingContact> standing_;  ///< from the first shift on
 
   RememberedState state_;
-  Step next_;                   ///< that was solved last
-  std::array<Step, 2> slopes_;  ///< of it, by its load and by its length
+  Step next_;                   ///< the step that was solved last
+  std::array<Step, 2> slopes_;  ///< derivatives of `next_` by its load and by its length
   bool has_slopes_ = false;
-  ContactState sum_;  ///< of its partition, slip and creepage as displacements  [mm]
+  ContactState sum_;  ///< the step's result; slip and creepage as displacements  [mm]
 };
 
 }  // namespace microslip

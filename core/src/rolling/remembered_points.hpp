@@ -7,11 +7,11 @@
 
 namespace microslip {
 
-/// The interpolation between points is cubic.
+/// A cubic needs so many points.
 inline constexpr Eigen::Index fewest_points = 4;
 
-/// Where nodes stand among those of another time, on the same material: node i is i + of(i)
-/// elements from the first node of then.
+/// Where nodes stand among the nodes of an earlier time, on the same material: node i is i + of(i)
+/// elements from the first earlier node.
 struct NodeShift {
   double first = 0;    ///< of node 0
   double stretch = 0;  ///< the ratio of the elements' lengths, now over then, less 1
@@ -19,8 +19,8 @@ struct NodeShift {
   double of(Eigen::Index i) const { return first + stretch * static_cast<double>(i); }
 };
 
-/// Displacements at the nodes, at the entry, which is one element ahead of the last node, and at
-/// the exit, one behind the first; or those of points of the material that were there.
+/// Displacements at the nodes, at the entry (one element ahead of the last node) and at the exit
+/// (one element behind the first); or at the points of the material that were there.
 struct RememberedPoints {
   Eigen::VectorXd at;  ///< N + 1  [mm]
   double exit = 0;     ///< [mm]
@@ -35,15 +35,15 @@ struct RememberedPoints {
   }
 };
 
-/// The first of the values that a cubic at index i takes.
+/// Returns the index of the first of the four values that a cubic at index i uses.
 inline Eigen::Index first_of_cubic(const Eigen::VectorXd& values, Eigen::Index i,
                                    Eigen::Index from) {
   const Eigen::Index last = values.size() - fewest_points;
   return std::clamp(i - 1, std::min(from, last), last);
 }
 
-/// Moves whole elements of a shift to the index, so that it is within [0, 1], unless it is farther
-/// than any contact goes. A shift that is not a number counts as the farthest.
+/// Moves whole elements of a shift to the index, so that the shift is within [0, 1], unless it is
+/// farther than any contact goes. A shift that is not a number counts as the farthest.
 inline void take_whole_elements(Eigen::Index& i, double& shift) {
   constexpr double farthest = 1e15;
   if (shift >= 0 && shift <= 1) return;
@@ -52,8 +52,8 @@ inline void take_whole_elements(Eigen::Index& i, double& shift) {
   shift -= whole;
 }
 
-/// The value at index i + shift of values at whole indices, cubic; linear to the exit.
-/// \param from  the values used have this index at least
+/// Interpolates values at whole indices to i + shift: by a cubic; linearly to the exit.
+/// \param from  only values from this index on are used
 inline double interpolated_at(const RememberedPoints& points, Eigen::Index i, double shift,
                               Eigen::Index from) {
   const Eigen::VectorXd& values = points.at;
@@ -70,7 +70,7 @@ inline double interpolated_at(const RememberedPoints& points, Eigen::Index i, do
          factor(0) * factor(1) * factor(2) / 6 * values[a + 3];
 }
 
-/// Its derivative by the shift.
+/// Returns the derivative of interpolated_at() by the shift.
 inline double slope_at(const RememberedPoints& points, Eigen::Index i, double shift,
                        Eigen::Index from) {
   const Eigen::VectorXd& values = points.at;

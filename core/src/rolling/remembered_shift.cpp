@@ -37,8 +37,8 @@ void RememberedGrid::StandingContact::archive(Archive& archive, Index size) {
   leading.archive(archive, size);
 }
 
-/// From the edge of the contact to where the scheme feels the end of adhesion without the element
-/// at the entry, it is as far as that element's share.
+/// Makes the contact of shifts on first use. The share of the element at the entry is the distance
+/// from the edge of the contact to where the scheme feels the end of adhesion without that element.
 RememberedGrid::StandingContact& RememberedGrid::standing() {
   if (standing_) return *standing_;
   const Index n = nodes_.size + 1;
@@ -57,7 +57,7 @@ RememberedGrid::StandingContact& RememberedGrid::standing() {
   return *standing_;
 }
 
-/// A step that travels nothing.
+/// Solves a shift as a step of no length.
 Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load,
                                   TransientState& after) {
   const bool stays = target_ == state_.scale && target_.carries();
@@ -88,7 +88,8 @@ Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load
   return shift;
 }
 
-/// The load of the partition. Since shifts turned, the mean has an offset from it.
+/// Returns the load of the partition. After a turn the mean over partitions differs from the
+/// partition by a constant, `before_turn`.
 Load RememberedGrid::of_standing_partition(const Load& load) const {
   const RememberedState& state = next_.state;
   if (const auto* force = std::get_if<PrescribedForce>(&load)) {
@@ -100,7 +101,7 @@ Load RememberedGrid::of_standing_partition(const Load& load) const {
 }
 
 /// Searches the partition of nodes and entry.
-/// \param conditions  in, and the offsets out
+/// \param conditions  its offsets are set
 /// \return whether material at the trailing end has stuck again
 bool RememberedGrid::search_standing(const Load& load, SlipConditions& conditions,
                                      ContactState& contact) {
@@ -127,8 +128,9 @@ bool RememberedGrid::search_standing(const Load& load, SlipConditions& condition
   return stuck_again;
 }
 
-/// What the mean over partitions adds, at the leading end of adhesion and at both. After a turn,
-/// nodes have as far to go to the bound as they had then, and then as far as from there.
+/// Adds the change by the mean over partitions: at the leading end of adhesion, and at both ends.
+/// After a turn, the bound of a node is raised by the distance that its traction had from the bound
+/// at the turn.
 void RememberedGrid::average_standing(const Load& load, SlipConditions conditions,
                                       RolledContact rolled) {
   RememberedState& state = next_.state;
@@ -156,8 +158,8 @@ void RememberedGrid::average_standing(const Load& load, SlipConditions condition
   state.shifts->mean = added();
 }
 
-/// A shift of a contact that stays as it is: the nodes and the element at the entry, with the mean
-/// over partitions at either end of adhesion.
+/// Shifts a contact that keeps its size. The nodes and the element at the entry carry traction, and
+/// the mean over partitions is taken at either end of adhesion.
 void RememberedGrid::shift_standing(const Load& load) {
   const Index n = nodes_.size;
   RememberedState& state = next_.state;

@@ -14,27 +14,27 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Points that have slipped so many elements ago, or fewer, are kept as if they had not: the
-/// partitions whose mean is taken include their nodes in adhesion.
+/// Points that slipped at most so many elements behind the stick-slip point are kept as if they had
+/// not slipped, because the averaged partitions include their nodes in adhesion.
 constexpr Index kept_behind = 3;
 
-/// Nodes in adhesion so near to its leading end may slip in the mean over partitions.
+/// So many nodes in adhesion next to its leading end may slip in the mean over partitions.
 constexpr Index averaged = 2;
 
-/// Nodes of a contact among those of another one.
+/// Returns where the nodes of a contact stand among the nodes of another contact.
 /// \param travelled  by the contact's centre, in elements of the other contact
-/// \param ratio      of half-widths, now over then
+/// \param ratio      of half-widths, this contact's over the other's
 NodeShift shift_of(const ReferenceNodes& nodes, double travelled, double ratio) {
   return {.first = travelled + (ratio - 1) * nodes.first, .stretch = ratio - 1};
 }
 
-/// The node at a point that is remembered, or the next one.
+/// Returns the node at a remembered point, or else the next node ahead.
 Index node_ahead(Index point, const NodeShift& shift) {
   return shift.of(point) < 0 ? point + 1 : point;
 }
 
-/// The value now at a point that is remembered: linear between the nodes on either side.
-/// \param values  at the nodes; behind the first and ahead of the last, the value there
+/// Interpolates present values to a remembered point, linearly between the nodes on either side.
+/// \param values  at the nodes; constant behind the first and ahead of the last
 double between_nodes(const VectorXd& values, Index point, const NodeShift& shift) {
   const Index ahead = node_ahead(point, shift);
   if (ahead == 0) return values[0];
@@ -74,7 +74,8 @@ SubstepEnd RememberedState::end_of_substep(const ReferenceNodes& nodes, double l
   return substep;
 }
 
-/// Of a node that has slipped, the nodes when the substep began; else the points.
+/// Looks a node up among the nodes when the substep began if the node has slipped, else among the
+/// points.
 RememberedState::Source RememberedState::source_of(Index i, const SubstepEnd& end) const {
   const bool as_if_stuck = (i >= kept && i < stuck) || (shifts && shifts->keeps(i));
   if (!sticks(zones, i) && !as_if_stuck) {
@@ -172,7 +173,7 @@ void RememberedState::remember_shift(const ReferenceNodes& reference, const Subs
   remember(reference, end, stuck_again);
 }
 
-/// Points of these indices slip with the nodes.
+/// Lets the points of the given indices slip with the nodes.
 void RememberedState::slip_points(const ReferenceNodes& reference, Index from, Index to) {
   const NodeShift now = among_points(reference);
   VectorXd slip = VectorXd::Zero(reference.size);
@@ -214,9 +215,10 @@ void RememberedState::end_shifts(const ReferenceNodes& reference, const VectorXd
   shifts.reset();
 }
 
-/// The scheme feels the edge of a shift, at which tractions are singular, `offset` - 1/2 elements
-/// ahead of the last point that sticks. So the fraction t of the last point sticks, and the fraction
-/// t - 1 of the next point, which is not remembered yet.
+/// Shares the slip at the entry between the last point and the next one. The scheme feels the edge
+/// of a shift, at which tractions are singular, `offset` - 1/2 elements ahead of the last point
+/// that sticks. So the fraction t of the last point sticks, and the fraction t - 1 of the next
+/// point, which is not remembered yet.
 /// \param slip  at the entry, of material that is outside  [mm]
 void RememberedState::share_slip(const ReferenceNodes& reference, double slip) {
   const Index n = reference.size;
@@ -225,8 +227,8 @@ void RememberedState::share_slip(const ReferenceNodes& reference, double slip) {
   ahead += std::max(0.0, inside - 1) * slip;
 }
 
-/// Points are those at nodes, entry and exit now.
-/// \param from  points behind it have slipped
+/// Replaces the points by the points that are at nodes, entry and exit now.
+/// \param from  points behind this index have slipped
 void RememberedState::renew_points(const SubstepEnd& end, Index from) {
   const auto n = static_cast<Index>(zones.size());
   if (end.on_points.stretch == 0) {

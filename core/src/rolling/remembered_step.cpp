@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Slip and shifts below this are rounding of the displacements  [mm]
+/// Returns the limit below which slip and shifts are rounding of the displacements  [mm]
 double rounding_of(const RememberedState& state) {
   return 1e-13 * state.nodes.at.cwiseAbs().maxCoeff();
 }
@@ -50,8 +50,8 @@ void RememberedGrid::accept_step() {
 
 void RememberedGrid::move_to(double distance) { state_.move_to(distance); }
 
-/// Rolls all the way in substeps. Each ends where an element has been travelled; in a contact that
-/// changes, either end may be the first to travel it.
+/// Rolls all the way in substeps. A substep ends where an element has been travelled; on a contact
+/// that changes, by whichever edge is first.
 void RememberedGrid::roll(const Way& way) {
   const RememberedState& from = state_;
   if (from.shifts) {
@@ -85,7 +85,7 @@ void RememberedGrid::roll(const Way& way) {
   next_.state.distance_error = (end - from.distance) - added;
 }
 
-/// After a force, a creepage moves the partition to where the mean over partitions is, which is no
+/// Moves the partition to the mean over partitions, if a creepage follows a force. This move is no
 /// slip.
 void RememberedGrid::settle_lead(const Load& load) {
   const RememberedState& state = next_.state;
@@ -118,7 +118,7 @@ void RememberedGrid::roll_substep_to(const Way& way, double begin, double length
   roll_substep({substep, length, load, slopes, is_last});
 }
 
-/// Loses the contact, or begins one at the end of the way, at rest or with the force.
+/// Loses the contact; or begins a contact at the end of the way, at rest or with the force.
 void RememberedGrid::change_contact(const Way& way) {
   const double end = state_.distance + way.length;
   const auto* force = std::get_if<PrescribedForce>(&way.load);
@@ -143,7 +143,7 @@ void RememberedGrid::change_contact(const Way& way) {
   }
 }
 
-/// The displacements with which the material has come to the nodes.
+/// Looks up the displacements with which the material has come to the nodes.
 void RememberedGrid::recall(Step& step, const Substep& substep) const {
   for (Index i = 0; i < nodes_.size; ++i) {
     step.conditions.offset[i] = -step.state.remembered_at(i, substep);
@@ -152,8 +152,8 @@ void RememberedGrid::recall(Step& step, const Substep& substep) const {
   if (has_unlike_bodies() && &step == &next_) step.conditions.offset += pressed_.head(nodes_.size);
 }
 
-/// Adds the slip of a substep. Next to the stick-slip point, slip is counted since a point was in
-/// adhesion, so that what it had slipped before has to be taken away.
+/// Adds the slip of a substep. Next to the stick-slip point, a point's slip is counted since its
+/// adhesion, so that its earlier slip is subtracted.
 void RememberedGrid::add_slip(const Substep& substep) {
   const RememberedState& before = next_.state;
   const ContactState& contact = next_.contact;
@@ -165,14 +165,15 @@ void RememberedGrid::add_slip(const Substep& substep) {
   }
 }
 
-/// The load of the partition, which has the lead to make up for, and no substep in the entry.
+/// Returns the load of the partition: a creepage makes up for the lead, a force is without the
+/// element at the entry.
 Load RememberedGrid::of_partition(const Load& load, const Step& step) const {
   const auto* creepage = std::get_if<PrescribedCreepage>(&load);
   if (creepage != nullptr) return PrescribedCreepage{creepage->value + step.state.lead};
   return PrescribedForce{std::get<PrescribedForce>(load).value - nodes_.spacing * step.entry};
 }
 
-/// What is left of the last shift at the leading edge.
+/// Reduces what the last shift left at the leading edge.
 void RememberedGrid::fade_shift(const Substep& substep) {
   RememberedState& state = next_.state;
   const bool is_relieved = state.relief.size() > 0;
@@ -195,7 +196,7 @@ void RememberedGrid::search_partition(const Load& load) {
   sum_.iterations += next_.contact.iterations;
 }
 
-/// Solves for the derivatives of the contact by the partition that has been found.
+/// Solves for the derivatives of the contact with the partition that has been found.
 void RememberedGrid::solve_slopes(const Substep& substep) {
   for (std::size_t k = 0; k < 2; ++k) {
     Step& slope = slopes_[k];
@@ -210,7 +211,7 @@ void RememberedGrid::solve_slopes(const Substep& substep) {
   }
 }
 
-/// The displacements that the partition leads to.
+/// Computes the displacements by the partition's solution.
 void RememberedGrid::displace(Step& step) const {
   step.moved = step.contact.creepage;
   step.state.points.subtract(step.moved);
@@ -244,7 +245,7 @@ void RememberedGrid::finish_substep(Step& step, const Substep& substep, bool stu
   state.distance = substep.distance;
 }
 
-/// Rolls up to where an element has been travelled at most.
+/// Rolls a substep, over an element at most.
 void RememberedGrid::roll_substep(const Substep& substep) {
   const RememberedState& before = next_.state;
   set_response(substep.scale.half_width);
@@ -302,8 +303,9 @@ void RememberedGrid::roll_substep(const Substep& substep) {
   }
 }
 
+/// Divides the sums of a step by its length, as derivatives.
 /// \param length     of the step  [mm]
-/// \param by_length  its derivative
+/// \param by_length  derivative of the length: 1 or 0
 StepSlopes RememberedGrid::slopes_of_step(const Step& slope, const TransientState& after,
                                           double length, double by_length) const {
   const auto per_length = [&](double of_sum, double value) {

@@ -132,8 +132,15 @@ const auto& found(const Entries& entries, std::string_view name) {
 }  // namespace
 
 SafeRange safe_elements(const Basis& basis) {
-  if (basis.name() == "constant") return {.least = 11};
-  return {.least = basis.name() == "quadratic" ? 51.0 : 21.0};
+  struct Measured {
+    std::string_view name;
+    double least;
+  };
+  static constexpr std::array measured{Measured{"constant", 11}, Measured{"linear", 21},
+                                       Measured{"trimmed linear", 21}, Measured{"quadratic", 51}};
+  const auto found = std::ranges::find(measured, basis.name(), &Measured::name);
+  if (found != measured.end()) return {.least = found->least};
+  throw std::logic_error("safe_elements: expected a number for basis " + basis.name());
 }
 
 std::span<const SteadyEntry> steady_schemes() { return steady; }

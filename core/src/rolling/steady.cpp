@@ -59,14 +59,14 @@ VectorXd mean_bound_of(const SteadyProblem& problem) {
   return element_means(problem.bound, problem.grid.nodes(), lengths_of(problem));
 }
 
-/// What the tractions must keep.
+/// Returns the bound that limits the tractions.
 VectorXd bound_of(const SteadyProblem& problem, const Differences& differences) {
   return differences.mean_bounds ? mean_bound_of(problem)
                                  : bound_at(problem.bound, problem.grid.nodes());
 }
 
-/// Where the pressure stretches the surfaces: at the nodes, as CONTACT has it, or over the steps that
-/// the difference takes.
+/// Returns the bound that is proportional to the pressure: at the nodes, as in CONTACT, or its mean
+/// over the steps of the difference.
 VectorXd pressed_bound_of(const SteadyProblem& problem, const Differences& differences) {
   const VectorXd x = problem.grid.nodes();
   if (!differences.mean_bounds) return bound_at(problem.bound, x);
@@ -88,11 +88,11 @@ std::vector<Zone> zones_of(const SteadyProblem& problem, const Differences& diff
   return contact_by(active_set, problem, differences).zones;
 }
 
-/// Where to start from: adhesion everywhere; or the partition of a grid of fewer elements, so that
-/// the number of rounds does not grow with that of elements; or, for small steps, that of a whole
-/// one, from which it differs by few elements: from adhesion, the way would be long. With a known
-/// displacement at the edge there may be no way from adhesion, as the tractions next to the edge
-/// take the wrong sign there: the partition without it is the start.
+/// Chooses the first partition. It is the one of a grid of fewer elements, so that the number of
+/// rounds does not grow with the number of elements; on a coarse grid, adhesion everywhere. For a
+/// step shorter than an element it is the partition of a whole step, which differs by few elements.
+/// With a known displacement at the edge it is the partition without that displacement: tractions
+/// next to the edge take the wrong sign, and there may be no way from adhesion.
 std::vector<Zone> first_zones(const SteadyProblem& problem, const Differences& differences) {
   constexpr Index ratio = 4;
   constexpr Index coarsest = 50;

@@ -73,7 +73,7 @@ StickSlipPoint::StickSlipPoint(const LeadingEdgeConstants& edge, double first_le
               1),
       first_length_(first_length) {}
 
-/// For a derivative, bounds are 0.
+/// Returns the distance from the bound, or from slip. Bounds are 0 for a derivative.
 double StickSlipPoint::left(const SlipConditions* conditions, const ContactState& contact,
                             Index neighbour) const {
   const Index node = stuck_ + neighbour;
@@ -90,10 +90,10 @@ StickSlipPoint::Root<Scalar> StickSlipPoint::root_of(const Scalar& left, const S
   return {first, clamped(next, 0, any) - second_ * first};
 }
 
-/// With the coefficients A of the regular square root and B of the singular one, the point is -B/A
-/// elements from its position at B = 0, which is half an element behind the partition's natural
-/// end.
-/// \return distance from the partition's natural end in elements, [-1/2, 1/2]
+/// Returns the stick-slip point, as its distance from the partition's natural end in elements,
+/// [-1/2, 1/2]. With the coefficients A of the regular square root and B of the singular square
+/// root, the point is -B/A elements from its position at B = 0, which is half an element behind the
+/// natural end.
 template <class Scalar>
 Scalar StickSlipPoint::beyond(const Root<Scalar>& root) {
   if (root.regular <= 0) return Scalar(-0.5);

@@ -58,7 +58,7 @@ class StickZone {
   /// to be zero if the bodies slip ahead of the stick zone.
   double leading_root() const;
 
-  /// That coefficient over the contribution of the trailing slip zone.
+  /// Returns leading_root() over the contribution of the trailing slip zone.
   double relative_leading_root() const { return leading_root() / trailing_.at_far_end(); }
 
   // Number of equations for the regular strain of a strip.

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-#include "stick_zone_search.hpp"
+#include "unlike_zone_search.hpp"
 
 namespace microslip {
 
@@ -23,7 +23,7 @@ constexpr Index elements_to_begin = 401;
 /// A solution over a contact in the units of a problem.
 class UnlikeSolution {
  public:
-  UnlikeSolution(const SteadyProblem& problem, StickZones zones)
+  UnlikeSolution(const SteadyProblem& problem, UnlikeZones zones)
       : problem_(problem),
         zones_(std::move(zones)),
         a_(problem.grid.half_width()),
@@ -93,7 +93,7 @@ class UnlikeSolution {
     return evidence;
   }
 
-  /// At the leading edge, by the tractions as line loads.
+  /// Returns the displacement at the leading edge, by the tractions as line loads.
   double displacement_at_edge() const {
     double sum = 0;
     for (std::size_t i = 0; i < zones_.pattern().size(); ++i) {
@@ -129,7 +129,7 @@ class UnlikeSolution {
     return sum;
   }
 
-  /// By the strain, which is the creepage less slip and what the pressure stretches.
+  /// Integrates the strain, which is the creepage minus the slip and the strain by the pressure.
   VectorXd displacement(const VectorXd& x) const {
     VectorXd u(x.size());
     const double w = strain_ * zones_.creepage();
@@ -147,7 +147,7 @@ class UnlikeSolution {
   }
 
   const SteadyProblem& problem_;
-  StickZones zones_;
+  UnlikeZones zones_;
   double a_, peak_;
   double strain_;  ///< by the peak
 };

@@ -7,8 +7,8 @@
 
 namespace microslip {
 
-/// Steady rolling of bodies of different material under Hertz's bound, by StickZones, from the zones
-/// of elements on.
+/// Solves steady rolling of bodies of different material under Hertz's bound by UnlikeZones,
+/// starting from the zones of a solution by elements.
 ///
 /// Accuracy: 1e-8 of the creepage of free rolling without slip, and as much of tractions,
 /// tests/unit/unlike_bodies_test.cpp. Cost: some 20 ms, and 1e-5 s for each node.

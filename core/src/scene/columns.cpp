@@ -38,7 +38,8 @@ std::vector<std::string> next_words(std::istream& in, int& line_number) {
   return words_of(next_line(in, line_number));
 }
 
-/// With one blank between words. A cell without words is empty.
+/// Splits a line at its tabs, and leaves one blank between the words of a cell. A cell without
+/// words is empty.
 std::vector<std::string> cells_between_tabs(const std::string& line) {
   std::vector<std::string> cells;
   std::istringstream stream(line + '\t');

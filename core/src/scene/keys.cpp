@@ -21,7 +21,7 @@ namespace {
 
 using enum Key::Type;
 
-/// Where nodes and edges have places of their own, or steps a length.
+/// In these scenes nodes and edges have places of their own, or steps have a length.
 constexpr std::string_view whole_contact =
     "leading_edge standard, known_edge or trimmed, or problem transient or cylinder";
 

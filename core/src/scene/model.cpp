@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -79,9 +78,9 @@ void require_few_steps(double distance, double from, double length) {
 }
 
 LoadHistory read_loads(Scene& scene, const TransientProblem& problem) {
-  const std::string given = scene.one_of(
-      {"load.creepage", "load.force", "load.force_ratio", "load.stick_ratio", "load.file"});
-  if (given == "load.file") return read_run(scene, problem);
+  std::vector<std::string> keys = load_keys;
+  keys.emplace_back("load.file");
+  if (scene.one_of(keys) == "load.file") return read_run(scene, problem);
   return read_load(scene, problem.kernel, problem.bound);
 }
 
@@ -217,13 +216,9 @@ const SteadyEntry& read_steady_scheme(Scene& scene) {
   return steady_scheme(chebyshev ? "chebyshev" : scene.word("leading_edge"));
 }
 
-/// Of steady rolling.
-constexpr std::array load_keys = {"load.creepage", "load.force", "load.force_ratio",
-                                  "load.stick_ratio"};
-
 /// Takes notice of a load that has no part in the model.
 Load read_no_load(Scene& scene) {
-  for (const char* key : load_keys) {
+  for (const std::string& key : load_keys) {
     if (scene.has(key)) scene.number(key);
   }
   return PrescribedCreepage{0};
@@ -360,7 +355,8 @@ void warn_of_other_radius(Scene& scene, double radius) {
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator) {
   const Material material = read_material(scene);
   const ContactModel model = read_contact(scene, material, material);
-  // By itself: GCC 12 destroys a nested aggregate twice if a reader behind it throws.
+  // This is not written within the braces of the scene, because GCC 12 destroys a nested aggregate
+  // twice if a later reader throws.
   const TransientProblem contact{.kernel = model.kernel,
                                  .bound = model.bound,
                                  .grid = model.grid,

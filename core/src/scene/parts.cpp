@@ -156,8 +156,7 @@ Acceptance read_acceptance(Scene& scene) {
 }
 
 Load read_load(Scene& scene, const Kernel& kernel, const TractionBound& bound) {
-  const std::string key =
-      scene.one_of({"load.creepage", "load.force", "load.force_ratio", "load.stick_ratio"});
+  const std::string key = scene.one_of(load_keys);
   const double value = scene.number(key);
   if (key == "load.creepage") return PrescribedCreepage{value};
   if (key == "load.force") return PrescribedForce{value};

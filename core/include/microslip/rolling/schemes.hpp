@@ -28,7 +28,8 @@ struct SafeRange {
   bool holds(double value) const { return value >= least && value <= most; }
 };
 
-/// Safe numbers of elements, which depend on the order of the basis functions  [1]
+/// Safe numbers of elements with a basis  [1]
+/// \throws std::logic_error for a basis without a measurement
 SafeRange safe_elements(const Basis& basis);
 
 /// A way to solve steady rolling: a value of `leading_edge`, or `method chebyshev`.

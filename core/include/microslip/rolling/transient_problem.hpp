@@ -31,7 +31,7 @@ struct TransientProblem {
   Solver solver = {};
   Acceptance accepted = {};    ///< for require_evidence
   double pressure_strain = 0;  ///< microslip::pressure_strain(), for PlaneKernel  [mm^2/N]
-  /// beta mu: of this order are the changes of pressure that Goodman's approximation leaves out  [1]
+  /// beta mu, the order of the changes of pressure that Goodman's approximation leaves out  [1]
   double coupling = 0;
 
   bool has_unlike_bodies() const { return pressure_strain != 0; }

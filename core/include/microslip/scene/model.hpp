@@ -14,76 +14,78 @@
 namespace microslip {
 
 /// \file
-/// Parts of a model from the keys of a scene. Each throws std::invalid_argument that names the key.
+/// These functions read parts of a model from the keys of a scene. Each throws
+/// std::invalid_argument that names the key. scene/keys.cpp has unit, range, words and default of
+/// each key.
 
-/// material.shear_modulus or material.youngs_modulus, material.poisson_ratio
+/// Reads material.poisson_ratio, and material.shear_modulus or material.youngs_modulus.
 Material read_material(Scene& scene);
 
-/// The same as constants of both bodies or of the first; material.dundurs_beta, or
-/// material.shear_modulus_2 or material.youngs_modulus_2, and material.poisson_ratio_2, of bodies of
-/// different material
+/// Reads the constants of both bodies. Bodies of different material have material.dundurs_beta; or
+/// the constants of the second one have keys with the ending _2, beside the keys of
+/// read_material().
 Bodies read_bodies(Scene& scene);
 
-/// direction longitudinal|lateral (longitudinal): the constants with which a kernel is that of this
-/// direction
+/// Reads `direction`, and returns the constants with which a kernel is the kernel of this
+/// direction.
 Material read_tangential(Scene& scene, const Material& material);
 
-/// contact.friction, above 0, at most 10
+/// Reads contact.friction.
 double read_friction(Scene& scene);
 
-/// kernel.type strip|plane; kernel.width of a strip, kernel.length of plane strain
+/// Reads kernel.type, and kernel.width of a strip or kernel.length of plane strain.
 Kernel read_kernel(Scene& scene, const Material& material);
 
-/// contact.half_width, contact.peak_traction
+/// Reads contact.half_width and contact.peak_traction.
 HertzBound read_hertz_bound(Scene& scene);
 
-/// contact.half_width, contact.bound_polynomial, contact.peak_traction (1)
+/// Reads contact.half_width, contact.bound_polynomial and contact.peak_traction.
 PolynomialBound read_polynomial_bound(Scene& scene);
 
-/// Either of these, or contact.half_width and contact.bound_file (columns x bound)
+/// Reads a bound of Hertz, a polynomial, or the table of contact.bound_file with columns x and
+/// bound.
 TractionBound read_bound(Scene& scene);
 
-/// The same, or instead of all that contact.normal_load, contact.radius_1, contact.radius_2 (none
-/// for a plane) and contact.friction, from which half-width and peak follow by Hertz.
+/// Reads a bound, or contact.normal_load, contact.radius_1, contact.radius_2 (none for a plane) and
+/// contact.friction, from which half-width and peak follow by Hertz.
 TractionBound read_bound(Scene& scene, const Material& material);
 
-/// grid.elements, grid.leading_offset (0.5), grid.trailing_offset (0.5)
+/// Reads grid.elements, grid.leading_offset and grid.trailing_offset.
 Grid read_grid(Scene& scene, double half_width);
 
-/// basis constant|linear|quadratic (constant); the last for an odd number of elements
+/// Reads `basis`.
 Basis read_basis(Scene& scene, const Grid& grid);
 
-/// solver.type auto|dense|fft (auto), solver.tolerance (1e-10)
+/// Reads solver.type and solver.tolerance.
 Solver read_solver(Scene& scene);
 
-/// solver.tolerance (1e-10), solver.violation (0.05), solver.condition (1e13)
+/// Reads solver.tolerance, solver.violation and solver.condition.
 Acceptance read_acceptance(Scene& scene);
 
-/// load.creepage, load.force, load.force_ratio or, for Hertz's bound in plane strain,
-/// load.stick_ratio
+/// The keys of a load, of which a scene has one; load.stick_ratio is for Hertz's bound in plane
+/// strain.
+inline const std::vector<std::string> load_keys{"load.creepage", "load.force", "load.force_ratio",
+                                                "load.stick_ratio"};
+
+/// Reads the one of `load_keys` that the scene has.
 Load read_load(Scene& scene, const Kernel& kernel, const TractionBound& bound);
 
-/// method collocation|chebyshev (collocation), and of the first leading_edge
-/// inversion|calibrated|standard|exact|trimmed (inversion):
-///   inversion   `Inversion`
-///   calibrated  `Calibrated`
-///   standard    `Differences` with step.ratio (1)
-///   exact       the same, with the displacement at the leading edge from Chebyshev collocation
-///   trimmed     the same as standard, with the last of linear functions trimmed
-/// All of the above, but the grid's offsets in the last three only, and no basis and solver with
-/// chebyshev.
+/// Reads a problem of steady rolling: all of the above, with `method` and `leading_edge`, which
+/// name an entry of steady_schemes(). Offsets of the grid are for the schemes that make
+/// Differences; method chebyshev has neither basis nor solver.
 SteadyProblem read_steady(Scene& scene);
 
-/// All of the above, with a given method.
+/// Reads a problem of steady rolling with a given method.
 SteadyProblem read_steady(Scene& scene, const SteadyMethod& method);
 
-/// Steady rolling to a given error; how is left to the program.
+/// Steady rolling to a given error; the program chooses method, basis and grid.
 struct SteadyTarget {
   SteadyContact contact;
   double error;  ///< [1]
 };
 
-/// material.*, contact.*, kernel.*, load.* and target_error; but none of the keys that it picks.
+/// Reads material.*, contact.*, kernel.*, load.* and target_error. The keys of method, basis and
+/// grid have no role.
 SteadyTarget read_steady_target(Scene& scene);
 
 /// A transient problem with all that happens to it.
@@ -99,17 +101,16 @@ struct TransientScene {
   std::vector<double> step_lengths() const;  ///< dq, taken in turn  [mm]
 };
 
-/// The contact of a transient: all of a steady scene except for leading_edge and load.*, and
-/// step.scheme with step.relaxation as read_transient() takes them.
+/// Reads the contact of a transient: the keys of a steady scene except for leading_edge and load.*,
+/// and step.scheme with step.relaxation.
 TransientProblem read_transient_problem(Scene& scene);
 
-/// All of a steady scene except for leading_edge, with load.file as another load, and:
-/// step.ratio (one or more numbers; with load.file, its rows), step.scheme
-/// remembered|direct|relaxed|relaxed_traction|fractional (remembered), step.relaxation (1)
-/// of the relaxed ones, motion.distance (that of load.file), start.type rest|cattaneo|file|state;
-/// start.force (load.force) or start.shift of cattaneo; start.file of file: columns x traction, at
-/// the nodes, or at any positions for remembered. One start.force makes a
-/// CattaneoShift; several, or any start.shift, are shifts from rest. start.state of state.
+/// Reads a transient: the contact as read_transient_problem(), a load or load.file, step.ratio (one
+/// or more numbers; the rows of load.file by default) and motion.distance (the distance of
+/// load.file by default). The start is by start.type: `cattaneo` has start.force (load.force by
+/// default) or start.shift; one start.force makes a CattaneoShift; several, or any start.shift, are
+/// shifts from rest. `file` has start.file with columns x and traction, at the nodes, or at any
+/// positions for the scheme remembered. `state` has start.state.
 TransientScene read_transient(Scene& scene);
 
 /// A cylinder that rolls down a slope, from rest or from free rolling.
@@ -122,23 +123,22 @@ struct CylinderScene {
   std::optional<double> tolerance = {};  ///< of the steps, (0, 1], for the midpoint rule  [1]
 };
 
-/// All of a steady scene but load.*; cylinder.mass, cylinder.inertia, cylinder.radius,
-/// cylinder.slope_force, cylinder.velocity (0), step.ratio (1), motion.distance, motion.integrator
-/// midpoint|verlet|leapfrog (midpoint), with midpoint motion.tolerance, and step.scheme and
-/// step.relaxation as in a transient.
+/// Reads a cylinder: the contact as read_transient_problem(), cylinder.*, step.ratio,
+/// motion.distance, motion.integrator and, for the midpoint rule, motion.tolerance.
 CylinderScene read_cylinder(Scene& scene);
 
-/// The same from rest, with a given scheme and integrator, and without a tolerance.
+/// Reads a cylinder that starts from rest, with a given scheme and integrator, and without a
+/// tolerance.
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator);
 
-/// The problem that a scene describes.
+/// The problem of a scene.
 using Model = std::variant<SteadyProblem, SteadyTarget, TransientScene, CylinderScene>;
 
-/// problem steady|transient|cylinder, and the keys of that; of a steady one with target_error,
-/// those of read_steady_target.
+/// Reads `problem`, and the keys of that problem: a steady scene with target_error has the keys of
+/// read_steady_target().
 Model read_model(Scene& scene);
 
-/// N; 0 with target_error.
+/// Returns N; 0 with target_error.
 Eigen::Index elements_of(const Model& model);
 
 }  // namespace microslip

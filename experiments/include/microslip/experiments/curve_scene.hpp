@@ -27,8 +27,8 @@ struct CurveScene {
 /// \throws std::invalid_argument for target_error, and for FASTSIM of bodies of different material
 CurveScene read_curve(Scene& scene);
 
-/// Tables: curve (the force at each creepage, by the method of the scene) and summary (full sliding,
-/// the slope without creepage).
+/// Tables: curve (the force at each creepage, by the method of the scene) and summary (full
+/// sliding, the slope without creepage).
 /// \throws NotConverged if a point has no solution
 std::vector<Table> curve_tables(const CurveScene& scene, const Progress& progress);
 

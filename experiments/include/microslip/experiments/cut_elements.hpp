@@ -16,9 +16,10 @@ enum class EdgeElements {
   cut         ///< only the part in contact, with the middle of this part and the mean bound over it
 };
 
-/// Cattaneo to Carter on a grid fixed to the material, with elements that may be cut. The elements
-/// at the edges, and with them their rows and columns of the response matrix, change in each step:
-/// a step costs O(N^3). With whole elements it is WholeElementRolling.
+/// Cattaneo to Carter on a grid fixed to the material, with elements that may be cut. The scheme
+/// does not correct for the leading edge, and is of first order. If the edges cut elements, the
+/// rows and columns of these elements in the response matrix change in each step, and a step costs
+/// O(N^3). Whole elements have a Toeplitz matrix: O(N^2).
 ///
 /// The slip displacement is evaluated at the material point in the middle of each element or part:
 /// S = W + u(x) - u'(x), where u' is due to the previous tractions on the previous elements and
@@ -66,6 +67,7 @@ class CutElementRolling {
   Eigen::VectorXd bound(const Elements& elements, double distance) const;
   double influence_of(const Element& source, const Element& at) const;
   Eigen::MatrixXd response(const Elements& sources, const Elements& at) const;
+  LinearOperator response(const Elements& elements) const;
   ContactState solve(const Elements& elements, const SlipConditions& conditions,
                      const std::vector<Zone>& first) const;
 

@@ -12,7 +12,7 @@
 
 namespace microslip::experiments {
 
-/// What the force of a scene answers to a small harmonic creepage.
+/// The response of the force of a scene to a small harmonic creepage.
 struct ResponseScene {
   SteadyContact contact;
   std::optional<double> shortest;  ///< wavelength [mm]; none for 0.3 half-lengths of the stick zone

@@ -9,8 +9,7 @@
 
 namespace microslip {
 
-/// Zones of a contact from -1 to 1, from the trailing edge on. There is a zone of stick between two
-/// of slip, and one of slip between two of stick.
+/// Zones of a contact from -1 to 1, from the trailing edge on. Stick and slip zones alternate.
 struct ZonePattern {
   std::vector<Zone> zones;
   std::vector<double> widths;  ///< > 0, their sum is 2
@@ -19,8 +18,8 @@ struct ZonePattern {
   bool sticks(std::size_t zone) const { return zones[zone] == Zone::adhesion; }
 };
 
-/// A place by its distances from the ends of its zone, so that those from all ends of zones are
-/// sums of positive numbers, and exact in the narrowest zones.
+/// A place, by its distances from the ends of its zone. So the distances from the ends of all zones
+/// are sums of positive numbers, and exact in the narrowest zones.
 struct ZonePlace {
   std::size_t zone;
   double behind;  ///< from the trailing end of the zone
@@ -32,13 +31,14 @@ struct ZonePlace {
 /// the stick zones, docs/theory.md. Lengths are over the half-width, tractions over the peak of the
 /// bound, slip and creepage over the combined compliance times that peak.
 ///
-/// Tractions on the zones are those by the bound in slip and by the pressure. They are continuous
-/// where the residuals are zero, and leave the bound with the power 3/2 at the leading ends.
-class StickZones {
+/// The bound on the slip zones and the pressure cause the tractions on the stick zones. Where the
+/// residuals are zero, tractions are continuous, and leave the bound with the power 3/2 at the
+/// leading ends of stick zones.
+class UnlikeZones {
  public:
   /// \param ratio  beta/mu
-  /// \param level  creepage less that of free rolling without slip, 2/pi of the ratio
-  StickZones(double ratio, ZonePattern pattern, double level);
+  /// \param level  creepage minus 2/pi of the ratio, the creepage of free rolling without slip
+  UnlikeZones(double ratio, ZonePattern pattern, double level);
 
   const ZonePattern& pattern() const { return pattern_; }
   double ratio() const { return ratio_; }
@@ -46,7 +46,7 @@ class StickZones {
   double creepage() const;
   double force() const;
 
-  /// What widths and level have to make zero, each relative to its terms.
+  /// Returns the residuals that the right widths and level make zero, each relative to its terms.
   /// \param force  prescribed; none if the level is
   Eigen::VectorXd residuals(std::optional<double> force) const;
 

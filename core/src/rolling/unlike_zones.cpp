@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stick_zones.hpp"
+#include "unlike_zones.hpp"
 
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
@@ -18,16 +18,20 @@ using std::numbers::pi;
 
 namespace {
 
-/// To an end of a zone, over its width: at the end itself there would be 0/0.
+/// The least distance to an end of a zone, over the zone's width: at the end itself there would be
+/// 0/0.
 constexpr double nearest = 1e-30;
 
-/// A Gauss point so near to a place, over the distance to the zone's end, is there.
+/// A Gauss point counts as at a place if their distance is below this fraction of the place's
+/// distance from the zone's end.
 constexpr double same = 1e-6;
 
-/// Towards an edge of the contact, where a density vanishes like a square times a logarithm.
+/// Panels are halved so often towards an edge of the contact, where the density vanishes as a
+/// square times a logarithm.
 constexpr int halvings_at_edge = 8;
 
-/// Towards a stick zone, beyond which its other end makes the density nearly singular.
+/// Returns how often panels are halved towards a stick zone, whose far end makes the density nearly
+/// singular.
 /// \param ratio  of the stick zone's width to the slip zone's
 int halvings_for(double ratio) {
   constexpr int most = 60;
@@ -64,50 +68,50 @@ void graded_angles(int from, int to, unsigned points, ArrayXd& angles, ArrayXd& 
   weights = Eigen::Map<const ArrayXd>(by.data(), static_cast<Index>(by.size()));
 }
 
-StickZones::StickZones(double ratio, ZonePattern pattern, double level)
+UnlikeZones::UnlikeZones(double ratio, ZonePattern pattern, double level)
     : ratio_(ratio), pattern_(std::move(pattern)), level_(level) {
   for (std::size_t i = 0; i < pattern_.size(); ++i) {
     if (!pattern_.sticks(i)) sources_.push_back(source_of(i));
   }
 }
 
-double StickZones::creepage() const { return level_ + 2 / pi * ratio_; }
+double UnlikeZones::creepage() const { return level_ + 2 / pi * ratio_; }
 
 /// The root grows with this power of the distance. A trailing edge that sticks has no slip zone
 /// behind it, and tractions are singular there.
-Index StickZones::moments() const {
+Index UnlikeZones::moments() const {
   Index sticking = 0;
   for (const Zone zone : pattern_.zones) sticking += zone == Zone::adhesion ? 1 : 0;
   return sticking - (is_singular() ? 1 : 0);
 }
 
 /// The width of zones from this one on, up to another.
-double StickZones::between(std::size_t from, std::size_t to) const {
+double UnlikeZones::between(std::size_t from, std::size_t to) const {
   double sum = 0;
   for (std::size_t i = from; i < to; ++i) sum += pattern_.widths[i];
   return sum;
 }
 
-/// From the boundary behind the zone of that number, or from the leading edge.
-double StickZones::distance(const ZonePlace& place, std::size_t boundary) const {
+/// Returns the distance from a boundary: behind the zone of that number, or the leading edge.
+double UnlikeZones::distance(const ZonePlace& place, std::size_t boundary) const {
   return boundary <= place.zone ? place.behind + between(boundary, place.zone)
                                 : place.ahead + between(place.zone + 1, boundary);
 }
 
 /// Whether there is a stick zone on either side of a boundary.
-bool StickZones::is_stick_end(std::size_t boundary) const {
+bool UnlikeZones::is_stick_end(std::size_t boundary) const {
   return (boundary > 0 && pattern_.sticks(boundary - 1)) ||
          (boundary < pattern_.size() && pattern_.sticks(boundary));
 }
 
-double StickZones::sign_of_root(std::size_t zone) const {
+double UnlikeZones::sign_of_root(std::size_t zone) const {
   double sign = 1;
   for (std::size_t i = zone + 1; i < pattern_.size(); ++i) sign *= pattern_.sticks(i) ? -1 : 1;
   return sign;
 }
 
 /// The root of the product of distances from the stick ends.
-double StickZones::root(const ZonePlace& place, bool own_ends) const {
+double UnlikeZones::root(const ZonePlace& place, bool own_ends) const {
   double root = sign_of_root(place.zone);
   for (std::size_t b = 0; b <= pattern_.size(); ++b) {
     const bool own = b == place.zone || b == place.zone + 1;
@@ -118,12 +122,12 @@ double StickZones::root(const ZonePlace& place, bool own_ends) const {
   return root;
 }
 
-double StickZones::logarithm(const ZonePlace& place) const {
+double UnlikeZones::logarithm(const ZonePlace& place) const {
   return std::log(distance(place, 0) / distance(place, pattern_.size()));
 }
 
-/// With the measure of the angle.
-double StickZones::density(const ZonePlace& place) const {
+/// Returns the density of the Cauchy integral, with the measure of the angle.
+double UnlikeZones::density(const ZonePlace& place) const {
   const double sign = static_cast<double>(pattern_.zones[place.zone]);
   double value = bound(place) * (sign + ratio_ / pi * logarithm(place)) / root(place, false);
   if (!is_stick_end(place.zone)) value *= std::sqrt(place.behind);
@@ -131,15 +135,15 @@ double StickZones::density(const ZonePlace& place) const {
   return value;
 }
 
-/// Its derivative by the place, within the zone.
-double StickZones::density_slope(const ZonePlace& place) const {
+/// Returns the derivative of density() by the place, within the zone.
+double UnlikeZones::density_slope(const ZonePlace& place) const {
   const double beside = 1e-5 * std::min(place.behind, place.ahead);
   const double next = density({place.zone, place.behind + beside, place.ahead - beside});
   const double last = density({place.zone, place.behind - beside, place.ahead + beside});
   return (next - last) / (2 * beside);
 }
 
-StickZones::Source StickZones::source_of(std::size_t zone) const {
+UnlikeZones::Source UnlikeZones::source_of(std::size_t zone) const {
   const double width = pattern_.widths[zone];
   const int from = zone == 0 ? halvings_at_edge : halvings_for(pattern_.widths[zone - 1] / width);
   const int to = zone + 1 == pattern_.size() ? halvings_at_edge
@@ -166,7 +170,7 @@ StickZones::Source StickZones::source_of(std::size_t zone) const {
 
 /// Adds the integral of the density over the distance to a place; beside the zone less that of the
 /// nearer end's density, which is known, and at the end itself the finite part.
-void StickZones::add_cauchy(const Source& source, const ZonePlace& place, Sum& sum) const {
+void UnlikeZones::add_cauchy(const Source& source, const ZonePlace& place, Sum& sum) const {
   const auto beside = [&](double side, const ArrayXd& from_end, double at_end, double away) {
     for (Index i = 0; i < from_end.size(); ++i) {
       sum.add(side * source.weights[i] * (source.density[i] - at_end) / (away + from_end[i]));
@@ -190,7 +194,7 @@ void StickZones::add_cauchy(const Source& source, const ZonePlace& place, Sum& s
 }
 
 /// The transform of the densities, over pi.
-StickZones::Sum StickZones::cauchy(const ZonePlace& place) const {
+UnlikeZones::Sum UnlikeZones::cauchy(const ZonePlace& place) const {
   Sum sum;
   for (const Source& source : sources_) add_cauchy(source, place, sum);
   sum.up /= pi;
@@ -199,7 +203,7 @@ StickZones::Sum StickZones::cauchy(const ZonePlace& place) const {
   return sum;
 }
 
-double StickZones::moment(Index power) const {
+double UnlikeZones::moment(Index power) const {
   double sum = 0;
   for (const Source& source : sources_) {
     sum += (source.weights * source.density * source.x.pow(static_cast<double>(power))).sum();
@@ -207,7 +211,7 @@ double StickZones::moment(Index power) const {
   return sum;
 }
 
-double StickZones::force() const {
+double UnlikeZones::force() const {
   double centre = 0;
   for (std::size_t b = 0; b <= pattern_.size(); ++b) {
     if (!is_stick_end(b)) continue;
@@ -217,14 +221,14 @@ double StickZones::force() const {
   return moment(moments()) - pi * level_ * centre / 2;
 }
 
-/// Whether the traction leaves the bound with the power 3/2: the logarithm of the ratio of the terms
-/// that have to cancel.
-double StickZones::leading_condition(std::size_t boundary) const {
+/// Tells by zero whether the traction leaves the bound with the power 3/2: the value is the
+/// logarithm of the ratio of two terms that have to cancel.
+double UnlikeZones::leading_condition(std::size_t boundary) const {
   const Sum sum = cauchy({boundary - 1, pattern_.widths[boundary - 1], 0});
   return std::log(sum.up / sum.down);
 }
 
-VectorXd StickZones::residuals(std::optional<double> prescribed) const {
+VectorXd UnlikeZones::residuals(std::optional<double> prescribed) const {
   std::vector<double> left;
   const Index count = moments();
   double terms = 0;
@@ -243,7 +247,7 @@ VectorXd StickZones::residuals(std::optional<double> prescribed) const {
   return Eigen::Map<const VectorXd>(left.data(), static_cast<Index>(left.size()));
 }
 
-ZonePlace StickZones::place_of(double x) const {
+ZonePlace UnlikeZones::place_of(double x) const {
   const std::size_t last = pattern_.size() - 1;
   double begin = 0;
   std::size_t zone = 0;
@@ -255,24 +259,24 @@ ZonePlace StickZones::place_of(double x) const {
   return {zone, is_behind ? near : width - near, is_behind ? width - near : near};
 }
 
-double StickZones::x_of(const ZonePlace& place) const {
+double UnlikeZones::x_of(const ZonePlace& place) const {
   const double behind = distance(place, 0);
   const double ahead = distance(place, pattern_.size());
   return behind < ahead ? behind - 1 : 1 - ahead;
 }
 
-double StickZones::bound(const ZonePlace& place) const {
+double UnlikeZones::bound(const ZonePlace& place) const {
   return std::sqrt(distance(place, 0) * distance(place, pattern_.size()));
 }
 
 /// Less what the pressure would cause without slip, for which the strain is known.
-double StickZones::traction(const ZonePlace& place) const {
+double UnlikeZones::traction(const ZonePlace& place) const {
   const double g = bound(place);
   if (!pattern_.sticks(place.zone)) return static_cast<double>(pattern_.zones[place.zone]) * g;
   return root(place, true) * cauchy(place).total() - ratio_ / pi * g * logarithm(place);
 }
 
-double StickZones::slip(const ZonePlace& place) const {
+double UnlikeZones::slip(const ZonePlace& place) const {
   if (pattern_.sticks(place.zone)) return 0;
   return -root(place, true) * cauchy(place).total();
 }

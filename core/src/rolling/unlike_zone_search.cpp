@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stick_zone_search.hpp"
+#include "unlike_zone_search.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>
@@ -34,7 +34,7 @@ class ZoneSearch {
         std::max_element(pattern_.widths.begin(), pattern_.widths.end()) - pattern_.widths.begin());
   }
 
-  std::optional<StickZones> run() {
+  std::optional<UnlikeZones> run() {
     constexpr int most = 60;
     constexpr double longest = 1;
     constexpr double least_part = 1e-4;
@@ -72,7 +72,7 @@ class ZoneSearch {
     return Eigen::Map<const VectorXd>(at.data(), static_cast<Index>(at.size()));
   }
 
-  StickZones zones(const VectorXd& at) const {
+  UnlikeZones zones(const VectorXd& at) const {
     ZonePattern pattern = pattern_;
     double sum = 0;
     Index next = 0;
@@ -127,7 +127,7 @@ std::vector<ZonePlace> places_in(const ZonePattern& pattern, std::size_t zone) {
   return places;
 }
 
-std::optional<Zone> broken_at(const StickZones& zones, const ZonePlace& place) {
+std::optional<Zone> broken_at(const UnlikeZones& zones, const ZonePlace& place) {
   const double rounding = 3e-5 + 1e-8 * std::abs(zones.ratio());
   const Zone zone = zones.pattern().zones[place.zone];
   if (zone != Zone::adhesion) {
@@ -141,7 +141,7 @@ std::optional<Zone> broken_at(const StickZones& zones, const ZonePlace& place) {
 }
 
 /// The one nearest to the leading edge.
-std::optional<Violation> violation_of(const StickZones& zones) {
+std::optional<Violation> violation_of(const UnlikeZones& zones) {
   constexpr double none = 1e-7;
   const ZonePattern& pattern = zones.pattern();
   for (std::size_t i = pattern.size(); i-- > 0;) {
@@ -232,7 +232,7 @@ ZonePattern pattern_of(const SteadySolution& solution, double half_width, double
   return found;
 }
 
-std::optional<StickZones> find_zones(const ScaledLoad& load, ZonePattern pattern, double level) {
+std::optional<UnlikeZones> find_zones(const ScaledLoad& load, ZonePattern pattern, double level) {
   constexpr int most = 8;
   for (int i = 0; i < most; ++i) {
     const auto found = ZoneSearch(load, pattern, level).run();

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "microslip/support/convergence.hpp"
+
+namespace microslip {
+
+/// Prints a line for tools/accuracy.py, whether the test passes or not: `[   ORDER  ]`, the test's
+/// name without its parameter, the problem, pairs of size and error, and the order. They are
+/// separated by tabs.
+/// \param problem  a row of the test's table in docs/accuracy.md
+/// \param sizes, errors  as fitted_order() takes them
+/// \return         the order through all of them
+inline double measured_order(std::string_view problem, std::span<const double> sizes,
+                             std::span<const double> errors) {
+  const double order = fitted_order(sizes, errors);
+  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+  const auto bare = [](std::string_view name) {  // without Prefix/ and /0
+    const std::size_t slash = name.find('/');
+    if (slash == name.npos) return name;
+    const bool number = name.find_first_not_of("0123456789", slash + 1) == name.npos;
+    return number ? name.substr(0, slash) : name.substr(slash + 1);
+  };
+  std::string line = fmt::format("[   ORDER  ]\t{}.{}\t{}", bare(test.test_suite_name()),
+                                 bare(test.name()), problem);
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    line += fmt::format("\t{:g}\t{:.2e}", sizes[i], std::abs(errors[i]));
+  }
+  fmt::print("{}\t{:.2f}\n", line, order);
+  return order;
+}
+
+}  // namespace microslip
