@@ -49,6 +49,7 @@ const std::map<std::string, Settings> scenes = {
     {"dundurs", with(plane, {"material.dundurs_beta=0.1", "contact.friction=0.3"})},
     {"polynomial", with(steady, {"contact.bound_polynomial=1 0.3"})},
     {"table", with(steady, {"contact.peak_traction=", "contact.bound_file=bound"})},
+    {"rough", with(steady, {"contact.roughness=0.3"})},
     {"youngs", with(steady, {"material.shear_modulus=", "material.youngs_modulus=2.56"})},
     {"hertz",
      with(steady, {"contact.half_width=", "contact.peak_traction=", "contact.normal_load=0.01",
@@ -115,7 +116,7 @@ struct Role {
 const std::string unlike = "unlike youngs_2 dundurs ";
 const std::string by_elements =
     unlike +
-    "calibrated plane polynomial table youngs hertz force_ratio standard known_edge trimmed ";
+    "calibrated plane polynomial table rough youngs hertz force_ratio standard known_edge trimmed ";
 const std::string steady_scenes = by_elements + "chebyshev ";
 const std::string with_target = steady_scenes + "target_error ";
 const std::string differences = "standard known_edge trimmed ";
@@ -123,10 +124,14 @@ const std::string transients =
     "remembered direct relaxed relaxed_traction fractional rest file state creepage run ";
 const std::string cylinders = "cylinder cylinder_relaxed ";
 const std::string strips =
-    "calibrated polynomial table youngs hertz force_ratio chebyshev target_error standard "
+    "calibrated polynomial table rough youngs hertz force_ratio chebyshev target_error standard "
     "known_edge trimmed " +
     transients + cylinders;
 const std::string all = unlike + "plane " + strips;
+const std::string hertzian = unlike +
+                             "plane calibrated rough youngs force_ratio chebyshev target_error "
+                             "standard known_edge trimmed " +
+                             transients + cylinders;
 
 /// Of a choice between keys, the one that is not in a scene is refused with the others' names.
 const std::vector<Role> roles = {
@@ -147,6 +152,10 @@ const std::vector<Role> roles = {
     {"contact.friction", "0.3", "hertz " + unlike},
     {"contact.bound_polynomial", "1", all},
     {"contact.bound_file", "bound", "table"},
+    {"contact.roughness", "0.3", hertzian},
+    {"contact.hurst", "0.8", "rough"},
+    {"contact.rows", "2049", "rough"},
+    {"contact.seed", "1", "rough"},
     {"kernel.type", "", all},
     {"kernel.width", "40", strips},
     {"kernel.length", "10", "plane " + unlike},

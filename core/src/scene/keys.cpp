@@ -27,6 +27,7 @@ constexpr std::string_view whole_contact =
 
 constexpr std::string_view elements = "scenes without method chebyshev and target_error";
 constexpr std::string_view with_load = "scenes with contact.normal_load";
+constexpr std::string_view with_roughness = "scenes with contact.roughness";
 constexpr std::string_view unlike =
     "problem steady or transient with kernel.type plane, without target_error";
 constexpr std::string_view rolls = "problem transient or cylinder";
@@ -89,6 +90,30 @@ constexpr auto keys = std::to_array<Key>({
      .meaning = "table with columns x and bound, linear between its rows, to zero at +-a",
      .note = "a file; instead of contact.peak_traction",
      .role = "scenes without contact.peak_traction and contact.bound_polynomial"},
+    {.name = "contact.roughness",
+     .meaning =
+         "amplitude of a self-affine profile (root of its mean square over the bound), by which "
+         "Hertz's bound is multiplied",
+     .range = range(0, 10),
+     .note = "none: a smooth bound",
+     .role = "scenes with contact.peak_traction, without contact.bound_polynomial"},
+    {.name = "contact.hurst",
+     .meaning = "Hurst exponent of the profile: the smaller, the rougher",
+     .range = range_above(0, 1),
+     .role = with_roughness,
+     .fallback = 0.8},
+    {.name = "contact.rows",
+     .type = whole,
+     .meaning = "rows of the rough bound, with waves down to two rows",
+     .range = range(9, 1000001),
+     .role = with_roughness,
+     .fallback = 2049},
+    {.name = "contact.seed",
+     .type = whole,
+     .meaning = "another profile for each seed",
+     .range = range(0, 4294967295),
+     .role = with_roughness,
+     .fallback = 1},
     {.name = "kernel.type",
      .type = word,
      .meaning = "half-space loaded over a strip, or plane strain",

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hertz.hpp"
+#include "microslip/friction/rough_bound.hpp"
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
@@ -104,9 +105,18 @@ PolynomialBound read_polynomial_bound(Scene& scene) {
           Eigen::Map<const Eigen::VectorXd>(h.data(), static_cast<Eigen::Index>(h.size()))};
 }
 
+TabulatedBound read_rough_bound(Scene& scene) {
+  return rough_bound(read_hertz_bound(scene),
+                     {.amplitude = scene.number("contact.roughness"),
+                      .hurst = scene.number("contact.hurst"),
+                      .seed = static_cast<unsigned>(scene.whole("contact.seed")),
+                      .rows = scene.whole("contact.rows")});
+}
+
 TractionBound read_bound(Scene& scene) {
   if (scene.has("contact.bound_polynomial")) return read_polynomial_bound(scene);
   if (scene.one_of({"contact.peak_traction", "contact.bound_file"}) == "contact.peak_traction") {
+    if (scene.has("contact.roughness")) return read_rough_bound(scene);
     return read_hertz_bound(scene);
   }
   const double half_width = scene.number("contact.half_width");
