@@ -19,6 +19,10 @@ namespace microslip {
 /// material.shear_modulus or material.youngs_modulus, material.poisson_ratio
 Material read_material(Scene& scene);
 
+/// The same; of kernels that are none of a half-space with such a material, unless Hertz's contact
+/// wants it, ones of no meaning, and the keys are not read
+Material read_material_if_any(Scene& scene);
+
 /// The same as constants of both bodies or of the first; material.dundurs_beta, or
 /// material.shear_modulus_2 or material.youngs_modulus_2, and material.poisson_ratio_2, of bodies of
 /// different material
@@ -31,7 +35,9 @@ Material read_tangential(Scene& scene, const Material& material);
 /// contact.friction, above 0, at most 10
 double read_friction(Scene& scene);
 
-/// kernel.type strip|plane; kernel.width of a strip, kernel.length of plane strain
+/// kernel.type strip|plane|winkler|symbol; kernel.width of a strip, kernel.length of plane strain,
+/// of both kernel.compliance if they have a layer; kernel.compliance of winkler; kernel.table of
+/// symbol, columns wave_number and symbol
 Kernel read_kernel(Scene& scene, const Material& material);
 
 /// contact.half_width, contact.peak_traction
