@@ -1,8 +1,8 @@
-# Which part of a creepage-force curve depends on the kernel? Its slope, by which creepages are divided.
+# Which part of a creepage-force curve depends on the kernel? Its slope, by which creepages are divided. C_a = 2 (1 - nu) a/G.
 curves = tables."/curves.tsv"
 slopes = tables."/slopes.tsv"
 cases = system(sprintf("grep -v '^#' \"%s\" | tail -n +2 | cut -f2", slopes))
-titled(k) = word(cases, k) eq "inf" ? "springs alone (brush)" : word(cases, k) + 0 == 0 ? "half-space (Carter)" : sprintf("layer, C/C_a = %s", word(cases, k))
+titled(k) = word(cases, k) eq "inf" ? "springs alone (brush)" : word(cases, k) + 0 == 0 ? "half-space (Carter)" : sprintf("layer, C/C_a = %.3g", word(cases, k) + 0)
 of(k) = strcol("softness") eq word(cases, k) ? column("force_ratio") : NaN
 eval page(960, 430)
 set multiplot layout 1,2 margins 0.075,0.98,0.16,0.95 spacing 0.1

@@ -1,4 +1,4 @@
-# Do wiggles at small steps need the half-space? They fade as a layer gets as soft as an element.
+# Do wiggles at small steps need the half-space? Amplitudes below 1e-5 are drawn there; C is that of the layer over an element's.
 noise = tables."/noise.tsv"
 slopes = tables."/slopes.tsv"
 cases = system(sprintf("grep -v '^#' \"%s\" | tail -n +2 | cut -f2", slopes))
@@ -11,5 +11,5 @@ set format xy "10^{%T}"
 set xlabel "step over element c [1]"
 set ylabel "amplitude of wiggles over the peak of the bound [1]"
 set yrange [least/2:1]
-set key at graph 0.98, 0.6 right
+set key at graph 0.03, 0.55 left Left reverse
 plot for [k=1:words(cases)] noise using "step_ratio":(of(k)) with linespoints linetype k pointtype 7 pointsize 0.4 title titled(k)

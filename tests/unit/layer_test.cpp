@@ -68,6 +68,19 @@ TEST(Layer, AddsItsComplianceAtTheSamePlace) {
   EXPECT_NEAR(influence_difference(WinklerKernel(1), shape, 0.1, 0, 2.5), 1, 1e-15);
 }
 
+// A layer feels functions that are continuous as they are.
+TEST(Layer, OfQuadraticFunctionsIsTheirDifference) {
+  const WinklerKernel springs(0.4);
+  for (const ShapeFunction& shape : quadratic_basis().shapes()) {
+    for (const double offset : {-1.0, -0.7, 0.0, 0.2, 1.0}) {
+      for (const double shift : {0.1, 0.3, 1.7}) {
+        EXPECT_NEAR(influence_difference(springs, shape, 0.1, offset, shift),
+                    0.4 * (shape.value(offset) - shape.value(offset + shift)), 1e-15);
+      }
+    }
+  }
+}
+
 TEST(Layer, TakesTheLeadingEdgeFromTheHalfSpacesToTheBrushs) {
   const auto offset = [](double softness) {
     return leading_edge_constants(constant_basis(), softness).offset;

@@ -196,10 +196,24 @@ TEST(SymbolKernel, RefusesWhatIsNoPositiveSymbol) {
   EXPECT_TRUE(refusal(waves, VectorXd{{3, 1, 0.01}})
                   .starts_with("symbol = 0.01: expected one that "
                                "falls no faster than"));
-  EXPECT_TRUE(refusal(waves, VectorXd{{3, 1, 1.1}})
-                  .starts_with("symbol = 1.1: expected one that does not"));
-  // Printed with six digits, a half-space's may seem to fall a little faster.
-  EXPECT_EQ(refusal(VectorXd{{0.3, 0.7}}, VectorXd{{3.33333, 1.428571 - 1e-6}}), "");
+  EXPECT_TRUE(refusal(VectorXd{{1, 2}}, VectorXd{{1, 3}})
+                  .starts_with("symbol = 3: expected one that rises "
+                               "no faster than"));
+}
+
+// Where the last two rows would make one of them resist a load with the wrong sign, the other one is
+// all there is.
+TEST(SymbolKernel, GoesOnAsAHalfSpaceOrALayerAlone) {
+  const SymbolKernel falling(VectorXd{{1, 2}}, VectorXd{{1, 0.48}});
+  EXPECT_EQ(falling.compliance(), 0);
+  EXPECT_NEAR(falling.log_factor(), 2 * 0.48 / pi, 1e-15);
+  EXPECT_NEAR(falling.symbol(200), 0.0048, 1e-15);
+  const SymbolKernel rising(VectorXd{{1, 2}}, VectorXd{{1, 1.1}});
+  EXPECT_EQ(rising.compliance(), 1.1);
+  EXPECT_EQ(rising.log_factor(), 0);
+  EXPECT_EQ(rising.symbol(200), 1.1);
+  const SymbolKernel both(VectorXd{{1, 2}}, VectorXd{{1, 0.51}});
+  EXPECT_NEAR(both.compliance(), 0.02, 1e-15);
 }
 
 TEST(SymbolKernel, RefusesWavesMuchShorterThanElements) {

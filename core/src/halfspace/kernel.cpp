@@ -99,8 +99,12 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Sizes relative to S below which a layer or half-space behind a table is rounding of its digits.
-constexpr double printed = 1e-6;
+/// Sizes relative to S below which a layer or half-space behind a table is rounding.
+constexpr double rounding = 1e-12;
+
+/// By how much the exponent of S may be below that of a half-space, or above that of springs, in the
+/// last two rows.
+constexpr double steepest = 0.5;
 
 /// The longest phase, in radians, of a sine that 15 Gauss points integrate to rounding.
 constexpr double longest_phase = 5;
@@ -167,14 +171,14 @@ SymbolKernel::SymbolKernel(const VectorXd& wave_numbers, const VectorXd& symbol)
   }
   const double last = symbol[n - 1];
   compliance_ = slopes[n - 1];
-  require(compliance_ >= -printed * last, "symbol", last,
-          "one that falls no faster than 1 / wave_number in the last two rows, which say how it "
+  require(compliance_ >= -steepest * last, "symbol", last,
+          "one that falls no faster than wave_number^-1.5 in the last two rows, which say how it "
           "goes on: as of a half-space and a layer");
-  require(compliance_ <= (1 + printed) * last, "symbol", last,
-          "one that does not rise in the last two rows, which say how it goes on: as of a "
-          "half-space and a layer");
-  if (compliance_ < printed * last) compliance_ = 0;
-  if (compliance_ > (1 - printed) * last) compliance_ = last;
+  require(compliance_ <= (1 + steepest) * last, "symbol", last,
+          "one that rises no faster than wave_number^0.5 in the last two rows, which say how it "
+          "goes on: as of a half-space and a layer");
+  if (compliance_ < rounding * last) compliance_ = 0;
+  if (compliance_ > (1 - rounding) * last) compliance_ = last;
   slopes[n] = compliance_;
   log_factor_ = (last - compliance_) * wave_numbers[n - 1] / std::numbers::pi;
   const VectorXd factors =

@@ -123,7 +123,8 @@ class LayeredKernel {
 /// \f$ with k = 2 (1 - nu)/(pi G), and a Winkler layer adds C.
 ///
 /// Between the rows of a table, kappa S is linear, so that these two and their sum are exact. From
-/// the last row on, it goes on as between the last two: a half-space and a layer, pi k + C kappa.
+/// the last row on, it goes on as between the last two: a half-space and a layer, pi k + C kappa; as
+/// a half-space alone where kappa S falls there, and as a layer alone where S rises.
 /// Before the first row S keeps its first value, so that K vanishes far away: the bodies are of
 /// finite thickness. With \f$ E(t)=\sin t/t-\mathrm{Ci}(t) \f$ and the changes of slope of kappa S
 /// at the rows as its factors, the kernel has a closed form,
@@ -137,8 +138,8 @@ class SymbolKernel {
   static constexpr Eigen::Index most_rows = 1000;
 
   /// \param wave_numbers  kappa, > 0, rising, 2 to most_rows  [1/mm]
-  /// \param symbol        S there, > 0, with a half-space and layer that resist behind the last
-  ///                      row: k >= 0 and C >= 0. What is 1e-6 of S below zero counts as 0  [mm^3/N]
+  /// \param symbol        S there, > 0; in the last two rows it falls no faster than kappa^-1.5, and
+  ///                      rises no faster than kappa^0.5  [mm^3/N]
   /// \throws std::invalid_argument for others
   SymbolKernel(const Eigen::VectorXd& wave_numbers, const Eigen::VectorXd& symbol);
 
