@@ -417,6 +417,21 @@ TEST(Layer, IsRefusedWhereOnlyHalfSpacesHaveASolution) {
               }).starts_with("scheme = 'fractional': expected another scheme"));
 }
 
+// Displacements bend at the stick-slip point; steps much shorter than an element are taken well, too.
+TEST(Layer, KeepsItsConditionsInShortSteps) {
+  const double force = -0.5 * full_sliding_force(hertz);
+  for (const Kernel& kernel : {Kernel(WinklerKernel(0.6)), Kernel(layer_on_plane(0.3))}) {
+    for (const double step : {0.05, 0.4}) {
+      TransientRolling contact = rolling(kernel, 50, Remembered{}, CattaneoShift{force});
+      const double dx = 2 * hertz.half_width() / 50;
+      for (double q = 0; q < 3 * hertz.half_width(); q += step * dx) {
+        contact.step(step * dx, PrescribedForce{force});
+        EXPECT_LT(contact.state().evidence.violation(), 5e-3) << name_of(kernel) << " " << q;
+      }
+    }
+  }
+}
+
 // A change of the bound alone is no change of the half-width.
 TEST(Brush, RollsOnAsItsBoundChanges) {
   TransientRolling contact = rolling(WinklerKernel(0.6), 50, Remembered{});

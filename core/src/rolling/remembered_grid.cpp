@@ -74,6 +74,7 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
       problem_nodes_(problem.grid.nodes()),
       edge_(edge),
       kernel_(problem.kernel),
+      has_layer_(layer_compliance(problem.kernel) > 0),
       solver_(problem.solver),
       spring_{edge.compliance * (std::numbers::pi * log_factor(problem.kernel) * grid.spacing() +
                                  layer_compliance(problem.kernel))},

@@ -163,6 +163,7 @@ class RememberedGrid final : public RollingGrid {
   ReferenceNodes nodes_;
   LeadingEdgeConstants edge_;
   Kernel kernel_;
+  bool has_layer_;  ///< whether displacements bend at the stick-slip point
   Solver solver_;
   double response_to_ = 1;   ///< half-width, over the problem's, of the response
   Eigen::VectorXd pressed_;  ///< displacement by the pressure, of bodies of different material, at

@@ -153,15 +153,18 @@ void RememberedGrid::recall(Step& step, const Substep& substep) const {
 }
 
 /// Adds the slip of a substep. Next to the stick-slip point, slip is counted since a point was in
-/// adhesion, so that what it had slipped before has to be taken away.
+/// adhesion, so that what it had slipped before has to be taken away. That is interpolated, across a
+/// bend of the displacements on a layer: no more is taken away there than the slip.
 void RememberedGrid::add_slip(const Substep& substep) {
   const RememberedState& before = next_.state;
   const ContactState& contact = next_.contact;
   sum_.slip += contact.slip;
   for (Index i = before.kept; i < std::min(before.stuck, nodes_.size); ++i) {
     if (sticks(contact.zones, i)) continue;
-    sum_.slip[i] -= interpolated_at(before.nodes, i, substep.on_nodes.of(i), 0) -
-                    before.remembered_at(i, substep);
+    const double slipped = interpolated_at(before.nodes, i, substep.on_nodes.of(i), 0) -
+                           before.remembered_at(i, substep);
+    const bool exceeds = has_layer_ && slipped * contact.slip[i] > std::pow(contact.slip[i], 2);
+    sum_.slip[i] -= exceeds ? contact.slip[i] : slipped;
   }
 }
 
