@@ -71,7 +71,8 @@ TEST(Layer, AddsItsComplianceAtTheSamePlace) {
 // A layer feels functions that are continuous as they are.
 TEST(Layer, OfQuadraticFunctionsIsTheirDifference) {
   const WinklerKernel springs(0.4);
-  for (const ShapeFunction& shape : quadratic_basis().shapes()) {
+  const Basis basis = quadratic_basis();
+  for (const ShapeFunction& shape : basis.shapes()) {
     for (const double offset : {-1.0, -0.7, 0.0, 0.2, 1.0}) {
       for (const double shift : {0.1, 0.3, 1.7}) {
         EXPECT_NEAR(influence_difference(springs, shape, 0.1, offset, shift),

@@ -43,7 +43,10 @@ std::string method_of(const SteadyProblem& problem) {
   }
   const auto* differences = std::get_if<Differences>(&problem.method);
   const double c = differences == nullptr ? 1 : differences->step_ratio;
-  return fmt::format(fmt::runtime(entry_of(problem).text),
+  const bool by_elements =
+      std::holds_alternative<Inversion>(problem.method) && !is_half_space(problem.kernel);
+  const SteadyEntry& entry = by_elements ? steady_scheme("calibrated") : entry_of(problem);
+  return fmt::format(fmt::runtime(entry.text),
                      fmt::arg("functions", problem.basis.name() + " functions"),
                      fmt::arg("c", fmt::format("{:.5g}", c)));
 }
