@@ -37,7 +37,9 @@ TEST(KernelsStudy, CurvesRiseFromOneSlopeToFullSliding) {
     EXPECT_LT(force, std::min(1 + 1e-9, creepage));
     EXPECT_GT(force, creepage - creepage * creepage / 2);
     const double exact = curves.number(i, "exact");
-    if (std::isfinite(exact)) EXPECT_NEAR(force, exact, 2e-4);
+    if (std::isfinite(exact)) {
+      EXPECT_NEAR(force, exact, 2e-4);
+    }
   }
 }
 
@@ -74,8 +76,12 @@ TEST(KernelsStudy, ShiftsFadeAsTheyRoll) {
     const double distance = transients.number(i, "distance");
     const double creepage = transients.number(i, "creepage");
     EXPECT_GT(creepage, 0);
-    if (distance > 1) EXPECT_NEAR(creepage, 1, 0.05);
-    if (distance < 0.2) EXPECT_LT(creepage, 0.7);
+    if (distance > 1) {
+      EXPECT_NEAR(creepage, 1, 0.05);
+    }
+    if (distance < 0.2) {
+      EXPECT_LT(creepage, 0.7);
+    }
   }
 }
 

@@ -147,9 +147,12 @@ TEST(Brush, IsSolvedToItsClosedForms) {
       // Where it slips, the bound is the mean over an element.
       const bool sticks = solution.zones[static_cast<std::size_t>(i)] == Zone::adhesion;
       const double expected = brush.traction(solution.x[i], creepage);
-      if (sticks) EXPECT_NEAR(solution.traction[i] / expected, 1, 1e-9) << creepage << " " << i;
-      if (i > 4 && i < 395)
+      if (sticks) {
+        EXPECT_NEAR(solution.traction[i] / expected, 1, 1e-9) << creepage << " " << i;
+      }
+      if (i > 4 && i < 395) {
         EXPECT_NEAR(solution.traction[i], expected, 1e-4 * hertz.peak()) << creepage;
+      }
     }
   }
 }
