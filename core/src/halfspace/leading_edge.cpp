@@ -106,13 +106,14 @@ LeadingEdgeConstants integrated(const std::function<double(double)>& b_less_one,
     }
     growth[k] = growth[k - 1] * (order + 0.5) / order;
   }
-  edge.second = growth[1] + reciprocal[1];
   for (std::size_t k = 0; k < edge.layer.size(); ++k) {
     double value = 0;
     for (std::size_t i = 0; i <= k; ++i) value += growth[i] * reciprocal[k - i];
     edge.layer[k] = value / (2 / std::sqrt(pi) * std::sqrt(edge.compliance) *
                              std::sqrt(static_cast<double>(k) + edge.offset));
   }
+  edge.second =
+      edge.layer[1] * std::sqrt(1 + edge.offset) / (edge.layer[0] * std::sqrt(edge.offset));
   return edge;
 }
 
