@@ -236,7 +236,7 @@ TEST_F(BadInputs, PlacesOfKeys) {
         "sweep --help'"}});
   const std::string set = "--set kernel.type=sphere";
   expect_answer({"of a key that --set gives", "",
-                 "kernel.type = 'sphere': expected strip, plane, winkler or symbol"},
+                 "kernel.type = 'sphere': expected strip or plane or winkler or symbol"},
                 run_program("microslip", "", good_scene, set));
   expect_answer(
       {"in a case of a sweep", "",
