@@ -29,6 +29,16 @@ struct ContactModel {
   Grid grid;
 };
 
+void warn_of_long_waves(Scene& scene, const Kernel& kernel, double half_width) {
+  const auto* symbol = std::get_if<SymbolKernel>(&kernel);
+  if (symbol == nullptr || symbol->wave_numbers()[0] * half_width <= 1) return;
+  scene.warn("kernel.table", symbol->wave_numbers()[0],
+             fmt::format("the first wave number is above 1 / half_width = {}: the bodies' symbol "
+                         "is taken as constant below, although the contact is longer than these "
+                         "waves",
+                         format_short(1 / half_width)));
+}
+
 /// \param whole  the grid is that of elements over the whole contact, which may lie in it anyhow;
 ///               else its nodes only say where a result is shown
 /// \param tangential  the constants of the kernel
@@ -37,6 +47,7 @@ ContactModel read_contact(Scene& scene, const Material& material, const Material
   const TractionBound bound = read_bound(scene, material);
   const Kernel kernel = read_kernel(scene, tangential);
   const double a = half_width_of(bound);
+  warn_of_long_waves(scene, kernel, a);
   return {kernel, bound,
           whole ? read_grid(scene, a)
                 : Grid({.half_width = a, .elements = scene.whole("grid.elements")})};
@@ -276,10 +287,11 @@ SteadyProblem read_unloaded_steady(Scene& scene) { return read_steady(scene, fal
 SteadyTarget read_steady_target(Scene& scene) {
   const double target = scene.number("target_error");
   require_target_error(target);
-  const Material material = read_material(scene);
+  const Material material = read_material_if_any(scene);
   const Material tangential = read_tangential(scene, material);
   const TractionBound bound = read_bound(scene, material);
   const Kernel kernel = read_kernel(scene, tangential);
+  warn_of_long_waves(scene, kernel, half_width_of(bound));
   return {{kernel, bound, read_load(scene, kernel, bound)}, target};
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -53,9 +54,17 @@ void require_contacts(const LoadHistory& loads, const TransientProblem& problem)
         "columns normal_load, half_width, peak_traction and friction: expected none of them where "
         "bodies differ in material");
   }
-  double widest = 0;
+  double narrowest = std::numeric_limits<double>::infinity(), widest = 0;
   for (const double distance : loads.distances()) {
-    widest = std::max(widest, loads.contact_at(distance).half_width);
+    const double half_width = loads.contact_at(distance).half_width;
+    narrowest = std::min(narrowest, half_width);
+    widest = std::max(widest, half_width);
+  }
+  if ((narrowest != 1 || widest != 1) && !is_half_space(problem.kernel)) {
+    throw std::invalid_argument(fmt::format(
+        "columns normal_load and half_width: expected none that changes the half-width where the "
+        "kernel is no half-space's, but {}",
+        name_of(problem.kernel)));
   }
   try {
     require_definite(problem.kernel, widest * (problem.grid.half_width() + problem.grid.spacing()));

@@ -55,13 +55,11 @@ const std::map<std::string, Unit, std::less<>> symbols{
 };
 
 /// Units for messages, besides the unit of the key.
-const std::map<std::string, std::string> others{{"mm", "um, cm, m, in"},
-                                                {"N/mm^2", "Pa, kPa, MPa, GPa"},
-                                                {"N/mm", "N/m, kN/m"},
-                                                {"mm/s", "cm/s, m/s"},
-                                                {"N s^2/mm^2", "kg/mm, kg/m, t/m"},
-                                                {"N s^2", "kg m, kg m^2/m"},
-                                                {"s", "ms"}};
+const std::map<std::string, std::string> others{
+    {"mm", "um, cm, m, in"},     {"N/mm^2", "Pa, kPa, MPa, GPa"},
+    {"N/mm", "N/m, kN/m"},       {"mm^3/N", "mm/MPa, um/MPa"},
+    {"mm/s", "cm/s, m/s"},       {"N s^2/mm^2", "kg/mm, kg/m, t/m"},
+    {"N s^2", "kg m, kg m^2/m"}, {"s", "ms"}};
 
 /// The unit of a symbol with an optional power: "mm^2", "mm2", "mm".
 std::optional<Unit> power_of_symbol(std::string_view text) {

@@ -21,6 +21,10 @@ namespace microslip {
 /// Reads material.poisson_ratio, and material.shear_modulus or material.youngs_modulus.
 Material read_material(Scene& scene);
 
+/// Reads the same where the scene needs a material. A kernel of springs or of a table has none, unless
+/// Hertz's contact needs one: the constants then have no meaning, and no key is read.
+Material read_material_if_any(Scene& scene);
+
 /// Reads the constants of both bodies. Bodies of different material have material.dundurs_beta; or
 /// the constants of the second one have keys with the ending _2, beside the keys of
 /// read_material().
@@ -33,7 +37,9 @@ Material read_tangential(Scene& scene, const Material& material);
 /// Reads contact.friction.
 double read_friction(Scene& scene);
 
-/// Reads kernel.type, and kernel.width of a strip or kernel.length of plane strain.
+/// Reads kernel.type and the keys of that kernel: kernel.width of a strip, kernel.length of plane
+/// strain, both with kernel.compliance if they have a layer; kernel.compliance of springs; and
+/// kernel.table of a table, with columns wave_number and symbol.
 Kernel read_kernel(Scene& scene, const Material& material);
 
 /// Reads contact.half_width and contact.peak_traction.
