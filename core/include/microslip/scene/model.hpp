@@ -59,6 +59,11 @@ Solver read_solver(Scene& scene);
 /// solver.tolerance (1e-10), solver.violation (0.05), solver.condition (1e13)
 Acceptance read_acceptance(Scene& scene);
 
+/// Warns of a creepage above 0.2 in size: the theory is one of small creepages. Normalised contacts,
+/// whose mean bound is above 0.1 of the shear modulus, have no such limit.
+void warn_of_large_creepage(Scene& scene, const std::string& key, double creepage,
+                            const TractionBound& bound);
+
 /// load.creepage, load.force, load.force_ratio or, for Hertz's bound in plane strain,
 /// load.stick_ratio
 Load read_load(Scene& scene, const Kernel& kernel, const TractionBound& bound);
