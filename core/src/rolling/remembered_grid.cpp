@@ -193,8 +193,8 @@ void RememberedGrid::set_contact(const ContactScale& scale) {
   if (scale.half_width != 1) {
     require_half_space(kernel_, "a contact that changes its half-width");
   }
-  require(scale.half_width >= 0, "half_width", scale.half_width, "a number >= 0");
-  require(scale.bound >= 0, "bound", scale.bound, "a number >= 0");
+  require(scale.half_width >= 0, "half_width_factor", scale.half_width, "a number >= 0");
+  require(scale.bound >= 0, "bound_factor", scale.bound, "a number >= 0");
   if (scale.carries()) require_definite(kernel_, scale.half_width * reach_);
   target_ = scale;
 }

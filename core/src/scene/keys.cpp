@@ -356,6 +356,18 @@ const Key* find_key(std::string_view name) {
   return found == keys.end() ? nullptr : &*found;
 }
 
+std::string likely_key(const std::string& key, const std::vector<std::string>& known) {
+  const std::string near = nearest(key, known);
+  if (!near.empty()) return near;
+  const auto last_name = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };
+  const auto found = std::ranges::find(known, last_name(key), last_name);
+  return found == known.end() ? "" : *found;
+}
+
+std::string likely_key(const std::string& key) {
+  return likely_key(key, names_of(keys_of_scenes()));
+}
+
 std::string unit_of_key(std::string_view key) {
   const Key* found = find_key(key);
   return std::string(found == nullptr ? "1" : found->unit);

@@ -199,7 +199,10 @@ Acceptance read_acceptance(Scene& scene) {
 Load read_load(Scene& scene, const Kernel& kernel, const TractionBound& bound) {
   const std::string key = scene.one_of(load_keys);
   const double value = scene.number(key);
-  if (key == "load.creepage") return PrescribedCreepage{value};
+  if (key == "load.creepage") {
+    warn_of_large_creepage(scene, key, value, bound);
+    return PrescribedCreepage{value};
+  }
   if (key == "load.force") return PrescribedForce{value};
   double ratio = value;
   if (key == "load.force_ratio") {

@@ -68,6 +68,11 @@ Solver read_solver(Scene& scene);
 /// Reads solver.tolerance, solver.violation and solver.condition.
 Acceptance read_acceptance(Scene& scene);
 
+/// Warns of a creepage above 0.2 in size: the theory is one of small creepages. Normalised contacts,
+/// whose mean bound is above 0.1 of the shear modulus, have no such limit.
+void warn_of_large_creepage(Scene& scene, const std::string& key, double creepage,
+                            const TractionBound& bound);
+
 /// The keys of a load, of which a scene has one; load.stick_ratio is for Hertz's bound in plane
 /// strain.
 inline const std::vector<std::string> load_keys{"load.creepage", "load.force", "load.force_ratio",
