@@ -87,7 +87,9 @@ struct WorkOf {
   double operator()(const SteadyProblem& problem) const {
     const auto n = static_cast<double>(problem.grid.size());
     const bool strip = std::holds_alternative<StripKernel>(problem.kernel);
-    if (std::holds_alternative<Inversion>(problem.method)) return 4e5 + 2000 * n;
+    if (std::holds_alternative<Inversion>(problem.method) && is_half_space(problem.kernel)) {
+      return 4e5 + 2000 * n;
+    }
     if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
       return 3e5 + (strip ? 60 * kernel_work : 60) * n;
     }

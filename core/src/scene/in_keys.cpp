@@ -28,6 +28,8 @@ constexpr auto arguments = std::to_array<Argument>({
     {"kernel", "kernel.type"},
     {"width", "kernel.width"},
     {"length", "kernel.length"},
+    {"compliance", "kernel.compliance"},
+    {"wave_number", "kernel.table"},
     {"elements", "grid.elements"},
     {"leading_offset", "grid.leading_offset"},
     {"trailing_offset", "grid.trailing_offset"},

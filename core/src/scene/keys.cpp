@@ -28,6 +28,7 @@ constexpr std::string_view whole_contact =
 constexpr std::string_view elements = "scenes without method chebyshev and target_error";
 constexpr std::string_view with_load = "scenes with contact.normal_load";
 constexpr std::string_view with_roughness = "scenes with contact.roughness";
+constexpr std::string_view half_spaces = "kernel.type strip or plane, or contact.normal_load";
 constexpr std::string_view unlike =
     "problem steady or transient with kernel.type plane, without target_error";
 constexpr std::string_view rolls = "problem transient or cylinder";
@@ -42,13 +43,13 @@ constexpr auto keys = std::to_array<Key>({
      .words = {"steady", "transient", "cylinder"}},
     {"material.shear_modulus", number, "N/mm^2",
      "combined shear modulus G; or that of the driven body, if the other one has its own",
-     above_zero},
+     above_zero, "", half_spaces},
     {"material.youngs_modulus", number, "N/mm^2",
      "Young's modulus E, G = E/(2 (1 + nu)), of both bodies or of the driven one", above_zero,
-     "instead of material.shear_modulus"},
+     "instead of material.shear_modulus", half_spaces},
     {"material.poisson_ratio", number, "1",
      "combined Poisson ratio nu; or that of the driven body, if the other one has its own",
-     range(0, 0.5)},
+     range(0, 0.5), "", half_spaces},
     {"material.shear_modulus_2", number, "N/mm^2", "shear modulus of the other body", above_zero,
      "", unlike},
     {"material.youngs_modulus_2", number, "N/mm^2", "Young's modulus of the other body", above_zero,
@@ -62,7 +63,7 @@ constexpr auto keys = std::to_array<Key>({
     {.name = "direction",
      .type = word,
      .meaning = "direction of creepage and tractions: along the rolling or across it",
-     .role = "problem steady or transient",
+     .role = "problem steady or transient with kernel.type strip or plane",
      .words = {"longitudinal", "lateral"},
      .first_is_default = true},
     {"contact.half_width", number, "mm", "half-width a of the contact", above_zero},
@@ -116,14 +117,25 @@ constexpr auto keys = std::to_array<Key>({
      .fallback = 1},
     {.name = "kernel.type",
      .type = word,
-     .meaning = "half-space loaded over a strip, or plane strain",
-     .words = {"strip", "plane"}},
+     .meaning = "half-space loaded over a strip, or in plane strain; springs alone; or a kernel by "
+                "its symbol",
+     .words = {"strip", "plane", "winkler", "symbol"}},
     {"kernel.width", number, "mm", "width Dy of the strip", above_zero, "", "kernel.type strip"},
     {"kernel.length", number, "mm",
      "plane strain: distance L0 at which the displacement counts as zero", above_zero,
      "in transients and cylinders above (a + dx)/2, with step.scheme fractional from 3.8 a "
      "on",
      "kernel.type plane"},
+    {"kernel.compliance", number, "mm^3/N",
+     "C, displacement over the traction at the same place: of springs alone, or of a layer of them "
+     "on the half-space",
+     above_zero, "no layer on strip and plane without it", "kernel.type strip, plane or winkler"},
+    {.name = "kernel.table",
+     .type = file,
+     .meaning = "table with columns wave_number [1/mm] and symbol [mm^3/N], displacement over "
+                "traction of waves p cos(wave_number x)",
+     .note = "a file with 2 to 1000 rows, of numbers > 0, wave numbers rising",
+     .role = "kernel.type symbol"},
     {"grid.elements", whole, "1", "number N of nodes", range(1, Grid::max_elements),
      "20 000 where matrices are dense", "scenes without target_error"},
     {.name = "grid.leading_offset",
@@ -367,6 +379,18 @@ std::span<const Key> keys_of_scenes() { return keys; }
 const Key* find_key(std::string_view name) {
   const auto found = std::ranges::find(keys, name, &Key::name);
   return found == keys.end() ? nullptr : &*found;
+}
+
+std::string likely_key(const std::string& key, const std::vector<std::string>& known) {
+  const std::string near = nearest(key, known);
+  if (!near.empty()) return near;
+  const auto last_name = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };
+  const auto found = std::ranges::find(known, last_name(key), last_name);
+  return found == known.end() ? "" : *found;
+}
+
+std::string likely_key(const std::string& key) {
+  return likely_key(key, names_of(keys_of_scenes()));
 }
 
 std::string unit_of_key(std::string_view key) {
