@@ -40,7 +40,14 @@ std::vector<Table> measured() {
                    .length = 10,
                    .distance = 0.5,
                    .step_ratios = {1},
-                   .reference = 129}},
+                   .reference = 129},
+       .rough = {.hursts = {0.8, 0.3},
+                 .amplitude = 0.5,
+                 .seed = 1,
+                 .rows = 2049,
+                 .force_ratio = 0.8,
+                 .sizes = {63, 255, 1023},
+                 .reference = 8191}},
       [](std::size_t, std::size_t) {});
 }
 
