@@ -76,7 +76,7 @@ program::Preview preview(Scene& scene) {
 int main(int argc, char** argv) {
   const program::Program solver{
       .name = "microslip",
-      .question = "solves a scene of your own: microslip SCENE.info --out FOLDER",
+      .question = "solves a scene: microslip SCENE.info --out FOLDER",
       .scene = "",
       .quick = "",
       .default_out = "out",
@@ -88,7 +88,7 @@ int main(int argc, char** argv) {
   const program::Program response{
       .name = solver.name,
       .command = "response",
-      .question = "says how the force of a scene follows a creepage that oscillates a little",
+      .question = "computes how the force of a scene follows a small oscillation of the creepage",
       .scene = "",
       .quick = "",
       .default_out = "out",
@@ -96,12 +96,12 @@ int main(int argc, char** argv) {
                        "wavelength [mm] (default: 0.3 half-lengths of the stick zone)"},
                       {"longest", "response.longest", "likewise (default: 300)"},
                       {"wavelengths", "response.wavelengths",
-                       "how many, evenly spaced in their logarithms (default: 60)"}},
+                       "number of wavelengths, evenly spaced in their logarithms (default: 60)"}},
       .prepare = prepare_response};
   const program::Program converge{
       .name = solver.name,
       .command = "converge",
-      .question = "says what an accuracy costs in a scene: by every scheme, with several N",
+      .question = "measures the cost of an accuracy in a scene, for every scheme and several N",
       .scene = "",
       .quick = "",
       .default_out = "out",
@@ -115,18 +115,19 @@ int main(int argc, char** argv) {
   const program::Program curve{
       .name = solver.name,
       .command = "curve",
-      .question = "makes the curve of creepage and force of a scene, or of all cases of a sweep",
+      .question = "computes the creepage-force curve of a scene, or of all cases of a sweep",
       .scene = "",
       .quick = "",
       .default_out = "out",
       .key_options = {{"creepages", "curve.creepages",
                        "numbers and ranges, as '0:1e-4:5e-3' (default: 51 up to full sliding)"},
-                      {"points", "curve.points", "how many, evenly spaced (default: 51)"},
+                      {"points", "curve.points",
+                       "number of creepages, evenly spaced (default: 51)"},
                       {"largest", "curve.largest", "largest creepage"},
                       {"half-widths", "sweep.contact.half_width",
                        "numbers and ranges, a curve for each; likewise any key by "
                        "--set sweep.KEY=..."},
-                      {"beside", "curve.beside", "fastsim: its curve, too"}},
+                      {"beside", "curve.beside", "fastsim: adds the curve of FASTSIM"}},
       .prepare = prepare_curve};
   using Arguments = const char* const*;
   const std::vector<program::Command> commands{
@@ -134,13 +135,13 @@ int main(int argc, char** argv) {
        [&](int n, Arguments words) { return program::init(solver.name, templates, n, words); }},
       {"keys", "lists the keys of scenes, with units and accepted values",
        [&](int n, Arguments words) { return program::keys(solver.name, n, words); }},
-      {"explain", "says what a scene models and what it will cost, and solves nothing",
+      {"explain", "describes the model of a scene, its limits and its cost",
        [&](int n, Arguments words) { return program::explain(solver, preview, n, words); }},
-      {"response", "says how the force follows a creepage that oscillates a little",
+      {"response", "computes how the force follows a small oscillation of the creepage",
        [&](int n, Arguments words) { return program::run(response, n, words); }},
-      {"curve", "makes curves of creepage and force",
+      {"curve", "computes creepage-force curves",
        [&](int n, Arguments words) { return program::run_joined(curve, n, words); }},
-      {"converge", "says what an accuracy costs in a scene, by every scheme",
+      {"converge", "measures the cost of an accuracy in a scene, for every scheme",
        [&](int n, Arguments words) { return program::run(converge, n, words); }},
       {"plot", "draws the figures of a result, or of a study",
        [&](int n, Arguments words) { return program::plot(solver.name, n, words); }},
