@@ -93,8 +93,9 @@ int main(int argc, char** argv) {
       .quick = "",
       .default_out = "out",
       .key_options = {{"shortest", "response.shortest",
-                       "wavelength [mm] (default: 0.3 half-lengths of the stick zone)"},
-                      {"longest", "response.longest", "likewise (default: 300)"},
+                       "shortest wavelength [mm] (default: 0.3 half-lengths of the stick zone)"},
+                      {"longest", "response.longest",
+                       "longest wavelength (default: 300 half-lengths)"},
                       {"wavelengths", "response.wavelengths",
                        "number of wavelengths, evenly spaced in their logarithms (default: 60)"}},
       .prepare = prepare_response};
@@ -119,15 +120,14 @@ int main(int argc, char** argv) {
       .scene = "",
       .quick = "",
       .default_out = "out",
-      .key_options = {{"creepages", "curve.creepages",
-                       "numbers and ranges, as '0:1e-4:5e-3' (default: 51 up to full sliding)"},
-                      {"points", "curve.points",
-                       "number of creepages, evenly spaced (default: 51)"},
-                      {"largest", "curve.largest", "largest creepage"},
-                      {"half-widths", "sweep.contact.half_width",
-                       "numbers and ranges, a curve for each; likewise any key by "
-                       "--set sweep.KEY=..."},
-                      {"beside", "curve.beside", "fastsim: adds the curve of FASTSIM"}},
+      .key_options =
+          {{"creepages", "curve.creepages",
+            "numbers and ranges, as '0:1e-4:5e-3' (default: 51 up to full sliding)"},
+           {"points", "curve.points", "number of creepages, evenly spaced (default: 51)"},
+           {"largest", "curve.largest", "largest creepage"},
+           {"half-widths", "sweep.contact.half_width",
+            "numbers and ranges, a curve for each; for other keys use --set sweep.KEY=..."},
+           {"beside", "curve.beside", "fastsim: adds the curve of FASTSIM"}},
       .prepare = prepare_curve};
   using Arguments = const char* const*;
   const std::vector<program::Command> commands{

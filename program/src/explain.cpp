@@ -89,7 +89,7 @@ void print_scene(const Scene& scene, const Preview& preview, bool is_swept, std:
   if (is_swept) std::cout << cases << " cases, the first is: ";
   std::cout << preview.explanation.title << "\n\n";
   print_keys(scene.parameters());
-  print_lines("What follows", preview.explanation.consequences);
+  print_lines("Consequences", preview.explanation.consequences);
   print_lines("Not modelled", preview.explanation.not_modelled);
 }
 
