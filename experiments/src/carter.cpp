@@ -75,9 +75,9 @@ Table claims_of(const Table& summary, const Table& accuracy) {
   return claims_table(
       {{"wiggles arise when the step is small against the element", "1", not_given, last_wiggles,
         "1", holds_if({above(5), {"the number at the largest c", first_wiggles, equal_to(1)}}),
-        fmt::format("local extrema of the traction at the smallest c; {} at the largest, and 1 in "
-                    "the exact solution",
-                    format_short(first_wiggles)),
+        fmt::format("local extrema of the traction at c = {}; at c = {}: {}; exact: 1",
+                    format_short(summary.number(last, "step_ratio")),
+                    format_short(summary.number(0, "step_ratio")), format_short(first_wiggles)),
         "carter_traction"},
        {"accuracy decreases again for c < 0.55", "1", 0.55, best_ratio, "1",
         holds_if({within(0.1, 0.55)}),

@@ -20,7 +20,7 @@ std::string text_above_rounding(double value, double bound) {
 namespace {
 
 constexpr const char* measured_value = "measured_value";
-constexpr const char* description = "what the thesis says, and what was measured";
+constexpr const char* description = "claims of the thesis, and measurements";
 
 std::vector<Column> columns() {
   return {{"claim", "1", "the thesis's statement"},
@@ -34,7 +34,7 @@ std::vector<Column> columns() {
           {"verdict", "1",
            "reproduced, corrected, refuted, not_comparable, ours: not of the thesis, or "
            "not_judged: the run has other parameters than the study"},
-          {"note", "1", "what the number is, and under which conditions"},
+          {"note", "1", "meaning of the measured value, and its conditions"},
           {"figure", "1", "name of the figure that shows it, or none"}};
 }
 

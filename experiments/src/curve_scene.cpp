@@ -182,7 +182,7 @@ std::vector<Table> curve_tables(const CurveScene& scene, const Progress& progres
     }
     progress(++done, creepages.size());
   }
-  Table summary = empty_summary("what the curve of creepage and force begins and ends with");
+  Table summary = empty_summary("ends of the creepage-force curve");
   summary.add({"full_sliding_force", most, "N/mm"});
   if (slope) summary.add({"slope_without_creepage", -*slope, "N/mm"});
   if (fastsim) {

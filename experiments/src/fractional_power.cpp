@@ -33,7 +33,7 @@ struct Tables {
                 {"position", "dx", "from the leading edge's node"},
                 {"traction", "1", "traction"}}};
   Table shapes_summary{"shapes_summary",
-                       "what becomes of the shapes; exact: between 0 and 1",
+                       "values of the shapes after rolling; exact: between 0 and 1",
                        {{"shape", "1", "name of what it starts from"},
                         {"steps", "1", "number of steps of c"},
                         {"distance", "dx", "travelled"},

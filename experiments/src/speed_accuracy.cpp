@@ -33,7 +33,7 @@ Table runs_table(const std::vector<Run>& runs) {
        {"traction_error", "1", "integral of |p - exact| over the force; steady: largest"},
        {"peak_error", "1",
         "transient: height of the travelling peak over the exact one at the same nodes, less 1"},
-       {"energy_error", "1", "cylinder: what the balance misses over the energy turned over"},
+       {"energy_error", "1", "cylinder: error of the energy balance over the energy turned over"},
        {"motion_error", "1", "cylinder: velocity over the second half of the way"},
        {"rounds", "1", "stick/slip partitions tried, systems solved, or steps of the cylinder"},
        {"work", "1", "counted floating-point operations for a solution"},

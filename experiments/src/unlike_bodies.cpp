@@ -198,7 +198,8 @@ UnlikeBodiesParameters read_unlike_bodies(Scene& scene) {
   static constexpr auto keys = std::to_array<Key>(
       {{"free.smallest", number, "1", "least beta/mu of free rolling", range(1e-3, 1)},
        {"free.largest", number, "1", "largest", range(1.5, 1e5)},
-       {"free.points", whole, "1", "how many, evenly spaced in their logarithms", range(2, 10000)},
+       {"free.points", whole, "1", "number of ratios, evenly spaced in their logarithms",
+        range(2, 10000)},
        {"tractive.beta_over_mu", list, "1", "beta/mu of tractive rolling", range(1e-3, 1e5)},
        {"tractive.zones_of", number, "1", "beta/mu of zones and errors, one of those",
         range(1e-3, 1e5)},

@@ -337,7 +337,7 @@ Table claims_of(const VaryingLoadParameters& p, const SmallWaves& small, const L
         "none", not_given, finest, "1", ours_if({below(1e-3)}),
         "largest relative error over states, wavelengths and step ratios, at the largest N",
         "varying_load_error"},
-       {"Carter's solution of each moment is not what the force does, even for waves of 10 contact "
+       {"Carter's solution of each moment is not the force, even for waves of 10 contact "
         "widths",
         "none", not_given, from_quasi_steady(p, 20), "1", ours_if({above(0.1)}),
         "largest difference of dF/dP over states at L = 20 a, relative", "varying_load_bode"},

@@ -47,7 +47,7 @@ void add_scene_options(Options& options, const Program& program) {
   options.add_options()("scene", options::value<std::string>(),
                         ("property tree in INFO format" + scene_default).c_str())(
       "set", options::value<std::vector<std::string>>()->default_value({}, ""),
-      "key.sub=value, over the scene; an empty value removes the key; repeatable");
+      "section.key=value, overrides the scene; an empty value removes the key; repeatable");
   for (const auto& [name, key, help] : program.key_options) {
     options.add_options()(name.c_str(), options::value<std::string>(), help.c_str());
   }

@@ -15,7 +15,7 @@ namespace microslip::program {
 namespace {
 
 std::string list_of(const std::string& name, const std::vector<Command>& commands) {
-  std::string text = "\n\nCommands, each with --help of its own:";
+  std::string text = "\n\nCommands; each has its own --help:";
   for (const Command& command : commands) {
     text += fmt::format("\n  {} {:<9} {}", name, command.name, command.purpose);
   }

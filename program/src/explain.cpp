@@ -89,7 +89,7 @@ void print_scene(const Scene& scene, const Preview& preview, bool is_swept, std:
   if (is_swept) std::cout << cases << " cases, the first is: ";
   std::cout << preview.explanation.title << "\n\n";
   print_keys(scene.parameters());
-  print_lines("What follows", preview.explanation.consequences);
+  print_lines("Consequences", preview.explanation.consequences);
   print_lines("Not modelled", preview.explanation.not_modelled);
 }
 
@@ -128,7 +128,7 @@ void print_cost(const Costs& all) {
         fmt::format("about {:.2g} operations, {} on one core{}; within a factor of five", all.work,
                     time(all.work * seconds_per_operation), all.cases > 1 ? " for all cases" : ""));
   } else {
-    lines.push_back("as many operations as the error needs: from a millisecond on");
+    lines.push_back("as many operations as the target error needs; at least a millisecond");
   }
   lines.push_back(fmt::format("at most {} of memory{}; {} are available",
                               bytes(all.memory + program), all.cases > 1 ? " a case at once" : "",
@@ -146,7 +146,7 @@ int explain(const Program& program, const std::function<Preview(Scene&)>& previe
     known.add_options()("version", "print version and revision")("help", "print this");
     const Given given = parse(known, argc - 1, argv + 1, "scene");
     const std::string purpose =
-        "says what a scene models, what it does not, and at which cost, and solves nothing";
+        "describes the model of a scene, its limits and its cost, and solves nothing";
     if (answers(given, known, program.name + " explain", purpose)) return 0;
     const Costs all = preview_cases(read_scene(program, given), preview);
     print_cost(all);

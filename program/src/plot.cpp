@@ -337,7 +337,7 @@ void draw_all(const std::string& name, const Given& given) {
     const std::string program = program_of(folder, name);
     const bool is_alone = given["result"].as<std::vector<std::string>>().size() == 1;
     if (program != name && is_alone) return draw_study(program, folder, given);
-    if (program != name) reject(folder, "those of studies are drawn one at a time");
+    if (program != name) reject(folder, "figures of studies are drawn one at a time");
     results.push_back({folder, word, kind_of(folder)});
   }
   draw_scenes(name, results, given);

@@ -39,7 +39,7 @@ Options options_of(const Program& program) {
   }
   if (program.prepare_to_save) {
     add("save", options::value<std::string>(),
-        "file for the state of a transient at its end, from which start.state goes on");
+        "file for the final state of a transient; start.state continues from it");
   }
   known.add_options()("format", options::value<std::string>()->default_value("tsv"),
                       "csv: each table as comma-separated NAME.csv, too, without comments");

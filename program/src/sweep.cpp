@@ -29,7 +29,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* sweep_purpose =
-    "solves all cases of a scene with a section 'sweep'; what is done already is left out";
+    "solves all cases of a scene with a section 'sweep', except for cases that are already solved";
 constexpr const char* solved = "ok";  // status of a case
 constexpr const char* merge_purpose = "puts the cases of a sweep into one table, sweep.tsv";
 

@@ -4,6 +4,7 @@
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return studies::run("carter", "what does the step ratio do to the Carter-Fromm problem?",
+  return studies::run("carter",
+                      "how does the step ratio change the solution of the Carter-Fromm problem?",
                       experiments::read_carter, experiments::carter, argc, argv);
 }

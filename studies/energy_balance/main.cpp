@@ -4,7 +4,6 @@
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return studies::run("energy_balance",
-                      "how does the balance of energy of a rolling cylinder close?",
+  return studies::run("energy_balance", "how does the energy balance of a rolling cylinder close?",
                       experiments::read_energy_balance, experiments::energy_balance, argc, argv);
 }

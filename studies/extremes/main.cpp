@@ -4,6 +4,6 @@
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return studies::run("extremes", "what happens where nobody tunes?", experiments::read_extremes,
+  return studies::run("extremes", "where does each scheme fail?", experiments::read_extremes,
                       experiments::extremes, argc, argv);
 }

@@ -5,6 +5,6 @@
 int main(int argc, char** argv) {
   using namespace microslip;
   return studies::run(
-      "fractional_power", "do fractional powers keep travelling peaks sharp, and at which cost?",
+      "fractional_power", "do fractional powers keep travelling peaks sharp, and at what cost?",
       experiments::read_fractional_power, experiments::fractional_power, argc, argv);
 }

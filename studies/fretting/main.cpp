@@ -5,7 +5,6 @@
 int main(int argc, char** argv) {
   using namespace microslip;
   return studies::run("fretting",
-                      "what does a force to and fro lose without rolling, and between two ways of "
-                      "rolling?",
+                      "how much energy does an oscillating force lose when the bodies do not roll?",
                       experiments::read_fretting, experiments::fretting, argc, argv);
 }

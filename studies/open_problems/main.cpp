@@ -4,7 +4,6 @@
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return studies::run("open_problems",
-                      "second order, any step, ten digits: what solves what was left open?",
+  return studies::run("open_problems", "which schemes give second order, any step and ten digits?",
                       experiments::read_open_problems, experiments::open_problems, argc, argv);
 }

@@ -4,6 +4,7 @@
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return studies::run("smoothing", "what becomes of a traction peak that travels?",
+  return studies::run("smoothing",
+                      "how much does each step ratio smooth a travelling traction peak?",
                       experiments::read_smoothing, experiments::smoothing, argc, argv);
 }

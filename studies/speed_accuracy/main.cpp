@@ -4,6 +4,6 @@
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return studies::run("speed_accuracy", "what does an accuracy cost, by which scheme?",
+  return studies::run("speed_accuracy", "what does a given accuracy cost with each scheme?",
                       experiments::read_speed_accuracy, experiments::speed_accuracy, argc, argv);
 }

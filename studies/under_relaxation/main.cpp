@@ -5,6 +5,6 @@
 int main(int argc, char** argv) {
   using namespace microslip;
   return studies::run(
-      "under_relaxation", "does under-relaxation remove the wiggles, and at which price?",
+      "under_relaxation", "does under-relaxation remove the wiggles, and at what price?",
       experiments::read_under_relaxation, experiments::under_relaxation, argc, argv);
 }

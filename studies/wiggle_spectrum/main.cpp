@@ -4,6 +4,6 @@
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return studies::run("wiggle_spectrum", "what makes the solution wiggle when the step is small?",
+  return studies::run("wiggle_spectrum", "why does the solution wiggle when the step is small?",
                       experiments::read_wiggle_spectrum, experiments::wiggle_spectrum, argc, argv);
 }

@@ -4,6 +4,7 @@
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return studies::run("world_fixed", "what is odd about a grid that is fixed to the world?",
+  return studies::run("world_fixed",
+                      "why does the creepage jump on a grid that is fixed to the world?",
                       experiments::read_world_fixed, experiments::world_fixed, argc, argv);
 }

@@ -8,6 +8,10 @@ import unittest
 from pathlib import Path
 
 sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tools" / "report"))
+from faults import FAULTS
+from prose import introduction, parts_of, sections_of
+from tables import ReportError
 from quick_results import NOT_JUDGED, ROOT, claims_of, link_results, make_report
 from structure import problems
 
@@ -55,6 +59,31 @@ class Page(unittest.TestCase):
                       "otherwise refuted.</p>", card)
         self.assertNotIn("tolerance", re.search(r'<article id="carter-1".*?</article>', self.text, re.DOTALL)[0])
 
+    def test_begins_with_faults_and_cures(self):
+        top = self.text[:self.text.index('<h2 id="claims">')]
+        self.assertEqual(len(FAULTS), 4)
+        for i, fault in enumerate(FAULTS, 1):
+            self.assertIn(f"<h2>{i}. {fault.name}</h2>", top)
+            self.assertIn(fault.cure, top)
+            self.assertEqual(top.count(f'data-figure="{fault.figure}"'), 1)
+
+    def test_states_claims_in_full(self):
+        """Claim, measured value with its meaning, rule and verdict stand in one row."""
+        row = re.search(r'<tr><td class="statement"><a href="#carter-1">.*?</tr>', self.text)[0]
+        self.assertRegex(row, r"wiggles arise.*<b>\d+</b>: local extrema of the traction.*"
+                              r"reproduced if the measured value is above 5.*</span></td></tr>")
+
+    def test_introduces_each_study_beside_its_figures(self):
+        for name, markdown in sections_of(ROOT / "docs/studies.md").items():
+            section = re.search(rf'<section id="{name}">.*?</section>', self.text, re.DOTALL)[0]
+            words = re.findall(r"^[A-Za-z][A-Za-z ,]{9,}\b", markdown, re.MULTILINE)
+            self.assertTrue(words, name)
+            for part in words:
+                self.assertIn(part, re.sub("<.*?>", "", section), name)
+        steps = self.text.index("<em>Any step.</em>"), self.text.index('<figure id="open_problems_steps"')
+        self.assertLess(*steps)
+        self.assertNotIn('<div class="prose">', self.text[steps[0]:steps[1]])
+
     def test_says_where_nothing_is_judged_and_why(self):
         said = re.findall(r'<span class="unjudged">Not judged: (.*?)\.</span>', self.text)
         self.assertEqual(len(said), 2)  # in the table of all claims, and at the study
@@ -86,7 +115,7 @@ class Page(unittest.TestCase):
                  "carter-1: the verdict is refuted, not reproduced"),
                 ("another count", r'data-count="refuted">\d+', 'data-count="refuted">99', "99 claims are said"),
                 ("another statement", "<h4>accuracy decreases", "<h4>accuracy increases", "carter-2: does not say"),
-                ("another rule", "is within 0.1 of 0.55; otherwise", "is about right; otherwise",
+                ("another rule", "(Rule: .*?) is within 0.1 of 0.55; otherwise", r"\1 is about right; otherwise",
                  "carter-2: does not say the rule"),
                 ("a number that is none", r'(id="carter-1".*?<dd>)[^<]*', r"\1nan", "carter-1: says nan"),
                 ("no end", "</section>", "", "has no end")):
@@ -94,6 +123,27 @@ class Page(unittest.TestCase):
                 changed, times = re.subn(pattern, replacement, self.text, count=1, flags=re.DOTALL)
                 self.assertEqual(times, 1)
                 self.assertTrue(any(found in line for line in problems(changed, self.claims)))
+
+
+class Prose(unittest.TestCase):
+    def test_becomes_html(self):
+        text = ("![c](a.svg)\n\n*One* is `a < b` for c\\* and 2e-3, see [b](#b) and\n[other](x.md).\n\n| h | k |\n|---|---|\n"
+                "| 1 | **2** |\n\n- x^2\n- y\n  z")
+        html = "".join(html for html, _ in parts_of(text, [], {"#b": "b"}))
+        self.assertEqual(html.replace("\N{NON-BREAKING HYPHEN}", "-"),
+                         '<p><em>One</em> is <code>a &lt; b</code> for c* and 2e-3, see <a href="#b">b</a> and\nother.</p>\n'
+                         '<div class="scrolls" tabindex="0"><table><thead><tr><th>h</th><th>k</th></tr></thead><tbody>'
+                         "<tr><td>1</td><td><strong>2</strong></td></tr></tbody></table></div>\n"
+                         "<ul><li>x<sup>2</sup></li><li>y\n  z</li></ul>\n")
+
+    def test_has_figures_after_the_text_that_names_them(self):
+        text = "First.\n\nSee `s_a.svg`, `..._b.svg`.\n\nMore.\n\nAgain `s_a.svg` and `s_c.svg`."
+        self.assertEqual([(html.count("<p>"), names) for html, names in parts_of(text, ["s_a", "s_b", "s_c"], {})],
+                         [(1, []), (2, ["s_a", "s_b"]), (1, ["s_c"])])
+
+    def test_is_wanted_of_each_study(self):
+        self.assertRaisesRegex(ReportError, "studies.md: expected a section `## new` with text",
+                               introduction, {"old": "text"}, "new", "studies.md")
 
 
 class Readme(unittest.TestCase):

@@ -4,7 +4,7 @@ import re
 from collections import Counter
 from html.parser import HTMLParser
 
-VOID = {"meta", "br", "hr", "img", "input", "link"}
+VOID = {"meta", "br", "hr", "img", "input", "link", "wbr"}
 DRAWN = {"path", "polygon", "use", "text", "rect", "circle"}
 NETWORK = re.compile(r"<(?:script|link|img|iframe|object|embed)\b|\bsrc=|@import|url\(|https?://")
 

@@ -155,8 +155,9 @@ TEST_F(Plots, RangesThatAreNone) {
   expect_error("plot strip --over load.force", "--over: expected a sweep or a curve with it");
   run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/carter --quick --out mine");
   expect_error("plot mine --x 0:1", "--x: expected a result of a scene with it");
-  expect_error("plot strip mine",
-               "'mine': expected the folder of a result; those of studies are drawn one at a time");
+  expect_error(
+      "plot strip mine",
+      "'mine': expected the folder of a result; figures of studies are drawn one at a time");
   EXPECT_FALSE(fs::exists(folder_ / "strip.svg"));
 }
 

@@ -5,16 +5,18 @@ from collections import Counter
 from html import escape
 from pathlib import Path
 
+from faults import WORDS
+from prose import parts_of
 from tables import GIVEN, NOT_JUDGED, VERDICTS
 from text import number, prose, unit, words
 
 THESIS = "N. van der Wekken, <cite>Improving CONTACT for varying timesteps</cite> (TU Delft, 2017)"
 MEANING = {
     "reproduced": "it holds",
-    "corrected": "it holds otherwise: another number, cause or range",
+    "corrected": "it holds in modified form: another number, cause or range",
     "refuted": "it does not hold",
-    "not_comparable": "not enough is known to compare",
-    "ours": "no claim of the thesis, but a finding of microslip",
+    "not_comparable": "the thesis does not say enough for a comparison",
+    "ours": "a finding of microslip, not a claim of the thesis",
     NOT_JUDGED: "the run has other parameters than the study",
 }
 WIDE = 800  # pixels, of figures with panels side by side
@@ -28,11 +30,12 @@ def verdict_mark(verdict):
     return f'<span class="verdict {verdict}">{words(verdict)}</span>'
 
 
-def page(studies, figures, headline):
-    """`figures` are those of each study, by its name; `headline` is that of the first screen."""
+def page(studies, figures, faults):
+    """`figures` has the figures of each study, by its name; `faults` pairs each fault with its figure."""
     claims = [claim for study in studies for claim in study.claims]
     judged = sum(claim.verdict not in ("ours", NOT_JUDGED) for claim in claims)
-    sections = "\n".join(section(study, figures[study.name]) for study in studies)
+    places = {f"#{study.name}": study.name for study in studies}
+    sections = "\n".join(section(study, figures[study.name], places) for study in studies)
     style = Path(__file__).with_name("page.css").read_text(encoding="utf-8")
     return f"""<!DOCTYPE html>
 <html lang="en">
@@ -46,15 +49,19 @@ def page(studies, figures, headline):
 </head>
 <body>
 <header>
-<h1>Rolling contact, step by step</h1>
-<p class="lead">{THESIS}, says what a boundary-element program computes when a wheel moves by a small
-fraction of an element, and why it goes wrong. <strong>microslip</strong> computes it anew, and holds
-{judged} of its claims against measurements. Every number here stands in a table, and every figure is drawn from
-one.</p>
+<h1>Rolling contact for any time step</h1>
+<p class="lead">Boundary-element codes for rolling contact develop oscillations when a time step is much shorter than an
+element. {THESIS}, describes them. <strong>microslip</strong> repeats the computations of the thesis, judges
+{judged} of its claims by measurements, and cures four faults of its scheme. Every number on this page stands in a table,
+and every figure is drawn from one.</p>
 </header>
 <div class="first">
-<div>{figure_block(headline, "headline")}</div>
+{fault_block(1, *faults[0])}
 <div>{summary(studies, claims)}</div>
+</div>
+<div class="faults">
+{"".join(fault_block(i, *fault) for i, fault in enumerate(faults[1:], 2))}
+{word_list()}
 </div>
 <h2 id="claims">All claims</h2>
 {all_claims(studies)}
@@ -62,6 +69,28 @@ one.</p>
 <footer>{revisions(studies)}</footer>
 </body>
 </html>
+"""
+
+
+def fault_block(i, fault, figure):
+    """The first one is the headline."""
+    id = "headline" if i == 1 else f"fault-{i}"
+    return f"""<div class="fault">
+<h2>{i}. {prose(fault.name)}</h2>
+{figure_block(figure, id)}<p><b>Cause.</b> {prose(fault.cause)}</p>
+<p><b>Cure.</b> {prose(fault.cure)} <a href="#{fault.study}">Study {fault.study}</a></p>
+</div>
+"""
+
+
+def word_list():
+    rows = "".join(f"<div><dt>{prose(word)}</dt><dd>{prose(meaning)}</dd></div>" for word, meaning in WORDS)
+    return f"""<div class="fault">
+<h2>Words and signs</h2>
+<dl class="words">{rows}</dl>
+<p>Lengths are in mm, forces in N per mm of width. Rolling is to the right. Each claim has a rule with a tolerance, and the
+verdict follows from the measured value by this rule.</p>
+</div>
 """
 
 
@@ -85,16 +114,17 @@ def summary_row(study):
     cells = "".join(f'<td class="count {verdict}">{counts[verdict] or "<i>·</i>"}</td>' for verdict in GIVEN)
     if study.not_judged:
         cells = f'<td class="count {NOT_JUDGED}" colspan="{len(GIVEN)}">{counts[NOT_JUDGED]} not judged</td>'
-    return f'<tr><td><a href="#{study.name}">{study.name}</a></td>{cells}</tr>'
+    name = study.name.replace("_", "_<wbr>")
+    return f'<tr><td><a href="#{study.name}">{name}</a></td>{cells}</tr>'
 
 
 def all_claims(studies):
     groups = "".join(
-        f'<tbody><tr class="group"><th colspan="6"><a href="#{study.name}">{study.name}</a> '
+        f'<tbody><tr class="group"><th colspan="4"><a href="#{study.name}">{study.name}</a> '
         f"{prose(study.question)}{not_judged(study)}</th></tr>" + "".join(claim_row(claim) for claim in study.claims) + "</tbody>"
         for study in studies)
-    return f"""<table class="claims"><thead><tr><th>the thesis says</th><th>section</th><th>its value</th>
-<th>measured</th><th>tolerance</th><th>verdict</th></tr></thead>{groups}</table>"""
+    return f"""<table class="claims"><thead><tr><th>claim</th><th>measured</th><th>rule</th>
+<th>verdict</th></tr></thead>{groups}</table>"""
 
 
 def not_judged(study):
@@ -109,22 +139,32 @@ def values(claim):
     return number(claim.thesis_value, 6), measured + unit(claim.unit), tolerance
 
 
+def origin(claim):
+    """Section of the thesis, and its value if it has one."""
+    if claim.section == "none":
+        return "microslip"
+    value = "" if math.isnan(claim.thesis_value) else f": {number(claim.thesis_value, 6)}"
+    return f"thesis §&nbsp;{escape(claim.section)}{value}"
+
+
 def claim_row(claim):
-    thesis, measured, tolerance = values(claim)
-    return (f'<tr><td class="statement"><a href="#{claim.id}">{prose(claim.claim)}</a></td>'
-            f'<td class="section">{escape(claim.section)}</td><td class="thesis">{thesis}</td>'
-            f'<td class="measured">{measured}</td><td class="tolerance">{tolerance}</td><td>{verdict_mark(claim.verdict)}</td></tr>\n')
+    measured = values(claim)[1]
+    return (f'<tr><td class="statement"><a href="#{claim.id}">{prose(claim.claim)}</a> <small>{origin(claim)}</small></td>'
+            f'<td class="measured"><b>{measured}</b>: {prose(claim.note)}</td><td class="rule">{prose(claim.rule)}</td>'
+            f"<td>{verdict_mark(claim.verdict)}</td></tr>\n")
 
 
 def claim_card(claim):
     thesis, measured, tolerance = values(claim)
     tolerated = f"<div><dt>tolerance</dt><dd>{tolerance}</dd></div>" if tolerance else ""
     link = f' <a href="#{claim.figure}">Figure</a>' if claim.figure != "none" else ""
+    source = "no claim of the thesis" if claim.section == "none" else f"thesis §&nbsp;{escape(claim.section)}"
+    said = f"<div><dt>{source}</dt><dd>{thesis}</dd></div>"
     return f"""<article id="{claim.id}" class="claim {claim.verdict}">
 <h4>{prose(claim.claim)}</h4>
-<dl><div><dt>thesis §&nbsp;{escape(claim.section)}</dt><dd>{thesis}</dd></div><div><dt>measured</dt><dd>{measured}</dd></div>
+<dl>{said}<div><dt>measured</dt><dd>{measured}</dd></div>
 {tolerated}<div><dt>verdict</dt><dd>{verdict_mark(claim.verdict)}</dd></div></dl>
-<p>{prose(claim.note)}.{link}</p>
+<p>Measured: {prose(claim.note)}.{link}</p>
 <p class="rule">Rule: {prose(claim.rule)}.</p>
 </article>
 """
@@ -137,25 +177,36 @@ def figure_block(figure, id):
             f"<figcaption>{prose(figure.caption)} <code>{figure.name}</code></figcaption></figure>\n")
 
 
-def exhibits(study, figures):
-    """Each figure beside the claims that it shows, in their order; then the other figures."""
-    shown = list(dict.fromkeys(claim.figure for claim in study.claims if claim.figure != "none"))
+def exhibit(study, figure):
+    """A figure beside the claims that it shows."""
+    cards = "".join(claim_card(claim) for claim in study.claims if claim.figure == figure.name)
+    wide = " wide" if figure.width > WIDE or not cards else ""
+    beside = f'<div class="cards">{cards}</div>' if cards else ""
+    return f'<div class="exhibit{wide}">{figure_block(figure, figure.name)}{beside}</div>\n'
+
+
+def gallery(study, figures):
+    """Figures with claims are exhibits; the others stand side by side."""
+    shown = {claim.figure for claim in study.claims}
+    others = "".join(figure_block(figure, figure.name) for figure in figures if figure.name not in shown)
+    return ("".join(exhibit(study, figure) for figure in figures if figure.name in shown)
+            + (f'<div class="gallery">{others}</div>\n' if others else ""))
+
+
+def exhibits(study, figures, places):
+    """The text of a study, after each part the figures that it names; then the other figures, and claims without one."""
+    by_name = {figure.name: figure for figure in figures}
     parts = []
-    for name in shown:
-        figure = next(figure for figure in figures if figure.name == name)
-        cards = "".join(claim_card(claim) for claim in study.claims if claim.figure == name)
-        wide = " wide" if figure.width > WIDE else ""
-        parts.append(f'<div class="exhibit{wide}">{figure_block(figure, name)}<div class="cards">{cards}</div></div>\n')
+    for text, names in parts_of(study.introduction, list(by_name), places):
+        parts.append(f'<div class="prose">\n{text}</div>\n' + gallery(study, [by_name.pop(name) for name in names]))
+    parts.append(gallery(study, by_name.values()))
     unseen = "".join(claim_card(claim) for claim in study.claims if claim.figure == "none")
     if unseen:
         parts.append(f'<div class="exhibit wide"><div class="cards">{unseen}</div></div>\n')
-    others = "".join(figure_block(figure, figure.name) for figure in figures if figure.name not in shown)
-    if others:
-        parts.append(f'<div class="gallery">{others}</div>\n')
     return "".join(parts)
 
 
-def section(study, figures):
+def section(study, figures, places):
     commands = [f"make {study.name}", study.command]
     commands += [f"plots/draw.sh plots/{figure.name}.gp results/{study.name} results/figures/{figure.name}.svg"
                  for figure in figures]
@@ -165,7 +216,7 @@ def section(study, figures):
     return f"""<section id="{study.name}">
 <h2>{study.name}</h2>
 <p class="question">{prose(study.question)}</p>{not_judged(study)}
-{exhibits(study, figures)}
+{exhibits(study, figures, places)}
 <h3>Made by</h3>
 <pre tabindex="0"><code>{escape(chr(10).join(commands))}</code></pre>
 <details><summary>{count(len(study.parameters), "parameter")}</summary>

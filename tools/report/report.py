@@ -7,12 +7,14 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # the folder holds sources only
+from faults import FAULTS
 from figures import read_figure
 from page import page
+from prose import introduction, sections_of
 from tables import ReportError, read_study, studies_of
 
 ROOT = Path(__file__).resolve().parents[2]
-HEADLINE = ("open_problems", "open_problems_convergence")
+STUDIES = ROOT / "docs" / "studies.md"
 
 
 def figures_of(results, study, prefix):
@@ -29,10 +31,13 @@ def figures_of(results, study, prefix):
 def report(results):
     if not results.is_dir():
         raise ReportError(f"{results}: no such folder; expected what `make figures` writes")
-    studies = [read_study(results, name, question) for name, question in studies_of(ROOT / "README.md")]
+    sections = sections_of(STUDIES)
+    studies = [read_study(results, name, question, introduction(sections, name, STUDIES))
+               for name, question in studies_of(ROOT / "README.md")]
     figures = {study.name: figures_of(results, study, study.name) for study in studies}
-    headline = read_figure(results / "figures" / f"{HEADLINE[1]}.svg", "headline-")
-    return page(studies, figures, headline)
+    faults = [(fault, read_figure(results / "figures" / f"{fault.figure}.svg", f"fault-{i}-"))
+              for i, fault in enumerate(FAULTS, 1)]
+    return page(studies, figures, faults)
 
 
 def write(text, output):

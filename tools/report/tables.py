@@ -98,6 +98,7 @@ class Study:
     tables: list
     claims: list
     not_judged: str  # why, or empty
+    introduction: str  # in Markdown
 
     @property
     def parameters(self):
@@ -112,7 +113,7 @@ def studies_of(readme):
     return studies
 
 
-def read_study(results, name, question):
+def read_study(results, name, question, introduction):
     folder = Path(results) / name
     claims_file = folder / "claims.tsv"
     table = read_table(claims_file)
@@ -139,4 +140,4 @@ def read_study(results, name, question):
     except ValueError as error:
         raise ReportError(f"{path}: command: {error}") from None
     tables = [read_table(folder / file) for file in provenance["tables"].split()]
-    return Study(name, question, command, provenance, tables, claims, not_judged)
+    return Study(name, question, command, provenance, tables, claims, not_judged, introduction)

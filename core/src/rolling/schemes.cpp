@@ -33,14 +33,15 @@ void trim_the_last(SteadyProblem& problem) {
 }
 
 constexpr std::array steady{
-    SteadyEntry{.name = "inversion",
-                .text = "inversion on the one stick zone: ten digits; or elements over the whole "
-                        "contact, {functions}, where there are more zones, which row 'method' of "
-                        "the summary says",
-                .limits = "else elements are taken over the whole contact",
-                .order = ten_digits,
-                .by_elements = false,
-                .method = [](double) -> SteadyMethod { return Inversion{}; }},
+    SteadyEntry{
+        .name = "inversion",
+        .text =
+            "inversion if one zone sticks: ten digits; elements over the whole contact, "
+            "{functions}, if there are more zones; row 'method' of the summary names the method",
+        .limits = "else elements are taken over the whole contact",
+        .order = ten_digits,
+        .by_elements = false,
+        .method = [](double) -> SteadyMethod { return Inversion{}; }},
     SteadyEntry{.name = "calibrated",
                 .text = "elements over the whole contact, {functions}, with calibrated edges: "
                         "second order in dx, with noise from stick-slip points inside elements",

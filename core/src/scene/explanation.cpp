@@ -37,9 +37,8 @@ std::string elements_of(const Grid& grid) {
 
 std::string method_of(const SteadyProblem& problem) {
   if (problem.has_unlike_bodies() && std::holds_alternative<Inversion>(problem.method)) {
-    return "inversion on all stick zones, under Hertz's bound; else elements over the whole "
-           "contact, "
-           "constant functions, which row 'method' of the summary says";
+    return "inversion on all stick zones, under Hertz's bound; otherwise elements over the whole "
+           "contact, constant functions; row 'method' of the summary names the method";
   }
   const auto* differences = std::get_if<Differences>(&problem.method);
   const double c = differences == nullptr ? 1 : differences->step_ratio;

@@ -21,7 +21,7 @@ void refuse_first_body(const Scene& scene) {
     if (!key.starts_with("material.") || !key.ends_with("_1")) continue;
     const std::string name = key.substr(0, key.size() - 2);
     if (find_key(name) == nullptr) continue;
-    throw BadParameter(key, fmt::format("key '{}': expected '{}', which is that of the driven body "
+    throw BadParameter(key, fmt::format("key '{}': expected '{}' for the driven body "
                                         "where the other one has its own",
                                         key, name));
   }
