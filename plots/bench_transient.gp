@@ -8,13 +8,13 @@ do for [quantity in "step rolling_by_force"] {
   set title quantity eq "step" ? "a step, partition unchanged" : "N steps, under a force"
   plot peer using (of(quantity, "strip", "CONTACT")):"time" with linespoints linetype 7 pointtype 5 pointsize 0.6 \
          title named("CONTACT", quantity, "CONTACT"), \
-       times using (of(quantity, "strip", "direct_dense")):"time" with linespoints linetype 2 dashtype 2 pointtype 6 pointsize 0.5 \
+       times using (of(quantity, "strip", "direct_dense")):"time" with linespoints linecolor rgb colour_of("direct") dashtype 2 pointtype 6 pointsize 0.5 \
          title named("direct, dense", quantity, "direct_dense"), \
-       times using (of(quantity, "strip", "direct_fft")):"time" with linespoints linetype 2 pointtype 7 pointsize 0.5 \
+       times using (of(quantity, "strip", "direct_fft")):"time" with linespoints linecolor rgb colour_of("direct") pointtype 7 pointsize 0.5 \
          title named("direct, FFT", quantity, "direct_fft"), \
-       times using (of(quantity, "strip", "remembered_dense")):"time" with linespoints linetype 1 dashtype 2 pointtype 6 pointsize 0.5 \
+       times using (of(quantity, "strip", "remembered_dense")):"time" with linespoints linecolor rgb colour_of("remembered") dashtype 2 pointtype 6 pointsize 0.5 \
          title named("remembered, dense", quantity, "remembered_dense"), \
-       times using (of(quantity, "strip", "remembered_fft")):"time" with linespoints linetype 1 pointtype 7 pointsize 0.5 \
+       times using (of(quantity, "strip", "remembered_fft")):"time" with linespoints linecolor rgb colour_of("remembered") pointtype 7 pointsize 0.5 \
          title named("remembered, FFT", quantity, "remembered_fft")
 }
 unset multiplot

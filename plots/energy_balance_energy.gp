@@ -21,8 +21,8 @@ set ylabel "|sum of energies| / (F_{cm} X) [1]"
 set key inside right center
 set title "what is missing"
 error(name) = abs(column(name) / column("potential")) + 1e-18
-plot energy using (at("direct", "verlet")):(error("total")) with lines linetype 2 title "direct, Verlet, end of step", \
+plot energy using (at("direct", "verlet")):(error("total")) with lines linecolor rgb colour_of("direct verlet") title "direct, Verlet, end of step", \
      energy using (at("remembered", "verlet")):(error("total")) with lines linetype 5 dashtype 2 title "remembered, Verlet, end of step", \
-     energy using (at("remembered", "verlet")):(error("mean_total")) with lines linetype 3 title "remembered, Verlet", \
-     energy using (at("remembered", "midpoint")):(error("mean_total")) with lines linetype 1 title "remembered, midpoint"
+     energy using (at("remembered", "verlet")):(error("mean_total")) with lines linecolor rgb colour_of("remembered verlet") title "remembered, Verlet", \
+     energy using (at("remembered", "midpoint")):(error("mean_total")) with lines linecolor rgb colour_of("remembered midpoint") title "remembered, midpoint"
 unset multiplot

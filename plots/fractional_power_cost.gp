@@ -8,7 +8,7 @@ set format y "10^{%T}"
 set xlabel "number of elements N [1]"
 set ylabel "time of one step [s]"
 set xrange [40:8000]
-set yrange [1e-7:1e6]
+set yrange [1e-7:1e10]
 set key top left Left reverse
 set title "fractional step: cost against N"
 plot timing using "elements":"schur" with linespoints linetype 2 pointtype 6 pointsize 0.6 \

@@ -23,7 +23,7 @@ do for [scheme in "relaxed direct"] {
     set title sprintf("%s, after %s dx", scheme eq "relaxed" ? "under-relaxed, c* = 1" : "direct", d)
     set xlabel scheme eq "direct" ? "x [mm], rolling to the right" : ""
     set ylabel i == 1 ? "traction p [N/mm^2]" : ""
-    if (scheme eq "relaxed" && i == 1) { set key at 0.62,0.4 maxrows 4 samplen 1.5 width -1 } else { unset key }
+    if (scheme eq "relaxed" && i == 1) { set key at 0.56,0.46 maxrows 4 samplen 1.2 spacing 1 width -1 } else { unset key }
     plot traction using (at("relaxed", word(ratios, 1), d)):"bound" with @bound_line title "bound g", \
          for [k=1:words(ratios)] traction using (at(scheme, word(ratios, k), d)):"traction" \
            with lines linetype k title "c = ".word(ratios, k), \

@@ -6,7 +6,7 @@ titles = "'free rolling' '3/4 of full sliding' '-3/4 of full sliding'"
 set logscale xy
 set format y "10^{%T}"
 set xlabel "number of elements N"
-set ylabel "error of the creepage over {/Symbol m}a/R [1]"
+set ylabel "error of the creepage over μa/R [1]"
 set xtics (50, 100, 200, 400, 800, 1600)
 set xrange [40:2000]
 set key bottom left

@@ -14,4 +14,4 @@ set ylabel "error of the traction (1-norm) [N/mm]"
 set key at graph 0.98, 0.97
 set title "from a Cattaneo shift to Carter's solution"
 plot for [i=1:4] errors using (of(word(names, i))):"error" \
-       with linespoints linetype i pointtype (word("7 5 6 9", i) + 0) pointsize 0.6 title word(titles, i)
+       with linespoints linecolor rgb colour_of(word(names, i)) pointtype (word("7 5 6 9", i) + 0) pointsize 0.6 title word(titles, i)
