@@ -1,8 +1,8 @@
 # A transient step that leaves the partition as it is, and N steps from a Cattaneo shift.
 load scripts."/bench.gpi"
-eval page(980, 540)
-set multiplot layout 1,2 margins 0.08,0.98,0.3,0.83 spacing 0.09 title "transient rolling, steps of one element, strip\n{/*0.8 ".machines."}"
-set key maxrows 3
+eval page(980, 600)
+set multiplot layout 1,2 margins 0.08,0.98,0.36,0.84 spacing 0.09 title "transient rolling, steps of one element, strip\n{/*0.8 ".machines."}"
+set key maxrows 5
 named(text, quantity, method) = text.": ".power(quantity, "strip", method)
 do for [quantity in "step rolling_by_force"] {
   set title quantity eq "step" ? "a step, partition unchanged" : "N steps, under a force"

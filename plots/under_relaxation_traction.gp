@@ -14,7 +14,7 @@ at(scheme, c, d) = strcol("scheme") eq scheme && same(column("step_ratio"), real
 from(d) = same(column("distance"), real(d)) ? column("x") : NaN
 
 eval page(860, 600)
-set multiplot layout 2,2 margins 0.095,0.98,0.1,0.93 spacing 0.08,0.13
+set multiplot layout 2,2 margins 0.095,0.98,0.1,0.93 spacing 0.08,0.16
 set xrange [-0.7:1]
 set yrange [0:1.02]
 do for [scheme in "relaxed direct"] {
