@@ -1,5 +1,5 @@
-# Thesis Fig. 6.9: convergence for constant, linear and quadratic functions, the last with the limits of
-# (B.30) as printed and as corrected.
+# Thesis Fig. 6.9: constant, linear and quadratic functions all converge with first order; with the limits of (B.30)
+# as printed, quadratic functions do not converge.
 errors = tables."/errors.tsv"
 bases = '"constant" "linear" "quadratic" "quadratic as printed"'
 of(name) = strcol("basis") eq name ? column("elements") : NaN

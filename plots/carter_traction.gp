@@ -1,5 +1,5 @@
-# Thesis Fig. 1.1: the Carter-Fromm problem for falling step ratios, and what each adds to the exact
-# solution.
+# Thesis Fig. 1.1: the smaller the step, the more the traction wiggles where the contact sticks. Above the tractions
+# of the Carter-Fromm problem, below what each adds to the exact solution.
 traction = tables."/traction.tsv"
 ratios = ""
 set table $ratios

@@ -1,4 +1,5 @@
-# Energies against the distance, and the error of their sum for two ledgers.
+# Left, where the energy of the lost height goes. Right, what the balance misses: nothing but rounding by remembered
+# with the midpoint rule, some tenths of a percent with tractions at the end of each step.
 energy = tables."/energy.tsv"
 at(scheme, integrator) = strcol("scheme") eq scheme && strcol("integrator") eq integrator ? column("X") : NaN
 

@@ -1,5 +1,5 @@
-# Steady rolling from full sliding to full stick, N = 51: the inversion keeps all digits, Chebyshev collocation loses
-# 2·10^{-16}/(1 - a') of them next to full stick, and elements are off by 0.005 to 7 %.
+# Steady rolling from full sliding to full stick, N = 51: the inversion keeps its digits, Chebyshev collocation loses
+# 2e-16/(1 - a') of them next to full stick (dashed), and elements are off by 0.005 to 7 %.
 loads = tables."/loads.tsv"
 names = "standard known_edge calibrated chebyshev inversion"
 labels = "standard 'known edge' calibrated chebyshev inversion"

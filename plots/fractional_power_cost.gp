@@ -1,4 +1,5 @@
-# What one fractional step costs: the action of the power on a vector, and a Schur method for the power.
+# One fractional step by a Schur method for the power is far dearer than the action of the power on a vector, and
+# grows faster with N.
 timing = tables."/cost_timing.tsv"
 stats timing using (log10(column("elements"))):(log10(column("action"))) name "action" nooutput
 stats timing using (log10(column("elements"))):(log10(column("schur"))) name "schur" nooutput

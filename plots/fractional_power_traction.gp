@@ -1,5 +1,5 @@
-# Thesis Figs. 8.3 and 8.4: fractional powers after a whole distance, and against the direct scheme after
-# one that is not.
+# Thesis Figs. 8.3 and 8.4: fractional powers keep travelling peaks for every step ratio (left); after a distance that
+# is no whole number of elements the direct scheme smears them (right).
 traction = tables."/traction.tsv"
 ratios = ""
 distances = ""

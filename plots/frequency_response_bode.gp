@@ -1,5 +1,6 @@
-# Size and phase of the force that answers small waves of the creepage, against their wavelength: exact
-# curves where everything adheres and about a state with slip, transient schemes, and a foundation of springs.
+# The force follows small waves of the creepage later and less, the shorter they are; springs (FASTSIM) answer too
+# much and too early. Lines are exact, where everything adheres and about a state with slip; points are transient
+# schemes.
 curves = tables."/curves.tsv"
 measured = tables."/measured.tsv"
 slips = 0.6

@@ -1,5 +1,5 @@
-# Dissipation of a cycle against the amplitude of its force, exact and by elements: all of it, and over the exact
-# one against the length of a slip zone, which decides whether elements see it.
+# Without rolling, a cycle loses the cube of a small force (left), and elements see the loss only if a slip zone is
+# about as long as they are (right).
 curve = tables."/curve.tsv"
 of(scheme, n) = strcol("scheme") eq scheme && (scheme eq "exact" || column("elements") == n)
 stats curve using (strcol("scheme") eq "exact" ? NaN : column("elements")) name "n" nooutput

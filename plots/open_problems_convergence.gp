@@ -1,6 +1,7 @@
-# Steady rolling: the error of the force falls like 1/N by the thesis's scheme, like N^{-3/2} if it knows the displacement
-# at the edge, like N^{-2} with calibrated edges, and is rounding by inversion. Lines are medians over stick ratios and
-# alignments of the grid, bands go from the least error to the largest.
+# Steady rolling: the error of the force falls with first order by the thesis's scheme, with order 3/2 if the
+# displacement at the edge is known, with second order if edges are calibrated, and is nothing but rounding by
+# inversion. Lines are medians over 50 random stick ratios and alignments of the grid, bands go from the least error
+# to the largest.
 errors = tables."/errors.tsv"
 orders = tables."/orders.tsv"
 names = "standard known_edge calibrated inversion"

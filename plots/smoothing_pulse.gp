@@ -1,4 +1,5 @@
-# Thesis Figs. 4.1 and 4.2: what A^-1 A' makes of a unit pulse in one step and after a longer distance.
+# Thesis Figs. 4.1 and 4.2: a unit pulse keeps its shape for c = 1 only; smaller steps flatten it, and it sheds waves.
+# Left after one step, right after a longer distance.
 pulse = tables."/pulse.tsv"
 longest = 0.0
 ratios = ""

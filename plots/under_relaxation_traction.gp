@@ -1,4 +1,5 @@
-# Thesis Figs. 7.1 and 7.2: under-relaxed small steps and direct ones after two distances.
+# Thesis Figs. 7.1 and 7.2: under-relaxed small steps do not wiggle, and flatten the travelling peak; direct ones
+# wiggle. After two distances.
 traction = tables."/traction.tsv"
 ratios = ""
 distances = ""

@@ -1,4 +1,4 @@
-# The creepage of bodies of different material: of free rolling against beta/mu, and against the force.
+# Bodies of different material creep without a force (left), the more the larger β/μ is (right).
 free = tables."/free.tsv"
 tractive = tables."/tractive.tsv"
 ratios = system(sprintf("grep -v '^#' \"%s\" | tail -n +2 | cut -f1 | uniq", tractive))

@@ -1,4 +1,5 @@
-# Errors of the creepage of bodies of different material against the number of elements.
+# Bodies of different material: calibrated elements give the creepage far more accurately than the standard scheme,
+# which is of first order.
 errors = tables."/errors.tsv"
 of(scheme, force) = strcol("scheme") eq scheme && column("force_ratio") == force ? shown(abs(column("error"))) : NaN
 forces = "0 0.75 -0.75"

@@ -1,4 +1,4 @@
-# Where bodies of different material stick and slip: in free rolling against beta/mu, and against the force.
+# Where bodies of different material stick and slip: in free rolling against β/μ, and against the force.
 zones = tables."/zones.tsv"
 place(of, wanted, zone) = strcol("of") eq of && column("zone") == wanted ? column("value") : NaN
 eval page(960, 430)

@@ -1,5 +1,5 @@
-# Size and phase of the force that answers small waves of the normal load, against their wavelength: exact, by the
-# remembered scheme, by Carter's solution of each moment and by a foundation of springs.
+# The force follows small waves of the normal load less and later than Carter's solution of each moment, the more the
+# shorter they are; springs (FASTSIM) follow too fast. Drawn lines are exact, points are by the remembered scheme.
 curves = tables."/curves.tsv"
 measured = tables."/measured.tsv"
 stats measured using "elements" name "n" nooutput

@@ -1,5 +1,5 @@
-# The force along a large wave of the normal load, half of its mean, by the remembered scheme, by Carter's solution of
-# each moment and by a foundation of springs; and the means of the force over such waves against their length.
+# A large wave of the normal load, half of its mean: the shorter it is, the less the force swings, and the lower is
+# its mean (right). Carter's solution of each moment and springs (FASTSIM) swing too much (left).
 waves = tables."/waves.tsv"
 means = tables."/means.tsv"
 lengths = "2 10 50"

@@ -1,5 +1,6 @@
-# The introduction's claims: condition number and eigenvalues of B = A - A' for falling step ratios; and its
-# symbol, which explains them.
+# Thesis, introduction: as c falls, the condition number of B = A - A' grows without bound if N is odd, and stays
+# bounded if N is even. Right the symbol, which explains it, and the real against the imaginary parts of the
+# eigenvalues.
 spectrum = tables."/spectrum.tsv"
 of(name) = strcol("basis") eq name ? column("step_ratio") : NaN
 stats tables."/matrix.tsv" using "row" nooutput

@@ -1,5 +1,5 @@
-# Standard deviation of the creepage over one element's travel, over its mean: against the number of
-# elements and against the step ratio.
+# The noise of the creepage falls like 1/√N by nodes that are switched on and off, and like 1/N with mean bounds.
+# Standard deviation over one element's travel, over the mean.
 noise = tables."/noise.tsv"
 of(name, series) = strcol("treatment") eq name && strcol("series") eq series ? column(series) : NaN
 names = '"at_node" "cell_mean" "cut" "direct"'
