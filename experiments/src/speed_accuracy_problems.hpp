@@ -13,6 +13,9 @@ std::vector<RunSeries> steady_contest(const SpeedAccuracyParameters& p);
 /// fine grid.
 std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p);
 
+/// Compares schemes that roll from a Cattaneo shift under a constant creepage likewise.
+std::vector<RunSeries> creepage_contest(const SpeedAccuracyParameters& p);
+
 /// Compares schemes for a cylinder that rolls from rest down a slope.
 std::vector<RunSeries> cylinder_contest(const SpeedAccuracyParameters& p);
 

@@ -70,8 +70,8 @@ struct SpeedAccuracyParameters {
 SpeedAccuracyParameters read_speed_accuracy(Scene& scene);
 
 /// Tables: runs (errors and work of all runs, failures included), fronts (Pareto-optimal runs in
-/// error and work), cheapest (run within each accuracy), rough (errors against N under rough
-/// bounds), claims; and with measured times
+/// error and work, among all and of each scheme), cheapest (run within each accuracy, beside the
+/// thesis's), rough (errors against N under rough bounds), claims; and with measured times
 /// runs_timing, fronts_timing, cheapest_timing.
 std::vector<Table> speed_accuracy(const SpeedAccuracyParameters& parameters,
                                   const Progress& progress);
