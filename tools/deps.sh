@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what the project needs and this machine lacks. Usage: tools/deps.sh GROUP ...
-# Groups: build, figures, report, languages, docs, browser, package, bench, fuzz, coverage.
+# Groups: build, figures, report, article, languages, docs, browser, package, bench, fuzz, coverage.
 # Does nothing, and prints nothing, when all is there. DEPS=skip turns it off.
 set -euo pipefail
 [ "${DEPS:-}" = skip ] && exit 0
@@ -22,6 +22,7 @@ LIST
       ;;
     figures) echo "gnuplot-nox gnuplot" ;;
     report) echo "python3 python3" ;;
+    article) echo "texlive-latex-base pdflatex" ;;
     browser) printf '%s\n' "chromium chromium" "chromium-driver chromedriver" ;;
     bench) echo "libbenchmark-dev /usr/include/benchmark/benchmark.h" ;;
     fuzz) cat <<'LIST'
