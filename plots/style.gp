@@ -1,13 +1,11 @@
 # Style of every figure: half a page wide, colour-blind safe (Okabe and Ito), columns by name.
 # draw.sh defines `tables`, the folder of the study's tables, `scripts`, that of this file, and `format`.
-# The command that sets the size of a figure, in pixels of 1/96 inch; those of a PNG are a third. A PDF may be smaller, with
-# letters and lines of the same size: draw.sh may set `part_of_size`.
-if (!exists("part_of_size")) part_of_size = 1
+# The command that sets the size of a figure, in pixels of 1/96 inch; those of a PNG are a third.
 page(width, height) = format eq "png" ? \
     sprintf("set terminal pngcairo size %d,%d enhanced font 'Helvetica,9.75' background 'white' ", 3 * width, 3 * height) . \
     "fontscale 3 linewidth 3.9 pointscale 3" : format eq "pdf" ? \
     sprintf("set terminal pdfcairo size %.4fin,%.4fin enhanced font 'Helvetica,7.3' background 'white' ", \
-            part_of_size * width / 96., part_of_size * height / 96.) . "fontscale 1 linewidth 2" : \
+            width / 96., height / 96.) . "fontscale 1 linewidth 2" : \
     sprintf("set terminal svg size %d,%d enhanced font 'Helvetica,13' background 'white' linewidth 1.3", width, height)
 eval page(640, 420)
 set datafile separator tab

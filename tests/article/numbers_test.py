@@ -3,6 +3,7 @@
 """Numbers of the article: only such as come from a table, rounded as they should be. Usage: numbers_test.py"""
 import math
 import random
+import re
 import sys
 import tempfile
 import unittest
@@ -58,7 +59,7 @@ class Numbers(unittest.TestCase):
             value = generator.choice((-1, 1)) * 10 ** generator.uniform(-12, 9)
             digits = generator.randint(1, 6)
             text = shown(value, digits).removeprefix("\\ensuremath{").removesuffix("}")
-            mantissa, _, exponent = text.partition("\\times10^{")
+            mantissa, _, exponent = re.sub(r"^(-?)10\^", r"\g<1>1\\times10^", text).partition("\\times10^{")
             read = float(mantissa) * 10.0 ** int(exponent.rstrip("}") or 0)
             with self.subTest(value=value, digits=digits):
                 least = Decimal(10) ** (math.floor(math.log10(abs(value))) - digits + 1)

@@ -14,7 +14,6 @@ rm -rf "$work" "$output"
 mkdir -p "$work" "$(dirname "$output")"
 "$root/tools/article/article_numbers.py" "$results" "$article/article.tex" "$work/numbers.tex"
 
-# Less wide than in the report, with letters of the same size.
 for figure in $(grep -o '\\studyfigure{[a-z_]*}' "$article/article.tex" | sed 's/.*{\(.*\)}/\1/' | sort -u); do
   study=
   for folder in "$root"/studies/*/; do
@@ -22,7 +21,7 @@ for figure in $(grep -o '\\studyfigure{[a-z_]*}' "$article/article.tex" | sed 's
     [[ $figure != "$name"_* ]] || study=$name
   done
   [ -n "$study" ] || fail "$figure: of no study"
-  "$root/plots/draw.sh" "$root/plots/$figure.gp" "$results/$study" "$work/$figure.pdf" "part_of_size = 0.95"
+  "$root/plots/draw.sh" "$root/plots/$figure.gp" "$results/$study" "$work/$figure.pdf"
 done
 
 cp "$article"/*.tex "$article"/*.bib "$work"

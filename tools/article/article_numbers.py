@@ -163,7 +163,8 @@ def shown(value, digits):
     exponent = int(exponent)
     if -4 < exponent < 5:
         return f"\\ensuremath{{{float(f'{mantissa}e{exponent}'):.{max(0, digits - 1 - exponent)}f}}}"
-    return f"\\ensuremath{{{mantissa}\\times10^{{{exponent}}}}}"
+    factor = {"1": "", "-1": "-"}.get(mantissa, f"{mantissa}\\times")
+    return f"\\ensuremath{{{factor}10^{{{exponent}}}}}"
 
 
 def formatted(value, form, bound):
