@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# The article as PDF, from tables of results. Usage: article.sh RESULTS OUTPUT.pdf WORK_FOLDER
-# The same tables give the same bytes.
+# The article as PDF, from tables of results. Usage: article.sh RESULTS OUTPUT.pdf WORK_FOLDER [NUMBERS.tex]
+# The same tables give the same bytes. Numbers come from a file in their place if one is given, which is for tests.
 set -euo pipefail
-results=$1 output=$2 work=$3
+results=$1 output=$2 work=$3 numbers=${4-}
 root=$(cd "$(dirname "$0")/../.." && pwd)
 article=$root/article
 fail() {
@@ -12,7 +12,11 @@ fail() {
 command -v pdflatex >/dev/null || fail "no pdflatex; tools/deps.sh article installs it"
 rm -rf "$work" "$output"
 mkdir -p "$work" "$(dirname "$output")"
-"$root/tools/article/article_numbers.py" "$results" "$article/article.tex" "$work/numbers.tex"
+if [ -n "$numbers" ]; then
+  cp "$numbers" "$work/numbers.tex"
+else
+  "$root/tools/article/article_numbers.py" "$results" "$article/article.tex" "$work/numbers.tex"
+fi
 
 for figure in $(grep -o '\\studyfigure{[a-z_]*}' "$article/article.tex" | sed 's/.*{\(.*\)}/\1/' | sort -u); do
   study=
