@@ -24,14 +24,15 @@ class TypedNumbers(unittest.TestCase):
     def test_are_found(self):
         for text in ("about 12 times", "by $0.3$ of it", "order \\emph{2}", "\\formula{x=0.825347}", "\\formula{10^{-12}}",
                      "\\thesis{an error of 5.9 percent}", "\\caption{with 50 elements}", "\\n{a/b[c=1]d|2} and 2",
-                     "\\multicolumn{3}{l}{of 7}", "in 3 runs % and 4"):
+                     "\\multicolumn{3}{l}{of 7}", "in 3 runs % and 4", "a tenth of it",
+                     "Four times", "ninety percent of it"):
             with self.subTest(text=text):
                 self.assertNotEqual(typed_numbers(text), [])
 
     def test_are_not_what_is_no_result(self):
         for text in ("\\n{smoothing:grid.elements|d} elements", "\\ref{tab:2}", "\\cite{saad86}", "\\formula{c=1, x^{2}/2}",
                      "\\thesis{Figs.~7.1 and 7.2}", "\\thesis{chapters 4, 7 and 8}", "\\thesis{(B.30)}", "% 17 in a comment",
-                     "\\begin{tabular}{@{}p{24mm}L{80mm}l@{}}", "a 2D contact", "C++20"):
+                     "\\begin{tabular}{@{}p{24mm}L{80mm}l@{}}", "a 2D contact", "C++20", "three questions", "often", "half-spaces"):
             with self.subTest(text=text):
                 self.assertEqual(typed_numbers(text), [])
 

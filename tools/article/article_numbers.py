@@ -28,6 +28,9 @@ BRACED = r"\{((?:[^{}]|\{[^{}]*\})*)\}"
 THESIS_PLACE = r"(?:(?:Figs?\.|[Cc]hapters?|sections?|appendix|equations?|page)[~ ])?\(?[A-C\d][.\d]*\)?" \
                r"(?:(?:--|, | and |, and )\(?[A-C\d][.\d]*\)?)*"
 ALLOWED_WORDS = r"\b[23]D\b|C\+\+20|C99"
+# Counts up to three are words of any text; what is measured is not written out.
+WRITTEN = r"\b(?:four|five|six|seven|eight|nine|ten|eleven|twelve|\w+teen|twenty|thirty|forty|fifty|sixty|seventy|eighty|ninety|" \
+          r"dozens?|hundred\w*|thousand\w*|million\w*|percent|quarters?|fourths?|fifths?|sixths?|eighths?|tenths?)\b"
 SILENT = ("n", "ref", "eqref", "label", "cite", "bibliography", "vspace", "hspace", "setlength",
           "input")
 
@@ -61,7 +64,7 @@ def typed_numbers(text):
                     r"\\(?:begin|end)\{\w+\*?\}(?:\{[^{}]*(?:\{[^{}]*\}[^{}]*)*\})?",
                     r"\\multicolumn\{\d\}", ALLOWED_WORDS):
         text = blanked(text, pattern)
-    for match in re.finditer(r"\S*\d\S*", text):
+    for match in re.finditer(r"\S*\d\S*|" + WRITTEN, text, re.IGNORECASE):
         report(match.start(), f"'{match[0]}': a number typed by hand; expected \\n{{...}} from a table of results")
     return found
 
