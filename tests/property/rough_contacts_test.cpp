@@ -113,5 +113,24 @@ TEST(RoughContacts, NumberOfRoundsDoesNotGrowWithTheNumberOfZones) {
   }
 }
 
+// The truth is known to a fraction of the target.
+TEST(RoughContacts, EstimatesHold) {
+  constexpr double target = 1e-3;
+  constexpr Index elements = 32768;
+  for (const double hurst : {0.5, 0.3, 0.1}) {
+    for (const double force_ratio : {0.02, 0.5, 0.9}) {
+      const double amplitude = force_ratio < 0.9 ? 1 : 0.3;
+      const TractionBound bound =
+          rough_bound(hertz, {.amplitude = amplitude, .hurst = hurst, .seed = 7, .rows = 8193});
+      const SteadyProblem problem = problem_of(bound, elements, force_ratio);
+      const EstimatedSteady found = solve_steady_to({problem.kernel, bound, problem.load}, target);
+      const double truth = solve_steady(problem).creepage;
+      EXPECT_LE(found.error, target);
+      EXPECT_LE(std::abs(found.solution.creepage / truth - 1), found.error)
+          << hurst << ", " << force_ratio;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace microslip
