@@ -92,9 +92,8 @@ std::vector<std::string> changed(const TransientScene& scene) {
     most = std::max(most, ratio);
   }
   const double a = scene.problem.grid.half_width();
-  return {fmt::format("the contact changes on the way, its half-width from {:.5g} to {:.5g} mm{}",
-                      least * a, most * a,
-                      least == 0 ? "; where it is 0, bodies do not touch" : "")};
+  return {fmt::format("the contact changes: its half-width is from {:.5g} to {:.5g} mm{}",
+                      least * a, most * a, least == 0 ? "; at 0 the bodies do not touch" : "")};
 }
 
 const std::string normal_changes =
