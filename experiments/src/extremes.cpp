@@ -35,7 +35,7 @@ Table claims_of(const Table& steps, const ExtremesParameters& p) {
                     "over the peak of the bound",
                     format_short(least)),
         "extremes_steps"},
-       {"... and does not for c = 1", "5", not_given, wiggle(1), "1",
+       {"the solution does not wiggle for c = 1", "5", not_given, wiggle(1), "1",
         holds_if({below(p.limits.wiggle)}), "the same for c = 1", "extremes_steps"}});
 }
 

@@ -161,9 +161,12 @@ Table claims_of(const Parameters& p) {
         holds_if({above(0.3)}), "coefficient at the highest frequency over the largest; constant",
         "fourier_inverse_constant"},
        {"for c -> 0 the high frequencies become very unimportant", "6.3", not_given, lost, "1",
-        holds_if({below(0.05)}), "the same at the smallest c", "fourier_inverse_constant"},
+        holds_if({below(0.05)}),
+        "coefficient at the highest frequency over the largest, at the smallest c; constant",
+        "fourier_inverse_constant"},
        {"linear functions do not solve this, their coefficients are very similar", "6.3", not_given,
-        lost_linear, "1", holds_if({below(0.1)}), "the same for linear functions",
+        lost_linear, "1", holds_if({below(0.1)}),
+        "coefficient at the highest frequency over the largest, at the smallest c; linear",
         "fourier_inverse_linear"},
        {"the approximate inverse has minor errors that arise at the boundary", "6.3", not_given,
         errors.without_boundary, "1", minor_error(errors),
@@ -171,9 +174,10 @@ Table claims_of(const Parameters& p) {
         "dropped, which adds a constant, " +
             format_short(errors.without_mean),
         "fourier_inverse_error"},
-       {"... also for small c", "6.3", not_given, small_errors.without_boundary, "1",
-        minor_error(small_errors),
-        "the same at the smallest c; with the zero frequency dropped " +
+       {"the approximate inverse has minor errors for small c, too", "6.3", not_given,
+        small_errors.without_boundary, "1", minor_error(small_errors),
+        "largest relative error away from the boundary at the smallest c; with the zero frequency "
+        "dropped " +
             format_short(small_errors.without_mean),
         "fourier_inverse_error"}});
 }

@@ -85,13 +85,15 @@ Table claims_of(const FrequencyResponseParameters& p, const Table& curves, const
   };
   const double peak = motion("remembered", "peak") / motion("remembered", "exact_peak");
   return claims_table(
-      {{"where everything adheres, waves are answered in second order, for any step", "none", 2,
-        extreme(waves.orders, "order", true, adhering("remembered")), "1",
+      {{"where everything adheres, the remembered scheme answers waves in second order, for any "
+        "step",
+        "none", 2, extreme(waves.orders, "order", true, adhering("remembered")), "1",
         ours_if({within(0.3, 2)}),
         "least order of the remembered scheme over kernels and step ratios",
         "frequency_response_errors"},
-       {"and the scheme of the thesis in first order", "none", 1,
-        extreme(waves.orders, "order", false, adhering("direct")), "1", ours_if({within(0.3, 1)}),
+       {"where everything adheres, the scheme of the thesis answers waves in first order", "none",
+        1, extreme(waves.orders, "order", false, adhering("direct")), "1",
+        ours_if({within(0.3, 1)}),
         "largest order of the direct scheme over kernels and step ratios",
         "frequency_response_errors"},
        {"where the stick-slip point lies anywhere within an element, a state with slip answers in "

@@ -63,10 +63,9 @@ std::string program_of(const fs::path& folder, const std::string& name) {
   std::ifstream in(folder / "provenance.txt");
   std::string program;
   if (in >> program) return program;
-  reject(folder,
-         fs::exists(folder / "plan.tsv")
-             ? "it is that of a sweep that has not ended; 'microslip merge' makes its sweep.tsv"
-             : "it has no provenance.txt");
+  reject(folder, fs::exists(folder / "plan.tsv")
+                     ? "its sweep has not ended; 'microslip merge' makes sweep.tsv"
+                     : "it has no provenance.txt");
 }
 
 /// Of those that have a figure of their own.
@@ -237,7 +236,7 @@ fs::path folder_of_scripts() {
 void draw_study(const std::string& study, const fs::path& folder, const Given& given) {
   reject_options_of(given, {"x", "q", "over", "value", "by", "only"}, "a result of a scene");
   const std::vector<Figure> all = figures_of_study(folder_of_scripts(), study);
-  if (all.empty()) reject(folder, fmt::format("that of {} has no figures", shown(study)));
+  if (all.empty()) reject(folder, fmt::format("the result of {} has no figures", shown(study)));
   const std::vector<Figure> figures = chosen(all, given);
   if (given.count("to") != 0) {
     if (figures.size() > 1) throw std::invalid_argument("--to: expected --figure with it here");

@@ -81,7 +81,7 @@ fs::path place_to_save(const std::string& name) {
   }
   if (file.extension() == ".tsv" || file.filename() == "provenance.txt") {
     throw std::invalid_argument(
-        fmt::format("--save '{}': expected another name than that of a table", shown(name)));
+        fmt::format("--save '{}': expected a name that differs from the tables", shown(name)));
   }
   if (!fs::is_directory(file.parent_path())) {
     throw std::invalid_argument(

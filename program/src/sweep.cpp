@@ -79,7 +79,7 @@ Outcome solve_cases(const Program& program, const SweepPlan& plan, const SweepFo
     for_each_case(open.size(), settings.threads, solve_open);
   } catch (const std::bad_alloc&) {
     throw std::runtime_error(fmt::format(
-        "not enough memory for {} cases at once; what is done is kept, --threads 1 may go on",
+        "not enough memory for {} cases at once; solved cases are kept, --threads 1 may continue",
         settings.threads));
   }
   return outcome;
@@ -150,7 +150,7 @@ int sweep_scene(const Program& program, const Given& given, int argc, const char
   const auto start = Clock::now();
   const SweepSettings settings = sweep_settings(given);
   Interrupts interrupts(program.name +
-                        ": interrupted; what is done is kept, and the same command goes on");
+                        ": interrupted; solved cases are kept, and the same command continues");
   require_writable(settings.out);
   const SweepPlan plan = plan_of(program, read_scene(program, given));
   std::optional<SweepFolder> folder;

@@ -137,6 +137,8 @@ class Prose(unittest.TestCase):
                          "<ul><li>x<sup>2</sup></li><li>y\n  z</li></ul>\n")
 
     def test_has_figures_after_the_text_that_names_them(self):
+        self.assertEqual(parts_of("![x](s_b.svg)\n\nFirst.\n\nMore.", ["s_a", "s_b"], {}),
+                         [("<p>First.</p>\n<p>More.</p>\n", ["s_b"])])
         text = "First.\n\nSee `s_a.svg`, `..._b.svg`.\n\nMore.\n\nAgain `s_a.svg` and `s_c.svg`."
         self.assertEqual([(html.count("<p>"), names) for html, names in parts_of(text, ["s_a", "s_b", "s_c"], {})],
                          [(1, []), (2, ["s_a", "s_b"]), (1, ["s_c"])])

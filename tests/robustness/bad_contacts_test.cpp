@@ -57,7 +57,7 @@ TEST_F(BadScenes, ContactsFromLoadsAndRadii) {
   rejected("material.youngs_modulus=0", "material.youngs_modulus = 0: expected a number > 0");
   rejected("material.poisson_ratio=-1", "material.poisson_ratio = -1: expected a number in [0");
   rejected("material.shear_modulus_1=0.4",
-           "key 'material.shear_modulus_1': expected 'material.shear_modulus', which is that of");
+           "key 'material.shear_modulus_1': expected 'material.shear_modulus' for the driven body");
   rejected("material.poisson_ratio_2=0.4",
            "missing key 'material.shear_modulus_2' or 'material.youngs_modulus_2'");
   EXPECT_NE(run(loaded_contact, "--set contact.radius_2=-101")
@@ -95,8 +95,8 @@ motion { distance 0.33 }
   EXPECT_EQ(run(scene, loaded + "100").error, "");
   EXPECT_EQ(run(scene, loaded + "200 --set 'contact.radius_2=0.1 m'").error, "");
   EXPECT_TRUE(run(scene, loaded + "200")
-                  .error.ends_with("scene.info:12: warning: cylinder.radius = 100: neither "
-                                   "contact.radius_1 nor contact.radius_2 is that\n"));
+                  .error.ends_with("scene.info:12: warning: cylinder.radius = 100: differs from "
+                                   "contact.radius_1 and contact.radius_2\n"));
 }
 
 TEST_F(BadScenes, LoadRatios) {

@@ -58,9 +58,7 @@ TEST_F(Plots, OnlyResultsAreDrawn) {
   expect_error("plot out/", rejected("out", "it has no provenance.txt"));
   run_in_folder("sweep steady.info --shard 1/2 --set 'sweep.load.force=-1 -2' --quiet");
   expect_error("plot out/sweep",
-               rejected("out/sweep",
-                        "it is that of a sweep that has not ended; 'microslip merge' makes its "
-                        "sweep.tsv"));
+               rejected("out/sweep", "its sweep has not ended; 'microslip merge' makes sweep.tsv"));
   EXPECT_FALSE(fs::exists(folder_ / "out.svg"));
 }
 

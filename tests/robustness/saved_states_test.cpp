@@ -92,7 +92,7 @@ TEST_F(SavedStates, OfOtherProblemsAreRefused) {
   expect_nothing_saved(scene(), "--save '" + (folder_ / "none" / "state").string() + "'",
                        "expected a folder that is there");
   expect_nothing_saved(scene(), "--save '" + (out() / "traction.tsv").string() + "'",
-                       "expected another name than that of a table");
+                       "expected a name that differs from the tables");
 }
 
 TEST_F(SavedStates, ThatDoNotFitAreRefused) {

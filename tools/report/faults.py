@@ -14,11 +14,11 @@ class Fault:
 
 FAULTS = (
     Fault("The error falls in first order only",
-          "The scheme feels the edges of the contact in the wrong places.",
+          "The scheme acts as if the edges of the contact were elsewhere.",
           "Elements with calibrated edges are of second order. Inversion solves steady rolling in closed form.",
           "open_problems", "open_problems_convergence"),
     Fault("Small steps make the traction wiggle",
-          "The difference over a short step does not see the shortest wave, from node to node.",
+          "The difference over a short step cannot see the wave from node to node.",
           "In the scheme remembered the material keeps its displacement, and no step makes wiggles. "
           "Steady rolling by inversion has no step.",
           "carter", "carter_traction"),

@@ -66,7 +66,8 @@ def named_in(block, figures):
 
 def parts_of(markdown, figures, places):
     """Pairs of text as HTML and the figures that it names. Text that names none goes on with the text before.
-    Images are left out: the page has the figures themselves."""
+    Images are left out, as the page has the figures themselves: they follow the first text."""
+    images = [figure for figure in re.findall(r"^!\[.*?\]\((\w+)\.svg\)$", markdown, re.MULTILINE) if figure in figures]
     text = re.sub(r"^!\[.*?\)$", "", markdown, flags=re.MULTILINE).strip()
     parts = []
     for block in (block.strip() for block in re.split(r"\n\s*\n", text)):
@@ -75,5 +76,5 @@ def parts_of(markdown, figures, places):
         if parts and not named:
             parts[-1] = (parts[-1][0] + html, parts[-1][1])
         else:
-            parts.append((html, named))
+            parts.append((html, named if parts else list(dict.fromkeys(images + named))))
     return parts

@@ -86,9 +86,9 @@ constexpr const char* relaxed = "under-relaxed: first order, no wiggles, smoothe
 
 constexpr std::array advection{
     AdvectionEntry{.name = "remembered",
-                   .text = "displacement remembered by the material, the stick-slip point anywhere "
-                           "within an element: second order in dx, for any step, and for small "
-                           "changes of the load",
+                   .text = "the material remembers its displacement, and the stick-slip point may "
+                           "lie anywhere within an element: second order in dx for any step, "
+                           "also for small changes of the load",
                    .limits = "constant functions",
                    .order = 2,
                    .safe_steps = anywhere,

@@ -40,8 +40,8 @@ void warn_of_missed_rows(Scene& scene, const LoadHistory& loads,
   const std::vector<double> rows = row_ratios(loads, spacing);
   if (longest <= std::ranges::min(rows)) return;
   scene.warn("step.ratio", longest,
-             "longer than rows of load.file, so that it misses how the contact changes between its "
-             "ends; without step.ratio, steps end at the rows, and step.tolerance makes them "
+             "longer than rows of load.file: changes of the contact between its ends are missed; "
+             "without step.ratio, steps end at the rows, and step.tolerance makes them "
              "shorter where the load bends");
 }
 
@@ -51,7 +51,7 @@ void warn_of_other_radius(Scene& scene, double radius) {
     const auto given = scene.has(key) ? quantity(scene.text(key), "mm") : std::nullopt;
     if (given == radius) return;
   }
-  scene.warn("cylinder.radius", radius, "neither contact.radius_1 nor contact.radius_2 is that");
+  scene.warn("cylinder.radius", radius, "differs from contact.radius_1 and contact.radius_2");
 }
 
 void warn_of_small_radius(Scene& scene, const std::string& key, double radius, double half_width) {

@@ -27,7 +27,7 @@ std::string sliding(const TractionBound& bound) {
 std::string sliding(const TractionBound& bound, const Load& load) {
   const auto* force = std::get_if<PrescribedForce>(&load);
   if (force == nullptr) return sliding(bound);
-  return fmt::format("{}, of which the load is {:.5g}", sliding(bound),
+  return fmt::format("{}; the load is {:.5g} of it", sliding(bound),
                      std::abs(force->value) / full_sliding_force(bound));
 }
 
@@ -96,16 +96,15 @@ std::vector<std::string> changed(const TransientScene& scene) {
     most = std::max(most, ratio);
   }
   const double a = scene.problem.grid.half_width();
-  return {fmt::format("the contact changes on the way, its half-width from {:.5g} to {:.5g} mm{}",
-                      least * a, most * a,
-                      least == 0 ? "; where it is 0, bodies do not touch" : "")};
+  return {fmt::format("the contact changes: its half-width is from {:.5g} to {:.5g} mm{}",
+                      least * a, most * a, least == 0 ? "; at 0 the bodies do not touch" : "")};
 }
 
 const std::string normal_changes =
     "the normal contact: bound and edges are given, from row to row; they do not depend on "
     "tractions";
 const std::string normal = "the normal contact: bound and edges are given and stay as they are";
-const std::string how_steady = "how the bodies came to roll steadily, and their inertia";
+const std::string how_steady = "the start of rolling, and the inertia of the bodies";
 const std::string details =
     "creepage in the other direction, spin, bodies of different material, friction that depends on "
     "slip, heat, "
@@ -204,8 +203,8 @@ struct Explain {
         target.contact,
         steady(kind_of(target.contact.load),
                {sliding(target.contact.bound, target.contact.load),
-                "method and grid are picked: Chebyshev collocation where it can be used, else as "
-                "many elements as the error needs"}));
+                "method and grid are chosen: inversion if one zone sticks, otherwise as many "
+                "calibrated elements as the error needs"}));
   }
   Explanation operator()(const TransientScene& scene) const {
     std::vector<std::string> consequences = {loaded(scene), elements_of(scene.problem.grid)};
@@ -216,7 +215,7 @@ struct Explain {
     std::ranges::copy(stretched(scene.problem), std::back_inserter(consequences));
     std::vector<std::string> not_modelled = {
         scene.loads.changes_contact() ? normal_changes : normal,
-        "inertia of the bodies, which problem cylinder has", details};
+        "inertia of the bodies (problem cylinder has it)", details};
     if (scene.problem.has_unlike_bodies()) {
       not_modelled = {normal, goodman(scene.problem.coupling),
                       "tractions of bodies that are pressed together: they start without any",
@@ -235,7 +234,7 @@ struct Explain {
                        {"a cylinder that rolls down a slope from " + start,
                         {sliding(scene.contact.bound), elements_of(scene.contact.grid),
                          rolled(scene, scene.distance, scene.contact.grid) +
-                             " or more: those from rest, and of a body that swings, are shorter",
+                             " or more: steps from rest and steps of a swinging body are shorter",
                          method_of(scene.contact.scheme)},
                         {normal, "waves in the bodies: they deform as at rest", details}});
   }
