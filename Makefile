@@ -9,17 +9,24 @@ JOBS ?= $(shell nproc)
 BUILD := build/release
 FUZZ_SECONDS ?= 60
 PREFIX ?= /usr/local
+SAMPLE ?= carter wiggle_spectrum basis_convergence smoothing
+VERSION = $(shell sed -n 's/^project.microslip VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 READERS := $(patsubst fuzz/targets/%.cpp,%,$(wildcard fuzz/targets/*.cpp))
 STUDIES := $(patsubst studies/%/study.info,%,$(wildcard studies/*/study.info))
 SOURCES = $(shell find core thesis capi python experiments program apps studies bench examples tests tools fuzz \
   -name '*.[ch]pp' -o -name '*.[ch]')
 
-.PHONY: help deps build install package docs figures report quick bench test verify references accuracy coverage mutants sanitize fuzz keep-corpus \
+.PHONY: help deps build install package docs figures report article claim claims archive verify-archive quick bench test verify references accuracy coverage mutants sanitize fuzz keep-corpus \
   format check-format clean $(STUDIES)
 
 help:
 	@echo 'make figures      build, run every study, draw every figure into results/figures'
 	@echo 'make report       the same, and results/report.html: every claim with its verdict, figure and parameters'
+	@echo 'make article      every study, and results/article.pdf: a paper of which every number is read from the tables'
+	@echo 'make claim        NAME=carter-2, or a part of its statement: runs its study; verdict, rule, time and memory'
+	@echo 'make claims       a table of all claims with verdict and cost'
+	@echo 'make archive      results/microslip-archive-VERSION.tar: tables, figures, article, sums and descriptions'
+	@echo 'make verify-archive  its sums, and the studies SAMPLE="$(SAMPLE)" run again'
 	@echo 'make STUDY        one study with its figures: $(STUDIES)'
 	@echo 'make quick        every study, coarser, into results/quick'
 	@echo 'make bench        times against N into results/bench, with figures; about five minutes'
@@ -88,6 +95,9 @@ $(foreach study,$(STUDIES),$(eval $(study): results/$(study)/provenance.txt $(ca
 results/report.html: README.md $(wildcard tools/report/*.py tools/report/*.css) $(foreach study,$(STUDIES),results/$(study)/provenance.txt $(call figures_of,$(study),results))
 	tools/report/report.py results $@
 
+results/article.pdf: $(wildcard article/*) $(wildcard tools/article/*) plots/style.gp plots/draw.sh $(foreach study,$(STUDIES),results/$(study)/provenance.txt)
+	tools/article/article.sh results $@ build/article
+
 # Studies side by side; what each prints comes out in one piece.
 side_by_side = @$(MAKE) --no-print-directory --output-sync=target -j$(JOBS) DEPS=skip
 figures: build
@@ -95,8 +105,29 @@ figures: build
 report: build
 	@tools/deps.sh report
 	$(side_by_side) results/report.html
+article: build
+	@tools/deps.sh report article
+	$(side_by_side) results/article.pdf
+claims: build
+	@tools/deps.sh report
+	$(side_by_side) $(foreach study,$(STUDIES),results/$(study)/provenance.txt)
+	@tools/claims.py all results
+archive: build
+	@tools/deps.sh report article
+	$(side_by_side) results/report.html results/article.pdf
+	@tools/archive/archive.py results results
 quick: build
 	$(side_by_side) $(foreach study,$(STUDIES),$(call figures_of,$(study),results/quick))
+
+# In a folder of its own, so that results stay as they are.
+claim: build
+	@tools/deps.sh report
+	@tools/claims.py one $(BUILD)/bin build/claims "$${NAME-}"
+
+verify-archive: deps
+	@tools/deps.sh report
+	@$(call cmake_build,release,--target programs compare_tables)
+	@tools/archive/verify.py results/microslip-archive-$(VERSION).tar $(BUILD)/bin build/verify-archive $(SAMPLE)
 
 # Timings differ from run to run: they are no part of the figures, and are measured whenever asked for.
 # A build folder from before Google Benchmark was installed is configured anew.
@@ -175,4 +206,5 @@ check-format:
 
 # Other folders in results are of those who made them.
 clean:
-	rm -rf build $(STUDIES:%=results/%) results/quick results/figures results/bench results/report.html
+	rm -rf build $(STUDIES:%=results/%) results/quick results/figures results/bench results/report.html \
+	  results/article.pdf results/microslip-archive-*.tar results/microslip-measured-*.tar

@@ -1,4 +1,5 @@
-# The force error against the step ratio: "for c < 0.55 the accuracy decreases" (thesis, introduction).
+# Thesis, introduction, "for c < 0.55 the accuracy decreases": the error of the force is least near c = 0.6, and grows
+# on both sides.
 accuracy = tables."/accuracy.tsv"
 eval page(640, 380)
 set xlabel "step ratio c = dq/dx"

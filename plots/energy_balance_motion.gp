@@ -1,4 +1,5 @@
-# Thesis chapter 9: velocity, rotation and traction of a cylinder that starts to roll, until they settle.
+# Thesis chapter 9: a cylinder that starts to roll swings on its contact, until velocity, rotation and traction
+# settle.
 motion = tables."/motion.tsv"
 eval page(700, 560)
 set multiplot layout 2,1 margins 0.125,0.89,0.11,0.95 spacing 0.05

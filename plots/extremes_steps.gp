@@ -1,14 +1,16 @@
-# Steady rolling for tiny to huge steps and grids.
+# Steady rolling for tiny to huge steps and grids: schemes that take differences are right in a narrow band about c = 1,
+# and the others, which have no step, everywhere except for the coarsest grids. The
+# ranges above the panels are those of N = 51.
 map = "steps"
 across = "step_ratio"
 up = "elements"
-names = "standard 'standard linear' 'standard quadratic' known_edge trimmed inversion"
-label_across = "step ratio c = dq/dx [1]"
-label_up = "number of elements N [1]"
-error = "error of force or creepage [1]"
-set logscale xy
-set format "10^{%T}"
-set xrange [1e-13:1e4]
-set yrange [0.6:2e5]
-set xtics 1e-12, 1e4
+names = "standard known_edge trimmed calibrated inversion chebyshev"
+label_across = "step ratio c = dq/dx"
+label_up = "elements N"
+across_tics = "1e-12 1e-6 0.1 1 10 100"
+up_tics = "1 5 51 401 100001"
+sentence(k) = no_role ? (safe(scheme, "elements", "least") > 1 ? sprintf("right from N = %g on", safe(scheme, "elements", "least")) : "right for any N") : \
+  safe(scheme, "step_ratio", "least") < 1e-9 && safe(scheme, "step_ratio", "most") >= 100 ? "right for any c" : \
+  safe(scheme, "step_ratio", "least") < 1e-9 ? sprintf("right for c ≤ %g", safe(scheme, "step_ratio", "most")) : \
+  sprintf("right for %g ≤ c ≤ %g", safe(scheme, "step_ratio", "least"), safe(scheme, "step_ratio", "most"))
 load scripts."/extremes.gpi"

@@ -1,15 +1,15 @@
-# A Cattaneo shift that rolls on in steps of any length.
+# A Cattaneo shift that rolls on: only the scheme that remembers the displacement is right for steps of any length.
+# The ranges above the panels are those of N = 51.
 map = "transient"
 across = "step_ratio"
 up = "elements"
 names = "remembered direct relaxed relaxed_traction fractional"
-label_across = "step ratio c = dq/dx [1]"
-label_up = "number of elements N [1]"
-error = "error of the traction [1]"
-set logscale xy
-set format x "10^{%T}"
-set xrange [1e-13:1e4]
-set yrange [8:140]
-set xtics 1e-12, 1e4
-set ytics (11, 25, 51, 101)
+label_across = "step ratio c = dq/dx"
+label_up = "elements N"
+across_tics = "1e-12 1e-3 0.1 1 10 100"
+up_tics = "11 25 51 101"
+sentence(k) = no_role ? (safe(scheme, "elements", "least") > 1 ? sprintf("right from N = %g on", safe(scheme, "elements", "least")) : "right for any N") : \
+  safe(scheme, "step_ratio", "least") < 1e-9 && safe(scheme, "step_ratio", "most") >= 100 ? "right for any c" : \
+  safe(scheme, "step_ratio", "least") < 1e-9 ? sprintf("right for c ≤ %g", safe(scheme, "step_ratio", "most")) : \
+  sprintf("right for %g ≤ c ≤ %g", safe(scheme, "step_ratio", "least"), safe(scheme, "step_ratio", "most"))
 load scripts."/extremes.gpi"

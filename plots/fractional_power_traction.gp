@@ -1,5 +1,5 @@
-# Thesis Figs. 8.3 and 8.4: fractional powers after a whole distance, and against the direct scheme after
-# one that is not.
+# Thesis Figs. 8.3 and 8.4: fractional powers keep travelling peaks for every step ratio (left); after a distance that
+# is no whole number of elements the direct scheme smears them (right).
 traction = tables."/traction.tsv"
 ratios = ""
 distances = ""
@@ -43,9 +43,9 @@ do for [panel=1:4] {
     plot traction using (at("direct", c, d)):(panel < 3 ? column("bound") : NaN) with @bound_line title "bound g", \
          tables."/reference.tsv" using (panel < 3 ? from(d) : NaN):"traction" with @exact_line title "reference", \
          traction using (at("direct", c, d)):(shown(column("traction"), column("reference"))) \
-           with linespoints linetype 2 pointtype 6 pointsize 0.3 title "direct", \
+           with linespoints linecolor rgb colour_of("direct") pointtype 6 pointsize 0.3 title "direct", \
          traction using (at("fractional", c, d)):(shown(column("traction"), column("reference"))) \
-           with linespoints linetype 1 pointtype 7 pointsize 0.25 title "fractional"
+           with linespoints linecolor rgb colour_of("fractional") pointtype 7 pointsize 0.25 title "fractional"
   }
 }
 unset multiplot

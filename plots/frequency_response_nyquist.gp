@@ -17,9 +17,9 @@ set xrange [-0.05:1.05]
 set yrange [-0.72:0.05]
 set key at graph 0.68, 0.9
 plot curves using (of("plane", 1)):(imaginary(0)) with @exact_line title "plane strain, all adheres", \
-     curves using (of("strip", 1)):(imaginary(0)) with lines linetype 1 title "strip, all adheres", \
+     curves using (of("strip", 1)):(imaginary(0)) with lines linecolor "black" dashtype 4 title "strip, all adheres", \
      curves using (of("plane", slips)):(imaginary(0)) with lines linetype 3 title "plane strain, a' = 0.6", \
-     curves using (of("winkler", 1)):(imaginary(0)) with lines linetype 2 dashtype 2 title "springs (FASTSIM)", \
+     curves using (of("winkler", 1)):(imaginary(0)) with lines linecolor rgb colour_of("springs") dashtype 2 title "springs (FASTSIM)", \
      for [i=1:3] measured using (at(kernel(i), ratio(i), "remembered")):(imaginary(0)) \
-       with points linetype 4 pointtype 7 pointsize 0.45 notitle, \
-     keyentry with points linetype 4 pointtype 7 pointsize 0.45 title "remembered"
+       with points linecolor rgb colour_of("remembered") pointtype 7 pointsize 0.45 notitle, \
+     keyentry with points linecolor rgb colour_of("remembered") pointtype 7 pointsize 0.45 title "remembered"

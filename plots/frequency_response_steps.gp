@@ -32,8 +32,8 @@ do for [panel=1:3] {
   set ylabel (panel < 3 ? kind." over its steady value [1]" : "") offset 0.6,0
   set yrange [panel < 3 ? 0 : 1.1:panel == 1 ? 1.05 : panel == 2 ? 2 : 1.8]
   plot steps using (of(kind, "exact")):"value" with @exact_line title "exact", \
-       for [k=2:1:-1] steps using (some(kind, word(names, k), k - 1)):"value" with points linetype k \
+       for [k=2:1:-1] steps using (some(kind, word(names, k), k - 1)):"value" with points linecolor rgb colour_of(word(names, k)) \
          pointtype point(k) pointsize size(k) notitle, \
-       for [k=1:2] keyentry with points linetype k pointtype point(k) pointsize size(k) title word(names, k)
+       for [k=1:2] keyentry with points linecolor rgb colour_of(word(names, k)) pointtype point(k) pointsize size(k) title word(names, k)
 }
 unset multiplot

@@ -1,5 +1,5 @@
-# Dissipation of a cycle against the amplitude of its force, exact and by elements: all of it, and over the exact
-# one against the length of a slip zone, which decides whether elements see it.
+# Without rolling, a cycle loses the cube of a small force (left), and elements see the loss only if a slip zone is
+# about as long as they are (right).
 curve = tables."/curve.tsv"
 of(scheme, n) = strcol("scheme") eq scheme && (scheme eq "exact" || column("elements") == n)
 stats curve using (strcol("scheme") eq "exact" ? NaN : column("elements")) name "n" nooutput
@@ -14,16 +14,16 @@ set xlabel "amplitude of the force / full sliding [1]"
 set ylabel "dissipation / k F_{max}^2 [1]"
 set title "a cycle loses"
 set key top left
-set yrange [1e-10:2]
+set yrange [1e-10:1e4]
 plot curve using (of("exact", 0) ? column("amplitude") : NaN):"dissipation" with @exact_line title "exact", \
      x**3/3 with lines linecolor "gray60" dashtype 2 title "cube / 3", \
      for [i=1:2] curve using (of("remembered", i == 1 ? n_min : n_max) && column("dissipation") > 0 ? column("amplitude") : NaN):"dissipation" \
-       with points linetype i pointtype 7 pointsize 0.5 title sprintf("remembered, N = %g", i == 1 ? n_min : n_max), \
+       with points linecolor rgb colour_of("remembered") pointtype (i == 1 ? 6 : 7) pointsize (i == 1 ? 0.8 : 0.5) title sprintf("remembered, N = %g", i == 1 ? n_min : n_max), \
      for [i=1:2] curve using (of("direct", i == 1 ? n_min : n_max) && column("dissipation") > 0 ? column("amplitude") : NaN):"dissipation" \
-       with points linetype i pointtype 6 pointsize 0.8 title sprintf("contact, N = %g", i == 1 ? n_min : n_max)
+       with points linecolor rgb colour_of("direct") pointtype (i == 1 ? 4 : 5) pointsize (i == 1 ? 0.9 : 0.4) title sprintf("direct, N = %g", i == 1 ? n_min : n_max)
 unset logscale y
 set format y "%g"
-set yrange [0:1.5]
+set yrange [0:1.4]
 set xrange [0.1:*]
 set xlabel "length of a slip zone / element [1]"
 set ylabel "dissipation / exact [1]"
@@ -31,7 +31,7 @@ set title "where elements see it"
 set key bottom right
 plot 1 with @exact_line notitle, \
      for [i=1:2] curve using (column("slip_elements")):(ratio("remembered", i == 1 ? n_min : n_max)) \
-       with linespoints linetype i pointtype 7 pointsize 0.5 title sprintf("remembered, N = %g", i == 1 ? n_min : n_max), \
+       with linespoints linecolor rgb colour_of("remembered") pointtype (i == 1 ? 6 : 7) pointsize (i == 1 ? 0.8 : 0.5) title sprintf("remembered, N = %g", i == 1 ? n_min : n_max), \
      for [i=1:2] curve using (column("slip_elements")):(ratio("direct", i == 1 ? n_min : n_max)) \
-       with linespoints linetype i pointtype 6 pointsize 0.8 dashtype 3 title sprintf("contact, N = %g", i == 1 ? n_min : n_max)
+       with linespoints linecolor rgb colour_of("direct") pointtype (i == 1 ? 4 : 5) pointsize (i == 1 ? 0.9 : 0.4) dashtype 3 title sprintf("direct, N = %g", i == 1 ? n_min : n_max)
 unset multiplot

@@ -11,7 +11,8 @@ set multiplot layout 1,2 margins 0.09,0.98,0.14,0.9 spacing 0.13
 set xlabel "displacement - that of full adhesion [mm]"
 set ylabel "force / full sliding [1]"
 set title "loops"
-set key bottom right
+set yrange [-1:1.5]
+set key top left samplen 1
 plot for [i=1:words(amplitudes)] for [way in "out back forth"] loops using (of(way, real(word(amplitudes, i)))):"force" \
        with points linetype i pointtype 7 pointsize 0.3 notitle, \
      for [i=1:words(amplitudes)] NaN with points linetype i pointtype 7 pointsize 0.6 title sprintf("amplitude %.2g", real(word(amplitudes, i))), \
@@ -23,7 +24,7 @@ set ylabel "error / displacement at the amplitude [1]"
 set title "their errors"
 set format y "%.0e"
 set key top right
-set yrange [*:1.2e-4]
+set yrange [*:8e-5]
 plot for [i=1:words(amplitudes)] loops using "force":(error(real(word(amplitudes, i)))) \
        with lines linetype i title sprintf("amplitude %.2g", real(word(amplitudes, i)))
 unset multiplot

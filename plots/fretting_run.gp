@@ -1,5 +1,5 @@
-# Standstill, rolling and standstill in one run, by the remembered scheme: the way of force and
-# displacement, and where the work of the force goes.
+# In one run of standstill, rolling and standstill the work of the force is what has been lost and stored, at every
+# moment. Left the way of force and displacement, by the remembered scheme.
 run = tables."/run.tsv"
 stage(k) = column("stage") == k ? column("displacement") : NaN
 names = '"cycle at standstill" "rolling" "cycle at standstill" "rolling" "back to no force"'

@@ -8,7 +8,7 @@ set xlabel "distance from the last node [dx]"
 set ylabel "traction function [1]"
 unset key
 set title "general"
-plot hats using "s":"general" with lines linetype 2
+plot hats using "s":"general" with lines linecolor rgb colour_of("standard")
 set title "trimmed at the leading edge"
-plot hats using "s":"trimmed" with lines linetype 3
+plot hats using "s":"trimmed" with lines linecolor rgb colour_of("trimmed")
 unset multiplot

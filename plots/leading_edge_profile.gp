@@ -1,5 +1,5 @@
-# Thesis Figs. 10.1 and 10.3: the Carter-Fromm problem near the leading edge, with its displacement known
-# and with the last hat trimmed.
+# Thesis Figs. 10.1 and 10.3, the Carter-Fromm problem near the leading edge: with the displacement at the edge known
+# the tractions meet the exact ones, with the last hat trimmed they do not.
 profile = tables."/profile.tsv"
 offset = 0.0
 set table $offset
@@ -18,10 +18,10 @@ set ylabel "traction p [N/mm^2]"
 set key bottom right
 set title "displacement at the edge known, β = 0.5"
 plot tables."/exact.tsv" using "x":"traction" with @exact_line title "exact (10.1)", \
-     profile using (of("standard constant", 0.5)):"traction" with linespoints linetype 2 pointtype 6 pointsize 0.5 title "standard", \
-     profile using (of("known edge constant", 0.5)):"traction" with linespoints linetype 1 pointtype 7 pointsize 0.4 title "u_{LE} is known"
+     profile using (of("standard constant", 0.5)):"traction" with linespoints linecolor rgb colour_of("standard") pointtype 6 pointsize 0.5 title "standard", \
+     profile using (of("known edge constant", 0.5)):"traction" with linespoints linecolor rgb colour_of("known_edge") pointtype 7 pointsize 0.4 title "displacement known"
 set title sprintf("last hat trimmed, β = %g", offset)
 plot tables."/exact.tsv" using "x":"traction" with @exact_line title "exact (10.1)", \
-     profile using (of("standard linear", offset)):"traction" with linespoints linetype 2 pointtype 6 pointsize 0.5 title "standard", \
-     profile using (of("trimmed linear", offset)):"traction" with linespoints linetype 3 pointtype 7 pointsize 0.4 title "trimmed"
+     profile using (of("standard linear", offset)):"traction" with linespoints linecolor rgb colour_of("standard") pointtype 6 pointsize 0.5 title "standard", \
+     profile using (of("trimmed linear", offset)):"traction" with linespoints linecolor rgb colour_of("trimmed") pointtype 7 pointsize 0.4 title "trimmed"
 unset multiplot

@@ -16,7 +16,7 @@ set xtics (10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
 eval "set xrange ".x_range
 unset key
 plot wanted with lines linecolor "gray60" dashtype 2, \
-     for [k=1:words(names)] timing using (of(k, column("elements"))):(shown(column("answer_error"))) with linespoints linetype k pointtype 7 pointsize 0.5
+     for [k=1:words(names)] timing using (of(k, column("elements"))):(shown(column("answer_error"))) with linespoints linecolor rgb colour_of(word(names, k)) pointtype 7 pointsize 0.5
 set lmargin at screen 0.47; set rmargin at screen 0.79
 set ylabel ""
 set xlabel "measured time [s]"
@@ -25,5 +25,5 @@ set xrange [*:*]
 set format x "10^{%T}"
 set key at screen 0.805, 0.95 left top Left reverse noenhanced
 plot wanted with lines linecolor "gray60" dashtype 2 title sprintf("%g, wanted", wanted), \
-     for [k=1:words(names)] timing using (of(k, column("time"))):(shown(column("answer_error"))) with linespoints linetype k pointtype 7 pointsize 0.5 title word(names, k)
+     for [k=1:words(names)] timing using (of(k, column("time"))):(shown(column("answer_error"))) with linespoints linecolor rgb colour_of(word(names, k)) pointtype 7 pointsize 0.5 title word(names, k)
 unset multiplot

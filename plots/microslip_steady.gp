@@ -17,7 +17,6 @@ set format x
 set xlabel "x [mm], rolling to the right"
 set ylabel "relative slip s"
 unset key
-# Where all that is shown sticks, gnuplot would warn of an empty range without the dots.
-plot 1e-9 with dots linecolor "white", \
-     for [k=1:lines] traction using (of(k, column("x"))):"slip" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
+eval zero_axis(traction, "x", "slip", "no slip: all sticks")
+plot for [k=1:lines] traction using (of(k, column("x"))):"slip" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
 unset multiplot

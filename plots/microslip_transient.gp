@@ -25,10 +25,14 @@ unset xlabel
 set format x ""
 set tmargin at screen top - 320./height; set bmargin at screen top - 465./height
 set ylabel "force F [N/mm]"
+eval zero_axis(history, "q", "force", "no force")
 plot for [k=1:lines] history using (of(k, column("q"))):"force" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
+eval ordinary_axis
+set yrange [*<0:0<*]
 set format x "%g"
 set xlabel "distance rolled q [mm]"
 set ylabel "creepage w"
+eval zero_axis(history, "q", "creepage", "no creepage")
 set tmargin at screen top - 480./height; set bmargin at screen top - 625./height
 plot for [k=1:lines] history using (of(k, column("q"))):"creepage" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
 unset multiplot

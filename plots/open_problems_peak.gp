@@ -1,4 +1,5 @@
-# The travelling peak after rolling: its height against the step ratio, and its shape at a small one.
+# The travelling peak after rolling: steps below one element lower it by the schemes direct and relaxed, and not by
+# remembered. Left its height against the step ratio, right the tractions at a small one, black the reference.
 steps = tables."/steps.tsv"
 traction = tables."/traction.tsv"
 of(scheme) = strcol("scheme") eq scheme ? column("step_ratio") : NaN
@@ -12,18 +13,18 @@ set xlabel "step ratio c = dq/dx [1]"
 set ylabel "height of the peak over the reference's [1]"
 set title "peak"
 set key bottom right
-plot steps using (of("direct")):"peak" with linespoints linetype 1 pointtype 7 pointsize 0.5 title "direct", \
-     steps using (of("relaxed")):"peak" with linespoints linetype 2 pointtype 7 pointsize 0.5 title "relaxed, c* = 1", \
-     steps using (of("remembered")):"peak" with linespoints linetype 3 pointtype 7 pointsize 0.5 title "remembered"
+plot steps using (of("direct")):"peak" with linespoints linecolor rgb colour_of("direct") pointtype 7 pointsize 0.5 title "direct", \
+     steps using (of("relaxed")):"peak" with linespoints linecolor rgb colour_of("relaxed") pointtype 7 pointsize 0.5 title "relaxed, c* = 1", \
+     steps using (of("remembered")):"peak" with linespoints linecolor rgb colour_of("remembered") pointtype 7 pointsize 0.5 title "remembered"
 unset logscale x
 set xlabel "x [mm], rolling to the right"
 set ylabel "traction p [N/mm^2]"
 set title sprintf("c = %g", small)
-set key top right
+unset key
 set xrange [-1:1]
 set yrange [0:*]
 plot traction using (at("reference", 1)):"traction" with @exact_line title "reference", \
-     traction using (at("direct", small)):"traction" with lines linetype 1 title "direct", \
-     traction using (at("relaxed", small)):"traction" with lines linetype 2 title "relaxed", \
-     traction using (at("remembered", small)):"traction" with linespoints linetype 3 pointtype 7 pointsize 0.3 title "remembered"
+     traction using (at("direct", small)):"traction" with lines linecolor rgb colour_of("direct") title "direct", \
+     traction using (at("relaxed", small)):"traction" with lines linecolor rgb colour_of("relaxed") title "relaxed", \
+     traction using (at("remembered", small)):"traction" with linespoints linecolor rgb colour_of("remembered") pointtype 7 pointsize 0.3 title "remembered"
 unset multiplot

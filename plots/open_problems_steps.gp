@@ -1,4 +1,5 @@
-# Any step: errors against the step ratio, in steady rolling and after rolling from a shift.
+# Any step: the inversion and the scheme remembered do not depend on the step ratio, in steady rolling and after
+# rolling from a shift; the others do.
 steady = tables."/steady_steps.tsv"
 steps = tables."/steps.tsv"
 of(scheme) = strcol("scheme") eq scheme ? column("step_ratio") : NaN
@@ -12,14 +13,14 @@ set ylabel "error of the force [1]"
 set title "steady rolling"
 set key at graph 0.62, 0.36
 set xtics 1e-12, 1000
-plot steady using (of("standard")):"force_error" with linespoints linetype 1 pointtype 7 pointsize 0.5 title "standard", \
-     steady using (of("inversion")):"force_error" with linespoints linetype 3 pointtype 7 pointsize 0.5 title "inversion"
+plot steady using (of("standard")):"force_error" with linespoints linecolor rgb colour_of("standard") pointtype 7 pointsize 0.5 title "standard", \
+     steady using (of("inversion")):"force_error" with linespoints linecolor rgb colour_of("inversion") pointtype 7 pointsize 0.5 title "inversion"
 set xtics auto
 set title "from a Cattaneo shift"
 set ylabel "integral of |p - reference| [N/mm]"
-set key at graph 0.5, 0.5
+set key inside bottom left
 set format x "%g"
-plot steps using (of("direct")):"error" with linespoints linetype 1 pointtype 7 pointsize 0.5 title "direct", \
-     steps using (of("relaxed")):"error" with linespoints linetype 2 pointtype 7 pointsize 0.5 title "relaxed, c* = 1", \
-     steps using (of("remembered")):"error" with linespoints linetype 3 pointtype 7 pointsize 0.5 title "remembered"
+plot steps using (of("direct")):"error" with linespoints linecolor rgb colour_of("direct") pointtype 7 pointsize 0.5 title "direct", \
+     steps using (of("relaxed")):"error" with linespoints linecolor rgb colour_of("relaxed") pointtype 7 pointsize 0.5 title "relaxed, c* = 1", \
+     steps using (of("remembered")):"error" with linespoints linecolor rgb colour_of("remembered") pointtype 7 pointsize 0.5 title "remembered"
 unset multiplot

@@ -1,4 +1,5 @@
-# Thesis Figs. 4.1 and 4.2: what A^-1 A' makes of a unit pulse in one step and after a longer distance.
+# Thesis Figs. 4.1 and 4.2: a unit pulse keeps its shape for c = 1 only; smaller steps flatten it, and it sheds waves.
+# Left after one step, right after a longer distance.
 pulse = tables."/pulse.tsv"
 longest = 0.0
 ratios = ""
@@ -12,12 +13,12 @@ at(basis, c, long) = strcol("basis") eq basis && same(column("step_ratio"), real
   (column("distance") > 2) == long ? column("position") : NaN
 
 eval page(860, 600)
-set multiplot layout 2,2 margins 0.095,0.98,0.1,0.93 spacing 0.09,0.13
+set multiplot layout 2,2 margins 0.095,0.98,0.1,0.93 spacing 0.09,0.16
 set ylabel "traction [1]"
 do for [basis in "constant linear"] {
   set xrange [-4:3]
   set yrange [-0.15:1.1]
-  set key top right
+  set key top left
   set xlabel basis eq "linear" ? "distance from the start [dx], rolling to the right" : ""
   set title basis." functions, one step"
   plot for [i=1:words(ratios)] pulse using (at(basis, word(ratios, i), 0)):"traction" \

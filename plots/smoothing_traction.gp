@@ -1,4 +1,5 @@
-# Thesis Fig. 4.3: from a Cattaneo shift to Carter's solution, after a distance.
+# Thesis Fig. 4.3: from a Cattaneo shift to Carter's solution the direct scheme flattens and displaces the travelling
+# peak, if steps are shorter than an element.
 traction = tables."/traction.tsv"
 ratios = ""
 set table $ratios

@@ -1,11 +1,9 @@
-# Steady rolling: error of the force against measured time.
-cost = "time"
+# Steady rolling: aligned and calibrated elements need a tenth of the time of the thesis's scheme (standard) for 0.1 % of
+# the force, and less for more; Chebyshev collocation and inversion are exact. Each line is one scheme with its best
+# basis, step ratio, solver and N; dots are all runs.
 problems = "plane strip"
 quantities = "force force"
-titles = "'plane strain' 'strip of one contact length'"
-errors = "'largest error of the force [1]' ''"
-names = "standard known_edge calibrated trimmed aligned chebyshev inversion"
-labels = "standard 'known edge' calibrated trimmed aligned chebyshev inversion"
-bases = "linear quadratic 'trimmed linear'"
-front = "elements"
+titles = "'force, plane strain' 'force, strip of one contact length'"
+names = "standard known_edge calibrated aligned chebyshev inversion"
+least = 1.0e-12
 load scripts."/speed_accuracy.gpi"

@@ -1,11 +1,9 @@
-# From a Cattaneo shift over a third of the contact: errors against measured time.
-cost = "time"
-problems = "transient transient transient"
-quantities = "creep traction peak"
-titles = "'cumulative creep' 'tractions, 1-norm' 'height of the travelling peak'"
-errors = "'relative error [1]' '' ''"
+# From a Cattaneo shift over a third of the contact: remembered is the fastest for a force better than 0.01 %; for
+# the tractions no scheme gains much over the thesis's (direct). The force is under a constant creepage, the tractions
+# are under a constant force. Each line is one scheme with its best basis, step ratio, solver and N; dots are all runs.
+problems = "creepage transient"
+quantities = "force traction"
+titles = "'force after the shift' 'tractions after the shift'"
 names = "remembered direct relaxed relaxed_traction fractional"
-labels = "remembered direct relaxed 'relaxed traction' fractional"
-bases = "linear quadratic"
-front = "all"
+least = 1.0e-8
 load scripts."/speed_accuracy.gpi"

@@ -26,11 +26,24 @@ set linetype 5 linecolor "#e69f00"
 set linetype 6 linecolor "#56b4e9"
 set linetype 7 linecolor "#000000"
 set linetype cycle 7
+# A scheme has the same colour in every figure: vermilion the thesis's and CONTACT's, blue what feels the edges where
+# they are, on the grid of the contact or of the material. The first colour is of all others.
+colours = "'#000000' \
+  standard #d55e00 'standard linear' #8c3a00 'standard quadratic' #f4a582 known_edge #009e73 trimmed #8a8a2b \
+  calibrated #0072b2 aligned #56b4e9 inversion #cc79a7 chebyshev #7a4fa3 \
+  direct #d55e00 remembered #0072b2 relaxed #009e73 relaxed_traction #8a6d00 fractional #cc79a7 springs #e69f00 \
+  'direct verlet' #d55e00 'direct midpoint' #cc79a7 'remembered verlet' #0072b2 'remembered midpoint' #009e73 \
+  at_node #cc79a7 cell_mean #009e73 cut #8a8a2b"
+colour_of(scheme) = word(colours, 1 + int(sum [i=1:words(colours)] (word(colours, i) eq scheme ? i : 0)))
+
 exact_line = "lines linecolor 'black' linewidth 1.2"
 bound_line = "lines linecolor 'gray60' linewidth 1 dashtype 2"
 
 # A number in the comment of a table; gnuplot reads no 1e-4 without a point.
 parameter(table, key) = real(system(sprintf("sed -n 's/^#   %s = //p' \"%s\" | sed 's/^\\(-*[0-9]*\\)e/\\1.0e/'", key, table)))
+
+# The output of awk, given a table without its comments; at["NAME"] is the number of a column.
+by_awk(table, actions) = system(sprintf("grep -v '^#' \"%s\" | awk -F'\t' 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next } %s", table, actions))
 
 # Values that differ by less than rounding of a printed number.
 same(a, b) = abs(a - b) <= 1e-9 * abs(b)

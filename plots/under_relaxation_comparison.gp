@@ -25,8 +25,8 @@ set xlabel "x [mm], rolling to the right"
 set ylabel "traction p [N/mm^2]"
 set title sprintf("where they part, after %g dx", first)
 plot parting using "x":"bound" with @bound_line title "bound g", \
-     parting using "x":"relaxed" with linespoints linetype 1 pointtype 7 pointsize 0.4 title "(7.4)", \
-     parting using "x":"relaxed_traction" with points linetype 3 pointtype 6 pointsize 0.7 title "(7.10)", \
+     parting using "x":"relaxed" with linespoints linecolor rgb colour_of("relaxed") pointtype 7 pointsize 0.4 title "A' relaxed (7.4)", \
+     parting using "x":"relaxed_traction" with points linecolor rgb colour_of("relaxed_traction") pointtype 6 pointsize 0.7 title "tractions relaxed (7.10)", \
      parting using (strcol("relaxed_region") ne strcol("relaxed_traction_region") ? column("x") : NaN):"relaxed" \
-       with points linetype 2 pointtype 4 pointsize 1.3 title "adhesion in one, slip in the other"
+       with points linetype 1 pointtype 4 pointsize 1.3 title "adhesion in one, slip in the other"
 unset multiplot

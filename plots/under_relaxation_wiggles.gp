@@ -1,4 +1,5 @@
-# No wiggles at any step: local extrema against the step ratio, after the first distance.
+# Under-relaxation removes the wiggles at any step: local extrema of the traction against the step ratio, after the
+# first distance.
 wiggles = tables."/wiggles.tsv"
 of(scheme) = strcol("scheme") eq scheme ? column("step_ratio") : NaN
 
@@ -10,5 +11,5 @@ set ylabel "local extrema of the traction [1]"
 set yrange [0:*]
 set key at graph 0.6, 0.5
 set title "wiggles against the step"
-plot wiggles using (of("direct")):"turning_points" with linespoints linetype 2 pointtype 6 pointsize 0.6 title "direct", \
-     wiggles using (of("relaxed")):"turning_points" with linespoints linetype 1 pointtype 7 pointsize 0.5 title "under-relaxed, c* = 1"
+plot wiggles using (of("direct")):"turning_points" with linespoints linecolor rgb colour_of("direct") pointtype 6 pointsize 0.6 title "direct", \
+     wiggles using (of("relaxed")):"turning_points" with linespoints linecolor rgb colour_of("relaxed") pointtype 7 pointsize 0.5 title "relaxed, c* = 1"

@@ -1,4 +1,5 @@
-# Errors of the creepage of bodies of different material against the number of elements.
+# Bodies of different material: calibrated elements give the creepage far more accurately than the standard scheme,
+# which is of first order.
 errors = tables."/errors.tsv"
 of(scheme, force) = strcol("scheme") eq scheme && column("force_ratio") == force ? shown(abs(column("error"))) : NaN
 forces = "0 0.75 -0.75"
@@ -6,7 +7,7 @@ titles = "'free rolling' '3/4 of full sliding' '-3/4 of full sliding'"
 set logscale xy
 set format y "10^{%T}"
 set xlabel "number of elements N"
-set ylabel "error of the creepage over {/Symbol m}a/R [1]"
+set ylabel "error of the creepage over μa/R [1]"
 set xtics (50, 100, 200, 400, 800, 1600)
 set xrange [40:2000]
 set key bottom left

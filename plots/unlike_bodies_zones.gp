@@ -1,4 +1,4 @@
-# Where bodies of different material stick and slip: in free rolling against beta/mu, and against the force.
+# Where bodies of different material stick and slip: in free rolling against β/μ, and against the force.
 zones = tables."/zones.tsv"
 place(of, wanted, zone) = strcol("of") eq of && column("zone") == wanted ? column("value") : NaN
 eval page(960, 430)
@@ -7,7 +7,7 @@ set ylabel "x/a [1]"
 set yrange [-1:1]
 set logscale x
 set xrange [0.045:55]
-set xlabel "{/Symbol b}/{/Symbol m}, free rolling [1]"
+set xlabel "β/μ, free rolling [1]"
 unset grid
 unset key
 plot zones using (place("free", 0, 0)):"begin":(0):(column("end") - column("begin")) with vectors nohead linewidth 3 linecolor "#0072b2" notitle, \

@@ -1,5 +1,5 @@
-# Error of dF/dP by the remembered scheme against N, for waves of the normal load of 1, 5 and 50 half-widths about a
-# state with slip.
+# Waves of the normal load: the remembered scheme is of second order for every wavelength and step. Error of dF/dP
+# about a state with slip.
 measured = tables."/measured.tsv"
 lengths = "1 5 20 50"
 of(k, c) = same(column("stick_ratio"), 0.6) && same(column("wavelength_ratio"), word(lengths, k) + 0) && same(column("step_ratio"), c) \

@@ -1,5 +1,5 @@
-# The force along a large wave of the normal load, half of its mean, by the remembered scheme, by Carter's solution of
-# each moment and by a foundation of springs; and the means of the force over such waves against their length.
+# A large wave of the normal load, half of its mean: the shorter it is, the less the force swings, and the lower is
+# its mean (right). Carter's solution of each moment and springs (FASTSIM) swing too much (left).
 waves = tables."/waves.tsv"
 means = tables."/means.tsv"
 lengths = "2 10 50"
@@ -7,7 +7,7 @@ of(k) = same(column("wavelength_ratio"), word(lengths, k) + 0) ? column("part") 
 eval page(960, 430)
 set multiplot layout 1,2 margins 0.075,0.98,0.14,0.93 spacing 0.09
 set xlabel "part of the wave that has been rolled [1]"
-set ylabel "-F / {/Symbol m}P_0 [1]"
+set ylabel "-F / μP_0 [1]"
 set xrange [0:1]
 set yrange [0.3:1.05]
 set key top right

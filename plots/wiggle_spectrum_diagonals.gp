@@ -1,4 +1,4 @@
-# Thesis Figs. 6.3 and 6.6: the entries of B = A - A' on and next to the diagonal against the step ratio.
+# Thesis Figs. 6.3 and 6.6: as c falls, the diagonal of B = A - A' vanishes faster than the entries next to it.
 diagonals = tables."/diagonals.tsv"
 of(name) = strcol("basis") eq name ? column("step_ratio") : NaN
 crossing = 0.0

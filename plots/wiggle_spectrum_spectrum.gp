@@ -1,5 +1,6 @@
-# The introduction's claims: condition number and eigenvalues of B = A - A' for falling step ratios; and its
-# symbol, which explains them.
+# Thesis, introduction: as c falls, the condition number of B = A - A' grows without bound if N is odd, and stays
+# bounded if N is even. Right the symbol, which explains it, and the real against the imaginary parts of the
+# eigenvalues.
 spectrum = tables."/spectrum.tsv"
 of(name) = strcol("basis") eq name ? column("step_ratio") : NaN
 stats tables."/matrix.tsv" using "row" nooutput
@@ -19,6 +20,7 @@ plot spectrum using (of("constant")):"condition" with lines linetype 1 title spr
      spectrum using (of("linear")):"condition_next" with lines linetype 2 dashtype 2 title sprintf("linear, N = %d", n + 1)
 set title "least |symbol| of B/c; real against imaginary parts"
 set ylabel "least |symbol| [2(1-ν)/G], Σ|Re λ| / Σ|Im λ| [1]"
+set yrange [1e-9:2]
 set key bottom right
 plot spectrum using (of("constant")):"least_symbol" with lines linetype 1 title "least |symbol|, constant", \
      spectrum using (of("linear")):"least_symbol" with lines linetype 2 title "least |symbol|, linear", \

@@ -1,5 +1,5 @@
-# Standard deviation of the creepage over one element's travel, over its mean: against the number of
-# elements and against the step ratio.
+# The noise of the creepage falls like 1/√N by nodes that are switched on and off, and like 1/N with mean bounds.
+# Standard deviation over one element's travel, over the mean.
 noise = tables."/noise.tsv"
 of(name, series) = strcol("treatment") eq name && strcol("series") eq series ? column(series) : NaN
 names = '"at_node" "cell_mean" "cut" "direct"'
@@ -13,7 +13,7 @@ stats noise using (strcol("series") eq "step_ratio" ? column("elements") : NaN) 
 eval page(860, 440)
 set multiplot layout 1,2 margins 0.09,0.98,0.14,0.92 spacing 0.1
 set logscale xy
-set yrange [1e-5:1]
+set yrange [1e-6:1]
 set format y "10^{%T}"
 set ylabel "deviation of the creepage / mean [1]"
 do for [panel=1:2] {
@@ -37,7 +37,7 @@ do for [panel=1:2] {
     set label 3 "1 %" at 0.009, 0.013 left textcolor "gray40"
   }
   plot for [i=1:4] noise using (of(word(names, i), series)):(positive("deviation")) \
-         with linespoints linetype i pointtype (word("7 7 6 5", i) + 0) pointsize (word("0.5 0.5 0.9 0.4", i) + 0) title word(titles, i), \
+         with linespoints linecolor rgb colour_of(word(names, i)) pointtype (word("7 7 6 5", i) + 0) pointsize (word("0.5 0.5 0.9 0.4", i) + 0) title word(titles, i), \
        noise using (of("at_node", series)):(positive("predicted")) with lines linetype 7 dashtype 3 linewidth 1.5 title "predicted for nodes on and off", \
        (panel == 1 ? 1.25*coarse_max*sqrt(n_min/x) : NaN) with lines linecolor "gray60" dashtype 2 notitle, \
        (panel == 1 ? 0.065*n_min/x : NaN) with lines linecolor "gray60" dashtype 2 notitle, \

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs what the project needs and this machine lacks. Usage: tools/deps.sh GROUP ...
-# Groups: build, figures, report, languages, docs, browser, package, bench, fuzz, coverage.
-# Does nothing, and prints nothing, when all is there. DEPS=skip turns it off.
+# Groups: build, figures, report, article, languages, docs, browser, package, bench, fuzz, coverage.
+# Does nothing, and prints nothing, when all is there. DEPS=skip turns it off. DEPS_ARCHIVE is the address of a Debian
+# archive, as that of one date, from which alone packages are taken then; DEPS_SUITE is its suite, bookworm if not given.
 set -euo pipefail
 [ "${DEPS:-}" = skip ] && exit 0
 
@@ -11,6 +12,7 @@ needs() {
     build) cat <<'LIST'
 g++ g++
 cmake cmake
+make make
 libeigen3-dev /usr/include/eigen3/Eigen/Core
 libboost-dev /usr/include/boost/algorithm/string/replace.hpp
 libboost-program-options-dev /usr/lib/*/cmake/boost_program_options-*
@@ -22,6 +24,7 @@ LIST
       ;;
     figures) echo "gnuplot-nox gnuplot" ;;
     report) echo "python3 python3" ;;
+    article) echo "texlive-latex-base pdflatex" ;;
     browser) printf '%s\n' "chromium chromium" "chromium-driver chromedriver" ;;
     bench) echo "libbenchmark-dev /usr/include/benchmark/benchmark.h" ;;
     fuzz) cat <<'LIST'
@@ -71,9 +74,17 @@ command -v apt-get >/dev/null || {
 sudo=
 [ "$(id -u)" -eq 0 ] || sudo=sudo
 log=$(mktemp)
-trap 'rm -f "$log"' EXIT
-if ! { $sudo apt-get update && DEBIAN_FRONTEND=noninteractive \
-       $sudo apt-get install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
+sources=$(mktemp --suffix=.list)
+trap 'rm -f "$log" "$sources"' EXIT
+from=()
+if [ -n "${DEPS_ARCHIVE:-}" ]; then
+  echo "deb $DEPS_ARCHIVE ${DEPS_SUITE:-bookworm} main" >"$sources"
+  chmod a+r "$sources"
+  # A list of an old date is valid no longer, and no less right for that.
+  from=(-o "Dir::Etc::sourcelist=$sources" -o Dir::Etc::sourceparts=- -o Acquire::Check-Valid-Until=false)
+fi
+if ! { $sudo apt-get "${from[@]}" update && DEBIAN_FRONTEND=noninteractive \
+       $sudo apt-get "${from[@]}" install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
   tail -n 20 "$log" >&2
   echo "deps: apt-get failed" >&2
   exit 1

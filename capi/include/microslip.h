@@ -188,18 +188,19 @@ MICROSLIP_API enum microslip_status microslip_set_creepage(microslip_rolling* ro
 MICROSLIP_API enum microslip_status microslip_set_force(microslip_rolling* rolling, double force);
 
 /** The contact at the end of the next step or shift, to which it changes linearly on the way; it
- * stays so until set again. Numbers are over those of the contact that was created: under another
- * normal load P both are sqrt(P/P0) by Hertz's theory, and another friction coefficient changes the
- * bound alone. For MICROSLIP_REMEMBERED alone.
+ * stays so until set again. Factors, not mm and N/mm^2: half-width and bound over those of the contact
+ * that was created. Under another normal load P both are sqrt(P/P0) by Hertz's theory, and another
+ * friction coefficient changes the bound alone. For MICROSLIP_REMEMBERED alone.
  *
  * With 0 for one of them, bodies do not touch, or slide without friction: there are no tractions at
  * the end of the step, a force must be 0, and nothing is remembered. A contact that returns begins
  * at the end of its step, at rest, or with the force that is set.
  *
- * half_width  >= 0; in plane strain less than 2 L0 over the half-width
- * bound       at the same place over the half-width, >= 0 */
+ * half_width_factor  >= 0; in plane strain less than 2 L0 over the half-width  [1]
+ * bound_factor       of the bound at the same place over the half-width, >= 0  [1] */
 MICROSLIP_API enum microslip_status microslip_set_contact(microslip_rolling* rolling,
-                                                          double half_width, double bound);
+                                                          double half_width_factor,
+                                                          double bound_factor);
 
 /** From no tractions, shifts the bodies without rolling until they carry a force, Cattaneo's
  * problem; nothing has been rolled then. The load that is set remains.
@@ -229,12 +230,13 @@ MICROSLIP_API enum microslip_status microslip_advance(microslip_rolling* rolling
 /** Steps to make in one call, arrays of `count` numbers each. */
 struct microslip_steps {
   size_t count;
-  const double* dq;         /**< as microslip_advance() takes it  [mm] */
-  const double* creepage;   /**< of each step; null under forces, or under the load that is set */
-  const double* force;      /**< likewise, null under creepages  [N/mm] */
-  const double* half_width; /**< of the contact at the end of each step, with bound: as
-                               microslip_set_contact() takes them; both null where it stays  [1] */
-  const double* bound;
+  const double* dq;       /**< as microslip_advance() takes it  [mm] */
+  const double* creepage; /**< of each step; null under forces, or under the load that is set */
+  const double* force;    /**< likewise, null under creepages  [N/mm] */
+  /** Of the contact at the end of each step, as microslip_set_contact() takes them; both null where
+   * it stays  [1] */
+  const double* half_width_factor;
+  const double* bound_factor;
 };
 
 /** Makes many steps, to the bit like one by one; a step costs no more than its work. The load and

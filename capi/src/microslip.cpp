@@ -143,10 +143,10 @@ microslip_status microslip_set_force(microslip_rolling* rolling, double force) {
   });
 }
 
-microslip_status microslip_set_contact(microslip_rolling* rolling, double half_width,
-                                       double bound) {
+microslip_status microslip_set_contact(microslip_rolling* rolling, double half_width_factor,
+                                       double bound_factor) {
   return with(rolling, [&](microslip_rolling& of) {
-    of.contact->set_contact({.half_width = half_width, .bound = bound});
+    of.contact->set_contact({.half_width = half_width_factor, .bound = bound_factor});
   });
 }
 

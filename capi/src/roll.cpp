@@ -17,15 +17,16 @@ void validate(const microslip_steps& steps) {
   if (steps.creepage != nullptr && steps.force != nullptr) {
     throw std::invalid_argument("steps.force: expected null where there are creepages");
   }
-  if ((steps.half_width == nullptr) != (steps.bound == nullptr)) {
+  if ((steps.half_width_factor == nullptr) != (steps.bound_factor == nullptr)) {
     throw std::invalid_argument(
-        "steps.bound: expected an array where steps.half_width is one, else null");
+        "steps.bound_factor: expected an array where steps.half_width_factor is one, else null");
   }
 }
 
 void make_step(microslip_rolling& of, const microslip_steps& steps, std::size_t k) {
-  if (steps.half_width != nullptr) {
-    of.contact->set_contact({.half_width = steps.half_width[k], .bound = steps.bound[k]});
+  if (steps.half_width_factor != nullptr) {
+    of.contact->set_contact(
+        {.half_width = steps.half_width_factor[k], .bound = steps.bound_factor[k]});
   }
   if (steps.creepage != nullptr) {
     microslip::require(true, "creepage", steps.creepage[k], "a finite number");

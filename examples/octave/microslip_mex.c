@@ -4,9 +4,11 @@
  *   h = microslip_mex('create', problem)    a struct with shear_modulus, poisson_ratio,
  *                                           half_width, peak_traction or bound_x and bound_value,
  *                                           kernel 'strip' or 'plane', length, elements, scheme
- *                                           'remembered' if not given, or 'direct'
+ *                                           'remembered' if not given, or 'direct'; for bodies of
+ *                                           different material dundurs_beta and friction, too
  *   microslip_mex('set_creepage', h, w)     likewise set_force, advance
- *   microslip_mex('set_contact', h, a, g)   half-width and bound over those that were created
+ *   microslip_mex('set_contact', h, a, g)   factors of the half-width and bound, over those of
+ *                                           the contact that was created
  *   microslip_mex('save', h, path)          the state to a file; likewise restore, from a file
  *   microslip_mex('destroy', h)
  *   s = microslip_mex('attempt', h, dq)     a struct as microslip_state
@@ -133,9 +135,16 @@ static mxArray* create(const mxArray* p) {
   const struct problem read = read_problem(p);
   char message[512];
   microslip_rolling* rolling;
-  check(microslip_create(&read.material, &read.contact, &read.kernel, &read.grid, &rolling, message,
-                         sizeof message),
-        message);
+  if (field(p, "dundurs_beta", 0)) {
+    const struct microslip_unlike unlike = {number(p, "dundurs_beta", 1), number(p, "friction", 1)};
+    check(microslip_create_unlike(&read.material, &unlike, &read.contact, &read.kernel, &read.grid,
+                                  &rolling, message, sizeof message),
+          message);
+  } else {
+    check(microslip_create(&read.material, &read.contact, &read.kernel, &read.grid, &rolling,
+                           message, sizeof message),
+          message);
+  }
   return handle_array(rolling);
 }
 
@@ -282,6 +291,9 @@ static mxArray* roll(microslip_rolling* h, const mxArray* dq, const mxArray* nam
 }
 
 static mxArray* steady(const mxArray* p, const mxArray* name, const mxArray* loads) {
+  if (field(p, "dundurs_beta", 0))
+    mexErrMsgIdAndTxt("microslip:bad_input",
+                      "dundurs_beta: expected none in steady rolling, but 'create' and 'roll'");
   const struct problem read = read_problem(p);
   const int type = load_type(name), elements = read.grid.elements;
   const size_t count = mxGetNumberOfElements(loads), nodes = elements > 0 ? elements : 0;

@@ -31,6 +31,21 @@ Truth truth_of(const ChebyshevRolling& rolling, double half_width, double stick_
   return {creepage, solution->force(), [=](double x) { return solution->traction(x); }};
 }
 
+double wiggle_of(const VectorXd& error) {
+  constexpr Index wave = 4;
+  const Index n = error.size();
+  if (n < wave + 2) return 0;
+  VectorXd bend = error.segment(1, n - 2) - (error.head(n - 2) + error.tail(n - 2)) / 2;
+  for (Index i = 1; i < bend.size(); i += 2) bend[i] = -bend[i];
+  double largest = 0;
+  for (Index i = 0; i + wave <= bend.size(); ++i) {
+    const auto part = bend.segment(i, wave);
+    const double least = part[0] > 0 ? part.minCoeff() : -part.maxCoeff();
+    largest = std::max(largest, least / 2);
+  }
+  return largest;
+}
+
 Compared compared(const SteadyProblem& problem, const Truth& truth) {
   SteadySolution solution = solve_steady(problem);
   VectorXd exact = truth.at(solution.x);

@@ -47,6 +47,11 @@ struct Compared {
 
 Compared compared(const SteadyProblem& problem, const Truth& truth);
 
+/// The amplitude of an error that alternates over four or more nodes in a row: half the least
+/// difference between a node and the mean of its neighbours. It is 0 for a smooth error, an error
+/// at an edge, and a flattened peak.
+double wiggle_of(const Eigen::VectorXd& error);
+
 /// A run from a Cattaneo shift on: the tractions at its end, and the creep on the way.
 struct Rolled {
   Eigen::VectorXd x;

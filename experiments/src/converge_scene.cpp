@@ -186,10 +186,31 @@ Reference reference_of(const ConvergeScene& converge) {
   return {outcome, scheme.name, fine, errors_of(coarse, outcome).answer};
 }
 
+Model reference_model(const ConvergeScene& converge) {
+  return model_of(converge, second_order(converge.steady), reference_elements(converge));
+}
+
+/// Leaves out the largest of the default numbers where the reference would take minutes.
+void limit_elements(ConvergeScene& converge, Scene& scene) {
+  constexpr double most_operations = 5e11;  // half a minute
+  constexpr std::size_t least_count = 3;
+  const Index most = converge.elements.back();
+  const double work = work_needed(reference_model(converge));
+  while (converge.elements.size() > least_count &&
+         work_needed(reference_model(converge)) > most_operations) {
+    converge.elements.pop_back();
+  }
+  if (converge.elements.back() == most) return;
+  scene.warn("converge.elements", static_cast<double>(converge.elements.back()),
+             fmt::format("the largest N unless more are given: the reference for {} takes {} "
+                         "operations, {} times as many",
+                         most, format_roughly(work),
+                         format_roughly(work / work_needed(reference_model(converge)))));
+}
+
 void require_reference(ConvergeScene& converge) {
   constexpr double most_operations = 1e13;
-  const Model model =
-      model_of(converge, second_order(converge.steady), reference_elements(converge));
+  const Model model = reference_model(converge);
   converge.memory = memory_needed(model);
   const double work = work_needed(model);
   require(work <= most_operations, "converge.elements",
@@ -265,6 +286,8 @@ ConvergeScene read_converge(Scene& scene) {
     read.elements = scene.wholes(elements);
     for (const Index n : read.elements) scene.demand_in_range(elements, static_cast<double>(n));
     demand_rising(scene, elements, read.elements);
+  } else {
+    limit_elements(read, scene);
   }
   read.error = scene.number("converge.error");
   scene.demand_in_range("converge.error", read.error);

@@ -46,7 +46,7 @@ SteadyProblem read_contact_of_curve(Scene& scene) {
 }
 
 /// Reads creepages with the ranges and units of a sweep.
-std::vector<double> read_creepages(Scene& scene) {
+std::vector<double> read_creepages(Scene& scene, const TractionBound& bound) {
   if (!scene.has(creepages_key)) return {};
   std::string expanded;
   for (const std::string& value : swept_values(creepages_key, scene.text(creepages_key))) {
@@ -55,6 +55,9 @@ std::vector<double> read_creepages(Scene& scene) {
   scene.replace(creepages_key, expanded.substr(0, expanded.size() - 1));
   const std::vector<double> creepages = scene.numbers(creepages_key);
   demand_rising(scene, creepages_key, creepages);
+  for (const double creepage : {creepages.front(), creepages.back()}) {
+    warn_of_large_creepage(scene, creepages_key, creepage, bound);
+  }
   for (const char* other : {"curve.points", "curve.largest"}) {
     scene.at_most_one_of({creepages_key, other});
   }
@@ -125,7 +128,7 @@ Table empty_curve(const CurveScene& scene) {
 CurveScene read_curve(Scene& scene) {
   const SteadyProblem problem = read_contact_of_curve(scene);
   CurveScene read{.problem = problem,
-                  .creepages = read_creepages(scene),
+                  .creepages = read_creepages(scene, problem.bound),
                   .points = 0,
                   .largest = std::nullopt,
                   .with_fastsim = scene.word("curve.beside") == "fastsim"};
@@ -134,7 +137,10 @@ CurveScene read_curve(Scene& scene) {
     scene.demand("curve.points", points,
                  find_key("curve.points")->range.holds(points) && std::floor(points) == points);
     read.points = static_cast<int>(points);
-    if (scene.has("curve.largest")) read.largest = scene.positive("curve.largest");
+    if (scene.has("curve.largest")) {
+      read.largest = scene.positive("curve.largest");
+      warn_of_large_creepage(scene, "curve.largest", *read.largest, problem.bound);
+    }
   }
   if (read.with_fastsim && problem.has_unlike_bodies()) {
     reject("curve.beside", "fastsim", "nothing for bodies of different material");

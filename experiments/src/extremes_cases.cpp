@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "extremes_cases.hpp"
 
-#include <algorithm>
-
 namespace microslip::experiments::extremes_study {
-
-using Eigen::Index;
-using Eigen::VectorXd;
 
 namespace {
 
@@ -18,21 +13,6 @@ std::string verdict_on(const Attempt& attempt, const Finding& found,
 }
 
 }  // namespace
-
-double wiggle_of(const VectorXd& error) {
-  constexpr Index wave = 4;
-  const Index n = error.size();
-  if (n < wave + 2) return 0;
-  VectorXd bend = error.segment(1, n - 2) - (error.head(n - 2) + error.tail(n - 2)) / 2;
-  for (Index i = 1; i < bend.size(); i += 2) bend[i] = -bend[i];
-  double largest = 0;
-  for (Index i = 0; i + wave <= bend.size(); ++i) {
-    const auto part = bend.segment(i, wave);
-    const double least = part[0] > 0 ? part.minCoeff() : -part.maxCoeff();
-    largest = std::max(largest, least / 2);
-  }
-  return largest;
-}
 
 Outcome outcome_of(Runs& smaller, const Case& at, const ExtremesParameters::Limits& limits) {
   Finding found;

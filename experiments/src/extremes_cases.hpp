@@ -21,11 +21,6 @@ struct Finding {
   double iterations = not_given;
 };
 
-/// The amplitude of an error that alternates over four or more nodes in a row: half the least
-/// difference between a node and the mean of its neighbours. It is 0 for a smooth error, an error
-/// at an edge, and a flattened peak.
-double wiggle_of(const Eigen::VectorXd& error);
-
 /// One scheme at one place of a map.
 struct Case {
   std::string scheme;

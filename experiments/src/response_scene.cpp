@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/response_scene.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -54,6 +56,9 @@ std::optional<double> wavelength(Scene& scene, const std::string& key) {
 
 /// Refuses a narrow strip under a smooth bound in words that do not name other methods.
 InvertedRolling rolling_of(const SteadyContact& contact) {
+  if (!is_half_space(contact.kernel)) {
+    refuse(fmt::format("its kernel is no half-space's, but {}", name_of(contact.kernel)));
+  }
   try {
     return {contact.kernel, contact.bound};
   } catch (const BadParameter&) {

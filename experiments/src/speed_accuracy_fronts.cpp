@@ -21,10 +21,10 @@ constexpr double equal = 1e-6;
 constexpr std::array accuracies = {1e-2, 1e-3, 1e-4, 1e-6, 1e-9};
 
 /// A quantity of a problem, and the runs that have it, from cheap to dear. They are all such runs,
-/// or the runs by elements, which need no smooth bound.
+/// or the runs by elements, which need no smooth bound, or the runs of one scheme.
 struct Contest {
   std::string problem;
-  std::string among;
+  std::string among;  ///< all, elements or a scheme
   std::size_t quantity;
   std::vector<const Run*> runs;
 
@@ -38,13 +38,18 @@ bool by_elements(const Run& run) {
   });
 }
 
+bool is_among(const Run& run, const std::string& among) {
+  if (among == "all") return true;
+  return among == "elements" ? by_elements(run) : run.contestant.family() == among;
+}
+
 /// Selects the runs of a problem that succeeded and have the quantity.
-Contest contest_of(const std::string& problem, std::size_t quantity, bool elements_only,
+Contest contest_of(const std::string& problem, std::size_t quantity, const std::string& among,
                    const Cost& cost, const std::vector<Run>& runs) {
-  Contest contest{problem, elements_only ? "elements" : "all", quantity, {}};
+  Contest contest{problem, among, quantity, {}};
   for (const Run& run : runs) {
     const bool takes_part = run.contestant.problem == problem && run.status == "ok" &&
-                            !std::isnan(contest.error(run)) && (!elements_only || by_elements(run));
+                            !std::isnan(contest.error(run)) && is_among(run, among);
     if (takes_part) contest.runs.push_back(&run);
   }
   std::ranges::stable_sort(contest.runs, [&](const Run* first, const Run* second) {
@@ -55,23 +60,44 @@ Contest contest_of(const std::string& problem, std::size_t quantity, bool elemen
   return contest;
 }
 
-std::vector<Contest> contests(const Cost& cost, const std::vector<Run>& runs) {
-  std::vector<std::string> problems;
+void add_once(std::vector<std::string>& names, const std::string& name) {
+  if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+}
+
+/// Lists the contests of a problem: among all, among elements if these are fewer, and among the
+/// runs of each scheme.
+void add_contests(const std::string& problem, const Cost& cost, const std::vector<Run>& runs,
+                  std::vector<Contest>& all) {
+  std::vector<std::string> schemes;
   for (const Run& run : runs) {
-    const std::string& problem = run.contestant.problem;
-    if (std::ranges::find(problems, problem) == problems.end()) problems.push_back(problem);
+    if (run.contestant.problem == problem) add_once(schemes, run.contestant.family());
   }
-  std::vector<Contest> all;
-  for (const std::string& problem : problems) {
-    for (std::size_t quantity = 0; quantity < quantity_names.size(); ++quantity) {
-      const Contest contest = contest_of(problem, quantity, false, cost, runs);
-      if (contest.runs.empty()) continue;
-      all.push_back(contest);
-      const Contest elements = contest_of(problem, quantity, true, cost, runs);
-      if (elements.runs.size() < contest.runs.size()) all.push_back(elements);
+  for (std::size_t quantity = 0; quantity < quantity_names.size(); ++quantity) {
+    const Contest contest = contest_of(problem, quantity, "all", cost, runs);
+    if (contest.runs.empty()) continue;
+    all.push_back(contest);
+    const Contest elements = contest_of(problem, quantity, "elements", cost, runs);
+    if (elements.runs.size() < contest.runs.size()) all.push_back(elements);
+    for (const std::string& scheme : schemes) {
+      all.push_back(contest_of(problem, quantity, scheme, cost, runs));
     }
   }
+}
+
+std::vector<Contest> contests(const Cost& cost, const std::vector<Run>& runs) {
+  std::vector<std::string> problems;
+  for (const Run& run : runs) add_once(problems, run.contestant.problem);
+  std::vector<Contest> all;
+  for (const std::string& problem : problems) add_contests(problem, cost, runs, all);
   return all;
+}
+
+/// Returns the cheapest run within the accuracy, or null.
+const Run* cheapest(const Contest& contest, double accuracy, bool of_thesis) {
+  const auto found = std::ranges::find_if(contest.runs, [&](const Run* run) {
+    return contest.error(*run) <= accuracy && (!of_thesis || run->contestant.of_thesis());
+  });
+  return found == contest.runs.end() ? nullptr : *found;
 }
 
 std::vector<Cell> joined(std::vector<Cell> cells, std::initializer_list<Cell> more) {
@@ -80,9 +106,11 @@ std::vector<Cell> joined(std::vector<Cell> cells, std::initializer_list<Cell> mo
 }
 
 std::vector<Column> columns_of(const Cost& cost, const std::vector<Column>& first) {
-  std::vector<Column> columns{{"problem", "1", "plane, strip, transient or cylinder"},
+  std::vector<Column> columns{{"problem", "1", "plane, strip, transient, creepage or cylinder"},
                               {"quantity", "1", "of which the error is"},
-                              {"among", "1", "all, or elements: without chebyshev and inversion"}};
+                              {"among", "1",
+                               "all; elements: without chebyshev and inversion; or one scheme, of "
+                               "any basis, c and solver"}};
   columns.insert(columns.end(), first.begin(), first.end());
   const std::vector<Column> who = contestant_columns();
   columns.insert(columns.end(), who.begin() + 1, who.end());
@@ -107,7 +135,7 @@ void append(std::vector<Cell>& row, const std::vector<Cell>& cells) {
 
 std::vector<Column> contestant_columns() {
   return {
-      {"problem", "1", "plane, strip, transient or cylinder"},
+      {"problem", "1", "plane, strip, transient, creepage or cylinder"},
       {"scheme", "1", "collocation, chebyshev or inversion; step.scheme; with the integrator"},
       {"edge", "1", "leading_edge; aligned: standard, with the edges where the scheme feels them"},
       {"basis", "1", "constant, linear, quadratic, or linear with the last one trimmed"},
@@ -137,18 +165,32 @@ Table fronts_table(const std::string& name, const Cost& cost, const std::vector<
 }
 
 Table cheapest_table(const std::string& name, const Cost& cost, const std::vector<Run>& runs) {
-  Table table(name, fmt::format("the least {} for an accuracy", cost.name),
-              columns_of(cost, {{"accuracy", "1", "that the error must not exceed"}}));
+  std::vector<Column> columns =
+      columns_of(cost, {{"accuracy", "1", "that the error must not exceed"}});
+  columns.insert(columns.end(),
+                 {{"thesis_scheme", "1", "of the thesis, that reaches the accuracy at least cost"},
+                  {"thesis_elements", "1", "its N"},
+                  {"thesis_" + cost.name, cost.unit, "its cost"},
+                  {"gain", "1", "its cost over the least"}});
+  Table table(name, fmt::format("the least {} for an accuracy, beside the thesis's", cost.name),
+              columns);
   for (const Contest& contest : contests(cost, runs)) {
+    if (contest.among != "all" && contest.among != "elements") continue;
     for (const double accuracy : accuracies) {
-      const auto found = std::ranges::find_if(
-          contest.runs, [&](const Run* run) { return contest.error(*run) <= accuracy; });
+      const Run* found = cheapest(contest, accuracy, false);
+      const Run* thesis = cheapest(contest, accuracy, true);
       std::vector<Cell> row{contest.problem, quantity_names[contest.quantity], contest.among,
                             accuracy};
-      if (found == contest.runs.end()) {
-        append(row, {"none", "none", "none", not_given, "none", not_given, not_given, not_given});
+      if (found) {
+        append(row, cells_of(contest, cost, *found));
       } else {
-        append(row, cells_of(contest, cost, **found));
+        append(row, {"none", "none", "none", not_given, "none", not_given, not_given, not_given});
+      }
+      if (thesis) {
+        append(row, {thesis->contestant.family(), static_cast<double>(thesis->elements),
+                     thesis->*cost.value, thesis->*cost.value / (found->*cost.value)});
+      } else {
+        append(row, {"none", not_given, not_given, not_given});
       }
       table.add(row);
     }

@@ -13,7 +13,13 @@ std::vector<RunSeries> steady_contest(const SpeedAccuracyParameters& p);
 /// fine grid.
 std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p);
 
+/// Compares schemes that roll from a Cattaneo shift under a constant creepage likewise.
+std::vector<RunSeries> creepage_contest(const SpeedAccuracyParameters& p);
+
 /// Compares schemes for a cylinder that rolls from rest down a slope.
 std::vector<RunSeries> cylinder_contest(const SpeedAccuracyParameters& p);
+
+/// Measures what the number of elements does to the creepage under rough bounds.
+Table rough_table(const SpeedAccuracyParameters& p);
 
 }  // namespace microslip::experiments::speed_accuracy_study

@@ -28,6 +28,11 @@ std::string status_of(const Attempt& attempt, double limit) {
 
 }  // namespace
 
+bool Contestant::of_thesis() const {
+  const std::string& name = family();
+  return name == "standard" || name == "direct" || name.starts_with("direct ");
+}
+
 std::vector<Run> runs_of(const RunSeries& series, double repeats) {
   std::vector<Run> all;
   Runs runs(

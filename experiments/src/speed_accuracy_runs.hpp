@@ -14,16 +14,23 @@ namespace microslip::experiments::speed_accuracy_study {
 
 /// Identity of a run; a property without a role is "none" or nan.
 struct Contestant {
-  std::string problem;  ///< plane, strip, transient or cylinder
+  std::string problem;  ///< plane, strip, transient, creepage or cylinder
   std::string scheme;
   std::string edge;
   std::string basis;
   double step_ratio;
   std::string solver;
+
+  /// The scheme as a reader knows it: its edge treatment, or what solves without elements, or
+  /// `step.scheme`; of any basis, step ratio and solver.
+  const std::string& family() const { return scheme == "collocation" ? edge : scheme; }
+
+  /// Whether the thesis computes by this scheme.
+  bool of_thesis() const;
 };
 
-enum class Quantity { force, creep, traction, peak, energy, motion };
-inline constexpr std::array quantity_names = {"force", "creep",  "traction",
+enum class Quantity { force, creep, noise, traction, peak, energy, motion };
+inline constexpr std::array quantity_names = {"force", "creep",  "noise", "traction",
                                               "peak",  "energy", "motion"};
 
 /// Relative errors; nan if a problem does not have the quantity.

@@ -2,8 +2,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "campaign.hpp"
+#include "microslip/reference/carter.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/support/interpolation.hpp"
 #include "speed_accuracy_problems.hpp"
@@ -19,16 +22,56 @@ using Eigen::VectorXd;
 /// this.
 constexpr Index parts = 3;
 
-Rolled roll_a_part(const SpeedAccuracyParameters& p, Index elements, const AdvectionScheme& scheme,
-                   const Basis& basis, double step_ratio, Solver::Type type) {
+/// A transient scheme with its basis, step ratio and solver.
+struct Entrant {
+  AdvectionScheme scheme;
+  Basis basis;
+  double step_ratio;
+  Solver::Type type;
+};
+
+/// The reference, which is remembered with c = 1.
+Entrant finest() { return {Remembered{}, constant_basis(), 1, Solver::Type::automatic}; }
+
+CattaneoToCarter start_of(const SpeedAccuracyParameters& p, Index elements, const Entrant& by) {
   const auto& motion = p.transient;
-  return roll({.kernel = PlaneKernel(p.material, p.length),
-               .bound = motion.bound,
-               .grid = Grid({.half_width = motion.bound.half_width(), .elements = elements}),
-               .basis = basis,
-               .force = motion.force,
-               .solver = {.type = type}},
-              scheme, step_ratio, static_cast<double>(elements / parts));
+  return {.kernel = PlaneKernel(p.material, p.length),
+          .bound = motion.bound,
+          .grid = Grid({.half_width = motion.bound.half_width(), .elements = elements}),
+          .basis = by.basis,
+          .force = motion.force,
+          .solver = {.type = by.type}};
+}
+
+Rolled roll_a_part(const SpeedAccuracyParameters& p, Index elements, const Entrant& by) {
+  return roll(start_of(p, elements, by), by.scheme, by.step_ratio,
+              static_cast<double>(elements / parts));
+}
+
+/// The forces on the way under a constant creepage.
+struct Answer {
+  VectorXd distance;  ///< after each step, and 0
+  VectorXd force;
+  double rounds = 0;  ///< stick/slip partitions tried
+};
+
+/// Rolls from the shift on under the creepage with which Carter's solution has the same force.
+Answer answer_to_creepage(const SpeedAccuracyParameters& p, Index elements, const Entrant& by) {
+  const CattaneoToCarter start = start_of(p, elements, by);
+  TransientRolling rolling(start.problem(by.scheme), CattaneoShift{start.force});
+  const double dx = start.grid.spacing();
+  const Carter carter = Carter::from_force(p.material, p.transient.bound, start.force);
+  std::vector<double> distance{0}, force{start.force};
+  Answer answer;
+  rolling.roll(p.transient.bound.half_width() * 2 / parts, {by.step_ratio * dx},
+               PrescribedCreepage{carter.creepage()}, [&](const TransientState& state) {
+                 distance.push_back(state.distance);
+                 force.push_back(state.force);
+                 answer.rounds += state.iterations;
+               });
+  answer.distance = VectorXd::Map(distance.data(), static_cast<Index>(distance.size()));
+  answer.force = VectorXd::Map(force.data(), static_cast<Index>(force.size()));
+  return answer;
 }
 
 /// Returns the place of the peak, which starts at the leading end of the stick zone, k = (1 -
@@ -37,6 +80,25 @@ double peak_place(const SpeedAccuracyParameters& p) {
   const double a = p.transient.bound.half_width();
   const double part = p.transient.force / full_sliding_force(p.transient.bound);
   return a * (std::sqrt(1 - part) - 2.0 / parts);
+}
+
+/// Returns the mean creepage of each step of the second half of the way.
+/// \param creep  at the distances
+VectorXd late_creepages(const VectorXd& distance, const VectorXd& creep) {
+  const Index steps = distance.size() / 2;
+  const auto rise = [&](const VectorXd& of) -> VectorXd {
+    return of.tail(steps) - of.segment(of.size() - steps - 1, steps);
+  };
+  return rise(creep).cwiseQuotient(rise(distance));
+}
+
+/// Returns the deviation of the errors of the late creepages from their mean, over the mean
+/// creepage: a constant error is no noise.
+double noise_of(const Rolled& rolled, const VectorXd& exact_creep) {
+  const VectorXd exact = late_creepages(rolled.distance, exact_creep);
+  const VectorXd error = late_creepages(rolled.distance, rolled.creep) - exact;
+  const VectorXd noise = error.array() - error.mean();
+  return noise.norm() / std::sqrt(static_cast<double>(noise.size())) / exact.mean();
 }
 
 Judgement judge(const SpeedAccuracyParameters& p, const Rolled& rolled, const Rolled& reference) {
@@ -54,16 +116,26 @@ Judgement judge(const SpeedAccuracyParameters& p, const Rolled& rolled, const Ro
   judgement.errors[Quantity::creep] = (rolled.creep - creep).norm() /
                                       std::sqrt(static_cast<double>(creep.size() - 1)) /
                                       reference.creep.tail(1)[0];
+  judgement.errors[Quantity::noise] = noise_of(rolled, creep);
   judgement.errors[Quantity::traction] = spacing * difference.sum() / p.transient.force;
   judgement.errors[Quantity::peak] = std::abs(height / exact_height - 1);
   return judgement;
 }
 
-}  // namespace
+Judgement judge(const Answer& answer, const Answer& reference) {
+  const VectorXd exact = interpolated(reference.distance, reference.force, answer.distance);
+  Judgement judgement{.errors = {}, .rounds = answer.rounds};
+  judgement.errors[Quantity::force] = (answer.force - exact).norm() /
+                                      std::sqrt(static_cast<double>(exact.size() - 1)) /
+                                      std::abs(reference.force[0]);
+  return judgement;
+}
 
-std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p) {
-  const auto reference = std::make_shared<const Rolled>(roll_a_part(
-      p, p.transient.reference, Remembered{}, constant_basis(), 1, Solver::Type::automatic));
+/// Lists the runs of all schemes, bases, step ratios and solvers.
+/// \param solve_by  gives what an Entrant solves
+template <class SolveBy>
+std::vector<RunSeries> all_entrants(const SpeedAccuracyParameters& p, const std::string& problem,
+                                    const SolveBy& solve_by) {
   std::vector<RunSeries> all;
   for (const AdvectionEntry& entry : advection_schemes()) {
     const AdvectionScheme scheme = entry.scheme(1);
@@ -72,22 +144,39 @@ std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p) {
       for (const std::string_view name : basis_names()) {
         const Basis basis = make_basis(name);
         for (const double c : p.transient.step_ratios) {
-          const Solve solve = [=](Index elements) {
-            return [=, rolled = roll_a_part(p, elements, scheme, basis, c, type)] {
-              return judge(p, rolled, *reference);
-            };
-          };
-          all.push_back(
-              {{"transient", std::string(entry.name), edge, basis.name(), c, name_of(type)},
-               p.sizes,
-               p.transient.limit,
-               1,
-               solve});
+          all.push_back({{problem, std::string(entry.name), edge, basis.name(), c, name_of(type)},
+                         p.sizes,
+                         p.transient.limit,
+                         1,
+                         solve_by(Entrant{scheme, basis, c, type})});
         }
       }
     }
   }
   return all;
+}
+
+}  // namespace
+
+std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p) {
+  const auto reference =
+      std::make_shared<const Rolled>(roll_a_part(p, p.transient.reference, finest()));
+  return all_entrants(p, "transient", [&](const Entrant& by) -> Solve {
+    return [=](Index elements) {
+      return [=, rolled = roll_a_part(p, elements, by)] { return judge(p, rolled, *reference); };
+    };
+  });
+}
+
+std::vector<RunSeries> creepage_contest(const SpeedAccuracyParameters& p) {
+  const auto reference =
+      std::make_shared<const Answer>(answer_to_creepage(p, p.transient.reference, finest()));
+  return all_entrants(p, "creepage", [&](const Entrant& by) -> Solve {
+    return [=](Index elements) {
+      return
+          [=, answer = answer_to_creepage(p, elements, by)] { return judge(answer, *reference); };
+    };
+  });
 }
 
 }  // namespace microslip::experiments::speed_accuracy_study

@@ -128,6 +128,7 @@ struct Axes {
   std::string over;
   std::string value;
   Names families;  ///< keys of which each combination is a line
+  Names together;  ///< other swept keys of several values, which follow the running one
 };
 
 /// The swept key that has most values and is a number, the last of several; else the last one.
@@ -157,7 +158,7 @@ std::string answer(const Cases& cases) {
 }
 
 Axes axes_of(const Cases& cases, const SweepView& view) {
-  Axes axes{.over = view.over, .value = view.value, .families = {}};
+  Axes axes{.over = view.over, .value = view.value, .families = {}, .together = {}};
   if (!axes.over.empty()) cases.require_column("over", axes.over);
   if (!axes.value.empty()) cases.require_column("value", axes.value);
   std::string running = running_key(cases);
@@ -169,7 +170,12 @@ Axes axes_of(const Cases& cases, const SweepView& view) {
         "--value '{}': expected a column with numbers, of which there are none", axes.value));
   }
   for (const std::string& key : cases.swept()) {
-    if (key != running && !cases.follows(key, running)) axes.families.push_back(key);
+    if (key == running) continue;
+    if (!cases.follows(key, running)) {
+      axes.families.push_back(key);
+    } else if (axes.over == running && cases.values(key) > 1) {
+      axes.together.push_back(key);
+    }
   }
   if (view.by.empty()) return axes;
   const auto by = std::ranges::find(axes.families, view.by);
@@ -368,7 +374,9 @@ Drawing drawing_of_sweeps(const std::vector<Result>& results, const SweepView& v
     if (k > 0) continue;
     const Places places(cases, axes.over);
     drawing.unit = cases.unit(axes.over);
-    drawing.axes = {{"x_label", with_unit(axes.over, drawing.unit)},
+    const std::string others =
+        axes.together.empty() ? "" : ", with its own " + joined(axes.together, ", ");
+    drawing.axes = {{"x_label", with_unit(axes.over, drawing.unit) + others},
                     {"y_label", with_unit(axes.value, cases.unit(axes.value))},
                     {"x_tics", places.tics()}};
   }

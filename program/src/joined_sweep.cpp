@@ -52,12 +52,9 @@ std::vector<Table> tables_of(const SweepPlan& plan, const Progress& progress) {
     };
     std::vector<Table> tables;
     try {
-      tables = plan.cases[index].work(in_case);
+      tables = with_keys([&] { return plan.cases[index].work(in_case); });
     } catch (const NotConverged& error) {
       throw NotConvergedAt(case_label(plan.table, index), error);
-    } catch (const BadParameter& error) {
-      throw std::invalid_argument(
-          fmt::format("{}: {}", case_label(plan.table, index), in_keys(error).what()));
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(
           fmt::format("{}: {}", case_label(plan.table, index), error.what()));

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "provenance.hpp"
 
+#include <fftw3.h>
 #include <fmt/core.h>
+#include <gnu/libc-version.h>
+#include <gsl/gsl_version.h>
+#include <sys/resource.h>
 
 #include <Eigen/Core>
 #include <boost/version.hpp>
@@ -30,6 +34,28 @@ std::string revision() {
   return std::getline(file, line) && !line.empty() ? line : "unknown";
 }
 
+std::string libraries() {
+  return fmt::format("Eigen {}.{}.{}, Boost {}, fmt {}.{}.{}, {}, GSL {}, C library {}",
+                     EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION,
+                     BOOST_LIB_VERSION, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+                     FMT_VERSION % 100, fftw_version, gsl_version, gnu_get_libc_version());
+}
+
+std::string processor() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+/// The most memory that this process has had  [bytes]
+double peak_memory() {
+  rusage usage{};
+  return getrusage(RUSAGE_SELF, &usage) == 0 ? 1024.0 * static_cast<double>(usage.ru_maxrss) : 0;
+}
+
 }  // namespace
 
 std::filesystem::path share_folder() {
@@ -49,9 +75,8 @@ std::string provenance(const std::string& program, int argc, const char* const* 
   text << version_line(program) << "\ndate: " << std::put_time(&utc, "%F %T UTC") << "\ncommand:";
   for (int i = 0; i < argc; ++i) text << ' ' << std::quoted(argv[i], '\'');
   text << fmt::format(
-      "\ncompiler: {}\nlibraries: Eigen {}.{}.{}, Boost {}, fmt {}.{}.{}\nwall time: {:.3g} s\n",
-      __VERSION__, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, BOOST_LIB_VERSION,
-      FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100, wall_time.count());
+      "\ncompiler: {}\nlibraries: {}\nprocessor: {}\nwall time: {:.3g} s\npeak memory: {:.3g} MB\n",
+      compiler, libraries(), processor(), wall_time.count(), peak_memory() / 1e6);
   return text.str();
 }
 

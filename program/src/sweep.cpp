@@ -85,20 +85,39 @@ Outcome solve_cases(const Program& program, const SweepPlan& plan, const SweepFo
   return outcome;
 }
 
-/// One line on stderr if a case has a warning.
+/// Cases that are warned of alike.
+struct WarnedCases {
+  std::string kind;        ///< the warning's key and doubt, without its value
+  std::size_t count = 0;   ///< of cases
+  std::size_t latest = 0;  ///< number of the last one
+  std::string first;       ///< the first one with its warning
+};
+
+/// A line on stderr for each kind of warning: how many cases have it, and the first of them.
 void report_warnings(const Program& program, const SweepPlan& plan) {
-  std::size_t warned = 0;
-  std::string first;
+  std::vector<WarnedCases> kinds;
   for (std::size_t i = 0; i < plan.cases.size(); ++i) {
-    const Parameters& origin = plan.cases[i].parameters;
-    const auto warning = std::find_if(origin.begin(), origin.end(),
-                                      [](const auto& entry) { return entry.first == "warning"; });
-    if (warning == origin.end()) continue;
-    if (++warned == 1) first = fmt::format("{}: {}", case_label(plan.table, i), warning->second);
+    for (const auto& [name, line] : plan.cases[i].parameters) {
+      if (name != "warning") continue;
+      const std::string kind = kind_of_warning(line);
+      auto found = std::ranges::find(kinds, kind, &WarnedCases::kind);
+      if (found == kinds.end()) {
+        const std::string first = fmt::format("{}: {}", case_label(plan.table, i), line);
+        found = kinds.insert(kinds.end(), {.kind = kind, .first = first});
+      }
+      if (found->count == 0 || found->latest != i) ++found->count;
+      found->latest = i;
+    }
   }
-  if (warned == 0) return;
-  std::cerr << program.name << ": warning: " << warned << " of " << plan.cases.size()
-            << " cases have warnings, the first is " << first << '\n';
+  constexpr std::size_t most_lines = 10;
+  for (std::size_t k = 0; k < std::min(most_lines, kinds.size()); ++k) {
+    std::cerr << program.name << ": warning: " << kinds[k].count << " of " << plan.cases.size()
+              << " cases, the first is " << kinds[k].first << '\n';
+  }
+  if (kinds.size() > most_lines) {
+    std::cerr << program.name << ": warning: and " << kinds.size() - most_lines
+              << " other warnings, which stand in the tables of the cases\n";
+  }
 }
 
 /// The exit status, with one line on stderr if a case has no solution.

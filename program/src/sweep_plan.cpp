@@ -73,10 +73,9 @@ SweepPlan plan_of(const Program& program, Scene scene) {
           fmt::format("{}{}: {}", place, case_label(plan.table, i), error.what()));
     };
     try {
-      plan.cases.push_back(read_case(program, one));
+      plan.cases.push_back(with_keys([&] { return read_case(program, one); }));
     } catch (const BadParameter& error) {
-      const BadParameter of_key = in_keys(error);
-      fail(one.place_of(of_key.name()), of_key);
+      fail(one.place_of(error.name()), error);
     } catch (const std::invalid_argument& error) {
       fail("", error);
     }

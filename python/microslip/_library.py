@@ -38,7 +38,7 @@ JACOBIAN = np.dtype([("by_load", SLOPES), ("by_length", SLOPES)], align=True)
 
 class Steps(c.Structure):
     _fields_ = [("count", c.c_size_t), *((name, c.c_void_p) for name in (
-        "dq", "creepage", "force", "half_width", "bound"))]
+        "dq", "creepage", "force", "half_width_factor", "bound_factor"))]
 
 
 class SteadyNodes(c.Structure):
@@ -111,6 +111,7 @@ def _load() -> c.CDLL:
         "py_steady_size": (size, (handle,)),
         "py_full_sliding": (number, (handle,)),
         "py_steady_warnings": (text, (handle,)),
+        "py_fastsim": (c.c_int, (handle, number, array, size, array)),
         "py_steady_solve": (c.c_int, (handle, c.c_int, array, size, c.c_int, array, c.POINTER(SteadyNodes),
                                       array, size)),
     }

@@ -55,6 +55,9 @@ def plot_curve(steady: Any, axes: Any = None) -> Any:
     axes = _new_axes() if axes is None else axes
     (line,) = axes.plot(100 * np.abs(steady.creepage), np.abs(steady.force), label="steady rolling")
     line.sticky_edges.x[:] = line.sticky_edges.y[:] = [0]  # axes begin there, and still grow with other curves
+    if steady.fastsim_force is not None:
+        axes.plot(100 * np.abs(steady.creepage), np.abs(steady.fastsim_force), linestyle=":", color=line.get_color(),
+                  label="FASTSIM")
     axes.axhline(steady.full_sliding, color="0.6", linewidth=0.8, linestyle="--", label="full sliding")
     axes.set(xlabel="creepage [%]", ylabel="force [N/mm]")
     axes.autoscale_view()

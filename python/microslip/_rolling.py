@@ -136,8 +136,8 @@ class Rolling:
 
     # Steps
 
-    def roll(self, dq: Values, *, creepage: Values = None, force: Values = None, half_width: Values = None,
-             bound: Values = None, progress: Progress = None) -> Any:
+    def roll(self, dq: Values, *, creepage: Values = None, force: Values = None, half_width_factor: Values = None,
+             bound_factor: Values = None, progress: Progress = None) -> Any:
         """Rolls on, by one step or by many.
 
         Parameters
@@ -150,8 +150,8 @@ class Rolling:
         force : float or array, optional
             F at the end of each step, less in absolute value than full sliding  [N/mm]; instead of
             creepage. Without either the load of the last step goes on.
-        half_width, bound : float or array, optional
-            The contact at the end of each step, as set_contact() takes it  [1].
+        half_width_factor, bound_factor : float or array, optional
+            Of the contact at the end of each step, as set_contact() takes them  [1].
         progress : bool or function
             As of ms.solve().
 
@@ -165,11 +165,12 @@ class Rolling:
         InputError, NoSolution
             No step has been made then; the message names the first that fails, from 0.
         """
-        given = {"dq": numbers("dq", dq), "creepage": creepage, "force": force, "half_width": half_width, "bound": bound}
+        given = {"dq": numbers("dq", dq), "creepage": creepage, "force": force, "half_width_factor": half_width_factor,
+                 "bound_factor": bound_factor}
         self._require_load(creepage, force)
-        if (half_width is None) != (bound is None):
-            given["half_width"] = self._contact[0] if half_width is None else half_width
-            given["bound"] = self._contact[1] if bound is None else bound
+        if (half_width_factor is None) != (bound_factor is None):
+            given["half_width_factor"] = self._contact[0] if half_width_factor is None else half_width_factor
+            given["bound_factor"] = self._contact[1] if bound_factor is None else bound_factor
         columns = broadcast(given)
         if columns["dq"].ndim == 0:
             self._roll_once(**{name: float(value) for name, value in columns.items()})
@@ -180,11 +181,11 @@ class Rolling:
         return states
 
     def _roll_once(self, dq: float, creepage: Optional[float] = None, force: Optional[float] = None,
-                   half_width: Optional[float] = None, bound: Optional[float] = None) -> None:
+                   half_width_factor: Optional[float] = None, bound_factor: Optional[float] = None) -> None:
         """Without the copy that an array of steps takes, which costs about as much as a step."""
         with self._settings_kept():
-            if half_width is not None:
-                self._call("set_contact", half_width, bound)
+            if half_width_factor is not None:
+                self._call("set_contact", half_width_factor, bound_factor)
             self._set_load(creepage, force)
             self._call("advance", dq)
 
@@ -226,8 +227,8 @@ class Rolling:
         for kind in ("creepage", "force"):
             if kind in columns:
                 self._load = Load(kind, float(columns[kind].flat[-1]))
-        if "bound" in columns:
-            self._contact = (float(columns["half_width"].flat[-1]), float(columns["bound"].flat[-1]))
+        if "bound_factor" in columns:
+            self._contact = (float(columns["half_width_factor"].flat[-1]), float(columns["bound_factor"].flat[-1]))
 
     def attempt(self, dq: float, *, creepage: Optional[float] = None, force: Optional[float] = None,
                 jacobian: bool = False) -> Any:
@@ -277,18 +278,18 @@ class Rolling:
         """What the next step is made under, if nothing else is given; None before the first."""
         return self._load
 
-    def set_contact(self, half_width: float, bound: float) -> None:
+    def set_contact(self, half_width_factor: float, bound_factor: float) -> None:
         """The contact at the end of the next step or shift, to which it changes linearly on the way.
 
         Parameters
         ----------
-        half_width, bound : float
+        half_width_factor, bound_factor : float
             Over those that the contact began with, >= 0: both are sqrt(P/P0) under another normal load by
             Hertz's theory, and another friction coefficient changes the bound alone. With 0, bodies do not
             touch. Scheme remembered  [1].
         """
-        self._call("set_contact", float(half_width), float(bound))
-        self._contact = (float(half_width), float(bound))
+        self._call("set_contact", float(half_width_factor), float(bound_factor))
+        self._contact = (float(half_width_factor), float(bound_factor))
 
     def start_from_shift(self, force: float) -> float:
         """From no tractions, shifts the bodies without rolling until they carry a force, Cattaneo's problem.

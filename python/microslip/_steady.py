@@ -39,6 +39,8 @@ class Steady:
         At the nodes, in the last dimension.
     full_sliding : float
         The largest force that the bound allows  [N/mm].
+    fastsim_force : numpy.ndarray or None
+        By Kalker's simplified theory at the same creepages, if ms.creep_curve() was asked for it  [N/mm].
     messages : list of str
         Of each load in turn, why it has no solution; empty if it has one.
     units : dict of str
@@ -55,6 +57,7 @@ class Steady:
         self.dissipation = states["dissipation"]
         self.x, self.bound, self.traction = nodes["x"], nodes["bound"], nodes["traction"]
         self.slip, self.displacement = nodes["slip"], nodes["displacement"]
+        self.fastsim_force: Optional[np.ndarray] = None
 
     def __len__(self) -> int:
         return self.states.size
@@ -107,6 +110,16 @@ class _Contact:
         return Steady(states.reshape(loads.shape),
                       {name: values.reshape(loads.shape + (self.nodes,)) for name, values in nodes.items()},
                       self.full_sliding, [line.decode() for line in messages])
+
+    def fastsim(self, creepages: np.ndarray) -> np.ndarray:
+        """Forces by FASTSIM; its flexibility is that with which the slope without slip is that of this contact."""
+        small = 1e-9 * float(np.abs(creepages).max())
+        without_slip = self.solve(CREEPAGE, np.array(small), 1)
+        _raise_first(without_slip, "raise")
+        forces, at = np.empty(creepages.size), np.ascontiguousarray(creepages, dtype=float)
+        require_ok(call("py_fastsim", self.handle, abs(float(without_slip.force)) / small, at.ctypes.data, at.size,
+                        forces.ctypes.data))
+        return forces
 
 
 def threads_of(threads: Optional[int]) -> int:
@@ -182,8 +195,8 @@ def _raise_first(found: Steady, missing: str) -> None:
             raise error_of(int(status), f"load {number}: {message}" if len(found) > 1 else message)
 
 
-def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, threads: Optional[int] = None,
-                progress: Progress = None, **overrides: Any) -> Steady:
+def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, beside: Optional[str] = None,
+                threads: Optional[int] = None, progress: Progress = None, **overrides: Any) -> Steady:
     """The curve of force and creepage in steady rolling, from rest to full sliding and beyond.
 
     Parameters
@@ -195,6 +208,8 @@ def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, t
         up to half as much creepage again, where all slides.
     most : float
         Largest part of full sliding below it, above 0, below 1.
+    beside : {None, "fastsim"}
+        Another curve for comparison, in ``.fastsim_force``: Kalker's simplified theory of like bodies.
     threads, progress, **overrides
         As of ms.steady().
 
@@ -217,6 +232,9 @@ def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, t
     if not 0 < most < 1:
         raise InputError(f"most = {most!r}: expected a number above 0, below 1", "most", repr(most),
                          "a number above 0, below 1")
+    if beside not in (None, "fastsim"):
+        raise InputError(f"beside = {beside!r}: expected None or 'fastsim'", "beside", repr(beside),
+                         "None or 'fastsim'")
     contact = _read(scene, overrides)
     told, cores = shown_progress(progress), threads_of(threads)
     below = (3 * points + 3) // 4
@@ -226,7 +244,10 @@ def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, t
     last = float(rising.creepage[-1])
     sliding = contact.solve(CREEPAGE, last * np.linspace(1, 1.5, points - below + 1)[1:], cores, told)
     _raise_first(sliding, "raise")
-    return _joined(rising, sliding)
+    curve = _joined(rising, sliding)
+    if beside is not None:
+        curve.fastsim_force = contact.fastsim(curve.creepage)
+    return curve
 
 
 def _joined(first: Steady, second: Steady) -> Steady:

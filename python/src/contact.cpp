@@ -3,7 +3,9 @@
 #include "error.hpp"
 #include "handle.hpp"
 #include "interface.hpp"
+#include "microslip/reference/fastsim.hpp"
 #include "microslip/support/parallel.hpp"
+#include "microslip/support/require.hpp"
 #include "scene.hpp"
 #include "steady.hpp"
 
@@ -47,6 +49,18 @@ std::size_t microslip_py_steady_size(const microslip_py_steady* steady) {
 
 double microslip_py_full_sliding(const microslip_py_steady* steady) {
   return full_sliding_force(steady->problem.bound);
+}
+
+int microslip_py_fastsim(const microslip_py_steady* steady, double slope, const double* creepages,
+                         std::size_t count, double* forces) {
+  return python::status_of([&] {
+    const TractionBound& bound = steady->problem.bound;
+    if (steady->problem.has_unlike_bodies()) {
+      reject("beside", "fastsim", "None for bodies of different material");
+    }
+    const Fastsim fastsim(half_width_of(bound), full_sliding_force(bound), slope);
+    for (std::size_t i = 0; i < count; ++i) forces[i] = fastsim.force(creepages[i]);
+  });
 }
 
 const char* microslip_py_steady_warnings(const microslip_py_steady* steady) {

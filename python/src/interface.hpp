@@ -76,6 +76,11 @@ MICROSLIP_API microslip_py_steady* microslip_py_steady_read(const microslip_py_s
 MICROSLIP_API void microslip_py_steady_destroy(microslip_py_steady* steady);
 MICROSLIP_API std::size_t microslip_py_steady_size(const microslip_py_steady* steady);
 MICROSLIP_API double microslip_py_full_sliding(const microslip_py_steady* steady);
+/// FASTSIM's force of each creepage in the same contact, see curve.beside.
+/// \param slope   |dF/dw| at w = 0  [N/mm]
+/// \param forces  out
+MICROSLIP_API int microslip_py_fastsim(const microslip_py_steady* steady, double slope,
+                                       const double* creepages, std::size_t count, double* forces);
 MICROSLIP_API const char* microslip_py_steady_warnings(const microslip_py_steady* steady);
 /// As microslip_solve_steady(), on several threads.
 /// \param messages  `count` rows of `room` bytes: why a load has no solution

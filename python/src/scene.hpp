@@ -15,10 +15,9 @@ Scene scene_of(const microslip_py_scene& given);
 template <class Action>
 auto placed(const Scene& scene, Action action) {
   try {
-    return action();
+    return with_keys(action);
   } catch (const BadParameter& error) {
-    const BadParameter of_key = in_keys(error);
-    throw BadParameter(of_key.name(), scene.place_of(of_key.name()) + of_key.what());
+    throw BadParameter(error.name(), scene.place_of(error.name()) + error.what());
   }
 }
 

@@ -199,7 +199,7 @@ TEST_P(EveryCase, RollOnContactsThatChange) {
   EXPECT_STREQ(microslip_message(handle.get()),
                "force = 0.1: expected 0 where bodies do not touch");
   EXPECT_EQ(microslip_set_contact(handle.get(), -1, 1), MICROSLIP_BAD_INPUT);
-  EXPECT_STREQ(microslip_message(handle.get()), "half_width = -1: expected a number >= 0");
+  EXPECT_STREQ(microslip_message(handle.get()), "half_width_factor = -1: expected a number >= 0");
 }
 
 TEST_P(EveryCase, ACopyGoesOnAlikeAndByItself) {

@@ -33,6 +33,22 @@ function octave_test()
   microslip_mex('roll', together, dq, 'force', 900 * cos(1:30));
   expect_error(@() microslip_mex('roll', together, [0.1, -1], 'force', [1, 2]), 'step 2: dq = -1: expected');
   expect_error(@() microslip_mex('roll', together, [0.1, 1], 'force', 1), 'as many numbers as dq has');
+
+  % Bodies of different material creep in free rolling, in the direction of beta.
+  unlike = problem;
+  unlike.friction = 0.3;
+  for beta = [0, 0.2, -0.2]
+    unlike.dundurs_beta = beta;
+    contact = microslip_mex('create', unlike);
+    free = microslip_mex('roll', contact, 0.5 * ones(1, 60), 'force', zeros(1, 60));
+    final(find([0, 0.2, -0.2] == beta)) = free.creepage(end);
+    microslip_mex('destroy', contact);
+  end
+  assert(abs(final(1)) < 1e-12);
+  assert(abs(final(2)) > 1e-6);
+  assert(final(3), -final(2), 1e-9 * abs(final(2)));
+  expect_error(@() microslip_mex('steady', unlike, 'force', 0), 'dundurs_beta: expected none');
+
   microslip_mex('destroy', together);
   microslip_mex('destroy', single);
 end

@@ -94,7 +94,7 @@ TEST(CRoll, ThatFailsMakesNoStep) {
   expect_refused("steps[17]: dq = -1: expected from 1e-15 to", [](Steps& r) { r.dq[17] = -1; });
   expect_refused("steps[0]: force = nan: expected an absolute value",
                  [&](Steps& r) { r.load[0] = nan; });
-  expect_refused("steps[5]: half_width = -2: expected a number >= 0",
+  expect_refused("steps[5]: half_width_factor = -2: expected a number >= 0",
                  [](Steps& r) { r.half_width[5] = -2; });
 }
 
@@ -112,7 +112,7 @@ TEST(CRoll, RefusesStepsThatAreNone) {
   expect_of("steps.dq = null: expected a pointer", {1, nullptr, &one, nullptr, nullptr, nullptr});
   expect_of("steps.force: expected null where there are creepages",
             {1, &one, &one, &one, nullptr, nullptr});
-  expect_of("steps.bound: expected an array where steps.half_width is one, else null",
+  expect_of("steps.bound_factor: expected an array where steps.half_width_factor is one, else null",
             {1, &one, &one, nullptr, &one, nullptr});
   expect_of("steps[0]: load: expected a creepage or a force to be set",
             {1, &one, nullptr, nullptr, nullptr, nullptr});

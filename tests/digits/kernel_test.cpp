@@ -29,7 +29,7 @@ struct KernelFunction : Stated {
 template <class Member>
 auto of(Member member) {
   return [member](const Kernel& kernel, double z) {
-    return std::visit([&](const auto& k) { return member(k, z); }, kernel);
+    return visit_half_space([&](const auto& k) { return member(k, z); }, kernel);
   };
 }
 

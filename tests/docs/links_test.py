@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""README and docs/: links lead somewhere, and commands are those that there are. Usage: links_test.py PROGRAMS"""
+"""README, CONTRIBUTING, CHANGELOG and docs/: links lead somewhere, and commands are those that there are. Usage: links_test.py PROGRAMS"""
 import re
 import subprocess
 import sys
@@ -9,7 +9,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAMS = Path(sys.argv.pop())
-PAGES = [ROOT / "README.md", *sorted(ROOT.glob("docs/*.md"))]
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md", *sorted(ROOT.glob("docs/*.md"))]
 
 
 def text_of(page):
@@ -55,6 +55,13 @@ class Commands(unittest.TestCase):
             for command in commands(page):
                 if match := re.match(r"make ([a-z_-]+)", command):
                     self.assertIn(match[1], targets, f"{page.name}: {command}")
+
+    def test_of_make_are_all_listed_by_make(self):
+        makefile = text_of(ROOT / "Makefile").replace("\\\n", " ")
+        targets = re.search(r"^\.PHONY: (.*)$", makefile, re.MULTILINE)[1].split()
+        self.assertGreater(len(targets), 20)
+        for target in set(targets) - {"help", "deps", "$(STUDIES)"}:
+            self.assertRegex(makefile, rf"echo '.*make {target}[ ']", target)
 
     def test_write_where_git_does_not_look(self):
         """Files and folders that a command writes in the top folder are ignored."""

@@ -93,8 +93,8 @@ def test_arrays_of_steps_are_those_one_by_one_to_the_bit(scene, random):
     dq, load = random.uniform(0.01, 0.6, count), random.uniform(-1, 1, count)
     sizes = random.uniform(0.8, 1.2, (2, count))
     for given in ({"creepage": 0.003 * load}, {"force": 1400 * load},
-                  {"creepage": 0.003 * load, "half_width": sizes[0], "bound": sizes[1]},
-                  {"force": 900 * load, "half_width": sizes[0]}, {"creepage": 0.001}):
+                  {"creepage": 0.003 * load, "half_width_factor": sizes[0], "bound_factor": sizes[1]},
+                  {"force": 900 * load, "half_width_factor": sizes[0]}, {"creepage": 0.001}):
         contact, twin = ms.Rolling(scene), ms.Rolling(scene)
         states = contact.roll(dq, **given)
         for k in range(count):
@@ -109,7 +109,7 @@ def test_numbers_go_together_with_arrays(scene):
     assert contact.roll([0.1] * 3).shape == (3,)  # under the last creepage
     assert contact.state.creepage == 0.002
     assert contact.roll([]).shape == (0,)
-    assert contact.roll([0.1] * 3, half_width=1.1)["force"].shape == (3,)
+    assert contact.roll([0.1] * 3, half_width_factor=1.1)["force"].shape == (3,)
     assert contact.state.distance == pytest.approx(0.8)
 
 
@@ -140,7 +140,7 @@ def test_energy_is_balanced(scene, random):
     ({"dq": 0.1, "creepage": 1, "force": 2}, r"^force: expected a creepage or a force, not both"),
     ({"dq": "far", "creepage": 1}, r"^dq = 'far': expected numbers"),
     ({"dq": np.ones((2, 2)), "creepage": 1}, r"^dq: expected a number or an array of one dimension"),
-    ({"dq": 0.1, "creepage": 0, "half_width": -1}, r"^half_width = -1: expected a number >= 0")])
+    ({"dq": 0.1, "creepage": 0, "half_width_factor": -1}, r"^half_width_factor = -1: expected a number >= 0")])
 def test_a_call_that_fails_changes_nothing(scene, given, message):
     contact = started(scene)
     before = everything(contact)
@@ -202,11 +202,11 @@ def test_contacts_that_change_carry_what_they_can(scene):
     contact = ms.Rolling(scene)
     full = contact.full_sliding
     for size in (1, 1.2, 0.5):
-        state = contact.roll(5, creepage=1, half_width=size, bound=size)
+        state = contact.roll(5, creepage=1, half_width_factor=size, bound_factor=size)
         assert state.force == pytest.approx(-full * size**2, rel=0.01)
         assert contact.full_sliding == pytest.approx(full * size**2)
-    assert contact.roll(0.1, half_width=0, bound=1).force == 0
-    with pytest.raises(ms.InputError, match="^bound = -1: expected a number >= 0"):
+    assert contact.roll(0.1, half_width_factor=0, bound_factor=1).force == 0
+    with pytest.raises(ms.InputError, match="^bound_factor = -1: expected a number >= 0"):
         contact.set_contact(1, -1)
 
 

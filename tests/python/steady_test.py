@@ -97,6 +97,25 @@ def test_loads_without_solution_are_errors_or_nan(scene):
         ms.steady(strict, force=[-300, 1e6], missing="nan")
 
 
+def test_fastsim_is_beside_the_curve_as_the_program_has_it(plane, random):
+    for _ in range(5):
+        contact = {**plane, "contact": {"half_width": random.uniform(1, 9), "peak_traction": random.uniform(50, 500)}}
+        curve = ms.creep_curve(contact, points=30, beside="fastsim")
+        full = curve.full_sliding
+        assert curve.fastsim_force[0] == 0 and np.all(np.diff(curve.fastsim_force) <= 0)
+        deviation = (curve.fastsim_force - curve.force) / full
+        assert deviation.min() > -1e-9 and 0.05 < deviation.max() <= 1 / 16 + 1e-6  # Carter's less FASTSIM's
+        # Kalker's slope, of the first part in which next to nothing slips: |F| = F_max (1 - (1 - w/w_slide)^2)
+        slide = 2 * (1 - 0.28) * contact["contact"]["peak_traction"] / 82000
+        xi = np.minimum(1, 2 * curve.creepage / slide / 3)
+        assert np.allclose(-curve.fastsim_force / full, 3 * xi - 3 * xi**2 + xi**3, atol=1e-6)
+    assert ms.creep_curve(plane, points=5).fastsim_force is None
+    with pytest.raises(ms.InputError, match="^beside = 'contact': expected None or 'fastsim'"):
+        ms.creep_curve(plane, beside="contact")
+    with pytest.raises(ms.InputError, match="^beside = 'fastsim': expected None for bodies of different material"):
+        ms.creep_curve(plane, beside="fastsim", material={"dundurs_beta": 0.2}, contact_friction=0.3)
+
+
 @pytest.mark.parametrize("points", [5, 12, 41])
 def test_a_curve_rises_to_full_sliding_and_stays_there(plane, points):
     told = []

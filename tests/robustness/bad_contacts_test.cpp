@@ -114,7 +114,7 @@ TEST_F(BadScenes, LoadRatios) {
   rejected("stick_ratio=0.5' --set 'load.force=1",
            "expected only one of 'load.force' and 'load.stick_ratio'");
   rejected("stick_ratio=0.5' --set kernel.length= --set kernel.type=strip --set 'kernel.width=1",
-           "load.stick_ratio = 0.5: expected kernel.type plane, as it is Carter's");
+           "load.stick_ratio = 0.5: expected kernel.type plane without a layer");
   expect_rejected(good_scene,
                   "--set load.creepage= --set load.stick_ratio=0.5 --set "
                   "contact.bound_polynomial=1",

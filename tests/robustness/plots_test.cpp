@@ -202,6 +202,29 @@ TEST_F(SweepPlots, KeysTogetherAreOneAxis) {
   const std::string figure = drawn("s", "s.svg");
   EXPECT_TRUE(has(figure, ">creepage<"));
   EXPECT_FALSE(has(figure, "peak_traction = "));
+  // The last of them with numbers is the axis by default, and the other one stands beside it.
+  EXPECT_TRUE(has(figure, ">contact.peak_traction [N/mm^2], with its own contact.half_width<"));
+  EXPECT_TRUE(has(drawn("s --over contact.half_width", "s.svg"),
+                  ">contact.half_width [mm], with its own contact.peak_traction<"));
+  EXPECT_FALSE(has(drawn("s --over creepage", "s.svg"), "with its own"));
+}
+
+// Zeros alone are an axis with a word for it, and no warning of gnuplot.
+TEST_F(Plots, OfNothingSayWhatIsNotThere) {
+  run_in_folder("init steady");
+  run_in_folder("steady.info --set load.force=0");
+  EXPECT_TRUE(has(drawn("out", "out.svg"), ">no slip: all sticks<"));
+  run_in_folder("steady.info --set load.force=-100");
+  EXPECT_FALSE(has(drawn("out", "out.svg"), "all sticks"));
+  run_in_folder("init transient");
+  run_in_folder(
+      "transient.info --set start.type=rest --set load.force= --set load.creepage=0 --out rest");
+  const std::string rest = drawn("rest", "rest.svg");
+  EXPECT_TRUE(has(rest, ">no force<") && has(rest, ">no creepage<"));
+  run_in_folder(
+      "transient.info --set start.type=rest --set load.force= --set load.creepage=1e-3 --out rest");
+  const std::string rolling = drawn("rest", "rest.svg");
+  EXPECT_FALSE(has(rolling, "no force") || has(rolling, "no creepage"));
 }
 
 TEST_F(SweepPlots, NameWhatIsNotThere) {

@@ -59,5 +59,22 @@ TEST_F(Warnings, TellOfUnsafeValues) {
   EXPECT_EQ(run(good_transient, "--set step.ratio=0.01").error, "");
 }
 
+// A kind of warning is one line, however many values have it.
+TEST_F(Warnings, OfASweepAreCounted) {
+  const std::string scene = good_scene + R"(sweep {
+  grid { elements "4 51" }
+  step { ratio "0.1 0.2 1" }
+})";
+  const Outcome outcome = run_program("microslip", "sweep", scene, "--set leading_edge=standard");
+  const std::string safe = "leading_edge inversion is safe for any\n";
+  EXPECT_EQ(outcome.error,
+            "microslip: warning: 4 of 6 cases, the first is case 1 of 6 (grid.elements = 4, "
+            "step.ratio = 0.1): step.ratio = 0.1: this scheme is safe from 0.7 to 1.5; " +
+                safe +
+                "microslip: warning: 3 of 6 cases, the first is case 1 of 6 (grid.elements = 4, "
+                "step.ratio = 0.1): grid.elements = 4: this scheme is safe from 11 on; " +
+                safe);
+}
+
 }  // namespace
 }  // namespace microslip

@@ -46,6 +46,24 @@ TEST(Converge, KnowsTheOrdersOfSteadySchemes) {
   EXPECT_EQ(std::get<std::string>(tables[2].at(0, "value")), "inversion");
 }
 
+// Where the reference of the largest default N takes minutes, fewer are tried, and the scene says so.
+TEST(Converge, TriesFewerElementsOfLongRuns) {
+  using Elements = std::vector<Eigen::Index>;
+  Scene scene = scene_of(transient);
+  EXPECT_EQ(read_converge(scene).elements, (Elements{15, 31, 63, 127, 255}));
+  EXPECT_TRUE(scene.warnings().empty());
+  scene = scene_of(transient);
+  scene.set("motion.distance=1000");
+  EXPECT_EQ(read_converge(scene).elements, (Elements{15, 31, 63}));
+  ASSERT_EQ(scene.warnings().size(), 1U);
+  EXPECT_EQ(scene.warnings().front().line.find("converge.elements = 63: the largest N unless more"),
+            0U);
+  scene = scene_of(transient + "converge { elements \"31 127\" }\n");
+  scene.set("motion.distance=1000");
+  EXPECT_EQ(read_converge(scene).elements, (Elements{31, 127}));
+  EXPECT_TRUE(scene.warnings().empty());
+}
+
 TEST(Converge, KnowsTheOrdersOfTransientSchemes) {
   const std::vector<Table> tables = tables_of(transient, "converge { elements \"31 63 127\" }\n");
   const Table& table = tables.front();

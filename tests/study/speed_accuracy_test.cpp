@@ -40,7 +40,14 @@ std::vector<Table> measured() {
                    .length = 10,
                    .distance = 0.5,
                    .step_ratios = {1},
-                   .reference = 129}},
+                   .reference = 129},
+       .rough = {.hursts = {0.8, 0.3},
+                 .amplitude = 0.5,
+                 .seed = 1,
+                 .rows = 2049,
+                 .force_ratio = 0.8,
+                 .sizes = {63, 255, 1023},
+                 .reference = 8191}},
       [](std::size_t, std::size_t) {});
 }
 
@@ -114,10 +121,12 @@ TEST(SpeedAccuracyStudy, AllOfTheCataloguesTakePart) {
     }
   }
   for (const AdvectionEntry& entry : advection_schemes()) {
-    EXPECT_TRUE(has_run("transient", "scheme", entry.name)) << entry.name;
+    for (const char* problem : {"transient", "creepage"}) {
+      EXPECT_TRUE(has_run(problem, "scheme", entry.name)) << entry.name;
+    }
   }
   for (const std::string_view basis : basis_names()) {
-    for (const char* problem : {"plane", "strip", "transient"}) {
+    for (const char* problem : {"plane", "strip", "transient", "creepage"}) {
       EXPECT_TRUE(has_run(problem, "basis", basis)) << basis;
     }
   }
@@ -137,7 +146,10 @@ bool takes_part(std::size_t run, const Table& table, std::size_t row) {
   if (text(runs(), run, "status") != "ok") return false;
   if (text(runs(), run, "problem") != text(table, row, "problem")) return false;
   const std::string scheme = text(runs(), run, "scheme");
-  return text(table, row, "among") == "all" || (scheme != "chebyshev" && scheme != "inversion");
+  const std::string among = text(table, row, "among");
+  if (among == "all") return true;
+  if (among == "elements") return scheme != "chebyshev" && scheme != "inversion";
+  return among == (scheme == "collocation" ? text(runs(), run, "edge") : scheme);
 }
 
 TEST(SpeedAccuracyStudy, NothingBeatsTheFronts) {
@@ -161,6 +173,57 @@ TEST(SpeedAccuracyStudy, NothingBeatsTheFronts) {
     EXPECT_LT(fronts.number(row, "error"), fronts.number(row - 1, "error"));
     EXPECT_GT(fronts.number(row, "work"), fronts.number(row - 1, "work"));
   }
+}
+
+// A figure draws a line for each.
+TEST(SpeedAccuracyStudy, EverySchemeHasItsFront) {
+  const Table& fronts = table_named(tables(), "fronts");
+  std::set<std::string> have;
+  for (std::size_t row = 0; row < fronts.rows(); ++row) {
+    have.insert(text(fronts, row, "problem") + ' ' + text(fronts, row, "quantity") + ' ' +
+                text(fronts, row, "among"));
+  }
+  for (const SteadyEntry& entry : steady_schemes()) {
+    for (const char* problem : {"plane force ", "strip traction "}) {
+      EXPECT_TRUE(have.contains(problem + std::string(entry.name))) << problem << entry.name;
+    }
+  }
+  for (const AdvectionEntry& entry : advection_schemes()) {
+    for (const char* problem : {"creepage force ", "transient traction ", "transient noise "}) {
+      EXPECT_TRUE(have.contains(problem + std::string(entry.name))) << problem << entry.name;
+    }
+  }
+  EXPECT_TRUE(have.contains("plane force aligned"));
+  EXPECT_TRUE(have.contains("cylinder energy remembered verlet"));
+}
+
+TEST(SpeedAccuracyStudy, TheThesisIsBesideTheCheapest) {
+  const Table& cheapest = table_named(tables(), "cheapest");
+  std::map<std::string, int> reached;
+  for (std::size_t row = 0; row < cheapest.rows(); ++row) {
+    const bool steady =
+        text(cheapest, row, "problem") == "plane" || text(cheapest, row, "problem") == "strip";
+    double least = HUGE_VAL;
+    for (std::size_t run = 0; run < runs().rows(); ++run) {
+      const bool thesis = steady ? text(runs(), run, "edge") == "standard"
+                                 : text(runs(), run, "scheme").starts_with("direct");
+      const double error = runs().number(run, text(cheapest, row, "quantity") + "_error");
+      if (text(runs(), run, "problem") != text(cheapest, row, "problem") || !thesis) continue;
+      if (!(error <= cheapest.number(row, "accuracy"))) continue;
+      least = std::min(least, runs().number(run, "work"));
+    }
+    if (least == HUGE_VAL) {
+      EXPECT_EQ(text(cheapest, row, "thesis_scheme"), "none");
+      EXPECT_TRUE(std::isnan(cheapest.number(row, "gain")));
+      continue;
+    }
+    ++reached[text(cheapest, row, "thesis_scheme")];
+    EXPECT_EQ(cheapest.number(row, "thesis_work"), least);
+    EXPECT_EQ(cheapest.number(row, "gain"), least / cheapest.number(row, "work"));
+    EXPECT_GE(cheapest.number(row, "gain"), 1);
+  }
+  EXPECT_GT(reached["standard"], 3);
+  EXPECT_GT(reached["direct"], 1);
 }
 
 TEST(SpeedAccuracyStudy, CheapestIsTheLeastWorkOfAllRuns) {
@@ -213,6 +276,9 @@ TEST(SpeedAccuracyStudy, Orders) {
   // Of three coarse grids, the limit of work; of finer ones: order/transient_order_test.cpp.
   EXPECT_GT(order_of("transient", "remembered", "calibrated", 1, "creep_error"), 1.7);
   EXPECT_NEAR(order_of("transient", "direct", "standard", 1, "creep_error"), 1.1, 0.25);
+  EXPECT_GT(order_of("creepage", "remembered", "calibrated", 1, "force_error"), 1.7);
+  EXPECT_NEAR(order_of("creepage", "direct", "standard", 1, "force_error"), 1.1, 0.3);
+  EXPECT_GT(order_of("transient", "remembered", "calibrated", 1, "noise_error"), 1.7);
 }
 
 TEST(SpeedAccuracyStudy, SolversDifferInWorkOnly) {

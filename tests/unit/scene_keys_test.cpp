@@ -38,6 +38,9 @@ Settings with(Settings settings, const Settings& more) {
 
 const Settings plane = with(steady, {"kernel.width=", "kernel.type=plane", "kernel.length=10"});
 
+const Settings without_material =
+    with(steady, {"kernel.width=", "material.shear_modulus=", "material.poisson_ratio="});
+
 /// In each, all that has to be there, and the choices that its name says.
 const std::map<std::string, Settings> scenes = {
     {"calibrated", steady},
@@ -47,8 +50,12 @@ const std::map<std::string, Settings> scenes = {
     {"youngs_2", with(plane, {"material.youngs_modulus_2=2", "material.poisson_ratio_2=0.3",
                               "contact.friction=0.3"})},
     {"dundurs", with(plane, {"material.dundurs_beta=0.1", "contact.friction=0.3"})},
+    {"layer", with(plane, {"kernel.compliance=0.1"})},
+    {"winkler", with(without_material, {"kernel.type=winkler", "kernel.compliance=0.1"})},
+    {"symbol", with(without_material, {"kernel.type=symbol", "kernel.table=symbol"})},
     {"polynomial", with(steady, {"contact.bound_polynomial=1 0.3"})},
     {"table", with(steady, {"contact.peak_traction=", "contact.bound_file=bound"})},
+    {"rough", with(steady, {"contact.roughness=0.3"})},
     {"youngs", with(steady, {"material.shear_modulus=", "material.youngs_modulus=2.56"})},
     {"hertz",
      with(steady, {"contact.half_width=", "contact.peak_traction=", "contact.normal_load=0.01",
@@ -85,10 +92,11 @@ Scene scene_with(const Settings& settings) {
   Scene scene = scene_of(good_contact);
   for (const std::string& setting : settings) scene.set(setting);
   scene.read_files_by([](const std::string& path) {
-    return path == "bound"   ? "x bound\n0 1\n"
-           : path == "run"   ? "t v omega\n0 1 0.002\n1 1 0.002\n"
-           : path == "state" ? saved_state()
-                             : "x traction\n-1 0\n-0.5 -0.1\n0 -0.1\n0.5 -0.1\n1 0\n";
+    return path == "bound"    ? "x bound\n0 1\n"
+           : path == "run"    ? "t v omega\n0 1 0.002\n1 1 0.002\n"
+           : path == "state"  ? saved_state()
+           : path == "symbol" ? "wave_number symbol\n0.1 10\n10 0.2\n"
+                              : "x traction\n-1 0\n-0.5 -0.1\n0 -0.1\n0.5 -0.1\n1 0\n";
   });
   return scene;
 }
@@ -113,9 +121,9 @@ struct Role {
 };
 
 const std::string unlike = "unlike youngs_2 dundurs ";
-const std::string by_elements =
-    unlike +
-    "calibrated plane polynomial table youngs hertz force_ratio standard known_edge trimmed ";
+const std::string by_elements = unlike +
+                                "layer winkler symbol calibrated plane polynomial table rough "
+                                "youngs hertz force_ratio standard known_edge trimmed ";
 const std::string steady_scenes = by_elements + "chebyshev ";
 const std::string with_target = steady_scenes + "target_error ";
 const std::string differences = "standard known_edge trimmed ";
@@ -123,22 +131,31 @@ const std::string transients =
     "remembered direct relaxed relaxed_traction fractional rest file state creepage run ";
 const std::string cylinders = "cylinder cylinder_relaxed ";
 const std::string strips =
-    "calibrated polynomial table youngs hertz force_ratio chebyshev target_error standard "
+    "calibrated polynomial table rough youngs hertz force_ratio chebyshev target_error standard "
     "known_edge trimmed " +
     transients + cylinders;
-const std::string all = unlike + "plane " + strips;
+const std::string half_spaces = unlike + "plane layer " + strips;
+const std::string all = half_spaces + "winkler symbol ";
+const std::string hertzian = unlike +
+                             "layer winkler symbol plane calibrated rough youngs force_ratio "
+                             "chebyshev target_error standard known_edge trimmed " +
+                             transients + cylinders;
 
 /// Of a choice between keys, the one that is not in a scene is refused with the others' names.
 const std::vector<Role> roles = {
     {"problem", "", all},
-    {"material.shear_modulus", "1", all},
-    {"material.poisson_ratio", "0.28", all},
-    {"material.youngs_modulus", "2.56", all},
+    {"material.shear_modulus", "1", half_spaces},
+    {"material.poisson_ratio", "0.28", half_spaces},
+    {"material.youngs_modulus", "2.56", half_spaces},
     {"material.shear_modulus_2", "2", "unlike youngs_2"},
     {"material.youngs_modulus_2", "2", "unlike youngs_2"},
     {"material.poisson_ratio_2", "0.3", "unlike youngs_2"},
     {"material.dundurs_beta", "0.1", unlike},
-    {"direction", "longitudinal", with_target + transients},
+    {"direction", "longitudinal",
+     unlike +
+         "plane layer chebyshev target_error calibrated polynomial table youngs hertz "
+         "force_ratio standard known_edge trimmed " +
+         transients},
     {"contact.half_width", "1", all},
     {"contact.peak_traction", "1", all},
     {"contact.normal_load", "0.01", all},
@@ -147,9 +164,15 @@ const std::vector<Role> roles = {
     {"contact.friction", "0.3", "hertz " + unlike},
     {"contact.bound_polynomial", "1", all},
     {"contact.bound_file", "bound", "table"},
+    {"contact.roughness", "0.3", hertzian},
+    {"contact.hurst", "0.8", "rough"},
+    {"contact.rows", "2049", "rough"},
+    {"contact.seed", "1", "rough"},
     {"kernel.type", "", all},
     {"kernel.width", "40", strips},
-    {"kernel.length", "10", "plane " + unlike},
+    {"kernel.length", "10", "plane layer " + unlike},
+    {"kernel.compliance", "0.1", half_spaces + "winkler "},
+    {"kernel.table", "symbol", "symbol"},
     {"grid.elements", "21", steady_scenes + transients + cylinders},
     {"grid.leading_offset", "0.5", differences + transients + cylinders},
     {"grid.trailing_offset", "0.5", differences + transients + cylinders},
@@ -222,8 +245,11 @@ TEST(KeysOfScenes, HaveARoleOrAreRefused) {
                              (key == "contact.bound_polynomial" && name == "table" &&
                               said.starts_with("key 'contact.bound_file' has no role"));
       // A state is of one scheme, and of one bound to the bit.
-      const bool does_not_fit = (key == "contact.bound_polynomial" || key == "step.scheme") &&
-                                name == "state" && said.starts_with("start.state = 'state': ");
+      const bool is_layer = key == "kernel.compliance";
+      const bool does_not_fit =
+          ((key == "contact.bound_polynomial" || key == "step.scheme" || is_layer) &&
+           name == "state" && said.starts_with("start.state = 'state': ")) ||
+          (is_layer && said.find("strip or plane without a layer for ") != std::string::npos);
       // Bodies of different material want several keys, and a method and kernel that take them.
       const bool is_of_bodies =
           key.starts_with("material.") && (key.ends_with("_2") || key.ends_with("beta"));
@@ -307,7 +333,8 @@ TEST(KeysOfScenes, SayWhatTheyAccept) {
   EXPECT_EQ(said("solver.condition"), ">= 1 [1e13]");
   EXPECT_EQ(said("step.relaxation"), "at least step.ratio [1]");
   EXPECT_EQ(said("load.creepage"), "finite");
-  EXPECT_EQ(accepted_by(*find_key("kernel.type"), "", "`"), "`strip`, `plane`");
+  EXPECT_EQ(accepted_by(*find_key("kernel.type"), "", "`"),
+            "`strip`, `plane`, `winkler`, `symbol`");
 }
 
 TEST(KeysOfScenes, SayWhereTheyHaveARole) {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "microslip/scene/units.hpp"
 #include "scene_text.hpp"
 
 namespace microslip {
@@ -94,20 +95,38 @@ TEST(Sweep, FilesStayRelativeToTheScene) {
   EXPECT_EQ(read, "folder/b.tsv");
 }
 
-// Behind the last of several values, a unit would be taken for that of all, as in other lists.
-TEST(SweptValues, HaveUnitsAllOrNot) {
-  const auto says = [](const std::string& values) {
-    return message([&] { swept_values("sweep.kernel.width", values); });
+// As in other lists, one unit behind the last value is that of all; between | each value has its own.
+TEST(SweptValues, HaveUnitsAsOtherLists) {
+  const auto in_mm = [](const std::string& values) {
+    return swept_values("sweep.kernel.width", values);
   };
-  const std::string begin = "sweep.kernel.width = '";
-  for (const char* accepted : {"5 1", "5mm 1cm", "5 mm | 1 cm | 20", "1 | 2 | 3", "0.5:0.5:2"}) {
-    EXPECT_EQ(says(accepted), "") << accepted;
+  EXPECT_EQ(in_mm("5 1"), (Texts{"5", "1"}));
+  EXPECT_EQ(in_mm("5mm 1cm"), (Texts{"5", "10"}));
+  EXPECT_EQ(in_mm("5 mm 1 cm"), (Texts{"5", "10"}));
+  EXPECT_EQ(in_mm("5 mm | 1 cm | 20"), (Texts{"5", "10", "20"}));
+  EXPECT_EQ(in_mm("5 10 cm"), (Texts{"50", "100"}));
+  EXPECT_EQ(in_mm("1:1:3 cm"), (Texts{"10", "20", "30"}));
+  EXPECT_EQ(in_mm("1:1:2 5 cm"), (Texts{"10", "20", "50"}));
+  EXPECT_EQ(in_mm("1:log3:100um"), (Texts{"0.001", "0.01", "0.1"}));
+  EXPECT_EQ(in_mm("1:1:2 cm | 7"), (Texts{"10", "20", "7"}));
+  EXPECT_EQ(swept_values("sweep.load.creepage", "0.1 0.2 %"), (Texts{"0.001", "0.002"}));
+  for (const char* text : {"5 10 cm", "-1 2 3 um", "7 mm 1 m", "8", "1 in"}) {
+    const std::vector<double> numbers = *quantities(text, "mm");
+    const Texts swept = in_mm(text);
+    ASSERT_EQ(swept.size(), numbers.size()) << text;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      EXPECT_EQ(std::stod(swept[i]), numbers[i]) << text;
+    }
   }
+  const auto says = [&](const std::string& values) { return message([&] { in_mm(values); }); };
+  const std::string begin = "sweep.kernel.width = '";
   EXPECT_EQ(says("5 | 1 cm"),
             begin + "5 | 1 cm': expected a unit behind each value, or behind none");
-  EXPECT_EQ(says("5 10 cm"), begin +
-                                 "5 10 cm': expected each unit next to its number, 5kN/mm 10kN/mm, "
-                                 "or values between |");
+  for (const std::string text : {"5 cm 10", "5mm 10 3cm", "1:1:3 mm 5"}) {
+    EXPECT_EQ(
+        says(text),
+        begin + text + "': expected a unit behind each value, or one behind the last for all");
+  }
 }
 
 TEST(Sweep, NamesWhatItRejects) {

@@ -55,7 +55,7 @@ double edge_displacement(const Kernel& kernel, const Carter& carter) {
   const double a = carter.bound().half_width();
   const double slope = carter.bound().peak() / a;
   const auto under = [&](const auto& k) { return under_ellipses(k, a, carter); };
-  return -carter.direction() * slope * std::visit(under, kernel);
+  return -carter.direction() * slope * visit_half_space(under, kernel);
 }
 
 }  // namespace microslip

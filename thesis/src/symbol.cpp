@@ -103,7 +103,7 @@ Symbol::Symbol(const Kernel& kernel, const ShapeFunction& shape, double spacing,
   behind_.first = coefficient(-first_);
   for (const double y : heights_) {
     const auto at = [&](double direction) {
-      return std::visit(
+      return visit_half_space(
           [&](const auto& k) {
             return continued(k, shape, spacing, step_ratio, Complex(static_cast<double>(first_), y),
                              direction);

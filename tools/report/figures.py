@@ -131,3 +131,8 @@ def read_figure(path, prefix):
     svg = (f'<svg viewBox="{size[0]}" role="img" aria-label="{escape(caption)}">'
            f"{text_of(canvas, prefix)}</svg>")
     return Figure(Path(path).stem, caption, svg, int(size[1]), len(colours) > MANY_COLOURS)
+
+
+def shows_measured_times(script):
+    """Whether a script of plots draws measured times, which differ from run to run."""
+    return bool(re.search(r"_timing\.tsv|^cost = \"time\"", script.read_text(encoding="utf-8"), re.MULTILINE))

@@ -198,29 +198,45 @@ class ContactSearch {
            wrong_slip(zone(i), response_.slip[i]) > tolerance * slip_scale_;
   }
 
-  /// Exchanges all violating elements at once, thesis 3.1.1.
-  /// \return false if the partitions do not settle: an element would be released a second time
+  /// Exchanges all violating elements at once.
+  /// \return false if the partitions do not settle: an element would be released again, and there
+  ///         are not fewer violations than when this happened before
   bool exchange_blocks() {
     released_.assign(zones_.size(), 0);
+    Index fewest = std::numeric_limits<Index>::max();
     while (carries_load()) {
       respond();
-      bool released = false;
-      for (Index i = 0; i < size(); ++i) {
-        if (!above_bound(i)) continue;
-        if (std::exchange(released_[static_cast<std::size_t>(i)], 1) != 0) return false;
-        zone(i) = slip_zone(response_.traction[i]);
-        released = true;
-      }
-      if (released) continue;
-      bool stuck = false;
-      for (Index i = 0; i < size(); ++i) {
-        if (!slips_wrongly(i)) continue;
-        zone(i) = Zone::adhesion;
-        stuck = true;
-      }
-      if (!stuck) return true;
+      const Violations found = exchange_violating();
+      if (found.all == 0) return true;
+      if (!found.again) continue;
+      if (found.all >= fewest) return false;
+      fewest = found.all;
+      released_.assign(zones_.size(), 0);
     }
     return false;
+  }
+
+  struct Violations {
+    Index all = 0;
+    bool again = false;  ///< whether an element is released that has been released before
+  };
+
+  /// Elements above the bound slip, and elements that slip in the wrong direction stick.
+  Violations exchange_violating() {
+    Violations found;
+    for (Index i = 0; i < size(); ++i) {
+      if (above_bound(i)) {
+        char& released = released_[static_cast<std::size_t>(i)];
+        found.again = found.again || released != 0;
+        released = 1;
+        zone(i) = slip_zone(response_.traction[i]);
+        ++found.all;
+      } else if (zone(i) != Zone::adhesion && slips_wrongly(i)) {
+        zone(i) = Zone::adhesion;
+        ++found.all;
+      }
+    }
+    return found;
   }
 
   struct Exchange {

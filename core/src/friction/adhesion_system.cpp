@@ -35,6 +35,10 @@ constexpr std::size_t patience_with_parts = 4;
 
 constexpr int most_refinements = 5;
 
+/// Residual at which GMRES ends, relative to the right-hand side. Refinement gains as many digits
+/// again each time.
+constexpr double gmres_tolerance = 1e-7;
+
 std::size_t to_size(Index i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
@@ -50,7 +54,7 @@ AdhesionSystem::AdhesionSystem(LinearOperator response, VectorXd weights, const 
   stuck_.back() = 1;
   if (const Toeplitz* toeplitz = response_.toeplitz()) {
     if (toeplitz->is_symmetric()) constant_ = -(*toeplitz)(size() - 1, 0);
-    block_.emplace(toeplitz->plus(constant_), 1e-3 * solver.tolerance);
+    block_.emplace(toeplitz->plus(constant_), gmres_tolerance);
   }
 }
 

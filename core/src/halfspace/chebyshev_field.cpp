@@ -67,6 +67,7 @@ VectorXd chebyshev_values(double t, Index size) {
 
 ChebyshevField::ChebyshevField(const Kernel& kernel, const ChebyshevTraction& traction)
     : kernel_(kernel), traction_(traction), log_strain_(log_factor(kernel) * std::numbers::pi) {
+  require_half_space(kernel, "Chebyshev collocation");
   const double clear = clear_distance(kernel) / traction.half_length();
   Index count = traction.coefficients().size();
   if (std::isfinite(clear)) {
@@ -96,7 +97,7 @@ double ChebyshevField::integrate(double x, const Part& part) const {
     }
     return integral;
   };
-  return std::visit(sum, kernel_);
+  return visit_half_space(sum, kernel_);
 }
 
 double ChebyshevField::regular_strain(double x) const {

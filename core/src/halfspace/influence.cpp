@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <limits>
 #include <vector>
 
+#include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 #include "microslip/support/work.hpp"
 
@@ -25,6 +27,23 @@ struct Reach {
   void add(double t) { breakpoints.push_back(t); }
 };
 
+/// Length over which a kernel's decay has no more waves than 15 Gauss points integrate  [dx]
+template <class K>
+double longest_panel(const K&, double) {
+  return std::numeric_limits<double>::infinity();
+}
+
+double longest_panel(const SymbolKernel& kernel, double spacing) {
+  constexpr double shortest = 0.005;
+  const double longest = kernel.longest_panel() / spacing;
+  require(longest >= shortest, "wave_number",
+          kernel.wave_numbers()[kernel.wave_numbers().size() - 1], [&] {
+            return fmt::format("at most {} with elements of {} mm", format_short(1000 / spacing),
+                               format_short(spacing));
+          });
+  return longest;
+}
+
 /// Integral of decay(dx z) weight(t) over one polynomial piece of the weight; if the piece begins
 /// at z = 0, where the decay is infinite, the weight must vanish there. A panel is never longer
 /// than its distance to the nearest singularity: 15 Gauss points then leave less than rounding; 7
@@ -35,10 +54,11 @@ double integrate_piece(const K& kernel, double spacing, double gap, double begin
   using boost::math::quadrature::gauss;
   const auto integrand = [&](double t) { return kernel.decay(spacing * (gap + t)) * weight(t); };
   const double clear = kernel.clear_distance() / spacing;
+  const double longest = longest_panel(kernel, spacing);
   const bool regular_at_zero = gap + begin == 0;
   double sum = 0;
   for (double t = begin; t < end;) {
-    const double distance = regular_at_zero ? std::hypot(t, clear) : gap + t;
+    const double distance = std::min(longest, regular_at_zero ? std::hypot(t, clear) : gap + t);
     const double next = distance < end - t ? t + distance : end;
     count_work(kernel_work * (4 * (next - t) <= distance ? 7 : 15));
     sum += 4 * (next - t) <= distance ? gauss<double, 7>::integrate(integrand, t, next)
@@ -66,9 +86,28 @@ double displacement(const Kernel& kernel, double distance) {
   return std::visit([&](const auto& k) { return k.displacement(distance); }, kernel);
 }
 
-}  // namespace
+bool is_constant(const ShapeFunction& shape) {
+  return std::ranges::all_of(shape.pieces(), [](const ShapeFunction::Piece& piece) {
+    return piece.c[1] == 0 && piece.c[2] == 0;
+  });
+}
 
-double influence(const Kernel& kernel, const ShapeFunction& shape, double spacing, double offset) {
+/// What a layer feels of a function.
+ShapeFunction felt(const ShapeFunction& shape) {
+  return is_constant(shape) ? linear_shape() : shape;
+}
+
+/// felt(offset) - felt(offset + shift), without cancellation within a piece.
+double felt_difference(const ShapeFunction& shape, double offset, double shift) {
+  const ShapeFunction layer = felt(shape);
+  const auto* piece = layer.piece_over(offset, offset + shift);
+  if (piece == nullptr) return layer.value(offset) - layer.value(offset + shift);
+  return -shift * (piece->c[1] + piece->c[2] * (2 * offset + shift));
+}
+
+double spread_influence(const Kernel& kernel, const ShapeFunction& shape, double spacing,
+                        double offset) {
+  if (std::holds_alternative<WinklerKernel>(kernel)) return 0;
   // Integration by parts of K(|offset - s|) shape(s): the weight is the traction within a distance
   // z of the point, which at the farthest breakpoint is all of it. All shapes are reached from
   // either side by the same rule, so a point beyond the support is mirrored to its right.
@@ -98,8 +137,9 @@ double influence(const Kernel& kernel, const ShapeFunction& shape, double spacin
   return by_parts(reach, [&](double t) { return local.integral(-t, 2 * t); });
 }
 
-double influence_difference(const Kernel& kernel, const ShapeFunction& shape, double spacing,
-                            double offset, double shift) {
+double spread_difference(const Kernel& kernel, const ShapeFunction& shape, double spacing,
+                         double offset, double shift) {
+  if (std::holds_alternative<WinklerKernel>(kernel)) return 0;
   // Integration by parts of both weights leaves the tractions that an interval of length `shift`
   // covers at a distance z on either side.
   const double first = shape.breakpoints().front();
@@ -139,6 +179,21 @@ double influence_difference(const Kernel& kernel, const ShapeFunction& shape, do
            return 2 * t < shift ? here.integral(-t, 2 * t) - there.integral(-t, 2 * t)
                                 : here.integral(-t, shift) - here.integral(t, shift);
          });
+}
+
+}  // namespace
+
+double influence(const Kernel& kernel, const ShapeFunction& shape, double spacing, double offset) {
+  const double spread = spread_influence(kernel, shape, spacing, offset);
+  const double compliance = layer_compliance(kernel);
+  return compliance == 0 ? spread : spread + compliance * felt(shape).value(offset);
+}
+
+double influence_difference(const Kernel& kernel, const ShapeFunction& shape, double spacing,
+                            double offset, double shift) {
+  const double spread = spread_difference(kernel, shape, spacing, offset, shift);
+  const double compliance = layer_compliance(kernel);
+  return compliance == 0 ? spread : spread + compliance * felt_difference(shape, offset, shift);
 }
 
 Toeplitz influence_toeplitz(const Kernel& kernel, const ShapeFunction& shape, double spacing,

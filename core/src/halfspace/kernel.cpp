@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/halfspace/kernel.hpp"
 
+#include <fmt/core.h>
+#include <gsl/gsl_sf_expint.h>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
+#include "../support/gsl.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
 
 StripKernel::StripKernel(const Material& material, double width)
     : material_(material), half_width_(width / 2) {
@@ -86,24 +95,206 @@ double PlaneKernel::double_integral(double z) const {
 
 double PlaneKernel::clear_distance() const { return std::numeric_limits<double>::infinity(); }
 
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Sizes relative to S below which a layer or half-space behind a table is rounding.
+constexpr double rounding = 1e-12;
+
+/// By how much the exponent of S may be below that of a half-space, or above that of springs, in the
+/// last two rows.
+constexpr double steepest = 0.5;
+
+/// The longest phase, in radians, of a sine that 15 Gauss points integrate to rounding.
+constexpr double longest_phase = 5;
+
+/// Ci(x), 0 where it is below rounding of Ci(1). \param x  > 0
+double cosine_integral(double x) {
+  constexpr double far = 1e16;
+  if (x > far) return 0;
+  gsl_sf_result found{};
+  gsl::require_success(gsl::quietly([&] { return gsl_sf_Ci_e(x, &found); }), "Ci");
+  return found.val;
+}
+
+/// The half-space of a kernel.
+/// \return null if there is none
+template <class HalfSpace>
+const HalfSpace* half_space_in(const Kernel& kernel) {
+  const auto* layered = std::get_if<LayeredKernel>(&kernel);
+  return layered != nullptr ? std::get_if<HalfSpace>(&layered->half_space())
+                            : std::get_if<HalfSpace>(&kernel);
+}
+
+}  // namespace
+
+WinklerKernel::WinklerKernel(double compliance) : compliance_(compliance) {
+  require_positive("compliance", compliance);
+}
+
+double WinklerKernel::clear_distance() const { return infinite; }
+
+LayeredKernel::LayeredKernel(const HalfSpace& half_space, double compliance)
+    : half_space_(half_space), compliance_(compliance) {
+  require_positive("compliance", compliance);
+}
+
+double LayeredKernel::displacement(double z) const {
+  return std::visit([&](const auto& k) { return k.displacement(z); }, half_space_);
+}
+
+double LayeredKernel::decay(double z) const {
+  return std::visit([&](const auto& k) { return k.decay(z); }, half_space_);
+}
+
+double LayeredKernel::clear_distance() const {
+  return std::visit([](const auto& k) { return k.clear_distance(); }, half_space_);
+}
+
+SymbolKernel::SymbolKernel(const VectorXd& wave_numbers, const VectorXd& symbol)
+    : wave_numbers_(wave_numbers), symbol_(symbol) {
+  const Index n = wave_numbers.size();
+  require(n >= 2 && n <= most_rows && symbol.size() == n, "rows", static_cast<double>(n),
+          "2 to 1000 wave numbers, and a symbol for each");
+  for (Index i = 0; i < n; ++i) {
+    require_positive("symbol", symbol[i]);
+    require_positive("wave_number", wave_numbers[i]);
+    require(i == 0 || wave_numbers[i] > wave_numbers[i - 1], "wave_number", wave_numbers[i],
+            "more than the one before");
+  }
+  const VectorXd rising = wave_numbers.cwiseProduct(symbol);
+  VectorXd slopes(n + 1);  // before each row and behind the last one
+  slopes[0] = symbol[0];
+  for (Index i = 1; i < n; ++i) {
+    slopes[i] = (rising[i] - rising[i - 1]) / (wave_numbers[i] - wave_numbers[i - 1]);
+  }
+  const double last = symbol[n - 1];
+  compliance_ = slopes[n - 1];
+  require(compliance_ >= -steepest * last, "symbol", last,
+          "one that falls no faster than wave_number^-1.5 in the last two rows, which say how it "
+          "goes on: as of a half-space and a layer");
+  require(compliance_ <= (1 + steepest) * last, "symbol", last,
+          "one that rises no faster than wave_number^0.5 in the last two rows, which say how it "
+          "goes on: as of a half-space and a layer");
+  if (compliance_ < rounding * last) compliance_ = 0;
+  if (compliance_ > (1 - rounding) * last) compliance_ = last;
+  slopes[n] = compliance_;
+  log_factor_ = (last - compliance_) * wave_numbers[n - 1] / std::numbers::pi;
+  const VectorXd factors =
+      wave_numbers.cwiseProduct(slopes.head(n) - slopes.tail(n)) / std::numbers::pi;
+  const double least = std::numeric_limits<double>::epsilon() * factors.cwiseAbs().maxCoeff();
+  const auto bends = (factors.array().abs() > least).eval();
+  bends_.resize(bends.count());
+  factors_.resize(bends.count());
+  for (Index i = 0, k = 0; i < n; ++i) {
+    if (!bends[i]) continue;
+    bends_[k] = wave_numbers[i];
+    factors_[k++] = factors[i];
+  }
+}
+
+double SymbolKernel::displacement(double z) const {
+  double sum = 0;
+  for (Index i = 0; i < bends_.size(); ++i) {
+    const double phase = bends_[i] * z;
+    sum += factors_[i] * (std::sin(phase) / phase - cosine_integral(phase));
+  }
+  return sum;
+}
+
+double SymbolKernel::decay(double z) const {
+  return (factors_ * (bends_ * z).sin() / bends_).sum() / z / z;
+}
+
+double SymbolKernel::clear_distance() const { return infinite; }
+
+double SymbolKernel::longest_panel() const {
+  return bends_.size() == 0 ? infinite : longest_phase / bends_[bends_.size() - 1];
+}
+
+double SymbolKernel::symbol(double wave_number) const {
+  if (wave_number <= wave_numbers_[0]) return symbol_[0];
+  const Index n = wave_numbers_.size();
+  if (wave_number >= wave_numbers_[n - 1]) {
+    return std::numbers::pi * log_factor_ / wave_number + compliance_;
+  }
+  const Index i = std::upper_bound(wave_numbers_.begin(), wave_numbers_.end(), wave_number) -
+                  wave_numbers_.begin();
+  const double part =
+      (wave_number - wave_numbers_[i - 1]) / (wave_numbers_[i] - wave_numbers_[i - 1]);
+  return std::lerp(wave_numbers_[i - 1] * symbol_[i - 1], wave_numbers_[i] * symbol_[i], part) /
+         wave_number;
+}
+
+std::string_view name_of(const Kernel& kernel) {
+  if (std::holds_alternative<WinklerKernel>(kernel)) return "winkler";
+  if (std::holds_alternative<SymbolKernel>(kernel)) return "symbol";
+  const bool strip = half_space_in<StripKernel>(kernel) != nullptr;
+  if (is_half_space(kernel)) return strip ? "strip" : "plane";
+  return strip ? "strip with a layer" : "plane with a layer";
+}
+
+bool is_half_space(const Kernel& kernel) {
+  return std::holds_alternative<StripKernel>(kernel) || std::holds_alternative<PlaneKernel>(kernel);
+}
+
+void require_half_space(const Kernel& kernel, std::string_view who) {
+  if (is_half_space(kernel)) return;
+  reject("kernel", name_of(kernel), fmt::format("strip or plane without a layer for {}", who));
+}
+
 const Material& material_of(const Kernel& kernel) {
-  return std::visit([](const auto& k) -> const Material& { return k.material(); }, kernel);
+  if (const auto* strip = half_space_in<StripKernel>(kernel)) return strip->material();
+  if (const auto* plane = half_space_in<PlaneKernel>(kernel)) return plane->material();
+  throw std::logic_error("a kernel without a half-space has no material");
 }
 
 double log_factor(const Kernel& kernel) {
+  if (std::holds_alternative<WinklerKernel>(kernel)) return 0;
+  if (const auto* symbol = std::get_if<SymbolKernel>(&kernel)) return symbol->log_factor();
   return compliance(material_of(kernel)) / std::numbers::pi;
 }
 
-double definite_half_length(const Kernel& kernel) {
-  const auto* plane = std::get_if<PlaneKernel>(&kernel);
-  return plane != nullptr ? 2 * plane->length() : std::numeric_limits<double>::infinity();
+double layer_compliance(const Kernel& kernel) {
+  if (const auto* winkler = std::get_if<WinklerKernel>(&kernel)) return winkler->compliance();
+  if (const auto* layered = std::get_if<LayeredKernel>(&kernel)) return layered->compliance();
+  if (const auto* symbol = std::get_if<SymbolKernel>(&kernel)) return symbol->compliance();
+  return 0;
 }
 
+double definite_half_length(const Kernel& kernel) {
+  const auto* plane = half_space_in<PlaneKernel>(kernel);
+  return plane != nullptr ? 2 * plane->length() : infinite;
+}
+
+namespace {
+
+struct InUnits {
+  double length;
+
+  StripKernel operator()(const StripKernel& strip) const {
+    return {strip.material(), strip.width() / length};
+  }
+  PlaneKernel operator()(const PlaneKernel& plane) const {
+    return {plane.material(), plane.length() / length};
+  }
+  WinklerKernel operator()(const WinklerKernel& winkler) const {
+    return WinklerKernel(winkler.compliance() / length);
+  }
+  LayeredKernel operator()(const LayeredKernel& layered) const {
+    const auto half_space = [&](const auto& of) { return LayeredKernel::HalfSpace((*this)(of)); };
+    return {std::visit(half_space, layered.half_space()), layered.compliance() / length};
+  }
+  SymbolKernel operator()(const SymbolKernel& symbol) const {
+    return {symbol.wave_numbers() * length, symbol.symbols() / length};
+  }
+};
+
+}  // namespace
+
 Kernel in_units_of(const Kernel& kernel, double length) {
-  const Material& material = material_of(kernel);
-  const auto* strip = std::get_if<StripKernel>(&kernel);
-  if (strip != nullptr) return StripKernel(material, strip->width() / length);
-  return PlaneKernel(material, std::get<PlaneKernel>(kernel).length() / length);
+  return std::visit([&](const auto& of) { return Kernel(InUnits{length}(of)); }, kernel);
 }
 
 double clear_distance(const Kernel& kernel) {

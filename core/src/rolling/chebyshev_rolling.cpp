@@ -157,7 +157,7 @@ ChebyshevRolling::Zone ChebyshevRolling::zone(double stick_edge) const {
         return kernel.regular_decay(half_length * (collocation_[i] - quadrature_[j]));
       });
     };
-    matrix.leftCols(n) += half_length / compliance * (std::visit(decays, kernel_) * loads_);
+    matrix.leftCols(n) += half_length / compliance * (visit_half_space(decays, kernel_) * loads_);
   }
   const VectorXd strain =
       x.unaryExpr([&](double xi) { return sliding_.continued_strain(xi) / compliance; });

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/halfspace/leading_edge.hpp"
 #include "microslip/linalg/toeplitz_inverse.hpp"
 #include "microslip/support/work.hpp"
 
@@ -62,6 +63,15 @@ double calibrated_offset(const Basis& basis, Index elements, const Solver& solve
   // With sqrt(r^2 - x^2) the strain is x, and the force pi r^2/2.
   const double force = basis.weights(1, elements).dot(coefficients);
   return std::sqrt(2 * force / std::numbers::pi) - static_cast<double>(elements - 1) / 2;
+}
+
+double calibrated_offset(const Basis& basis, Index elements, double softness,
+                         const Solver& solver) {
+  if (std::isinf(softness)) return 1;
+  const double alone = calibrated_offset(basis, elements, solver);
+  if (softness == 0) return alone;
+  return alone + leading_edge_constants(basis, softness).offset -
+         leading_edge_constants(basis).offset;
 }
 
 }  // namespace microslip

@@ -68,7 +68,7 @@ FrequencyResponse::Series::Series(const Kernel& kernel, double half_length, Inde
   const double k = log_factor(kernel);
   const double shift = std::log(half_length);
   MatrixXd regular(terms, terms);
-  std::visit(
+  visit_half_space(
       [&](const auto& of) {
         for (Index i = 0; i < terms; ++i) {
           for (Index j = 0; j < terms; ++j) {
@@ -108,6 +108,7 @@ Complex FrequencyResponse::Series::slope(double half_length, double wave_number)
 FrequencyResponse::FrequencyResponse(const Kernel& kernel, double begin, double end,
                                      double shortest)
     : kernel_(kernel), half_length_((end - begin) / 2), shortest_(shortest) {
+  require_half_space(kernel, "the frequency response");
   require_positive("length of the stick zone", end - begin);
   require_positive("shortest", shortest);
   const double most = definite_half_length(kernel);

@@ -218,8 +218,18 @@ class StickZoneSearch {
 
 }  // namespace
 
+namespace {
+
+/// \return the kernel
+const Kernel& half_space(const Kernel& kernel) {
+  require_half_space(kernel, "the inversion");
+  return kernel;
+}
+
+}  // namespace
+
 InvertedRolling::InvertedRolling(const Kernel& kernel, const TractionBound& bound, double fineness)
-    : contact_(std::make_shared<InvertedContact>(kernel, bound, fineness)) {
+    : contact_(std::make_shared<InvertedContact>(half_space(kernel), bound, fineness)) {
   if (std::holds_alternative<StripKernel>(kernel)) {
     constexpr double coarse = 0.4;
     const PlaneKernel plane(material_of(kernel), 1);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <variant>
 
@@ -52,7 +53,9 @@ double RememberedGrid::exit_share(const LeadingEdgeConstants& edge) {
 }
 
 RememberedGrid::RememberedGrid(const TransientProblem& problem)
-    : RememberedGrid(problem, leading_edge_constants(constant_basis())) {}
+    : RememberedGrid(problem,
+                     leading_edge_constants(constant_basis(),
+                                            softness(problem.kernel, problem.grid.spacing()))) {}
 
 RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge)
     : RememberedGrid(problem, edge,
@@ -71,8 +74,10 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
       problem_nodes_(problem.grid.nodes()),
       edge_(edge),
       kernel_(problem.kernel),
+      has_layer_(layer_compliance(problem.kernel) > 0),
       solver_(problem.solver),
-      spring_{edge.compliance * compliance(material_of(problem.kernel)) * grid.spacing()},
+      spring_{edge.compliance * (std::numbers::pi * log_factor(problem.kernel) * grid.spacing() +
+                                 layer_compliance(problem.kernel))},
       exit_{0, spring_.of_mean(exit_share(edge))},
       stick_slip_point_(edge, exit_share(edge)) {
   require_filling(problem.grid, fewest_points, "where the material remembers its displacement");
@@ -185,8 +190,11 @@ void RememberedGrid::displace_ends(RememberedPoints& nodes, const VectorXd& trac
 
 void RememberedGrid::set_contact(const ContactScale& scale) {
   require_lasting(scale);
-  require(scale.half_width >= 0, "half_width", scale.half_width, "a number >= 0");
-  require(scale.bound >= 0, "bound", scale.bound, "a number >= 0");
+  if (scale.half_width != 1) {
+    require_half_space(kernel_, "a contact that changes its half-width");
+  }
+  require(scale.half_width >= 0, "half_width_factor", scale.half_width, "a number >= 0");
+  require(scale.bound >= 0, "bound_factor", scale.bound, "a number >= 0");
   if (scale.carries()) require_definite(kernel_, scale.half_width * reach_);
   target_ = scale;
 }

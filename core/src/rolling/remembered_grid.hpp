@@ -164,6 +164,7 @@ class RememberedGrid final : public RollingGrid {
   ReferenceNodes nodes_;
   LeadingEdgeConstants edge_;
   Kernel kernel_;
+  bool has_layer_;  ///< whether displacements bend at the stick-slip point
   Solver solver_;
   double response_to_ = 1;   ///< half-width for which the response is made, over the problem's
   Eigen::VectorXd pressed_;  ///< displacement by the pressure, of bodies of different material, at

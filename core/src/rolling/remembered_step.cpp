@@ -153,15 +153,18 @@ void RememberedGrid::recall(Step& step, const Substep& substep) const {
 }
 
 /// Adds the slip of a substep. Next to the stick-slip point, a point's slip is counted since its
-/// adhesion, so that its earlier slip is subtracted.
+/// adhesion, so that its earlier slip is subtracted. The earlier slip is interpolated, and on a layer
+/// the displacements bend between its places: no more than the slip is subtracted there.
 void RememberedGrid::add_slip(const Substep& substep) {
   const RememberedState& before = next_.state;
   const ContactState& contact = next_.contact;
   sum_.slip += contact.slip;
   for (Index i = before.kept; i < std::min(before.stuck, nodes_.size); ++i) {
     if (sticks(contact.zones, i)) continue;
-    sum_.slip[i] -= interpolated_at(before.nodes, i, substep.on_nodes.of(i), 0) -
-                    before.remembered_at(i, substep);
+    const double slipped = interpolated_at(before.nodes, i, substep.on_nodes.of(i), 0) -
+                           before.remembered_at(i, substep);
+    const bool exceeds = has_layer_ && slipped * contact.slip[i] > std::pow(contact.slip[i], 2);
+    sum_.slip[i] -= exceeds ? contact.slip[i] : slipped;
   }
 }
 

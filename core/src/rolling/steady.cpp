@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/rolling/steady.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/halfspace/leading_edge.hpp"
 #include "microslip/rolling/chebyshev_rolling.hpp"
 #include "microslip/rolling/edge_calibration.hpp"
 #include "microslip/rolling/inverted_rolling.hpp"
@@ -225,6 +228,10 @@ SteadySolution unlike_zones(const SteadyProblem& problem) {
 
 SteadySolution by_inversion(const SteadyProblem& problem) {
   if (problem.has_unlike_bodies()) return unlike_zones(problem);
+  if (!is_half_space(problem.kernel)) {
+    return instead_of_inversion(
+        problem, fmt::format("the kernel is no half-space's, but {}", name_of(problem.kernel)));
+  }
   const InvertedRolling rolling(problem.kernel, problem.bound);
   if (const auto why = rolling.obstacle()) return instead_of_inversion(problem, *why);
   try {
@@ -262,7 +269,7 @@ double answer_of(const Load& load, const SteadySolution& solution) {
 void validate(const SteadyProblem& problem) {
   if (!problem.has_unlike_bodies()) return;
   if (!std::holds_alternative<PlaneKernel>(problem.kernel)) {
-    reject("kernel", "strip", "plane for bodies of different material");
+    reject("kernel", name_of(problem.kernel), "plane for bodies of different material");
   }
   const auto* differences = std::get_if<Differences>(&problem.method);
   if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
@@ -276,10 +283,12 @@ void validate(const SteadyProblem& problem) {
 
 SteadyProblem whole_contact(const SteadyProblem& problem) {
   const Index n = problem.grid.size();
+  const double a = problem.grid.half_width();
+  const double soft = softness(problem.kernel, 2 * a / static_cast<double>(n));
   const double offset =
-      n < 2 ? 0.5 : std::clamp(calibrated_offset(problem.basis, n, problem.solver), 0.5, 1.0);
+      n < 2 ? 0.5 : std::clamp(calibrated_offset(problem.basis, n, soft, problem.solver), 0.5, 1.0);
   SteadyProblem whole = problem;
-  whole.grid = Grid({.half_width = problem.grid.half_width(),
+  whole.grid = Grid({.half_width = a,
                      .elements = n,
                      .leading_offset = offset,
                      .trailing_offset = n < 2 ? 0.5 : offset - 0.5});

@@ -68,10 +68,7 @@ Index past_last_stuck(const std::vector<Zone>& zones) {
 /// and the coefficients of the singular square root (1 - z)^(-1/2)/b+(z). The first coefficients
 /// are equal; the second ones differ by the first.
 StickSlipPoint::StickSlipPoint(const LeadingEdgeConstants& edge, double first_length)
-    : second_(edge.layer[1] * std::sqrt(1 + edge.offset) /
-                  (edge.layer[0] * std::sqrt(edge.offset)) -
-              1),
-      first_length_(first_length) {}
+    : second_(edge.second - 1), first_length_(first_length) {}
 
 /// Returns the distance from the bound, or from slip. Bounds are 0 for a derivative.
 double StickSlipPoint::left(const SlipConditions* conditions, const ContactState& contact,

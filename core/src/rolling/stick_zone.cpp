@@ -133,7 +133,7 @@ void StickZone::add_regular_strain() {
   for (Index i = 0; i <= m; ++i) {
     const double place = std::cos(step * (static_cast<double>(i) + 0.5));
     const double x = centre + half_length_ * place;
-    std::visit(
+    visit_half_space(
         [&](const auto& kernel) {
           for (Index j = 0; j < beside + m; ++j) decays[j] = kernel.regular_decay(x - places_[j]);
         },
@@ -168,7 +168,7 @@ void StickZone::complete() {
   const double a = contact_->half_width();
   const auto at = [this](double x) {
     count_work(kernel_work * static_cast<double>(loads_.size()));
-    return std::visit(
+    return visit_half_space(
         [&](const auto& kernel) {
           double strain = 0;
           for (Index j = 0; j < loads_.size(); ++j) {
@@ -259,7 +259,7 @@ double StickZone::displacement_at_end() const {
     }
     return sum;
   };
-  u += std::visit(regular, contact_->kernel);
+  u += visit_half_space(regular, contact_->kernel);
   if (added_.size() > 0) {
     const PlaneKernel plain(material_of(contact_->kernel), 1);
     u += ChebyshevField(plain, ChebyshevTraction(begin_, end_, added_)).displacement(end_);

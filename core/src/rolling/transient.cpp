@@ -105,7 +105,7 @@ class Schedule {
 
 void validate(const TransientProblem& problem) {
   if (problem.has_unlike_bodies() && !std::holds_alternative<PlaneKernel>(problem.kernel)) {
-    reject("kernel", "strip", "plane for bodies of different material");
+    reject("kernel", name_of(problem.kernel), "plane for bodies of different material");
   }
 }
 

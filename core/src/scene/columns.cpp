@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <iterator>
 #include <sstream>
 #include <stdexcept>
@@ -90,6 +91,39 @@ void require_as_many(std::size_t found, std::size_t expected, int line) {
       fmt::format("line {}: expected {} values, found {}", line, expected, found));
 }
 
+/// The wanted column that a name is meant for: in other letters, or with a third of them at most
+/// changed. Names of one letter are too many words.
+std::string meant_column(const std::string& name, const std::vector<FileColumn>& wanted) {
+  const std::string small = boost::algorithm::to_lower_copy(name);
+  for (const FileColumn& column : wanted) {
+    if (column.name.size() == 1) continue;
+    const std::size_t most = std::min<std::size_t>(3, column.name.size() / 3);
+    if (small == column.name || !nearest(small, {column.name}, most).empty()) return column.name;
+  }
+  return "";
+}
+
+/// Where columns may be missing, a misspelt one would be: the names that are not wanted.
+/// \throws std::invalid_argument for a name that is nearly a wanted one
+std::vector<std::string> unused_of(const Header& header, const std::vector<FileColumn>& wanted,
+                                   int line) {
+  std::vector<std::string> unused;
+  if (std::ranges::all_of(wanted, &FileColumn::needed)) return unused;
+  for (const std::string& name : header.names) {
+    const bool is_wanted = std::ranges::find(wanted, name, &FileColumn::name) != wanted.end();
+    if (is_wanted || name.starts_with('_')) continue;
+    const std::string meant = meant_column(name, wanted);
+    if (!meant.empty()) {
+      throw std::invalid_argument(
+          fmt::format("line {}: unknown column '{}'{}; one that is not to be read has a name that "
+                      "begins with _",
+                      line, shown(name), suggestion(meant)));
+    }
+    unused.push_back(name);
+  }
+  return unused;
+}
+
 /// A wanted column in a file.
 struct Found {
   std::size_t place;
@@ -99,8 +133,7 @@ struct Found {
 
 }  // namespace
 
-std::vector<std::optional<Eigen::VectorXd>> read_columns(std::istream& in,
-                                                         const std::vector<FileColumn>& wanted) {
+ReadColumns read_columns(std::istream& in, const std::vector<FileColumn>& wanted) {
   int line = 0;
   const auto fail = [&](const std::string& what) {
     throw std::invalid_argument(fmt::format("line {}: {}", line, what));
@@ -131,6 +164,7 @@ std::vector<std::optional<Eigen::VectorXd>> read_columns(std::istream& in,
   if (const std::string name = repeated(header.names); !name.empty()) {
     fail(fmt::format("expected one column '{}', found more of that name", shown(name)));
   }
+  ReadColumns read{.wanted = {}, .unused = unused_of(header, wanted, line)};
   std::size_t rows = 0;
   for (auto row = next_words(in, line); !row.empty(); row = next_words(in, line), ++rows) {
     require_as_many(row.size(), header.names.size(), line);
@@ -146,14 +180,13 @@ std::vector<std::optional<Eigen::VectorXd>> read_columns(std::istream& in,
     }
   }
   if (rows == 0) fail("expected at least one row below the names");
-  std::vector<std::optional<Eigen::VectorXd>> columns;
   for (const std::optional<Found>& column : found) {
-    columns.emplace_back();
+    read.wanted.emplace_back();
     if (!column) continue;
-    columns.back() = Eigen::Map<const Eigen::VectorXd>(
+    read.wanted.back() = Eigen::Map<const Eigen::VectorXd>(
         column->values.data(), static_cast<Eigen::Index>(column->values.size()));
   }
-  return columns;
+  return read;
 }
 
 std::vector<TextColumn> read_text_columns(std::istream& in) {

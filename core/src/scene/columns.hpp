@@ -11,11 +11,19 @@
 
 namespace microslip {
 
-/// \return  the wanted columns, in their units, each with at least one value; an optional column
-///          that is missing is empty
-/// \throws std::invalid_argument in one line, with the line's number
-std::vector<std::optional<Eigen::VectorXd>> read_columns(std::istream& in,
-                                                         const std::vector<FileColumn>& wanted);
+/// Columns of a table.
+struct ReadColumns {
+  /// The wanted columns, in their units, each with at least one value; an optional column that is
+  /// missing is empty.
+  std::vector<std::optional<Eigen::VectorXd>> wanted;
+  /// Names of columns that may be meant for an optional one: nobody wants them, and they do not
+  /// begin with _. Empty if no column is optional.
+  std::vector<std::string> unused = {};
+};
+
+/// \throws std::invalid_argument in one line, with the line's number; also for a column whose name
+///         is nearly that of an optional column
+ReadColumns read_columns(std::istream& in, const std::vector<FileColumn>& wanted);
 
 /// A column whose cells may be words.
 struct TextColumn {

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double row_of_history = 1000;
 
-/// Cost of an element that begins or ceases to slip in a shift, in steps.
-constexpr double steps_of_exchange = 4;
+/// Cost of a shift, in steps: some ten partitions, each with new factors.
+constexpr double steps_of_shift = 16;
 
 /// Memory of a contact: per element where matrices are Toeplitz, in matrices where they are dense.
 struct Memory {
@@ -82,28 +82,14 @@ struct StepsOf {
   }
 };
 
-/// About how many elements begin or cease to slip in all shifts, as under Hertz's bound: on a way
-/// back twice the change of the force makes one half-width less stick. One at least in each; of a
-/// shift by distance half of them.
-double exchanges_of_shifts(const TransientScene& scene) {
-  const auto n = static_cast<double>(scene.problem.grid.size());
-  const double most = full_sliding_force(scene.problem.bound);
-  double exchanges = 0, before = 0;
-  for (const ShiftLoad& load : scene.shifts) {
-    const auto* force = std::get_if<PrescribedForce>(&load);
-    const double change = force == nullptr ? 0 : std::abs(force->value - before) / (2 * most);
-    exchanges += 1 + (force == nullptr ? n / 2 : 2 * n * (1 - std::sqrt(1 - change)));
-    if (force != nullptr) before = force->value;
-  }
-  return exchanges;
-}
-
 /// Constants are of the runs of the study speed_accuracy.
 struct WorkOf {
   double operator()(const SteadyProblem& problem) const {
     const auto n = static_cast<double>(problem.grid.size());
     const bool strip = std::holds_alternative<StripKernel>(problem.kernel);
-    if (std::holds_alternative<Inversion>(problem.method)) return 4e5 + 2000 * n;
+    if (std::holds_alternative<Inversion>(problem.method) && is_half_space(problem.kernel)) {
+      return 4e5 + 2000 * n;
+    }
     if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
       return 3e5 + (strip ? 60 * kernel_work : 60) * n;
     }
@@ -117,7 +103,7 @@ struct WorkOf {
     return steps * solves_of_step(scene.problem.scheme, elements) *
                (of_step(scene.problem, std::ranges::all_of(scene.step_ratios, is_whole)) +
                 (scene.loads.changes_contact() ? of_change(scene.problem) : 0)) +
-           steps_of_exchange * exchanges_of_shifts(scene) * of_step(scene.problem, true);
+           steps_of_shift * static_cast<double>(scene.shifts.size()) * of_step(scene.problem, true);
   }
   double operator()(const CylinderScene& scene) const {
     const double rounds = scene.integrator == Integrator::midpoint ? 3 : 1;

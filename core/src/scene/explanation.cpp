@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numbers>
 
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/scene/cost.hpp"
@@ -41,7 +42,10 @@ std::string method_of(const SteadyProblem& problem) {
   }
   const auto* differences = std::get_if<Differences>(&problem.method);
   const double c = differences == nullptr ? 1 : differences->step_ratio;
-  return fmt::format(fmt::runtime(entry_of(problem).text),
+  const bool by_elements =
+      std::holds_alternative<Inversion>(problem.method) && !is_half_space(problem.kernel);
+  const SteadyEntry& entry = by_elements ? steady_scheme("calibrated") : entry_of(problem);
+  return fmt::format(fmt::runtime(entry.text),
                      fmt::arg("functions", problem.basis.name() + " functions"),
                      fmt::arg("c", fmt::format("{:.5g}", c)));
 }
@@ -131,6 +135,58 @@ std::vector<std::string> stretched(const Problem& problem) {
                   ratio)};
 }
 
+std::string number(double value) { return fmt::format("{:.5g}", value); }
+
+/// What a kernel other than a half-space's says about the bodies.
+struct OfKernel {
+  double half_width;
+  std::vector<std::string> consequences = {};
+  std::vector<std::string> not_modelled = {};
+
+  void operator()(const StripKernel&) {}
+  void operator()(const PlaneKernel&) {}
+  void operator()(const WinklerKernel& winkler) {
+    consequences = {
+        fmt::format("springs beside one another, {} mm^3/N: tractions grow in "
+                    "proportion to the distance from the leading edge",
+                    number(winkler.compliance()))};
+    not_modelled = {
+        "what a traction does beside itself: bodies are springs, as in FASTSIM, not half-spaces"};
+  }
+  void operator()(const LayeredKernel& layered) {
+    const double half_space = layered.decay(1e-3 * half_width) * 1e-3 * half_width;
+    consequences = {fmt::format(
+        "a layer of springs on the half-space, {} mm^3/N: as compliant as the half-space to waves "
+        "of {} half-widths",
+        number(layered.compliance()), number(2 * layered.compliance() / half_space / half_width))};
+    not_modelled = {"the layer's own thickness, and shear from each of its springs to the next"};
+  }
+  void operator()(const SymbolKernel& symbol) {
+    const auto& waves = symbol.wave_numbers();
+    const double longest = 2 * std::numbers::pi / waves[0];
+    const double shortest = 2 * std::numbers::pi / waves[waves.size() - 1];
+    consequences = {fmt::format(
+        "a kernel by its symbol, from waves of {} to {} mm; shorter ones feel a half-space with "
+        "2 (1 - nu)/G = {} mm^2/N and a layer of {} mm^3/N, as the last two rows say",
+        number(longest), number(shortest), number(std::numbers::pi * symbol.log_factor()),
+        number(symbol.compliance()))};
+    not_modelled = {fmt::format(
+        "how bodies yield to waves longer than {} mm, {} half-widths: as to that one, so that they "
+        "do not move far from a load",
+        number(longest), number(longest / half_width))};
+  }
+};
+
+template <class Problem>
+Explanation with_kernel(const Problem& problem, Explanation found) {
+  OfKernel of{half_width_of(problem.bound)};
+  std::visit(of, problem.kernel);
+  std::ranges::move(of.consequences, std::back_inserter(found.consequences));
+  found.not_modelled.insert(found.not_modelled.begin(), of.not_modelled.begin(),
+                            of.not_modelled.end());
+  return found;
+}
+
 struct Explain {
   Explanation operator()(const SteadyProblem& problem) const {
     std::vector<std::string> consequences = {sliding(problem.bound, problem.load),
@@ -140,14 +196,14 @@ struct Explain {
     if (problem.has_unlike_bodies()) {
       found.not_modelled = {normal, goodman(problem.coupling), how_steady, details_of_unlike};
     }
-    return found;
+    return with_kernel(problem, found);
   }
   Explanation operator()(const SteadyTarget& target) const {
-    return steady(
-        kind_of(target.contact.load),
-        {sliding(target.contact.bound, target.contact.load),
-         "method and grid are chosen: inversion if one zone sticks, otherwise as many calibrated "
-         "elements as the error needs"});
+    return with_kernel(target.contact, steady(kind_of(target.contact.load),
+                                              {sliding(target.contact.bound, target.contact.load),
+                                               "method and grid are chosen: inversion if one zone "
+                                               "sticks, otherwise as many calibrated "
+                                               "elements as the error needs"}));
   }
   Explanation operator()(const TransientScene& scene) const {
     std::vector<std::string> consequences = {loaded(scene), elements_of(scene.problem.grid)};
@@ -164,20 +220,22 @@ struct Explain {
                       "tractions of bodies that are pressed together: they start without any",
                       not_modelled[1], details_of_unlike};
     }
-    return {fmt::format("transient rolling under {}{}", kind_of(scene.loads.at(0)),
-                        scene.loads.distances().empty() ? "" : " that changes"),
-            consequences, not_modelled};
+    return with_kernel(scene.problem,
+                       {fmt::format("transient rolling under {}{}", kind_of(scene.loads.at(0)),
+                                    scene.loads.distances().empty() ? "" : " that changes"),
+                        consequences, not_modelled});
   }
   Explanation operator()(const CylinderScene& scene) const {
     const double velocity = scene.cylinder.velocity;
     const std::string start =
         velocity == 0 ? "rest" : fmt::format("free rolling with {:.5g} mm/s", velocity);
-    return {"a cylinder that rolls down a slope from " + start,
-            {sliding(scene.contact.bound), elements_of(scene.contact.grid),
-             rolled(scene, scene.distance, scene.contact.grid) +
-                 " or more: steps from rest and steps of a swinging body are shorter",
-             method_of(scene.contact.scheme)},
-            {normal, "waves in the bodies: they deform as half-spaces at rest", details}};
+    return with_kernel(scene.contact,
+                       {"a cylinder that rolls down a slope from " + start,
+                        {sliding(scene.contact.bound), elements_of(scene.contact.grid),
+                         rolled(scene, scene.distance, scene.contact.grid) +
+                             " or more: steps from rest and steps of a swinging body are shorter",
+                         method_of(scene.contact.scheme)},
+                        {normal, "waves in the bodies: they deform as at rest", details}});
   }
   static Explanation steady(const std::string& load, std::vector<std::string> consequences) {
     return {"steady rolling under " + load, std::move(consequences), {normal, how_steady, details}};

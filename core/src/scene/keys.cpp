@@ -27,6 +27,8 @@ constexpr std::string_view whole_contact =
 
 constexpr std::string_view elements = "scenes without method chebyshev and target_error";
 constexpr std::string_view with_load = "scenes with contact.normal_load";
+constexpr std::string_view with_roughness = "scenes with contact.roughness";
+constexpr std::string_view half_spaces = "kernel.type strip or plane, or contact.normal_load";
 constexpr std::string_view unlike =
     "problem steady or transient with kernel.type plane, without target_error";
 constexpr std::string_view rolls = "problem transient or cylinder";
@@ -40,12 +42,14 @@ constexpr auto keys = std::to_array<Key>({
      .meaning = "what is solved",
      .words = {"steady", "transient", "cylinder"}},
     {"material.shear_modulus", number, "N/mm^2",
-     "combined shear modulus G; of the driven body if the other body has its own", above_zero},
+     "combined shear modulus G; of the driven body if the other body has its own", above_zero, "",
+     half_spaces},
     {"material.youngs_modulus", number, "N/mm^2",
      "Young's modulus E, G = E/(2 (1 + nu)), of both bodies or of the driven one", above_zero,
-     "instead of material.shear_modulus"},
+     "instead of material.shear_modulus", half_spaces},
     {"material.poisson_ratio", number, "1",
-     "combined Poisson ratio nu; of the driven body if the other body has its own", range(0, 0.5)},
+     "combined Poisson ratio nu; of the driven body if the other body has its own", range(0, 0.5),
+     "", half_spaces},
     {"material.shear_modulus_2", number, "N/mm^2", "shear modulus of the other body", above_zero,
      "", unlike},
     {"material.youngs_modulus_2", number, "N/mm^2", "Young's modulus of the other body", above_zero,
@@ -59,7 +63,7 @@ constexpr auto keys = std::to_array<Key>({
     {.name = "direction",
      .type = word,
      .meaning = "direction of creepage and tractions: along the rolling or across it",
-     .role = "problem steady or transient",
+     .role = "problem steady or transient with kernel.type strip or plane",
      .words = {"longitudinal", "lateral"},
      .first_is_default = true},
     {"contact.half_width", number, "mm", "half-width a of the contact", above_zero},
@@ -87,16 +91,51 @@ constexpr auto keys = std::to_array<Key>({
      .meaning = "table with columns x and bound, linear between its rows, to zero at +-a",
      .note = "a file; instead of contact.peak_traction",
      .role = "scenes without contact.peak_traction and contact.bound_polynomial"},
+    {.name = "contact.roughness",
+     .meaning =
+         "amplitude of a self-affine profile (root of its mean square over the bound), by which "
+         "Hertz's bound is multiplied",
+     .range = range(0, 10),
+     .note = "none: a smooth bound",
+     .role = "scenes with contact.peak_traction, without contact.bound_polynomial"},
+    {.name = "contact.hurst",
+     .meaning = "Hurst exponent of the profile: the smaller, the rougher",
+     .range = range_above(0, 1),
+     .role = with_roughness,
+     .fallback = 0.8},
+    {.name = "contact.rows",
+     .type = whole,
+     .meaning = "rows of the rough bound, with waves down to two rows",
+     .range = range(9, 1000001),
+     .role = with_roughness,
+     .fallback = 2049},
+    {.name = "contact.seed",
+     .type = whole,
+     .meaning = "another profile for each seed",
+     .range = range(0, 4294967295),
+     .role = with_roughness,
+     .fallback = 1},
     {.name = "kernel.type",
      .type = word,
-     .meaning = "half-space loaded over a strip, or plane strain",
-     .words = {"strip", "plane"}},
+     .meaning = "half-space loaded over a strip, or in plane strain; springs alone; or a kernel by "
+                "its symbol",
+     .words = {"strip", "plane", "winkler", "symbol"}},
     {"kernel.width", number, "mm", "width Dy of the strip", above_zero, "", "kernel.type strip"},
     {"kernel.length", number, "mm",
      "plane strain: distance L0 at which the displacement counts as zero", above_zero,
      "in transients and cylinders above (a + dx)/2, with step.scheme fractional from 3.8 a "
      "on",
      "kernel.type plane"},
+    {"kernel.compliance", number, "mm^3/N",
+     "C, displacement over the traction at the same place: of springs alone, or of a layer of them "
+     "on the half-space",
+     above_zero, "no layer on strip and plane without it", "kernel.type strip, plane or winkler"},
+    {.name = "kernel.table",
+     .type = file,
+     .meaning = "table with columns wave_number [1/mm] and symbol [mm^3/N], displacement over "
+                "traction of waves p cos(wave_number x)",
+     .note = "a file with 2 to 1000 rows, of numbers > 0, wave numbers rising",
+     .role = "kernel.type symbol"},
     {"grid.elements", whole, "1", "number N of nodes", range(1, Grid::max_elements),
      "20 000 where matrices are dense", "scenes without target_error"},
     {.name = "grid.leading_offset",
@@ -340,6 +379,18 @@ std::span<const Key> keys_of_scenes() { return keys; }
 const Key* find_key(std::string_view name) {
   const auto found = std::ranges::find(keys, name, &Key::name);
   return found == keys.end() ? nullptr : &*found;
+}
+
+std::string likely_key(const std::string& key, const std::vector<std::string>& known) {
+  const std::string near = nearest(key, known);
+  if (!near.empty()) return near;
+  const auto last_name = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };
+  const auto found = std::ranges::find(known, last_name(key), last_name);
+  return found == known.end() ? "" : *found;
+}
+
+std::string likely_key(const std::string& key) {
+  return likely_key(key, names_of(keys_of_scenes()));
 }
 
 std::string unit_of_key(std::string_view key) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "doubts.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/straight_steps.hpp"
@@ -29,6 +30,16 @@ struct ContactModel {
   Grid grid;
 };
 
+void warn_of_long_waves(Scene& scene, const Kernel& kernel, double half_width) {
+  const auto* symbol = std::get_if<SymbolKernel>(&kernel);
+  if (symbol == nullptr || symbol->wave_numbers()[0] * half_width <= 1) return;
+  scene.warn("kernel.table", symbol->wave_numbers()[0],
+             fmt::format("the first wave number is above 1 / half_width = {}: the bodies' symbol "
+                         "is taken as constant below, although the contact is longer than these "
+                         "waves",
+                         format_short(1 / half_width)));
+}
+
 /// \param whole  the grid is that of elements over the whole contact, which may lie in it anyhow;
 ///               else its nodes only say where a result is shown
 /// \param tangential  the constants of the kernel
@@ -37,6 +48,7 @@ ContactModel read_contact(Scene& scene, const Material& material, const Material
   const TractionBound bound = read_bound(scene, material);
   const Kernel kernel = read_kernel(scene, tangential);
   const double a = half_width_of(bound);
+  warn_of_long_waves(scene, kernel, a);
   return {kernel, bound,
           whole ? read_grid(scene, a)
                 : Grid({.half_width = a, .elements = scene.whole("grid.elements")})};
@@ -45,30 +57,9 @@ ContactModel read_contact(Scene& scene, const Material& material, const Material
 /// A history of more rows would take more than 300 MB.
 constexpr double most_steps = 1e6;
 
-/// \param instead  what is safe for any value
-void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, double value,
-                  const std::string& instead) {
-  if (safe.holds(value)) return;
-  const std::string least = format_short(safe.least);
-  const std::string range = safe.least == safe.most ? "at " + least
-                            : std::isfinite(safe.most)
-                                ? fmt::format("from {} to {}", least, format_short(safe.most))
-                                : fmt::format("from {} on", least);
-  scene.warn(key, value, fmt::format("this scheme is safe {}; {} is safe for any", range, instead));
-}
-
 AdvectionScheme read_scheme(Scene& scene) {
   const AdvectionEntry& entry = advection_scheme(scene.word("step.scheme"));
   return entry.scheme(entry.takes_relaxation ? scene.number("step.relaxation") : 1);
-}
-
-void warn_of_noise(Scene& scene, const TransientProblem& problem, double step_ratio) {
-  const double least = least_step_under_force(problem.grid.size());
-  if (step_ratio >= least) return;
-  scene.warn("step.ratio", step_ratio,
-             fmt::format("under a force, rounding is more than 1 % of the creepage below "
-                         "step.ratio = {} with {} elements",
-                         format_short(least), problem.grid.size()));
 }
 
 void require_few_steps(double distance, double from, double length) {
@@ -126,19 +117,6 @@ std::vector<double> judged_steps(const Scene& scene, const std::vector<double>& 
   if (scene.has("step.ratio") && !scene.has("step.tolerance")) return step_ratios;
   const auto [least, most] = std::ranges::minmax(step_ratios);
   return {least, most};
-}
-
-/// A step knows the contact at its ends only.
-void warn_of_missed_rows(Scene& scene, const LoadHistory& loads,
-                         const std::vector<double>& step_ratios, double spacing) {
-  if (!loads.changes_contact() || !scene.has("step.ratio") || scene.has("step.tolerance")) return;
-  const double longest = std::ranges::max(step_ratios);
-  const std::vector<double> rows = row_ratios(loads, spacing);
-  if (longest <= std::ranges::min(rows)) return;
-  scene.warn("step.ratio", longest,
-             "longer than rows of load.file: changes of the contact between its ends are missed; "
-             "without step.ratio, steps end at the rows, and step.tolerance makes them "
-             "shorter where the load bends");
 }
 
 double read_distance(Scene& scene, const LoadHistory& loads) {
@@ -276,10 +254,11 @@ SteadyProblem read_unloaded_steady(Scene& scene) { return read_steady(scene, fal
 SteadyTarget read_steady_target(Scene& scene) {
   const double target = scene.number("target_error");
   require_target_error(target);
-  const Material material = read_material(scene);
+  const Material material = read_material_if_any(scene);
   const Material tangential = read_tangential(scene, material);
   const TractionBound bound = read_bound(scene, material);
   const Kernel kernel = read_kernel(scene, tangential);
+  warn_of_long_waves(scene, kernel, half_width_of(bound));
   return {{kernel, bound, read_load(scene, kernel, bound)}, target};
 }
 
@@ -322,12 +301,13 @@ TransientScene read_transient(Scene& scene) {
   warn_of_missed_rows(scene, loads, step_ratios, problem.grid.spacing());
   const Load load = loads.at(0);
   const Beginning beginning = read_beginning(scene, problem, load, loads.contact_at(0));
+  warn_of_sudden_force(scene, loads, step_ratios.front() * problem.grid.spacing());
   const double distance = read_distance(scene, loads, beginning.distance);
   const double mean = std::accumulate(step_ratios.begin(), step_ratios.end(), 0.0) /
                       static_cast<double>(step_ratios.size());
   require_few_steps(distance, beginning.distance, mean * problem.grid.spacing());
   if (std::holds_alternative<PrescribedForce>(load)) {
-    for (const double ratio : judged) warn_of_noise(scene, problem, ratio);
+    for (const double ratio : judged) warn_of_noise(scene, problem.grid.size(), ratio);
   }
   return {.problem = problem,
           .start = beginning.start,
@@ -337,20 +317,6 @@ TransientScene read_transient(Scene& scene) {
           .loads = loads,
           .from = beginning.distance};
 }
-
-namespace {
-
-/// The cylinder is one of the two bodies that Hertz's contact is of.
-void warn_of_other_radius(Scene& scene, double radius) {
-  if (!scene.has("contact.normal_load")) return;
-  for (const char* key : {"contact.radius_1", "contact.radius_2"}) {
-    const auto given = scene.has(key) ? quantity(scene.text(key), "mm") : std::nullopt;
-    if (given == radius) return;
-  }
-  scene.warn("cylinder.radius", radius, "differs from contact.radius_1 and contact.radius_2");
-}
-
-}  // namespace
 
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator) {
   const Material material = read_material(scene);
@@ -373,6 +339,8 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
                          .step_ratio = scene.number("step.ratio"),
                          .distance = scene.number("motion.distance")};
   warn_of_other_radius(scene, cylinder.cylinder.radius);
+  warn_of_small_radius(scene, "cylinder.radius", cylinder.cylinder.radius,
+                       half_width_of(model.bound));
   require_definite(cylinder.contact);
   require_positive("motion.distance", cylinder.distance);
   require(cylinder.step_ratio >= min_step_ratio, "step.ratio", cylinder.step_ratio,

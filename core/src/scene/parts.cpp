@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hertz.hpp"
+#include "microslip/friction/rough_bound.hpp"
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
@@ -56,7 +57,26 @@ Material read_material(Scene& scene) {
   return material;
 }
 
+namespace {
+
+/// Read where the kernel is read: parameters keep their order.
+bool is_of_half_space(const Scene& scene) {
+  const std::string type = scene.has("kernel.type") ? scene.text("kernel.type") : "";
+  return type != "winkler" && type != "symbol";
+}
+
+bool has_material(const Scene& scene) {
+  return is_of_half_space(scene) || scene.has("contact.normal_load");
+}
+
+}  // namespace
+
+Material read_material_if_any(Scene& scene) {
+  return has_material(scene) ? read_material(scene) : Material{1, 0};
+}
+
 Bodies read_bodies(Scene& scene) {
+  if (!has_material(scene)) return {read_material_if_any(scene)};
   const Material first = read_material(scene);
   const std::string given = scene.at_most_one_of(
       {"material.dundurs_beta", "material.shear_modulus_2", "material.youngs_modulus_2"});
@@ -74,6 +94,7 @@ Bodies read_bodies(Scene& scene) {
 }
 
 Material read_tangential(Scene& scene, const Material& material) {
+  if (!is_of_half_space(scene)) return material;
   return scene.word("direction") == "lateral" ? lateral(material) : material;
 }
 
@@ -85,11 +106,32 @@ double read_friction(Scene& scene) {
   return friction;
 }
 
-Kernel read_kernel(Scene& scene, const Material& material) {
-  if (scene.word("kernel.type") == "strip") {
-    return StripKernel(material, scene.number("kernel.width"));
-  }
+namespace {
+
+SymbolKernel read_symbol(Scene& scene) {
+  const std::vector<FileColumn> wanted = {{"wave_number", "1/mm"}, {"symbol", "mm^3/N"}};
+  return scene.from_columns("kernel.table", wanted, [](const auto& columns) {
+    return SymbolKernel(*columns[0], *columns[1]);
+  });
+}
+
+LayeredKernel::HalfSpace read_half_space(Scene& scene, const std::string& type,
+                                         const Material& material) {
+  if (type == "strip") return StripKernel(material, scene.number("kernel.width"));
   return PlaneKernel(material, scene.number("kernel.length"));
+}
+
+}  // namespace
+
+Kernel read_kernel(Scene& scene, const Material& material) {
+  const std::string type = scene.word("kernel.type");
+  if (type == "symbol") return read_symbol(scene);
+  if (type == "winkler") return WinklerKernel(scene.number("kernel.compliance"));
+  const LayeredKernel::HalfSpace half_space = read_half_space(scene, type, material);
+  if (scene.has("kernel.compliance")) {
+    return LayeredKernel(half_space, scene.number("kernel.compliance"));
+  }
+  return std::visit([](const auto& of) { return Kernel(of); }, half_space);
 }
 
 HertzBound read_hertz_bound(Scene& scene) {
@@ -104,9 +146,18 @@ PolynomialBound read_polynomial_bound(Scene& scene) {
           Eigen::Map<const Eigen::VectorXd>(h.data(), static_cast<Eigen::Index>(h.size()))};
 }
 
+TabulatedBound read_rough_bound(Scene& scene) {
+  return rough_bound(read_hertz_bound(scene),
+                     {.amplitude = scene.number("contact.roughness"),
+                      .hurst = scene.number("contact.hurst"),
+                      .seed = static_cast<unsigned>(scene.whole("contact.seed")),
+                      .rows = scene.whole("contact.rows")});
+}
+
 TractionBound read_bound(Scene& scene) {
   if (scene.has("contact.bound_polynomial")) return read_polynomial_bound(scene);
   if (scene.one_of({"contact.peak_traction", "contact.bound_file"}) == "contact.peak_traction") {
+    if (scene.has("contact.roughness")) return read_rough_bound(scene);
     return read_hertz_bound(scene);
   }
   const double half_width = scene.number("contact.half_width");
@@ -158,7 +209,10 @@ Acceptance read_acceptance(Scene& scene) {
 Load read_load(Scene& scene, const Kernel& kernel, const TractionBound& bound) {
   const std::string key = scene.one_of(load_keys);
   const double value = scene.number(key);
-  if (key == "load.creepage") return PrescribedCreepage{value};
+  if (key == "load.creepage") {
+    warn_of_large_creepage(scene, key, value, bound);
+    return PrescribedCreepage{value};
+  }
   if (key == "load.force") return PrescribedForce{value};
   double ratio = value;
   if (key == "load.force_ratio") {
@@ -167,7 +221,8 @@ Load read_load(Scene& scene, const Kernel& kernel, const TractionBound& bound) {
     require(std::holds_alternative<HertzBound>(bound), key, value,
             "Hertz's bound, as it is Carter's; for others there is load.force_ratio");
     require(std::holds_alternative<PlaneKernel>(kernel), key, value,
-            "kernel.type plane, as it is Carter's; for strips there is load.force_ratio");
+            "kernel.type plane without a layer, as it is Carter's; for others there is "
+            "load.force_ratio");
     require(value > 0 && value < 1, key, value,
             "a number above 0, which is full sliding, and below 1, which is no load");
     ratio = -(1 - value) * (1 + value);  // the sign of a positive creepage

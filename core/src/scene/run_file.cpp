@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
+#include "doubts.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
@@ -53,15 +55,21 @@ void require_contacts(const LoadHistory& loads, const TransientProblem& problem)
         "columns normal_load, half_width, peak_traction and friction: expected none of them where "
         "bodies differ in material");
   }
-  double widest = 0;
+  double narrowest = std::numeric_limits<double>::infinity(), widest = 0;
   for (const double distance : loads.distances()) {
-    widest = std::max(widest, loads.contact_at(distance).half_width);
+    const double half_width = loads.contact_at(distance).half_width;
+    narrowest = std::min(narrowest, half_width);
+    widest = std::max(widest, half_width);
   }
-  try {
+  if ((narrowest != 1 || widest != 1) && !is_half_space(problem.kernel)) {
+    throw std::invalid_argument(fmt::format(
+        "columns normal_load and half_width: expected none that changes the half-width where the "
+        "kernel is no half-space's, but {}",
+        name_of(problem.kernel)));
+  }
+  with_keys([&] {
     require_definite(problem.kernel, widest * (problem.grid.half_width() + problem.grid.spacing()));
-  } catch (const BadParameter& error) {
-    throw in_keys(error);
-  }
+  });
 }
 
 }  // namespace
@@ -72,7 +80,7 @@ LoadHistory read_run(Scene& scene, const TransientProblem& problem) {
                                           {"v", "mm/s", false},
                                           {"creepage", "1", false},
                                           {"force", "N/mm", false},
-                                          {"omega", "1/s", false},
+                                          {"omega", "rad/s", false},
                                           {"normal_load", "N/mm", false},
                                           {"half_width", "mm", false},
                                           {"peak_traction", "N/mm^2", false},
@@ -89,7 +97,10 @@ LoadHistory read_run(Scene& scene, const TransientProblem& problem) {
                    .peak_traction = columns[8],
                    .friction = columns[9]};
   });
-  if (rows.angular_velocity) rows.radius = scene.positive("load.radius");
+  if (rows.angular_velocity) {
+    rows.radius = scene.positive("load.radius");
+    warn_of_small_radius(scene, "load.radius", rows.radius, problem.grid.half_width());
+  }
   return scene.with_file("load.file", [&] {
     rows.of_problem = {.normal_load = of_problem(scene, rows.normal_load, "normal_load"),
                        .half_width = of_problem(scene, rows.half_width, "half_width"),
@@ -97,6 +108,7 @@ LoadHistory read_run(Scene& scene, const TransientProblem& problem) {
                        .friction = of_problem(scene, rows.friction, "friction")};
     const LoadHistory loads(rows);
     require_contacts(loads, problem);
+    warn_of_large_creepages(scene, loads, problem.bound);
     if (rows.force) require_below_full_sliding(*rows.force, loads, problem.bound);
     return loads;
   });

@@ -28,17 +28,6 @@ namespace {
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
-/// The nearest known key, or the key of the same name in another section.
-std::string likely_key(const std::string& key, const std::vector<std::string>& known) {
-  const std::string near = nearest(key, known);
-  if (!near.empty()) return near;
-  const auto last_name = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };
-  const auto found = std::find_if(known.begin(), known.end(), [&](const std::string& candidate) {
-    return last_name(candidate) == last_name(key);
-  });
-  return found == known.end() ? "" : *found;
-}
-
 /// A key that nobody knows may be the missing one, misspelt.
 /// \param near  a given key of a similar name; may be empty
 [[noreturn]] void reject_missing(const Scene& scene, const std::string& names,
@@ -46,7 +35,7 @@ std::string likely_key(const std::string& key, const std::vector<std::string>& k
   std::string misspelt = near, hint = suggestion(near);
   for (const std::string& key : scene.keys()) {
     if (!hint.empty() || scene.known(key) != nullptr || key.starts_with("sweep.")) continue;
-    const std::string likely = likely_key(key, names_of(keys_of_scenes()));
+    const std::string likely = likely_key(key);
     if (likely.empty()) continue;
     misspelt = key;
     hint = fmt::format("; '{}' is no key{}", shown(key), suggestion(likely));
@@ -315,7 +304,15 @@ std::vector<Eigen::Index> Scene::wholes(const std::string& key) {
 std::vector<std::optional<Eigen::VectorXd>> Scene::columns(const std::string& key,
                                                            const std::vector<FileColumn>& wanted) {
   std::istringstream in(file(key));
-  return read_columns(in, wanted);
+  ReadColumns read = read_columns(in, wanted);
+  if (!read.unused.empty()) {
+    warn(
+        key, shown(text(key)),
+        fmt::format("columns that are not used: {}; known are {}, and a name that begins with _ is "
+                    "left out without a warning",
+                    shown(joined(read.unused, ", ")), joined(names_of(wanted), ", ")));
+  }
+  return read.wanted;
 }
 
 std::string Scene::file(const std::string& key) {
@@ -368,9 +365,22 @@ void Scene::derive(const std::string& key, double value) {
 }
 
 void Scene::warn(const std::string& key, double value, const std::string& doubt) {
-  const std::string line = fmt::format("{} = {}: {}", key, format_short(value), doubt);
+  warn(key, format_short(value), doubt);
+}
+
+void Scene::warn(const std::string& key, const std::string& value, const std::string& doubt) {
+  const std::string line = fmt::format("{} = {}: {}", key, value, doubt);
   const bool is_new = std::ranges::find(warnings_, line, &Warning::line) == warnings_.end();
   if (is_new) warnings_.push_back({key, line});
+}
+
+std::string kind_of_warning(const std::string& line) {
+  std::string kind;
+  for (const char c : line) {
+    const bool is_of_number = std::string_view("0123456789.+-e").find(c) != std::string_view::npos;
+    if (!is_of_number) kind += c;
+  }
+  return kind;
 }
 
 Parameters Scene::origin() const {

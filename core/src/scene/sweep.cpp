@@ -90,11 +90,10 @@ std::optional<std::vector<std::string>> range(const std::vector<std::string>& pa
   return step ? linear_range(*first, *step, *last) : std::nullopt;
 }
 
-/// Whether words beside the numbers stand in a value, which are units if the key is one of numbers.
-bool has_a_unit(const std::string& value) {
-  return std::ranges::any_of(words_of(value), [](const std::string& word) {
-    return !finite_number(word) && (is_unit(word) || has_unit(word));
-  });
+/// Whether values of the key are numbers.
+bool is_of_numbers(const std::string& name) {
+  const Key* key = find_key(name);
+  return key != nullptr && key->type != Key::Type::word && key->type != Key::Type::file;
 }
 
 /// In the unit of the key, so that columns of swept values are numbers, or lists of them.
@@ -111,15 +110,38 @@ std::string group_of(const std::string& key) {
   return first.starts_with("together") && first.size() < key.size() ? first : "";
 }
 
+/// Values between |, each with its own unit: one behind the last alone might be meant for all.
+std::vector<std::string> items_between_bars(const std::string& name, const std::string& text,
+                                            bool of_numbers) {
+  std::vector<std::string> items;
+  for (const std::string& part : split(text, '|')) {
+    items.push_back(in_one_line(part));
+    if (items.back().empty()) reject(name, text, "a value on both sides of |");
+  }
+  const auto are_numbers = std::all_of(items.begin(), items.end() - 1, [](const auto& item) {
+    return finite_number(item).has_value();
+  });
+  const auto last = list_items(items.back());
+  const std::size_t unit = unit_behind(items.back()).size();
+  const bool is_single = last && last->size() == 1 && unit > 0 && unit < items.back().size();
+  if (of_numbers && items.size() > 1 && are_numbers && is_single) {
+    reject(name, text, "a unit behind each value, or behind none");
+  }
+  return items;
+}
+
+/// Values and ranges in a text, each with its unit.
+std::vector<std::string> swept_items(const std::string& name, const std::string& text,
+                                     bool of_numbers) {
+  if (text.find('|') != std::string::npos) return items_between_bars(name, text, of_numbers);
+  if (!of_numbers) return words_of(text);
+  const auto items = list_items(text);
+  if (!items) reject(name, text, "a unit behind each value, or one behind the last for all");
+  return *items;
+}
+
 constexpr const char* table_key = "table";
 constexpr const char* table_name = "sweep.table";
-
-/// Keys of scenes, for a message about one that is none.
-std::string nearest_key(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Key& key : keys_of_scenes()) names.emplace_back(key.name);
-  return nearest(name, names);
-}
 
 std::vector<std::string> values_of(const TextColumn& column) {
   const std::string unit = unit_of_key(column.name);
@@ -146,7 +168,7 @@ std::vector<SweptKey> columns_of(Scene scene) {
       if (scene.known(column.name) == nullptr) {
         throw std::invalid_argument(fmt::format("column '{}': expected the name of a key{}",
                                                 shown(column.name),
-                                                suggestion(nearest_key(column.name))));
+                                                suggestion(likely_key(column.name))));
       }
       const bool is_fixed = scene.has(column.name) && scene.place_of(column.name).empty();
       if (!is_fixed) columns.push_back({column.name, values_of(column)});
@@ -170,22 +192,15 @@ std::vector<std::string> swept_values(const std::string& name, const std::string
   const auto reject_list = [&](const std::string& list, const std::string& accepted) {
     reject(name, list, accepted);
   };
-  const bool has_lists = text.find('|') != std::string::npos;
+  const bool of_numbers = is_of_numbers(key);
   std::vector<std::string> values;
-  bool were_plain = true, has_last_unit = false;  // single numbers, and a unit behind the last
-  for (const std::string& part : has_lists ? split(text, '|') : words_of(text)) {
-    const std::string value = in_one_line(part);
-    if (value.empty()) reject_list(text, "a value on both sides of |");
-    if (!has_lists && is_unit(value) && !finite_number(value)) {
-      reject_list(text, "each unit next to its number, 5kN/mm 10kN/mm, or values between |");
-    }
-    were_plain = were_plain && !has_last_unit;
-    has_last_unit = words_of(value).size() == 2 && has_a_unit(value);
-    were_plain = were_plain && (has_last_unit || finite_number(value));
+  for (const std::string& value : swept_items(name, text, of_numbers)) {
     if (values.size() > Sweep::max_cases) {
       reject_list(text, fmt::format("at most {} values", Sweep::max_cases));
     }
-    const std::vector<std::string> parts = split(value, ':');
+    const std::string unit(of_numbers ? unit_behind(value) : "");
+    const std::vector<std::string> parts =
+        split(in_one_line(value.substr(0, value.size() - unit.size())), ':');
     if (parts.size() == 1 || !finite_number(parts[0])) {
       values.push_back(without_unit(key, value));
       continue;
@@ -197,12 +212,11 @@ std::vector<std::string> swept_values(const std::string& name, const std::string
                                      "most {} values",
                                      Sweep::max_cases));
     }
-    values.insert(values.end(), expanded->begin(), expanded->end());
+    for (const std::string& number : *expanded) {
+      values.push_back(without_unit(key, unit.empty() ? number : number + ' ' + unit));
+    }
   }
   if (values.empty()) reject_list(text, "at least one value");
-  if (were_plain && has_last_unit && values.size() > 1) {  // as if it were the unit of all
-    reject_list(text, "a unit behind each value, or behind none");
-  }
   return values;
 }
 

@@ -11,6 +11,7 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -52,16 +53,18 @@ const std::map<std::string, Unit, std::less<>> symbols{
     {"min", {60, 0, {0, 0, 1}}},
     {"h", {3.6, 3, {0, 0, 1}}},
     {"rad", {}},
+    {"deg", {std::numbers::pi / 180, 0, {}}},
+    {"rev", {2 * std::numbers::pi, 0, {}}},
+    {"rpm", {2 * std::numbers::pi / 60, 0, {0, 0, -1}}},
 };
 
 /// Units for messages, besides the unit of the key.
-const std::map<std::string, std::string> others{{"mm", "um, cm, m, in"},
-                                                {"N/mm^2", "Pa, kPa, MPa, GPa"},
-                                                {"N/mm", "N/m, kN/m"},
-                                                {"mm/s", "cm/s, m/s"},
-                                                {"N s^2/mm^2", "kg/mm, kg/m, t/m"},
-                                                {"N s^2", "kg m, kg m^2/m"},
-                                                {"s", "ms"}};
+const std::map<std::string, std::string> others{
+    {"mm", "um, cm, m, in"},       {"N/mm^2", "Pa, kPa, MPa, GPa"},
+    {"N/mm", "N/m, kN/m"},         {"mm^3/N", "mm/MPa, um/MPa"},
+    {"mm/s", "cm/s, m/s"},         {"N s^2/mm^2", "kg/mm, kg/m, t/m"},
+    {"N s^2", "kg m, kg m^2/m"},   {"s", "ms"},
+    {"rad/s", "deg/s, rev/s, rpm"}};
 
 /// The unit of a symbol with an optional power: "mm^2", "mm2", "mm".
 std::optional<Unit> power_of_symbol(std::string_view text) {
@@ -134,6 +137,11 @@ double scaled(double value, int ten) {
 
 }  // namespace
 
+std::string_view unit_behind(std::string_view item) {
+  const std::size_t colon = item.rfind(':');
+  return split_number(colon == std::string_view::npos ? item : item.substr(colon + 1)).second;
+}
+
 std::optional<double> quantity(std::string_view text, std::string_view unit) {
   const auto [number, rest] = split_number(text);
   const auto value = finite_number(number);
@@ -146,7 +154,7 @@ std::optional<double> quantity(std::string_view text, std::string_view unit) {
   return std::isfinite(result) ? std::optional(result) : std::nullopt;
 }
 
-std::optional<std::vector<double>> quantities(std::string_view text, std::string_view unit) {
+std::optional<std::vector<std::string>> list_items(std::string_view text) {
   std::vector<std::string> items;  // each one a number with its unit
   std::istringstream words{std::string(text)};
   for (std::string word; words >> word;) {
@@ -156,16 +164,21 @@ std::optional<std::vector<double>> quantities(std::string_view text, std::string
       items.back() += ' ' + word;
     }
   }
-  const auto unit_behind = [](const std::string& item) { return split_number(item).second; };
-  const auto has_none = [&](const std::string& item) { return unit_behind(item).empty(); };
+  const auto has_none = [](const std::string& item) { return unit_behind(item).empty(); };
   const auto without = static_cast<std::size_t>(std::ranges::count_if(items, has_none));
-  const bool one_for_all = without > 0 && without + 1 == items.size() && !has_none(items.back());
-  if (without > 0 && without < items.size() && !one_for_all) return std::nullopt;
+  if (without == 0 || without == items.size()) return items;
+  if (without + 1 < items.size() || has_none(items.back())) return std::nullopt;
+  const std::string of_all(unit_behind(items.back()));
+  for (std::size_t i = 0; i + 1 < items.size(); ++i) items[i] += ' ' + of_all;
+  return items;
+}
+
+std::optional<std::vector<double>> quantities(std::string_view text, std::string_view unit) {
+  const auto items = list_items(text);
+  if (!items) return std::nullopt;
   std::vector<double> values;
-  for (const std::string& item : items) {
-    const bool takes_last = one_for_all && &item != &items.back();
-    const std::string behind(takes_last ? unit_behind(items.back()) : "");
-    const auto value = quantity(item + (takes_last ? ' ' + behind : ""), unit);
+  for (const std::string& item : *items) {
+    const auto value = quantity(item, unit);
     if (!value) return std::nullopt;
     values.push_back(*value);
   }

@@ -29,8 +29,9 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string nearest(const std::string& word, const std::vector<std::string>& names) {
-  std::size_t best = 4;
+std::string nearest(const std::string& word, const std::vector<std::string>& names,
+                    std::size_t most) {
+  std::size_t best = most + 1;
   std::string found;
   for (const std::string& name : names) {
     const std::size_t distance = edit_distance(word, name);

@@ -83,21 +83,24 @@ struct ContactState {
 /// bound, in slip p = -bound s/|s|. Slip and creepage have the unit of response times traction:
 /// relative slip [1], or slip displacement [mm].
 ///
-/// The search has two phases. The first phase exchanges all violating elements at once, elements
-/// above the bound before elements with the wrong direction of slip: thesis 3.1.1. From adhesion
-/// everywhere and for c near 1 this phase takes about log2(n) rounds. For c << 1 the partitions
-/// never settle, so an element may be released from adhesion only once. The second phase exchanges
-/// one element at a time along an exact path. The path begins with bounds and offsets for which a
-/// known partition is the solution, and ends with the given bounds and offsets. From a partition
-/// nearby the path takes about one exchange for each differing element. It begins at the first
-/// partition or, if all elements stick there, at the last partition of the first phase. A path of
-/// more than 60 exchanges, or 20, begins again, in the end with a bound so high that all elements
+/// The search has two phases. The first phase exchanges all violating elements at once: elements
+/// above the bound slip, and elements that slip in the wrong direction stick. (The thesis, 3.1.1,
+/// does the second only where there is nothing of the first to do, which takes twice as many rounds
+/// where there are many stick zones.) From adhesion everywhere and for c near 1 this phase takes
+/// about log2(n) rounds, from the partition of a coarser grid 2 to 6, whatever the number of zones.
+/// For c << 1 the partitions never settle, so the phase ends when an element is released from
+/// adhesion again and there are as many violations as when this happened before. The second phase
+/// exchanges one element at a time along an exact path. The path begins with bounds and offsets for
+/// which a known partition is the solution, and ends with the given bounds and offsets. From a
+/// partition nearby the path takes about one exchange for each differing element. It begins at the
+/// first partition or, if all elements stick there, at the last partition of the first phase. A path
+/// of more than 60 exchanges, or 20, begins again, in the end with a bound so high that all elements
 /// stick.
 ///
-/// Termination: the first phase has at most 3 n rounds. On the path the solution is piecewise
-/// linear in the remaining fraction of the relief, with one piece for each partition. If response +
-/// response^T is positive definite, the solution is unique, and the path meets each partition at
-/// most once. A is positive definite, and so is A - A' for all tested c <= 1
+/// Termination: the first phase ends, because violations have to become fewer. On the path the
+/// solution is piecewise linear in the remaining fraction of the relief, with one piece for each
+/// partition. If response + response^T is positive definite, the solution is unique, and the path
+/// meets each partition at most once. A is positive definite, and so is A - A' for all tested c <= 1
 /// (tests/unit/active_set_test.cpp). Otherwise the search gives up after 20 n + 100 exchanges.
 ///
 /// Cost of a dense response: n^2 numbers, and O(n^3) for the first factors. The factors are kept

@@ -17,6 +17,12 @@ namespace microslip {
 /// Both are single integrals of the kernel's decay, which is positive, against a piecewise
 /// polynomial weight that is formed without cancellation. Gauss-Legendre panels graded towards the
 /// kernel's singularities make them accurate to rounding at any distance, shift and strip width.
+///
+/// A layer's compliance C adds C times the traction at the same place. Constant functions stand for
+/// tractions that are linear between the nodes there, as the layer would else feel jumps: A - A'
+/// would vanish for shifts below half an element.
+/// \throws std::invalid_argument for a SymbolKernel with wave numbers above 1000/dx, which would take
+///         minutes
 
 /// A(offset): displacement at a distance `offset` dx from the node.
 /// \param spacing  dx, in (0, inf)  [mm]

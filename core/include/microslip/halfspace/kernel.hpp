@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <Eigen/Core>
 #include <complex>
+#include <string_view>
 #include <variant>
 
 #include "microslip/halfspace/material.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip {
 
@@ -77,20 +80,127 @@ class PlaneKernel {
   double factor_;  ///< 2 (1 - nu) / (pi G)
 };
 
-using Kernel = std::variant<StripKernel, PlaneKernel>;
+/// Springs beside one another, a brush or Winkler's foundation: u = C p at the same place, and
+/// nothing elsewhere. FASTSIM's kernel.
+class WinklerKernel {
+ public:
+  /// \param compliance  C, in (0, inf)  [mm^3/N]
+  /// \throws std::invalid_argument outside the range
+  explicit WinklerKernel(double compliance);
 
+  double displacement(double) const { return 0; }
+  double decay(double) const { return 0; }
+  double clear_distance() const;
+  double compliance() const { return compliance_; }
+
+ private:
+  double compliance_;
+};
+
+/// A Winkler layer in series with a half-space, as of a third body between the surfaces: the
+/// displacement is that of the half-space and C p.
+class LayeredKernel {
+ public:
+  using HalfSpace = std::variant<StripKernel, PlaneKernel>;
+
+  /// \param compliance  C, in (0, inf)  [mm^3/N]
+  /// \throws std::invalid_argument outside the range
+  LayeredKernel(const HalfSpace& half_space, double compliance);
+
+  double displacement(double z) const;  ///< of the half-space, z > 0
+  double decay(double z) const;
+  double clear_distance() const;
+  double compliance() const { return compliance_; }
+  const HalfSpace& half_space() const { return half_space_; }
+
+ private:
+  HalfSpace half_space_;
+  double compliance_;
+};
+
+/// A kernel by its symbol S, the displacement over the traction of a wave p cos(kappa x); that of
+/// a kernel is \f$ S(\kappa)=\int K(z)\cos(\kappa z)\,dz \f$. Plane strain has \f$ \pi k/\kappa
+/// \f$ with k = 2 (1 - nu)/(pi G), and a Winkler layer adds C.
+///
+/// Between the rows of a table, kappa S is linear, so that these two and their sum are exact. From
+/// the last row on, it goes on as between the last two: a half-space and a layer, pi k + C kappa; as
+/// a half-space alone where kappa S falls there, and as a layer alone where S rises.
+/// Before the first row S keeps its first value, so that K vanishes far away: the bodies are of
+/// finite thickness. With \f$ E(t)=\sin t/t-\mathrm{Ci}(t) \f$ and the changes of slope of kappa S
+/// at the rows as its factors, the kernel has a closed form,
+/// \f[ K(z)=C\,\delta(z)+\sum_i k_i\,E(\kappa_i z), \quad \sum_i k_i=k . \f]
+/// A half-space from kappa_1 on is therefore, at distances z << 1/kappa_1, plane strain with L0 =
+/// exp(1 - 0.5772)/kappa_1, except for terms of the order of (kappa_1 z)^2.
+///
+/// S > 0 is all that makes a kernel positive definite, on any interval.
+class SymbolKernel {
+ public:
+  static constexpr Eigen::Index most_rows = 1000;
+
+  /// \param wave_numbers  kappa, > 0, rising, 2 to most_rows  [1/mm]
+  /// \param symbol        S there, > 0; in the last two rows it falls no faster than kappa^-1.5, and
+  ///                      rises no faster than kappa^0.5  [mm^3/N]
+  /// \throws std::invalid_argument for others
+  SymbolKernel(const Eigen::VectorXd& wave_numbers, const Eigen::VectorXd& symbol);
+
+  double displacement(double z) const;  ///< K without the layer, z > 0
+  double decay(double z) const;
+  double clear_distance() const;
+
+  /// Gauss points integrate a panel of this length to rounding  [mm]
+  double longest_panel() const;
+
+  double log_factor() const { return log_factor_; }  ///< k  [mm^2/N]
+  double compliance() const { return compliance_; }  ///< C  [mm^3/N]
+  double symbol(double wave_number) const;
+  const Eigen::VectorXd& wave_numbers() const { return wave_numbers_; }
+  const Eigen::VectorXd& symbols() const { return symbol_; }
+
+ private:
+  Eigen::VectorXd wave_numbers_, symbol_;
+  Eigen::ArrayXd bends_;    ///< the wave numbers where kappa S changes its slope  [1/mm]
+  Eigen::ArrayXd factors_;  ///< k_i of these  [mm^2/N]
+  double log_factor_ = 0, compliance_ = 0;
+};
+
+using Kernel = std::variant<StripKernel, PlaneKernel, WinklerKernel, LayeredKernel, SymbolKernel>;
+
+/// "strip", "plane", "winkler", "symbol", or "strip with a layer", "plane with a layer"
+std::string_view name_of(const Kernel& kernel);
+
+/// Whether the kernel is of a half-space alone: a strip or plane strain.
+bool is_half_space(const Kernel& kernel);
+
+/// \param who  that takes half-spaces alone, for the message
+/// \throws BadParameter for other kernels
+void require_half_space(const Kernel& kernel, std::string_view who);
+
+/// Calls a function with the strip or plane strain. \throws BadParameter for other kernels
+template <class Function>
+decltype(auto) visit_half_space(const Function& function, const Kernel& kernel) {
+  if (const auto* strip = std::get_if<StripKernel>(&kernel)) return function(*strip);
+  require_half_space(kernel, "this method");
+  return function(std::get<PlaneKernel>(kernel));
+}
+
+/// \throws std::logic_error for a kernel without a half-space
 const Material& material_of(const Kernel& kernel);
 
-/// Factor of the logarithm at z = 0, 2 (1 - nu) / (pi G)  [mm^2/N]
+/// Factor k of the logarithm at z = 0, of a half-space 2 (1 - nu) / (pi G), and 0 if there is none
+/// [mm^2/N]
 double log_factor(const Kernel& kernel);
+
+/// C of a Winkler layer; 0 if there is none  [mm^3/N]
+double layer_compliance(const Kernel& kernel);
 
 /// The half-length below which the kernel is positive definite: any tractions on a shorter interval
 /// have a positive elastic energy. The limit is infinite for a strip, because the kernel falls and
 /// is convex. In plane strain the limit is 2 L0, where the logarithmic capacity of the interval,
-/// half its half-length, is L0  [mm]
+/// half its half-length, is L0. A layer only adds energy  [mm]
 double definite_half_length(const Kernel& kernel);
 
-/// K(length z) as a function of z: the kernel with the strip's width or L0 divided by `length`.
+/// K(length z) as a function of z: the kernel with the strip's width or L0 divided by `length`; and
+/// a layer's compliance, as the kernel of a layer is a delta function.
 /// \param length  in (0, inf)  [1]
 Kernel in_units_of(const Kernel& kernel, double length);
 

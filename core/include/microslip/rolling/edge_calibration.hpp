@@ -16,6 +16,13 @@ namespace microslip {
 /// \param elements  n, >= 2; odd for quadratic functions
 double calibrated_offset(const Basis& basis, Eigen::Index elements, const Solver& solver = {});
 
+/// The same with a Winkler layer in series: the difference of leading_edge_constants() with and
+/// without it is added, which is that for n -> inf; of springs alone 1.
+/// \param softness  microslip::softness(), in [0, inf]
+/// \throws std::invalid_argument for quadratic functions with a softness above 0 that is finite
+double calibrated_offset(const Basis& basis, Eigen::Index elements, double softness,
+                         const Solver& solver = {});
+
 /// The fraction of the strain by a pressure that a difference over the element ahead of the last
 /// node is to have, if the pressure vanishes like a square root at the leading edge and the bodies
 /// stick there: then free rolling without slip has its creepage to second order, 2/pi beta a/R. For

@@ -19,7 +19,7 @@ struct RunRows {
   std::optional<Eigen::VectorXd> velocity;          ///< v > 0, with times  [mm/s]
   std::optional<Eigen::VectorXd> creepage;          ///< w  [1]
   std::optional<Eigen::VectorXd> force;             ///< F  [N/mm]
-  std::optional<Eigen::VectorXd> angular_velocity;  ///< omega, with v and a radius  [1/s]
+  std::optional<Eigen::VectorXd> angular_velocity;  ///< omega, with v and a radius  [rad/s]
   double radius = 0;                                ///< R > 0, with omega  [mm]
 
   // The contact: either a normal load, with Hertz's theory, or a half-width and the peak of the

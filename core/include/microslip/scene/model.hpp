@@ -21,6 +21,10 @@ namespace microslip {
 /// Reads material.poisson_ratio, and material.shear_modulus or material.youngs_modulus.
 Material read_material(Scene& scene);
 
+/// Reads the same where the scene needs a material. A kernel of springs or of a table has none, unless
+/// Hertz's contact needs one: the constants then have no meaning, and no key is read.
+Material read_material_if_any(Scene& scene);
+
 /// Reads the constants of both bodies. Bodies of different material have material.dundurs_beta; or
 /// the constants of the second one have keys with the ending _2, beside the keys of
 /// read_material().
@@ -33,7 +37,9 @@ Material read_tangential(Scene& scene, const Material& material);
 /// Reads contact.friction.
 double read_friction(Scene& scene);
 
-/// Reads kernel.type, and kernel.width of a strip or kernel.length of plane strain.
+/// Reads kernel.type and the keys of that kernel: kernel.width of a strip, kernel.length of plane
+/// strain, both with kernel.compliance if they have a layer; kernel.compliance of springs; and
+/// kernel.table of a table, with columns wave_number and symbol.
 Kernel read_kernel(Scene& scene, const Material& material);
 
 /// Reads contact.half_width and contact.peak_traction.
@@ -61,6 +67,11 @@ Solver read_solver(Scene& scene);
 
 /// Reads solver.tolerance, solver.violation and solver.condition.
 Acceptance read_acceptance(Scene& scene);
+
+/// Warns of a creepage above 0.2 in size: the theory is one of small creepages. Normalised contacts,
+/// whose mean bound is above 0.1 of the shear modulus, have no such limit.
+void warn_of_large_creepage(Scene& scene, const std::string& key, double creepage,
+                            const TractionBound& bound);
 
 /// The keys of a load, of which a scene has one; load.stick_ratio is for Hertz's bound in plane
 /// strain.

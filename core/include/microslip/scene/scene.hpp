@@ -29,6 +29,10 @@ struct Warning {
   std::string line;  ///< "<key> = <value>: ..."
 };
 
+/// A warning's line without its value and other numbers, alike for cases of a sweep that are warned
+/// of for the same reason.
+std::string kind_of_warning(const std::string& line);
+
 /// A column of a table file.
 struct FileColumn {
   FileColumn(const char* name_, const char* unit_, bool needed_ = true)
@@ -128,7 +132,9 @@ class Scene {
   /// Reads columns of numbers from the table file that the key names, and returns the result of
   /// `use`. The file has a line of column names, with optional units, "q [mm]" or "q[mm]", then
   /// rows. Cells are separated by blanks or tabs; lines that begin with # are comments. Other
-  /// columns may hold anything. Messages name key, file and, if there is one, line.
+  /// columns may hold anything. Where a column is optional, the scene warns of others, unless their
+  /// names begin with _, and one of nearly the name of a wanted column is an error. Messages name
+  /// key, file and, if there is one, line.
   ///
   /// \param use  called with the wanted columns; an optional column that is missing is empty
   template <class Use>
@@ -165,6 +171,7 @@ class Scene {
   /// Adds a warning, unless it is there already. The program shows warnings and puts them into
   /// tables.
   void warn(const std::string& key, double value, const std::string& doubt);
+  void warn(const std::string& key, const std::string& value, const std::string& doubt);
   const std::vector<Warning>& warnings() const { return warnings_; }
 
   /// The parameters read so far, and a "warning" for each warning, as shown in tables. Places are
@@ -206,15 +213,24 @@ class Scene {
 /// unchanged.
 BadParameter in_keys(const BadParameter& error);
 
+/// Calls an action; a message about an argument that a key gives is then about the key.
+template <class Action>
+auto with_keys(Action action) {
+  try {
+    return action();
+  } catch (const BadParameter& error) {
+    throw in_keys(error);
+  }
+}
+
 /// Calls an action on a scene; a message about one of its keys, or about an argument that a key
 /// gives, then begins with the key's place and name.
 template <class Action>
 auto with_places(const Scene& scene, Action action) {
   try {
-    return action();
+    return with_keys(action);
   } catch (const BadParameter& error) {
-    const BadParameter of_key = in_keys(error);
-    throw std::invalid_argument(scene.place_of(of_key.name()) + of_key.what());
+    throw std::invalid_argument(scene.place_of(error.name()) + error.what());
   }
 }
 

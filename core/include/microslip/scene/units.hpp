@@ -10,7 +10,7 @@ namespace microslip {
 
 /// \file
 /// Units of numbers in scenes. A unit is a product of powers of
-///   um mm cm m km in, N kN MN, Pa kPa MPa GPa, g kg t, ms s min h, rad, %
+///   um mm cm m km in, N kN MN, Pa kPa MPa GPa, g kg t, ms s min h, rad deg rev, rpm, %
 /// with blanks, * or a centred dot between factors. Powers are mm2, mm^2 or a superscript. The
 /// factors after a single / are the denominator: "kN/m", "N s^2/mm^2". A pure number has no unit,
 /// or the unit 1.
@@ -23,13 +23,22 @@ namespace microslip {
 /// \return none if the number is not finite, or the unit is unknown or of another kind
 std::optional<double> quantity(std::string_view text, std::string_view unit);
 
-/// Converts numbers separated by blanks: "-0.5 0.5 kN/mm" in N/mm is -500 and 500. A single unit
-/// after the last number applies to all numbers; otherwise either each number has a unit, or no
-/// number has one.
+/// The unit behind a number, or behind the last number of a range, "50:50:200 mm"; empty if there
+/// is none.
+std::string_view unit_behind(std::string_view item);
+
+/// The items of a list that is separated by blanks, each with its unit: numbers, or ranges of
+/// sweeps. A single unit after the last item applies to all items: "5 10 mm" is "5 mm" and "10 mm".
+/// Otherwise either each item has a unit, or no item has one. All lists with units follow this
+/// rule.
+/// \return none if some items have a unit and others have none
+std::optional<std::vector<std::string>> list_items(std::string_view text);
+
+/// Converts the numbers of a list, see list_items(): "-0.5 0.5 kN/mm" in N/mm is -500 and 500.
 /// \param text  one or more numbers, each as for quantity()
 /// \param unit  as for quantity()
-/// \return none if a number is not finite, if a unit is unknown or of another kind, or if some
-///         numbers have a unit and others have none, except for a single unit after the last number
+/// \return none if a number is not finite, if a unit is unknown or of another kind, or if
+///         list_items() returns none
 std::optional<std::vector<double>> quantities(std::string_view text, std::string_view unit);
 
 /// Whether the text is a unit.

@@ -9,9 +9,10 @@ namespace microslip {
 /// \file
 /// Text for messages about unknown names.
 
-/// The name that differs from the word by the fewest edits, one to three; empty if there is none.
+/// The name that differs from the word by the fewest edits, one to `most`; empty if there is none.
 /// Cost: proportional to the product of the lengths.
-std::string nearest(const std::string& word, const std::vector<std::string>& names);
+std::string nearest(const std::string& word, const std::vector<std::string>& names,
+                    std::size_t most = 3);
 
 /// " (did you mean 'x'?)" with `meant` as x; empty if `meant` is empty.
 std::string suggestion(const std::string& meant);

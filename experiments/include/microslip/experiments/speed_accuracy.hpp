@@ -53,13 +53,25 @@ struct SpeedAccuracyParameters {
     std::vector<double> step_ratios;
     Eigen::Index reference;  ///< N of the reference for the motion, which is remembered with Verlet
   } rolling;
+
+  /// Steady rolling under bounds that are rough at all scales, see Roughness.
+  struct Rough {
+    std::vector<double> hursts;
+    double amplitude;
+    unsigned seed;
+    Eigen::Index rows;
+    double force_ratio;
+    std::vector<Eigen::Index> sizes;
+    Eigen::Index reference;  ///< N of the solution that is taken as exact
+  } rough;
 };
 
 /// The keys that `speed_accuracy --print-keys` lists, each checked against its listed range.
 SpeedAccuracyParameters read_speed_accuracy(Scene& scene);
 
 /// Tables: runs (errors and work of all runs, failures included), fronts (Pareto-optimal runs in
-/// error and work), cheapest (run within each accuracy), claims; and with measured times
+/// error and work, among all and of each scheme), cheapest (run within each accuracy, beside the
+/// thesis's), rough (errors against N under rough bounds), claims; and with measured times
 /// runs_timing, fronts_timing, cheapest_timing.
 std::vector<Table> speed_accuracy(const SpeedAccuracyParameters& parameters,
                                   const Progress& progress);

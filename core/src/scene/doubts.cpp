@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "doubts.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "microslip/scene/model.hpp"
+#include "microslip/scene/units.hpp"
+#include "microslip/support/format.hpp"
+#include "run_file.hpp"
+
+namespace microslip {
+
+void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, double value,
+                  const std::string& instead) {
+  if (safe.holds(value)) return;
+  const std::string least = format_short(safe.least);
+  const std::string range = safe.least == safe.most ? "at " + least
+                            : std::isfinite(safe.most)
+                                ? fmt::format("from {} to {}", least, format_short(safe.most))
+                                : fmt::format("from {} on", least);
+  scene.warn(key, value, fmt::format("this scheme is safe {}; {} is safe for any", range, instead));
+}
+
+void warn_of_noise(Scene& scene, Eigen::Index elements, double step_ratio) {
+  const double least = least_step_under_force(elements);
+  if (step_ratio >= least) return;
+  scene.warn("step.ratio", step_ratio,
+             fmt::format("under a force, rounding is more than 1 % of the creepage below "
+                         "step.ratio = {} with {} elements",
+                         format_short(least), elements));
+}
+
+void warn_of_missed_rows(Scene& scene, const LoadHistory& loads,
+                         const std::vector<double>& step_ratios, double spacing) {
+  if (!loads.changes_contact() || !scene.has("step.ratio") || scene.has("step.tolerance")) return;
+  const double longest = std::ranges::max(step_ratios);
+  const std::vector<double> rows = row_ratios(loads, spacing);
+  if (longest <= std::ranges::min(rows)) return;
+  scene.warn("step.ratio", longest,
+             "longer than rows of load.file: changes of the contact between its ends are missed; "
+             "without step.ratio, steps end at the rows, and step.tolerance makes them "
+             "shorter where the load bends");
+}
+
+void warn_of_other_radius(Scene& scene, double radius) {
+  if (!scene.has("contact.normal_load")) return;
+  for (const char* key : {"contact.radius_1", "contact.radius_2"}) {
+    const auto given = scene.has(key) ? quantity(scene.text(key), "mm") : std::nullopt;
+    if (given == radius) return;
+  }
+  scene.warn("cylinder.radius", radius, "differs from contact.radius_1 and contact.radius_2");
+}
+
+void warn_of_small_radius(Scene& scene, const std::string& key, double radius, double half_width) {
+  constexpr double least = 10;  // half-widths
+  if (radius >= least * half_width) return;
+  scene.warn(key, radius,
+             fmt::format("less than ten half-widths, {} mm: bodies are half-spaces next to the "
+                         "contact; without a unit a radius is in mm",
+                         format_roughly(least * half_width)));
+}
+
+void warn_of_large_creepage(Scene& scene, const std::string& key, double creepage,
+                            const TractionBound& bound) {
+  constexpr double most = 0.2, most_strain = 0.1;
+  if (std::abs(creepage) <= most) return;
+  const double mean = full_sliding_force(bound) / (2 * half_width_of(bound));
+  if (mean > most_strain * read_material_if_any(scene).shear_modulus) return;  // normalised
+  scene.warn(
+      key, creepage,
+      "creepages above 0.2 are not small against 1, as the theory has them, and errors are of "
+      "their size where part of the contact sticks; 0.2 % is 0.002");
+}
+
+void warn_of_large_creepages(Scene& scene, const LoadHistory& loads, const TractionBound& bound) {
+  double largest = 0;
+  for (const double distance : loads.distances()) {
+    const Load load = loads.at(distance);
+    const auto* creepage = std::get_if<PrescribedCreepage>(&load);
+    if (creepage != nullptr && std::abs(creepage->value) > std::abs(largest)) {
+      largest = creepage->value;
+    }
+  }
+  warn_of_large_creepage(scene, "creepage of load.file", largest, bound);
+}
+
+void warn_of_sudden_force(Scene& scene, const LoadHistory& loads, double first_step) {
+  if (scene.word("start.type") != "rest") return;
+  const Load load = loads.at(0);
+  const auto* force = std::get_if<PrescribedForce>(&load);
+  if (force == nullptr || force->value == 0) return;
+  const std::string key =
+      scene.one_of({"load.force", "load.force_ratio", "load.stick_ratio", "load.file"});
+  scene.warn(key == "load.force" ? key : "force of " + key, force->value,
+             fmt::format("from a start at rest, it is reached over the first step, of {} mm; "
+                         "start.type cattaneo starts under it",
+                         format_roughly(first_step)));
+}
+
+}  // namespace microslip

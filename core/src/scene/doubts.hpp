@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "microslip/rolling/load_history.hpp"
+#include "microslip/rolling/schemes.hpp"
+#include "microslip/scene/scene.hpp"
+
+namespace microslip {
+
+/// \file
+/// Warnings about values that are accepted and doubtful. Each does nothing where there is no doubt.
+
+/// \param instead  what is safe for any value
+void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, double value,
+                  const std::string& instead);
+
+/// Of creepages that are nothing but rounding, under a force.
+void warn_of_noise(Scene& scene, Eigen::Index elements, double step_ratio);
+
+/// Of steps that are longer than rows: a step knows the contact at its ends only.
+/// \param spacing  of the elements  [mm]
+void warn_of_missed_rows(Scene& scene, const LoadHistory& loads,
+                         const std::vector<double>& step_ratios, double spacing);
+
+/// Of a cylinder that is none of the two bodies of Hertz's contact.
+void warn_of_other_radius(Scene& scene, double radius);
+
+/// Of a radius that is no radius of a body with this contact: less than ten half-widths.
+void warn_of_small_radius(Scene& scene, const std::string& key, double radius, double half_width);
+
+/// Of the largest creepage in the rows of load.file, see warn_of_large_creepage().
+void warn_of_large_creepages(Scene& scene, const LoadHistory& loads, const TractionBound& bound);
+
+/// Of a force that is there at once where the contact starts without tractions.
+/// \param first_step  its length  [mm]
+void warn_of_sudden_force(Scene& scene, const LoadHistory& loads, double first_step);
+
+}  // namespace microslip

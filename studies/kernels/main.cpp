@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/kernels.hpp"
+#include "study.hpp"
+
+int main(int argc, char** argv) {
+  using namespace microslip;
+  return studies::run("kernels", "which results depend on how bodies yield?",
+                      experiments::read_kernels, experiments::kernels, argc, argv);
+}

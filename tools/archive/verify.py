@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks an archive: every file has the sum that it states, and studies, run again, give its tables.
+Usage: verify.py ARCHIVE.tar PROGRAMS WORK_FOLDER [STUDY ...]"""
+import hashlib
+import shutil
+import subprocess
+import sys
+import tarfile
+from pathlib import Path
+
+
+class Damaged(Exception):
+    """What is wrong with an archive, in one line."""
+
+
+def unpack(archive, work):
+    """The archive's one folder, below a new work folder."""
+    shutil.rmtree(work, ignore_errors=True)
+    work.mkdir(parents=True)
+    with tarfile.open(archive) as tar:
+        members = tar.getmembers()
+        for member in members:
+            if not member.isfile() or member.name.startswith("/") or ".." in Path(member.name).parts:
+                raise Damaged(f"{member.name}: expected files below one folder")
+            target = work / member.name
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_bytes(tar.extractfile(member).read())
+    tops = {Path(member.name).parts[0] for member in members}
+    if len(tops) != 1:
+        raise Damaged(f"expected one folder, found {len(tops)}")
+    return work / tops.pop()
+
+
+def check_sums(folder):
+    """The number of files, all of which are as SHA256SUMS states."""
+    sums = folder / "SHA256SUMS"
+    if not sums.is_file():
+        raise Damaged("no SHA256SUMS")
+    stated = {name: digest for digest, name in (line.split("  ", 1) for line in sums.read_text().splitlines())}
+    there = {str(path.relative_to(folder)) for path in folder.rglob("*") if path.is_file()} - {"SHA256SUMS"}
+    for name in sorted(there ^ set(stated)):
+        raise Damaged(f"{name}: {'has no sum' if name in there else 'is missing'}")
+    for name, digest in sorted(stated.items()):
+        if hashlib.sha256((folder / name).read_bytes()).hexdigest() != digest:
+            raise Damaged(f"{name}: another content than SHA256SUMS states")
+    return len(stated)
+
+
+def rerun(folder, programs, work, study):
+    """Runs a study of the archive again and compares its tables, first by bytes and then by tolerances."""
+    tables = folder / "tables" / study
+    if not tables.is_dir():
+        raise Damaged(f"no tables of a study '{study}'")
+    again = work / "again"
+    subprocess.run([programs / study, "--quiet", "--scene", folder / f"scenes/{study}/study.info", "--out", again / study], check=True)
+    names = sorted(path.name for path in tables.glob("*.tsv"))
+    other = [name for name in names if not (again / study / name).is_file()
+             or (again / study / name).read_bytes() != (tables / name).read_bytes()]
+    if not other:
+        return f"{study}: {len(names)} tables are the same bytes"
+    compared = subprocess.run([programs / "compare_tables", again, folder / "tables", study], capture_output=True, text=True)
+    if compared.returncode != 0:
+        raise Damaged(f"{study}: {', '.join(other)} differ:\n{compared.stdout}{compared.stderr}")
+    return f"{study}: {len(names)} tables agree, {len(names) - len(other)} of them with the same bytes"
+
+
+def main(arguments):
+    if len(arguments) < 3:
+        print("verify-archive: expected ARCHIVE.tar PROGRAMS WORK_FOLDER [STUDY ...]", file=sys.stderr)
+        return 1
+    archive, programs, work = map(Path, arguments[:3])
+    try:
+        folder = unpack(archive, work)
+        print(f"{archive}: {check_sums(folder)} files have their sums")
+        for study in arguments[3:]:
+            print(rerun(folder, programs, work, study))
+    except (Damaged, OSError, ValueError, tarfile.TarError, subprocess.CalledProcessError) as error:
+        print(f"verify-archive: {archive}: {error}", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
