@@ -22,4 +22,8 @@ if [ ! -e "$folder/packages.txt" ]; then
   chroot "$folder" dpkg-query -W >"$folder/packages.txt"
 fi
 echo "rootfs: $folder: $(wc -l <"$folder/packages.txt") packages"
-[ $# -eq 0 ] || DEPS=skip chroot "$folder" sh -c 'cd /microslip && exec "$@"' sh "$@"
+[ $# -gt 0 ] || exit 0
+# Programs look in /proc for the folder that they are in, and the shell for its pipes.
+mount -t proc proc "$folder/proc" || fail "cannot mount $folder/proc"
+trap 'umount "$folder/proc"' EXIT
+DEPS=skip chroot "$folder" sh -c 'cd /microslip && exec "$@"' sh "$@"

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "extremes_cases.hpp"
+#include "microslip/friction/rough_bound.hpp"
 #include "microslip/rolling/inverted_rolling.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/support/not_converged.hpp"
@@ -16,7 +17,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// Hertz's bound in 201 rows, each 30 % too high or too low.
-TractionBound rough_bound(const HertzBound& hertz) {
+TractionBound noisy_bound(const HertzBound& hertz) {
   constexpr Index rows = 201;
   constexpr double share = 0.3;
   const double a = hertz.half_width();
@@ -37,16 +38,22 @@ TractionBound table_of(double half_width, const VectorXd& places, const VectorXd
 std::vector<TractionBound> bounds(const HertzBound& hertz) {
   const double a = hertz.half_width();
   const double peak = hertz.peak();
-  return {rough_bound(hertz), table_of(a, Eigen::Vector2d(-1, 1), peak * Eigen::Vector2d(0.5, 1)),
+  const auto rough = [&](double amplitude) {
+    return rough_bound(hertz, {.amplitude = amplitude, .hurst = 0.3, .rows = 1025});
+  };
+  return {noisy_bound(hertz),
+          table_of(a, Eigen::Vector2d(-1, 1), peak * Eigen::Vector2d(0.5, 1)),
           table_of(a, Eigen::Vector4d(-1, 0, 1e-3, 1), peak * Eigen::Vector4d(0.5, 0.5, 1, 0)),
-          PolynomialBound(a, peak, Eigen::Vector3d(0.05, 0, 1))};
+          PolynomialBound(a, peak, Eigen::Vector3d(0.05, 0, 1)),
+          rough(0.5),
+          rough(1.5)};
 }
 
 /// Returns the creepage: by inversion with finer quadratures, or by so many elements that four
 /// digits are right.
 double truth_of(const Kernel& kernel, const TractionBound& bound, const Load& load) {
   constexpr double finer = 2;
-  constexpr Index elements = 4001;
+  constexpr Index elements = 8001;
   try {
     const InvertedSolution found = InvertedRolling(kernel, bound, finer).solve(load);
     if (found.keeps_conditions()) return found.creepage();
@@ -76,8 +83,8 @@ Map bounds_map(const ExtremesParameters& p) {
       "bounds",
       "steady rolling in plane strain, bounds that are not smooth, under small and large forces",
       {{"bound", "1",
-        "1 rough (30 %), 2 finite at both edges, 3 with a jump, 4 with two humps: two stick "
-        "zones"},
+        "1 noisy (30 %), 2 finite at both edges, 3 with a jump, 4 with two humps: two stick "
+        "zones, 5 rough at all scales (50 %), 6 the same (150 %), zero in places"},
        {"load", "1", "force over full sliding"}},
       {1, 0.5},
       {},

@@ -186,20 +186,20 @@ INSTANTIATE_TEST_SUITE_P(
                     BoundCase{{"quadratic", 3e-16, "x_0p999999_a_1em12"}, 2e-15},
                     BoundCase{{"degree_32", 1e-14, "x_0p999999_a_1em12"}, 3e-14},
                     BoundCase{{"table", 3e-16, "x_0_a_1em12"}, 1e-15}),
-    name_of);
+    case_name);
 INSTANTIATE_TEST_SUITE_P(Digits, BoundIntegral,
                          testing::Values(BoundCase{{"hertz", 3e-16, "x_0p999999_a_1"}, 1e-15},
                                          BoundCase{{"quadratic", 3e-16, "x_m0p999_a_1em12"}, 2e-15},
                                          BoundCase{{"degree_32", 5e-16, "x_m0p999_a_1em12"}, 3e-14},
                                          BoundCase{{"table", 3e-16, "x_0p3_a_1"}, 1e-15}),
-                         name_of);
+                         case_name);
 INSTANTIATE_TEST_SUITE_P(
     Digits, BoundMean,
     testing::Values(BoundCase{{"hertz", 4e-16, "x_0p3_width_1em6_a_1"}, 1e-15},
                     BoundCase{{"quadratic", 5e-16, "x_1_width_0p001_a_1"}, 2e-15},
                     BoundCase{{"degree_32", 1e-14, "x_1_width_1em15_a_1em12"}, 3e-14},
                     BoundCase{{"table", 4e-16, "x_m0p7_width_1em15_a_1em12"}, 1e-15}),
-    name_of);
+    case_name);
 
 }  // namespace
 }  // namespace microslip

@@ -197,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(Digits, CarterDigits,
                              {"stick_ratio_by_creepage", 2e-16, "load_0p001_x_0_G_1"},
                              {"stick_ratio_by_force", 5e-17, "load_1em12_x_0_G_1"},
                          })),
-                         name_of);
+                         case_name);
 
 // ----------------------------------------------------------------------------------- Cattaneo
 
@@ -238,7 +238,7 @@ TEST_P(CattaneoTraction, AgreesWith100Digits) {
 INSTANTIATE_TEST_SUITE_P(Digits, CattaneoTraction,
                          testing::Values(Single{
                              {"traction", 2e-16, "force_0p9999_x_m0p01_G_1e12"}}),
-                         name_of);
+                         case_name);
 
 // The displacement in the middle, by quadrature of the kernel over the traction.
 TEST_P(CattaneoDisplacement, AgreesWith50Digits) {
@@ -270,7 +270,7 @@ TEST_P(CattaneoDisplacement, AgreesWith50Digits) {
 
 INSTANTIATE_TEST_SUITE_P(Digits, CattaneoDisplacement,
                          testing::Values(Single{{"displacement", 6e-16, "force_1_L0_0p5"}}),
-                         name_of);
+                         case_name);
 
 // -------------------------------------------------------------------------- edge displacement
 
@@ -318,7 +318,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(EdgeCase{{"plane", 4e-16, "stick_ratio_1_width_0_L0_0p5"}, {0}},
                     EdgeCase{{"strip", 5e-16, "stick_ratio_0p95_width_0p01_L0_1"},
                              {0.01, 1, 40, 1e6}}),
-    name_of);
+    case_name);
 
 // ---------------------------------------------------------------------------------- x - sin x
 
@@ -335,7 +335,8 @@ TEST_P(SineDigits, AgreesWith100Digits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Digits, SineDigits,
-                         testing::Values(Single{{"x_minus_sine", 3e-16, "x_2p37837em6"}}), name_of);
+                         testing::Values(Single{{"x_minus_sine", 3e-16, "x_2p37837em6"}}),
+                         case_name);
 
 }  // namespace
 }  // namespace microslip

@@ -120,7 +120,7 @@ INSTANTIATE_TEST_SUITE_P(
         FieldCase{{"strain_strip", 9e-16, "x_m0p375_width_0p015"}, {0.015, 0.8, 1e8}, 2e-15},
         FieldCase{{"displacement_plane", 5e-16, "x_m1e6_width_0"}, {0}, 2e-15},
         FieldCase{{"displacement_strip", 8e-16, "x_m1e6_width_0p015"}, {0.015, 0.8, 1e8}, 2e-15}),
-    name_of);
+    case_name);
 
 }  // namespace
 }  // namespace microslip

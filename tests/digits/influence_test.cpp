@@ -149,9 +149,9 @@ const std::vector<Stated> differences = {
     {"edge_constant_strip", 5e-15, "c_0p5_offset_m1_width_0p001_nu_0"},
 };
 
-INSTANTIATE_TEST_SUITE_P(Digits, InfluenceDigits, testing::ValuesIn(cases(influences)), name_of);
+INSTANTIATE_TEST_SUITE_P(Digits, InfluenceDigits, testing::ValuesIn(cases(influences)), case_name);
 INSTANTIATE_TEST_SUITE_P(Digits, InfluenceDifferenceDigits, testing::ValuesIn(cases(differences)),
-                         name_of);
+                         case_name);
 
 }  // namespace
 }  // namespace microslip

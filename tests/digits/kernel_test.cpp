@@ -186,7 +186,7 @@ INSTANTIATE_TEST_SUITE_P(
                        double_integral,
                        exact_double_integral,
                        of_integral<2>}),
-    name_of);
+    case_name);
 
 }  // namespace
 }  // namespace microslip

@@ -221,7 +221,7 @@ INSTANTIATE_TEST_SUITE_P(
         SymbolCase{
             {"influence_constant", 2e-14, "theta_3p14159_c_1_width_0"}, true, constant_shape()},
         SymbolCase{{"influence_linear", 4e-14, "theta_0p001_c_1_width_0p1"}, true, linear_shape()}),
-    name_of);
+    case_name);
 
 // ------------------------------------------------------------------------------- leading edge
 
@@ -329,7 +329,7 @@ TEST_P(LeadingEdgeDigits, AgreesWith30Digits) {
 INSTANTIATE_TEST_SUITE_P(Digits, LeadingEdgeDigits,
                          testing::Values(EdgeCase{{"constant", 3e-16, "layer_7"}, 0},
                                          EdgeCase{{"linear", 2e-16, "layer_4"}, 1}),
-                         name_of);
+                         case_name);
 
 // ---------------------------------------------------------------------------- Fourier inverse
 
@@ -389,7 +389,7 @@ TEST_P(FourierInverseDigits, AgreesWith50Digits) {
 
 INSTANTIATE_TEST_SUITE_P(Digits, FourierInverseDigits,
                          testing::Values(InverseCase{{"column", 2e-16, "n_2_c_0p001_k_1"}}),
-                         name_of);
+                         case_name);
 
 }  // namespace
 }  // namespace microslip

@@ -119,6 +119,6 @@ inline void expect_as_stated(const Stated& stated, const WorstCase& worst) {
 }
 
 /// For INSTANTIATE_TEST_SUITE_P, of parameters derived from Stated.
-inline constexpr auto name_of = [](const auto& info) { return info.param.name(); };
+inline constexpr auto case_name = [](const auto& info) { return info.param.name(); };
 
 }  // namespace microslip::test

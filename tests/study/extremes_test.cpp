@@ -176,17 +176,20 @@ TEST_F(Extremes, InversionAndChebyshevHoldFromFullSlidingToFullStick) {
   });
 }
 
-// Small loads, bounds that are not smooth (1 to 3), and two stick zones (4). Where the rough bound
-// (1) is reached at many places, elements replace the inversion.
+// Small loads, bounds that are not smooth (1 to 3), two stick zones (4), and bounds that are rough at
+// all scales (5, 6). Where a bound is reached at many places, elements replace the inversion.
 TEST_F(Extremes, InversionHoldsUnderAnyBound) {
   for_rows("bounds", "inversion", [](const Table& rows, std::size_t i) {
     const double bound = rows.number(i, "bound");
+    if (bound > 4) return;
     const bool one_zone = bound == 2 || bound == 3 || rows.number(i, "load") <= 0.1;
     EXPECT_LE(rows.number(i, "error"), one_zone ? 1e-9 : 0.02) << "row " << i;
   });
-  for_rows("bounds", "calibrated", [](const Table& rows, std::size_t i) {
-    EXPECT_LE(rows.number(i, "error"), 0.02) << "row " << i;
-  });
+  for (const std::string scheme : {"calibrated", "inversion"}) {
+    for_rows("bounds", scheme, [](const Table& rows, std::size_t i) {
+      EXPECT_LE(rows.number(i, "error"), rows.number(i, "bound") > 4 ? 0.05 : 0.02) << "row " << i;
+    });
+  }
 }
 
 // Next to full stick, where the displacement at the edge is a difference, too.

@@ -199,11 +199,12 @@ struct Explain {
     return with_kernel(problem, found);
   }
   Explanation operator()(const SteadyTarget& target) const {
-    return with_kernel(target.contact, steady(kind_of(target.contact.load),
-                                              {sliding(target.contact.bound, target.contact.load),
-                                               "method and grid are chosen: inversion if one zone "
-                                               "sticks, otherwise as many calibrated "
-                                               "elements as the error needs"}));
+    return with_kernel(
+        target.contact,
+        steady(kind_of(target.contact.load),
+               {sliding(target.contact.bound, target.contact.load),
+                "method and grid are chosen: inversion if one zone sticks, otherwise as many "
+                "calibrated elements as the error needs"}));
   }
   Explanation operator()(const TransientScene& scene) const {
     std::vector<std::string> consequences = {loaded(scene), elements_of(scene.problem.grid)};
