@@ -4,6 +4,6 @@
 
 int main(int argc, char** argv) {
   using namespace microslip;
-  return studies::run("kernels", "which results depend on how bodies yield?",
+  return studies::run("kernels", "which results depend on the kernel: half-space, layer or brush?",
                       experiments::read_kernels, experiments::kernels, argc, argv);
 }
