@@ -98,7 +98,9 @@ TEST(CutElements, MeetTheContactConditions) {
       const VectorXd x = contact.x(), width = contact.width(), traction = contact.traction();
       contact.step(c);
       EXPECT_NEAR(contact.force(), rolling.force, 1e-11);
-      if (treatment == EdgeElements::cut) EXPECT_NEAR(contact.width().sum(), 2, 1e-12);
+      if (treatment == EdgeElements::cut) {
+        EXPECT_NEAR(contact.width().sum(), 2, 1e-12);
+      }
       const VectorXd now = contact.x(), widths = contact.width();
       for (Eigen::Index i = 0; i < now.size(); ++i) {
         const double mean = (rolling.bound.integral(now[i] + widths[i] / 2) -

@@ -15,13 +15,11 @@ using Eigen::VectorXd;
 
 const HertzBound hertz(5, 300);
 
-/// The profile of a table whose amplitude is too small for the bound to reach zero.
+/// The profile of a table whose amplitude is too small for the bound to reach zero, without its ends.
 VectorXd profile_of(const Roughness& roughness) {
-  const TabulatedBound bound = rough_bound(hertz, roughness);
-  const Index n = roughness.rows - 2;
-  const VectorXd x = bound.x().segment(1, n);
-  return (bound.values().segment(1, n).array() / bound_at(hertz, x).array() - 1) /
-         roughness.amplitude;
+  const VectorXd x = VectorXd::LinSpaced(roughness.rows, -5, 5).segment(1, roughness.rows - 2);
+  const VectorXd rough = bound_at(rough_bound(hertz, roughness), x);
+  return (rough.array() / bound_at(hertz, x).array() - 1) / roughness.amplitude;
 }
 
 TEST(RoughBound, HasTheAmplitudeAndTheHurstExponent) {

@@ -72,7 +72,7 @@ void expect_slopes(bool shifts, double most) {
        {Kernel(PlaneKernel(material, 10)), Kernel(StripKernel(material, 2))}) {
     TransientRolling rolling(problem(40, kernel), CattaneoShift{-0.3 * full_sliding});
     const double dx = rolling.x()[1] - rolling.x()[0];
-    for (int k = 0; k < 210; ++k) {
+    for (int k = 0; k < 200; ++k) {
       const double length = std::pow(10.0, 1.2 * unit(random) - 0.5) * dx;
       const Load load = k % 2 == 0
                             ? Load(PrescribedForce{(-0.5 + 0.3 * unit(random)) * full_sliding})
@@ -80,12 +80,11 @@ void expect_slopes(bool shifts, double most) {
       StepJacobian jacobian;
       const TransientState state = rolling.attempt(length, load, jacobian);
       const double value = value_of(load);
-      // The shorter a step, the less a creepage changes, and rounding would be 1e-6 of that.
       const Differences by_load = differences(
           [&](double h) {
             return results_of(rolling.attempt(length, with_value(load, value + h)));
           },
-          2e-4 * std::max(1.0, 0.08 * dx / length) * std::abs(value));
+          2e-4 * std::abs(value));
       const Differences by_length = differences(
           [&](double h) { return results_of(rolling.attempt(length + h, load)); }, 3e-4 * length);
       const auto mismatch = [&](const StepSlopes& slopes, const Differences& d, double input) {
@@ -96,7 +95,10 @@ void expect_slopes(bool shifts, double most) {
         compared += converges ? 1 : 0;
         return converges ? ((results_of(slopes) - d.fourth) / scale).abs().maxCoeff() : 0;
       };
-      EXPECT_LT(mismatch(jacobian.by_load, by_load, value), most) << k << ", " << length / dx;
+      // The shorter a step, the less a load changes, and the more rounding there is in differences.
+      const double rounding = 2e-8 * dx / length;
+      EXPECT_LT(mismatch(jacobian.by_load, by_load, value), most + rounding)
+          << k << ", " << length / dx;
       EXPECT_LT(mismatch(jacobian.by_length, by_length, length), most) << k << ", " << length / dx;
       rolling.step(length, load);
       EXPECT_NEAR(rolling.state().force, state.force, 1e-13);
@@ -108,7 +110,7 @@ void expect_slopes(bool shifts, double most) {
 
 TEST(StepJacobian, IsTheSlopeOfTheStep) { expect_slopes(false, 1e-6); }
 
-// One of 840 slopes is 6e-6 off, for a reason not found; all others are below 1e-6.
+// One of 800 steps is 6e-6 off, for a reason not found; all others are below 1e-6.
 TEST(StepJacobian, IsTheSlopeAfterShifts) { expect_slopes(true, 1e-5); }
 
 // A creepage and the force to which it leads are the same step within an element, except that the

@@ -52,6 +52,13 @@ constexpr auto arguments = std::to_array<Argument>({
     {"shortest", "response.shortest"},
 });
 
+/// The same error of another name, if its message begins with the name.
+BadParameter renamed(const BadParameter& error, const std::string& name) {
+  const std::string message = error.what();
+  if (!message.starts_with(error.name())) return error;
+  return {name, name + message.substr(error.name().size())};
+}
+
 }  // namespace
 
 BadParameter in_keys(const BadParameter& error) {
@@ -60,10 +67,14 @@ BadParameter in_keys(const BadParameter& error) {
   const std::size_t begin = of == std::string::npos ? 0 : of + 4;
   const auto found =
       std::ranges::find(arguments, std::string_view(name).substr(begin), &Argument::name);
-  const std::string message = error.what();
-  if (found == arguments.end() || !message.starts_with(name)) return error;
-  const std::string renamed = name.substr(0, begin) + std::string(found->key);
-  return {renamed, renamed + message.substr(name.size())};
+  if (found == arguments.end()) return error;
+  return renamed(error, name.substr(0, begin) + std::string(found->key));
+}
+
+BadParameter in_keys(const BadParameter& error, const Scene& scene) {
+  const BadParameter named = in_keys(error);
+  const bool is_rough = named.name() == "contact.bound_file" && scene.has("contact.roughness");
+  return is_rough ? renamed(named, "contact.roughness") : named;
 }
 
 }  // namespace microslip

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <limits>
 
 #include "hertz.hpp"
 #include "microslip/friction/rough_bound.hpp"
@@ -147,17 +148,23 @@ PolynomialBound read_polynomial_bound(Scene& scene) {
 }
 
 TabulatedBound read_rough_bound(Scene& scene) {
-  return rough_bound(read_hertz_bound(scene),
-                     {.amplitude = scene.number("contact.roughness"),
-                      .hurst = scene.number("contact.hurst"),
-                      .seed = static_cast<unsigned>(scene.whole("contact.seed")),
-                      .rows = scene.whole("contact.rows")});
+  for (const char* other :
+       {"contact.bound_polynomial", "contact.bound_file", "contact.normal_load"}) {
+    scene.at_most_one_of({"contact.roughness", other});
+  }
+  const Eigen::Index seed = scene.whole("contact.seed");
+  scene.demand("contact.seed", static_cast<double>(seed),
+               seed >= 0 && seed <= std::numeric_limits<unsigned>::max());
+  return rough_bound(read_hertz_bound(scene), {.amplitude = scene.number("contact.roughness"),
+                                               .hurst = scene.number("contact.hurst"),
+                                               .seed = static_cast<unsigned>(seed),
+                                               .rows = scene.whole("contact.rows")});
 }
 
 TractionBound read_bound(Scene& scene) {
+  if (scene.has("contact.roughness")) return read_rough_bound(scene);
   if (scene.has("contact.bound_polynomial")) return read_polynomial_bound(scene);
   if (scene.one_of({"contact.peak_traction", "contact.bound_file"}) == "contact.peak_traction") {
-    if (scene.has("contact.roughness")) return read_rough_bound(scene);
     return read_hertz_bound(scene);
   }
   const double half_width = scene.number("contact.half_width");

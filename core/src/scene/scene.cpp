@@ -285,6 +285,11 @@ std::vector<double> Scene::numbers(const std::string& key) {
 }
 
 Eigen::Index Scene::whole(const std::string& key) {
+  const Key* found = known(key);
+  if (!has(key) && found != nullptr && !std::isnan(found->fallback)) {
+    record(key, format_short(found->fallback));
+    return static_cast<Eigen::Index>(found->fallback);
+  }
   const auto value = whole_number(text(key));
   if (!value) reject(key, text(key), "a whole number");
   record(key, std::to_string(*value));

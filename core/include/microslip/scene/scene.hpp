@@ -213,6 +213,9 @@ class Scene {
 /// unchanged.
 BadParameter in_keys(const BadParameter& error);
 
+/// The same for a scene, where several keys may give an argument.
+BadParameter in_keys(const BadParameter& error, const Scene& scene);
+
 /// Calls an action; a message about an argument that a key gives is then about the key.
 template <class Action>
 auto with_keys(Action action) {
@@ -228,9 +231,10 @@ auto with_keys(Action action) {
 template <class Action>
 auto with_places(const Scene& scene, Action action) {
   try {
-    return with_keys(action);
+    return action();
   } catch (const BadParameter& error) {
-    throw std::invalid_argument(scene.place_of(error.name()) + error.what());
+    const BadParameter named = in_keys(error, scene);
+    throw std::invalid_argument(scene.place_of(named.name()) + named.what());
   }
 }
 
