@@ -140,6 +140,26 @@ ContactState contact_by(ActiveSet& active_set, const SteadyProblem& problem,
   return active_set.solve(conditions, problem.load, first_zones(problem, differences));
 }
 
+/// The force of elements in adhesion at places where the bound is below their traction, as in gaps of
+/// a contact that are shorter than elements. The outermost elements do not count: tractions vanish
+/// there with the bound. Bounds other than tables have no such places  [N/mm]
+double force_in_gaps(const SteadyProblem& problem, const ContactState& state) {
+  constexpr int samples = 16;
+  const auto* table = std::get_if<TabulatedBound>(&problem.bound);
+  if (table == nullptr) return 0;
+  const VectorXd x = problem.grid.nodes();
+  const double part = problem.grid.spacing() / samples;
+  double force = 0;
+  for (Index i = 1; i + 1 < x.size(); ++i) {
+    if (state.zones[static_cast<std::size_t>(i)] != Zone::adhesion) continue;
+    for (int k = 0; k < samples; ++k) {
+      const double place = x[i] + (k + 0.5 - samples / 2.0) * part;
+      force += part * std::max(0.0, std::abs(state.traction[i]) - (*table)(place));
+    }
+  }
+  return force;
+}
+
 SteadySolution by_differences(const SteadyProblem& problem, const Differences& differences) {
   const Grid& grid = problem.grid;
   const Index n = grid.size();
@@ -152,6 +172,7 @@ SteadySolution by_differences(const SteadyProblem& problem, const Differences& d
   Evidence evidence = evidence_by_elements(
       {lengths, bound, mean_bound_of(problem), state.traction, state.slip}, force, state.creepage);
   evidence.residual = state.residuals.equations;
+  evidence.unresolved += force_in_gaps(problem, state);
   if (problem.has_unlike_bodies()) {
     evidence.load = lengths.dot(state.traction.cwiseAbs());
     evidence.power = evidence.dissipated;

@@ -19,7 +19,8 @@ struct Evidence {
   double excess = 0;      ///< force by which tractions exceed the bound  [N/mm]
   double backward = 0;    ///< power gained where slip has the direction of the traction  [N/mm]
   double unresolved = 0;  ///< difference between the force of slipping elements and the integral of
-                          ///< the bound over these elements  [N/mm]
+                          ///< the bound over these elements; and the force of elements in adhesion
+                          ///< at places where a table is below their traction  [N/mm]
   double dissipated = 0;  ///< -integral of p s  [N/mm]
   double load = 0;        ///< |F|; for bodies of different material, the integral of |p|  [N/mm]
   double power = 0;       ///< |w F|, which equals the dissipation in steady rolling; in a
