@@ -194,7 +194,7 @@ def test_states_of_rolling_start_a_scene(scene, tmp_path):
 
 def test_keys_are_all_with_units():
     keys = ms.keys()
-    assert keys["contact.half_width"].unit == "mm" and keys["kernel.type"].accepted == "strip, plane"
+    assert keys["contact.half_width"].unit == "mm" and keys["kernel.type"].accepted == "strip, plane, winkler, symbol"
     assert set(ms.keys("load.")) == {name for name in keys if "load." in name}
     assert "load.force" in repr(keys) and "<table>" in keys._repr_html_()
 

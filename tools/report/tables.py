@@ -113,7 +113,7 @@ def studies_of(readme):
     return studies
 
 
-def read_study(results, name, question, introduction):
+def read_study(results, name, question, introduction=""):
     folder = Path(results) / name
     claims_file = folder / "claims.tsv"
     table = read_table(claims_file)
