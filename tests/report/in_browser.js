@@ -39,6 +39,8 @@ const background = element => {
 };
 const seen = new Set();
 const texts = "h1, h2, h4, p, a, td, th, dt, dd, b, figcaption, code, .verdict, svg text";
+// A label in the colour of its line may be as pale as the line, which stands beside it.
+const lines = new Set([...document.querySelectorAll("svg path")].map(path => getComputedStyle(path).stroke));
 for (const element of document.querySelectorAll(texts)) {
   const empty = !element.textContent.trim() || element.matches(".count:has(i)");
   if (empty || !element.getBoundingClientRect().width) continue;
@@ -49,6 +51,7 @@ for (const element of document.querySelectorAll(texts)) {
   seen.add(colour + behind);
   const [low, high] = [luminance(rgb(colour)), luminance(behind)].sort((a, b) => a - b);
   const contrast = (high + 0.05) / (low + 0.05);
-  if (contrast < 4.5) found.push(`${named(element)}: contrast ${contrast.toFixed(1)} of ${colour}`);
+  const least = element.closest("svg") && lines.has(colour) ? 2 : 4.5;
+  if (contrast < least) found.push(`${named(element)}: contrast ${contrast.toFixed(1)} of ${colour}`);
 }
 return found;
