@@ -5,12 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <random>
 
 #include "microslip/friction/rough_bound.hpp"
 #include "microslip/rolling/target_error.hpp"
-#include "microslip/support/not_converged.hpp"
 
 namespace microslip {
 namespace {
@@ -109,32 +107,35 @@ TEST(RoughContacts, NumberOfRoundsDoesNotGrowWithTheNumberOfZones) {
   }
 }
 
-// The truth is known to a fraction of the target.
+// The truth is known to its difference to half as many elements.
 TEST(RoughContacts, EstimatesHold) {
-  constexpr double target = 1e-3;
+  constexpr double target = 2e-3;
   constexpr Index elements = 32768;
-  int certified = 0;
   for (const double hurst : {0.5, 0.3, 0.1}) {
     for (const double force_ratio : {0.02, 0.5, 0.9}) {
-      const double amplitude = force_ratio < 0.9 ? 1 : 0.3;
       const TractionBound bound =
-          rough_bound(hertz, {.amplitude = amplitude, .hurst = hurst, .seed = 7, .rows = 8193});
+          rough_bound(hertz, {.amplitude = 0.3, .hurst = hurst, .seed = 7, .rows = 8193});
       const SteadyProblem problem = problem_of(bound, elements, force_ratio);
-      std::optional<EstimatedSteady> estimated;
-      try {
-        estimated = solve_steady_to({problem.kernel, bound, problem.load}, target);
-      } catch (const NotConverged&) {
-        continue;  // refused
-      }
-      ++certified;
-      const EstimatedSteady& found = *estimated;
+      const EstimatedSteady found = solve_steady_to({problem.kernel, bound, problem.load}, target);
       const double truth = solve_steady(problem).creepage;
+      const double other = solve_steady(problem_of(bound, elements / 2, force_ratio)).creepage;
       EXPECT_LE(found.error, target);
-      EXPECT_LE(std::abs(found.solution.creepage / truth - 1), found.error)
+      EXPECT_LE(std::abs(found.solution.creepage / truth - 1),
+                found.error + std::abs(other / truth - 1))
           << hurst << ", " << force_ratio;
     }
   }
-  EXPECT_GE(certified, 4);
+}
+
+// Gaps of the contact that are shorter than elements make creepages wrong by a fifth: a warning says so.
+TEST(RoughContacts, UnresolvedGapsAreDoubted) {
+  for (const double force_ratio : {1e-6, 1e-3}) {
+    const TractionBound bound = rough_bound(hertz, {.amplitude = 1.5, .hurst = 0.3, .rows = 1025});
+    const SteadySolution found = solve_steady(problem_of(bound, 51, force_ratio));
+    const double truth = solve_steady(problem_of(bound, 8192, force_ratio)).creepage;
+    ASSERT_GT(std::abs(found.creepage / truth - 1), 0.1);
+    EXPECT_TRUE(doubt_of(found.evidence, Acceptance{}, true).has_value());
+  }
 }
 
 }  // namespace

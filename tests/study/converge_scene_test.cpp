@@ -54,10 +54,10 @@ TEST(Converge, TriesFewerElementsOfLongRuns) {
   EXPECT_TRUE(scene.warnings().empty());
   scene = scene_of(transient);
   scene.set("motion.distance=500");
-  EXPECT_EQ(read_converge(scene).elements, (Elements{15, 31, 63}));
+  EXPECT_EQ(read_converge(scene).elements, (Elements{15, 31, 63, 127}));
   ASSERT_EQ(scene.warnings().size(), 1U);
-  EXPECT_EQ(scene.warnings().front().line.find("converge.elements = 63: the largest N unless more"),
-            0U);
+  EXPECT_EQ(
+      scene.warnings().front().line.find("converge.elements = 127: the largest N unless more"), 0U);
   scene = scene_of(transient + "converge { elements \"31 127\" }\n");
   scene.set("motion.distance=500");
   EXPECT_EQ(read_converge(scene).elements, (Elements{31, 127}));
