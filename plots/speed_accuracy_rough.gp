@@ -1,7 +1,6 @@
 # Error of the creepage against the number of elements, under bounds that are rough at all scales: the rougher
 # the bound, the more stick zones (their number stands at the points), and the more elements an accuracy takes.
 rough = tables."/rough.tsv"
-study = tables."/rough.tsv"
 of(h, value) = same(column("hurst"), h) ? value : NaN
 hursts = system(sprintf("awk -F'\\t' '!/^#/ && $1 + 0 > 0 {print $1}' \"%s\" | uniq", rough))
 set logscale xy
@@ -14,7 +13,7 @@ set xrange [25:20000]
 do for [i=1:words(hursts)] {
   last = system(sprintf("awk -F'\\t' '$1 == \"%s\" {e = $3} END {print e}' \"%s\"", word(hursts, i), rough)) + 0
   n = system(sprintf("awk -F'\\t' '$1 == \"%s\" {e = $2} END {print e}' \"%s\"", word(hursts, i), rough)) + 0
-  set label i "  H = ".word(hursts, i) at n, shown(last) left textcolor linetype i
+  set label i sprintf("  H = %g", real(word(hursts, i))) at n, shown(last) left textcolor linetype i
 }
 plot for [i=1:words(hursts)] rough using "elements":(of(real(word(hursts, i)), shown(column("creepage_error")))) \
          with linespoints linetype i pointtype 7 pointsize 0.6, \
