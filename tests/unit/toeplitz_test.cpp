@@ -194,6 +194,21 @@ TEST(ToeplitzSubmatrix, LongIntervalsAreInvertedByFft) {
   EXPECT_LT(count.operations(), 2e7);
 }
 
+// Every 40, 13 or 5 elements one is missing: 100 to 800 intervals.
+TEST(ToeplitzSubmatrix, NeedsFewIterationsForManyIntervals) {
+  const Toeplitz matrix = influence_over(plane, constant_basis(), 4000, 1);
+  ToeplitzSubmatrix block(matrix, 1e-7);
+  for (const Index period : {40, 13, 5}) {
+    std::vector<Index> indices;
+    for (Index i = 0; i < matrix.size(); ++i) {
+      if (i % period != 1) indices.push_back(i);
+    }
+    block.choose(indices);
+    VectorXd x;
+    EXPECT_LE(block.solve(some_values(static_cast<Index>(indices.size())), x), 28) << period;
+  }
+}
+
 TEST(ToeplitzInverse, ThrowsWhereTheMatrixIsSingular) {
   EXPECT_THROW(ToeplitzInverse(Toeplitz(VectorXd::Ones(70), VectorXd::Ones(70))), NotConverged);
 }
