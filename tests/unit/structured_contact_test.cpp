@@ -127,7 +127,7 @@ class StructuredTransient : public testing::TestWithParam<std::string> {
 
 TEST_P(StructuredTransient, IsTheDenseSolutionWithSeveralStickZonesToo) {
   for (const Kernel& kernel : {Kernel(PlaneKernel(material, GetParam() == "fractional" ? 10 : 0.6)),
-                              Kernel(StripKernel(material, 1))}) {
+                               Kernel(StripKernel(material, 1))}) {
     const double full = 0.35 * std::numbers::pi;
     TransientRolling expected(transient(kernel, 201, scheme(), dense), CattaneoShift{-0.64 * full});
     TransientRolling rolling(transient(kernel, 201, scheme(), fft), CattaneoShift{-0.64 * full});
