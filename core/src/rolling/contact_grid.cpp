@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact_grid.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <variant>
 
 #include "microslip/halfspace/influence.hpp"
-#include "microslip/support/interpolation.hpp"
 
 namespace microslip {
 
@@ -81,11 +82,19 @@ double ContactGrid::dissipation(const TransientState& before, const TransientSta
   const auto* relaxed = std::get_if<Relaxed>(&scheme_);
   const double step_ratio =
       relaxed != nullptr ? relaxed->step_ratio : advection_.solved_step_ratio(length / spacing_);
-  double at_start = 0;
-  for (Index i = 0; i < x_.size(); ++i) {
-    at_start -= weights_[i] * before.traction[i] *
-                interpolated(x_, after.slip, x_[i] - step_ratio * spacing_);
-  }
+  const double whole = std::floor(step_ratio);
+  const double part = step_ratio - whole;
+  const Index size = after.slip.size();
+  const auto beyond = static_cast<Index>(std::min(whole + 1, static_cast<double>(size)));
+  const Index within = size - beyond;
+  const auto force_of = [&](Index from, Index nodes) {
+    return weights_.segment(from, nodes).cwiseProduct(before.traction.segment(from, nodes));
+  };
+  const double at_start =
+      -after.slip[0] * force_of(0, beyond).sum() -
+      (1 - part) *
+          force_of(beyond, within).dot(after.slip.segment(std::min<Index>(1, within), within)) -
+      part * force_of(beyond, within).dot(after.slip.head(within));
   return (at_start + after.end_dissipation) / 2;
 }
 
