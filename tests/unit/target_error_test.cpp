@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/rolling/target_error.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "microslip/friction/rough_bound.hpp"
 #include "microslip/reference/carter.hpp"
 #include "microslip/rolling/inverted_rolling.hpp"
 #include "microslip/support/not_converged.hpp"
@@ -107,6 +109,22 @@ TEST(TargetError, ReachesItsTargetWithSeveralStickZones) {
   EXPECT_FALSE(fine.solution.stick_edge);
   EXPECT_GT(fine.unknowns, coarse.unknowns);
   EXPECT_LE(std::abs(coarse.solution.creepage / fine.solution.creepage - 1), coarse.error);
+}
+
+// A bound of 8193 rows begins with 4096 elements; second order would take many more than are tried.
+TEST(TargetError, RefusesATargetOutOfReachAtOnce) {
+  const TractionBound bound =
+      rough_bound(HertzBound(1, 1), {.amplitude = 1, .hurst = 0.3, .seed = 3, .rows = 8193});
+  const SteadyContact contact{PlaneKernel({1.44, 0.28}, 20), bound,
+                              PrescribedForce{-0.5 * full_sliding_force(bound)}};
+  try {
+    solve_steady_to(contact, 1e-4);
+    FAIL() << "expected NotConverged";
+  } catch (const NotConverged& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("target_error = 1e-04"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("the error of 4096 may be"));
+    EXPECT_THAT(error.what(), testing::Not(testing::HasSubstr("iterations")));
+  }
 }
 
 TEST(TargetError, RefusesTargetsOutOfRange) {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/rolling/chebyshev_rolling.hpp"
 
+#include <fmt/core.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
 #include "microslip/support/work.hpp"
@@ -107,7 +110,11 @@ ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bo
   };
   while (tail() > resolved) {
     if (unknowns_ == most_unknowns) {
-      throw NotConverged("Chebyshev collocation: 64 unknowns do not suffice", 1, tail());
+      throw NotConverged(
+          fmt::format("Chebyshev collocation: 64 unknowns do not suffice, because the "
+                      "last coefficients are {} of the largest",
+                      format_roughly(tail())),
+          0, tail());
     }
     add_unknowns();
   }

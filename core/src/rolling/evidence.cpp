@@ -23,7 +23,7 @@ constexpr double doubtful = 0.1;
 
 /// Above these limits, an error of the dissipation and an unresolved bound are doubtful.
 constexpr double doubtful_dissipation = 0.25;
-constexpr double doubtful_resolution = 0.05;
+constexpr double doubtful_resolution = 0.02;
 
 /// Number of samples in each interval of the contact, and in a slip zone.
 constexpr Index samples_of_part = 5;

@@ -36,6 +36,8 @@ constexpr Index shown_nodes = 100;
 constexpr Index fewest_elements = 16;
 /// More elements would take minutes.
 constexpr Index most_elements = 1 << 16;
+/// A target that second order would reach by this many times more is not tried for.
+constexpr double hopeless = 4;
 
 SteadyProblem by_elements(const SteadyContact& contact, Index elements) {
   return problem_of(contact, elements, Calibrated{});
@@ -186,20 +188,26 @@ double cost_of_unresolved_jumps(const SteadySolution& solution) {
   return cost;
 }
 
-/// The error depends on the position of each kink within its element, so that the estimate is three
-/// times the largest of several differences to solutions with fewer elements.
-double error_of(const SteadyContact& contact, Index elements, const SteadySolution& fine) {
+/// Computes the estimate of the error, or a part of it that is above the target. The error depends
+/// on the position of each kink within its element, so that the estimate is three times the largest
+/// of several differences to solutions with fewer elements.
+double error_of(const SteadyContact& contact, Index elements, const SteadySolution& fine,
+                double target) {
   const double value = answer_of(contact.load, fine);
   const auto difference = [&](Index n) {
     return relative(value - answer_of(contact.load, solve_steady(by_elements(contact, n))), value);
   };
-  double error = std::max(difference(elements / 2), difference(elements / 4) / 2);
-  for (const Index sevenths : {4, 5, 6}) {
-    error = std::max(error, difference(elements * sevenths / 7));
+  const double cost = cost_of_unresolved_slip(contact, fine) +
+                      cost_of_unresolved_leading_slip(contact, fine) +
+                      cost_of_unresolved_jumps(fine) + 2 * std::numeric_limits<double>::epsilon() +
+                      cost_of(fine.evidence, contact);
+  double error = 0;
+  const auto take = [&](double other) { return cost + 3 * (error = std::max(error, other)); };
+  if (take(difference(elements / 4) / 2) > target) return cost + 3 * error;
+  for (const Index fourteenths : {7, 8, 10, 12}) {
+    if (take(difference(elements * fourteenths / 14)) > target) break;
   }
-  return 3 * error + cost_of_unresolved_slip(contact, fine) +
-         cost_of_unresolved_leading_slip(contact, fine) + cost_of_unresolved_jumps(fine) +
-         2 * std::numeric_limits<double>::epsilon() + cost_of(fine.evidence, contact);
+  return cost + 3 * error;
 }
 
 }  // namespace
@@ -210,16 +218,16 @@ EstimatedSteady estimate_by_elements(const SteadyContact& contact, double target
   for (;;) {
     const SteadyProblem problem = by_elements(contact, elements);
     const SteadySolution fine = solve_steady(problem);
-    const double error = error_of(contact, elements, fine);
+    const double error = error_of(contact, elements, fine, target);
     if (error <= target) return {problem, fine, elements, error};
-    if (elements >= most_elements) {
+    const double wanted = 1.1 * static_cast<double>(elements) * std::sqrt(error / target);
+    if (elements >= most_elements || wanted > hopeless * most_elements) {
       throw NotConverged(
-          fmt::format(
-              "target_error = {} is not reached by {} elements, the error of which may be {}",
-              format_short(target), elements, format_short(error)),
+          fmt::format("target_error = {} takes more than the {} elements that are tried at most; "
+                      "the error of {} may be {} or more",
+                      format_short(target), most_elements, elements, format_roughly(error)),
           0, error);
     }
-    const double wanted = 1.1 * static_cast<double>(elements) * std::sqrt(error / target);
     const Index most = std::min(most_elements, 16 * elements);
     elements = std::clamp(2 * static_cast<Index>(std::ceil(wanted / 2)), 2 * elements, most);
   }

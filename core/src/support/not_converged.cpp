@@ -7,9 +7,19 @@
 
 namespace microslip {
 
+namespace {
+
+std::string message_of(const std::string& what, int iterations, double residual) {
+  return iterations == 0
+             ? what
+             : fmt::format("{} after {} {}; largest relative violation {}", what, iterations,
+                           iterations == 1 ? "iteration" : "iterations", format_roughly(residual));
+}
+
+}  // namespace
+
 NotConverged::NotConverged(const std::string& what, int iterations, double residual)
-    : std::runtime_error(fmt::format("{} after {} iterations; largest relative violation {}", what,
-                                     iterations, format_short(residual))),
+    : std::runtime_error(message_of(what, iterations, residual)),
       iterations_(iterations),
       residual_(residual) {}
 
