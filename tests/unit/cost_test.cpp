@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/scene/cost.hpp"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -67,6 +68,18 @@ TEST(Cost, OfTransientsIsForeseenWithinAFactorOfThree) {
       expect_foreseen(scene + "direct }", n);
       if (n < 500) expect_foreseen(scene + "direct }\nsolver { type dense }", n);
       if (n < 500) expect_foreseen(scene + "fractional }", n);
+    }
+  }
+}
+
+TEST(Cost, OfTheRowsOfATableIsForeseenWithinAFactorOfThree) {
+  for (const int rows : {129, 2049}) {
+    for (const double force_ratio : {0.05, 0.5, 0.9}) {
+      const std::string text = fmt::format(
+          "problem steady\ncontact {{ roughness 0.02\n hurst 0.5\n rows {} }}\n"
+          "load {{ force_ratio {} }}\n",
+          rows, force_ratio);
+      for (const int n : {51, 801}) expect_foreseen(text, n);
     }
   }
 }
@@ -146,6 +159,15 @@ TEST(Cost, WithATargetIsNotKnown) {
   Scene scene = scene_of(good_contact + "problem steady\nload { force -1 }\ntarget_error 1e-3");
   scene.set("grid.elements=");
   EXPECT_TRUE(std::isnan(work_needed(read_model(scene))));
+}
+
+TEST(Explanation, ComparesRowsWithElements) {
+  Scene scene = scene_of(good_contact +
+                         "problem steady\nload { force -1 }\ncontact { roughness 0.1\n rows 201 }");
+  EXPECT_EQ(
+      explain(read_model(scene)).consequences[3],
+      "the bound is a table of 203 rows, about 0.0099 mm apart; an element is as long as 10 of "
+      "these distances");
 }
 
 TEST(Explanation, SaysWhatIsNotModelled) {

@@ -88,7 +88,8 @@ struct WorkOf {
     const auto n = static_cast<double>(problem.grid.size());
     const bool strip = std::holds_alternative<StripKernel>(problem.kernel);
     if (std::holds_alternative<Inversion>(problem.method) && is_half_space(problem.kernel)) {
-      return 4e5 + 2000 * n;
+      const auto* table = std::get_if<TabulatedBound>(&problem.bound);
+      return table == nullptr ? 4e5 + 2000 * n : 1e5 + 300 * n + of_rows(problem, *table);
     }
     if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
       return 3e5 + (strip ? 60 * kernel_work : 60) * n;
@@ -109,6 +110,17 @@ struct WorkOf {
     const double rounds = scene.integrator == Integrator::midpoint ? 3 : 1;
     return steps_needed(scene) * rounds * solves_of_step(scene.contact.scheme, scene.step_ratio) *
            of_step(scene.contact, is_whole(scene.step_ratio));
+  }
+  /// Cost of the rows of a table in the slip zone, if one zone sticks. The zone is as long as in
+  /// Carter's solution under the same part of full sliding; under a creepage this part is not known.
+  static double of_rows(const SteadyProblem& problem, const TabulatedBound& table) {
+    constexpr double under_creepage = 0.5;
+    const auto* force = std::get_if<PrescribedForce>(&problem.load);
+    const double part =
+        force ? std::min(1.0, std::abs(force->value) / full_sliding_force(problem.bound))
+              : under_creepage;
+    return static_cast<double>(table.x().size()) * (1 - std::sqrt(1 - part)) *
+           (1.2e5 + 85 * static_cast<double>(problem.grid.size()));
   }
   /// The scheme remembered ends a substep where an element has been travelled.
   static double solves_of_step(const AdvectionScheme& scheme, double elements) {

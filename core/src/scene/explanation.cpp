@@ -135,6 +135,18 @@ std::vector<std::string> stretched(const Problem& problem) {
                   ratio)};
 }
 
+/// Compares the rows of a tabulated bound with the elements.
+std::vector<std::string> tabulated(const TractionBound& bound, const Grid& grid) {
+  const auto* table = std::get_if<TabulatedBound>(&bound);
+  if (table == nullptr) return {};
+  const double width = table->x()[table->x().size() - 1] - table->x()[0];
+  const double row = width / static_cast<double>(table->x().size() - 1);
+  return {
+      fmt::format("the bound is a table of {} rows, about {:.2g} mm apart; an element is as long "
+                  "as {:.2g} of these distances",
+                  table->x().size(), row, grid.spacing() / row)};
+}
+
 std::string number(double value) { return fmt::format("{:.5g}", value); }
 
 /// What a kernel other than a half-space's says about the bodies.
@@ -191,6 +203,7 @@ struct Explain {
   Explanation operator()(const SteadyProblem& problem) const {
     std::vector<std::string> consequences = {sliding(problem.bound, problem.load),
                                              elements_of(problem.grid), method_of(problem)};
+    std::ranges::copy(tabulated(problem.bound, problem.grid), std::back_inserter(consequences));
     std::ranges::copy(stretched(problem), std::back_inserter(consequences));
     Explanation found = steady(kind_of(problem.load), consequences);
     if (problem.has_unlike_bodies()) {
@@ -208,6 +221,8 @@ struct Explain {
   }
   Explanation operator()(const TransientScene& scene) const {
     std::vector<std::string> consequences = {loaded(scene), elements_of(scene.problem.grid)};
+    std::ranges::copy(tabulated(scene.problem.bound, scene.problem.grid),
+                      std::back_inserter(consequences));
     std::ranges::copy(changed(scene), std::back_inserter(consequences));
     std::ranges::copy(shifted(scene), std::back_inserter(consequences));
     consequences.push_back(rolled(scene, scene.distance, scene.problem.grid));
