@@ -63,6 +63,12 @@ ExtremesParameters read_extremes(Scene& scene) {
        {"loads.sliding", list, "1", "1 - a', from full stick up", fraction},
        {"bounds.force_ratios", list, "1",
         "forces over full sliding, under bounds that are not smooth", range(1e-12, 0.999999)},
+       {"kernels.layers", list, "1", "compliance of a layer of springs over 2 (1 - nu) a/G",
+        range(1e-12, 1e12)},
+       {"kernels.strain_ratios", list, "1", "beta/mu of bodies of different material",
+        range(1e-12, 1e6)},
+       {"kernels.force_ratios", list, "1", "forces over full sliding of both",
+        range(1e-12, 0.999999)},
        {"offsets", list, "1", "alpha and beta", fraction},
        {"transient.step_ratios", list, "1", "c of a shift that rolls on", range(1e-15, 1e6)},
        {"transient.sizes", wholes, "1", "N of that", range(1, most_elements)},
@@ -95,6 +101,9 @@ ExtremesParameters read_extremes(Scene& scene) {
                        .loads = {.stuck = scene.numbers("loads.stick_ratios"),
                                  .sliding = scene.numbers("loads.sliding")},
                        .bounds = scene.numbers("bounds.force_ratios"),
+                       .kernels = {.layers = scene.numbers("kernels.layers"),
+                                   .strains = scene.numbers("kernels.strain_ratios"),
+                                   .loads = scene.numbers("kernels.force_ratios")},
                        .offsets = scene.numbers("offsets"),
                        .transient = {.ratios = scene.numbers("transient.step_ratios"),
                                      .sizes = scene.wholes("transient.sizes"),
@@ -111,8 +120,9 @@ ExtremesParameters read_extremes(Scene& scene) {
 }
 
 std::vector<Table> extremes(const ExtremesParameters& p, const Progress& progress) {
-  const std::vector<Map> maps{steps_map(p),   widths_map(p),    loads_map(p),     bounds_map(p),
-                              offsets_map(p), transient_map(p), endurance_map(p), cylinder_map(p)};
+  const std::vector<Map> maps{steps_map(p),     widths_map(p),  loads_map(p),   bounds_map(p),
+                              kernels_map(p),   bodies_map(p),  offsets_map(p), transient_map(p),
+                              endurance_map(p), cylinder_map(p)};
   std::size_t total = 0;
   for (const Map& map : maps) total += map.cases.size();
   std::size_t done = 0;

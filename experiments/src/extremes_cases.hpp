@@ -70,6 +70,8 @@ Map steps_map(const ExtremesParameters& p);
 Map widths_map(const ExtremesParameters& p);
 Map loads_map(const ExtremesParameters& p);
 Map bounds_map(const ExtremesParameters& p);
+Map kernels_map(const ExtremesParameters& p);
+Map bodies_map(const ExtremesParameters& p);
 Map offsets_map(const ExtremesParameters& p);
 Map transient_map(const ExtremesParameters& p);
 Map endurance_map(const ExtremesParameters& p);

@@ -29,6 +29,9 @@ ExtremesParameters parameters() {
           .widths = {.ratios = {1e-3, 0.1, 1, 10, 1000, 1e8}, .poisson_ratios = {0, 0.28, 0.5}},
           .loads = {.stuck = {0, 1e-6, 1e-3, 0.1}, .sliding = {0, 1e-12, 1e-9, 1e-6, 1e-3, 0.1}},
           .bounds = {1e-6, 1e-3, 0.1, 0.5, 0.9, 0.99},
+          .kernels = {.layers = {1e-12, 1e-3, 1, 1e3, 1e12},
+                      .strains = {1e-12, 1e-3, 0.3, 1, 3, 1e4},
+                      .loads = {1e-6, 1e-3, 0.1, 0.5, 0.9, 0.99}},
           .offsets = {0, 1e-9, 0.5, 0.8253, 1},
           .transient = {.ratios = {1e-12, 1e-3, 0.01, 0.1, 0.3, 0.5, 0.8, 1, 1.3, 2, 100, 1000},
                         .sizes = {11, 25, 51},
@@ -68,6 +71,21 @@ class Extremes : public testing::Test {
  private:
   static inline std::vector<Table>* tables_ = nullptr;
 };
+
+TEST_F(Extremes, CalibratedElementsAreSafeUnderAnyLayer) {
+  for_rows("kernels", "calibrated", [&](const Table& rows, std::size_t i) {
+    EXPECT_EQ(text(rows, i, "verdict"), "ok") << "row " << i;
+    EXPECT_LT(rows.number(i, "error"), 0.01) << "row " << i;
+  });
+}
+
+TEST_F(Extremes, CalibratedElementsAreSafeForUnlikeBodiesUpToNineTenthsOfFullSliding) {
+  for_rows("bodies", "calibrated", [&](const Table& rows, std::size_t i) {
+    if (std::abs(rows.number(i, "load")) > 0.9) return;
+    EXPECT_EQ(text(rows, i, "verdict"), "ok") << "row " << i;
+    EXPECT_LT(rows.number(i, "error"), 0.035) << "row " << i;
+  });
+}
 
 TEST_F(Extremes, ACylinderIsSafeOnAnySlope) {
   for (const char* scheme : {"midpoint", "verlet", "leapfrog"}) {

@@ -24,6 +24,7 @@ constexpr double doubtful = 0.1;
 /// Above these limits, an error of the dissipation and an unresolved bound are doubtful.
 constexpr double doubtful_dissipation = 0.25;
 constexpr double doubtful_resolution = 0.02;
+constexpr double doubtful_zones = 0.15;
 
 /// Number of samples in each interval of the contact, and in a slip zone.
 constexpr Index samples_of_part = 5;
@@ -47,7 +48,8 @@ Evidence worst_of(const Evidence& a, const Evidence& b) {
           .dissipated = std::min(a.dissipated, b.dissipated),
           .load = std::max(a.load, b.load),
           .power = std::max(a.power, b.power),
-          .full_sliding = std::max(a.full_sliding, b.full_sliding)};
+          .full_sliding = std::max(a.full_sliding, b.full_sliding),
+          .one_element = std::max(a.one_element, b.one_element)};
 }
 
 Evidence evidence_by_elements(const ElementValues& values, double force, double creepage) {
@@ -143,6 +145,13 @@ std::optional<std::string> doubt_of(const Evidence& evidence, const Acceptance& 
     return above("bound_resolution", evidence.bound_resolution(),
                  "the elements do not resolve the bound; take more of them, or the scheme "
                  "inversion or remembered");
+  }
+  if (evidence.one_element > doubtful_zones) {
+    return above(
+        "the force in zones of stick or slip that are one element long, over the rest to full "
+        "sliding,",
+        evidence.one_element,
+        "the creepage may be wrong by as much; take more elements, or the scheme inversion");
   }
   if (steady && evidence.dissipated > (1 + doubtful_dissipation) * evidence.power) {
     return above("dissipation_error", evidence.dissipation_error(),

@@ -160,6 +160,23 @@ double force_in_gaps(const SteadyProblem& problem, const ContactState& state) {
   return force;
 }
 
+/// Computes Evidence::one_element. The end of a zone is known to a part of an element. Next to full
+/// sliding, where the rest to full sliding is as small, this part decides on the creepage.
+double one_element_zones(const ContactState& state, const VectorXd& lengths, const VectorXd& bound,
+                         double force) {
+  const auto& zones = state.zones;
+  double within = 0, full_sliding = 0;
+  for (std::size_t i = 0; i < zones.size(); ++i) {
+    const auto node = static_cast<Index>(i);
+    const double most = lengths[node] * bound[node];
+    const bool alone =
+        (i == 0 || zones[i - 1] != zones[i]) && (i + 1 == zones.size() || zones[i + 1] != zones[i]);
+    full_sliding += most;
+    if (alone) within += most;
+  }
+  return within == 0 ? 0 : within / std::max(full_sliding - std::abs(force), within);
+}
+
 SteadySolution by_differences(const SteadyProblem& problem, const Differences& differences) {
   const Grid& grid = problem.grid;
   const Index n = grid.size();
@@ -176,6 +193,7 @@ SteadySolution by_differences(const SteadyProblem& problem, const Differences& d
   if (problem.has_unlike_bodies()) {
     evidence.load = lengths.dot(state.traction.cwiseAbs());
     evidence.power = evidence.dissipated;
+    evidence.one_element = one_element_zones(state, lengths, bound, force);
   }
   return {
       .x = x,

@@ -44,7 +44,14 @@ struct ExtremesParameters {
     std::vector<double> sliding;  ///< 1 - a'  [1]
   } loads;
 
-  std::vector<double> bounds;   ///< forces over full sliding, under bounds that are not smooth  [1]
+  std::vector<double> bounds;  ///< forces over full sliding, under bounds that are not smooth  [1]
+
+  struct {
+    std::vector<double> layers;   ///< compliance of a layer of springs over 2 (1 - nu) a/G  [1]
+    std::vector<double> strains;  ///< beta/mu of bodies of different material  [1]
+    std::vector<double> loads;    ///< forces over full sliding of both  [1]
+  } kernels;
+
   std::vector<double> offsets;  ///< alpha and beta  [dx]
 
   struct {
@@ -71,7 +78,7 @@ struct ExtremesParameters {
 ExtremesParameters read_extremes(Scene& scene);
 
 /// Tables: steps (c and N of steady rolling), widths (strip width and Poisson ratio), loads (from
-/// full stick to full sliding), bounds (that are not smooth), offsets (of both edges), transient (c
+/// full stick to full sliding), bounds (that are not smooth), kernels (layers of springs), bodies (of different material), offsets (of both edges), transient (c
 /// and N), endurance (many steps), cylinder (slope and c), each with one row per case, failures
 /// included; scales (errors of scale invariance); ranges (safe ranges of each scheme) and claims.
 std::vector<Table> extremes(const ExtremesParameters& parameters, const Progress& progress);
