@@ -1,5 +1,5 @@
-# The noise of the creepage falls like 1/√N by nodes that are switched on and off, and like 1/N with mean bounds.
-# Standard deviation over one element's travel, over the mean.
+# The noise of the creepage falls like 1/√N where nodes are switched on and off, and like 1/N with mean bounds (left).
+# It is the standard deviation over one element's travel, over the mean.
 noise = tables."/noise.tsv"
 of(name, series) = strcol("treatment") eq name && strcol("series") eq series ? column(series) : NaN
 names = '"at_node" "cell_mean" "cut" "direct"'
