@@ -352,7 +352,7 @@ int plot(const std::string& name, int argc, const char* const* argv) {
     known.add_options()("result", options::value<Words>()->default_value({"out"}, "out"),
                         "the first words: folders of results, or of a study, or tables there; "
                         "several are drawn over one another")("figure", word(),
-                                                              "this one instead of all")(
+                                                              "name of the only figure to draw")(
         "to", word(),
         "file that ends in .svg, .png or .pdf (default: RESULT.svg, or RESULT_FIGURE.svg of one "
         "figure of several)")("x", word(), "a:b, range of the horizontal axis")(
@@ -361,7 +361,7 @@ int plot(const std::string& name, int argc, const char* const* argv) {
         "value", word(), "of a sweep: the quantity on the vertical axis")(
         "by", word(), "of a sweep: the key that colours tell apart")(
         "only", options::value<Words>()->default_value({}, ""),
-        "of a sweep: key=value, cases with that; repeatable")(
+        "of a sweep: key=value, only cases with this value; repeatable")(
         "version", "print version and revision")("help", "print this");
     const Given given = parse(known, argc - 1, argv + 1, "result", any_number);
     if (answers(given, known, name + " plot", "draws the figures of results, with gnuplot")) {

@@ -132,7 +132,7 @@ double read_distance(Scene& scene, const LoadHistory& loads) {
 double read_distance(Scene& scene, const LoadHistory& loads, double from) {
   const double distance = read_distance(scene, loads);
   require(distance > from, "motion.distance", distance,
-          [&] { return "more than that of start.state, " + format_short(from); });
+          [&] { return "more than the distance of start.state, " + format_short(from); });
   return distance;
 }
 
