@@ -7,7 +7,7 @@
  *                                           'remembered' if not given, or 'direct'; for bodies of
  *                                           different material dundurs_beta and friction, too
  *   microslip_mex('set_creepage', h, w)     likewise set_force, advance
- *   microslip_mex('set_contact', h, a, g)   factors of the half-width and bound, over those of
+ *   microslip_mex('set_contact', h, a, g)   factors of the half-width and bound, over the values of
  *                                           the contact that was created
  *   microslip_mex('save', h, path)          the state to a file; likewise restore, from a file
  *   microslip_mex('destroy', h)
