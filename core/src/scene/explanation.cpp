@@ -71,7 +71,7 @@ std::string loaded(const TransientScene& scene) {
   return sliding(scene.problem.bound, largest);
 }
 
-/// The shifts before rolling, except for that of an ordinary start.
+/// The shifts before rolling, except for the shift of an ordinary start.
 std::vector<std::string> shifted(const TransientScene& scene) {
   if (scene.shifts.empty()) return {};
   double most = 0;
