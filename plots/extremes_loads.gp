@@ -16,16 +16,15 @@ set multiplot
 set bmargin at screen 0.15
 set tmargin at screen 0.9
 set lmargin at screen 0.12
-set rmargin at screen 0.45
+set rmargin at screen 0.43
 set ylabel "error of force or creepage"
 set xrange [5e-7:0.5]
 set xlabel "stick ratio a'"
 set title "to full sliding" offset 0,-0.5
 plot for [i=1:words(names)] of(word(names, i)) using (good("stuck")):(shown(column("error"))) with linespoints linecolor rgb colour_of(word(names, i)) pointtype 7 pointsize 0.5
-set lmargin at screen 0.51
+set lmargin at screen 0.53
 set rmargin at screen 0.84
 unset ylabel
-set format y ""
 set xrange [0.5:5e-13]
 set xlabel "part that slides, 1 - a'"
 set title "to full stick" offset 0,-0.5

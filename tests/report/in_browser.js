@@ -23,6 +23,8 @@ for (const name of arguments[0]) {
       const { left, right } = text.getBoundingClientRect();
       const [from, to] = [left, right].map(x => (x - box.left) / scale);
       if (from < cut && cut < to) found.push(`${name}: cut through "${text.textContent}"`);
+      const isTic = text.parentElement.getAttribute("text-anchor") === "end" && text.textContent.trim();
+      if (isTic && to < cut && cut < to + 12) found.push(`${name}: "${text.textContent}" is cut off its axis`);
     }
   }
   const drawn = [...svg.querySelectorAll("path, use, text, polygon")].filter(element => {

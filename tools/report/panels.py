@@ -26,7 +26,7 @@ def text_extent(group, text):
 def extents(canvas):
     for group in canvas.iter(SVG + "g"):
         for mark in group:
-            if mark.tag == SVG + "text":
+            if mark.tag == SVG + "text" and "".join(mark.itertext()).strip():
                 yield text_extent(group, mark)
             elif mark.tag == SVG + "use":
                 left = numbers(mark.get("transform", ""))[0]
