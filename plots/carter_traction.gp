@@ -1,5 +1,5 @@
-# The smaller the step, the more the traction wiggles where the contact sticks. Above are the tractions of the Carter-
-# Fromm problem, below their differences from the exact solution. Thesis Fig. 1.1.
+# The smaller the step, the more the traction wiggles where the contact sticks. Above are the tractions of the
+# Carter-Fromm problem, below their differences from the exact solution. Thesis Fig. 1.1.
 traction = tables."/traction.tsv"
 ratios = ""
 set table $ratios
