@@ -100,7 +100,7 @@ static double number(const mxArray* problem, const char* name, int needed) {
   return value ? mxGetScalar(value) : 0;
 }
 
-/* What a struct describes; the arrays of its bound remain those of the struct. */
+/* What a struct describes; the arrays of its bound still belong to the struct. */
 struct problem {
   struct microslip_material material;
   struct microslip_contact contact;
