@@ -1,11 +1,11 @@
-# Thesis Fig. 6.9: constant, linear and quadratic functions all converge with first order; with the limits of (B.30)
-# as printed, quadratic functions do not converge.
+# Constant, linear and quadratic functions all converge with first order; with the limits of (B.30) as printed,
+# quadratic functions do not converge. Thesis Fig. 6.9.
 errors = tables."/errors.tsv"
 bases = '"constant" "linear" "quadratic" "quadratic as printed"'
 of(name) = strcol("basis") eq name ? column("elements") : NaN
 
 eval page(800, 400)
-set multiplot layout 1,2 margins 0.105,0.98,0.16,0.9 spacing 0.1
+set multiplot layout 1,2 margins 0.105,0.98,0.16,0.9 spacing 0.115
 set logscale xy
 set xrange [12:640]
 set format y "10^{%T}"

@@ -1,4 +1,5 @@
-# What a solution is made of: influence coefficients, products, points of the creepage-force curve.
+# A product by FFT takes a time that grows little faster than N, a dense product one that grows as the square of N. The
+# other lines are influence coefficients, and points of the creepage-force curve.
 load scripts."/bench.gpi"
 set xlabel "number N of elements, or of unknowns of Chebyshev collocation [1]"
 set title "parts of a solution\n{/*0.8 one core of ".processor."}"

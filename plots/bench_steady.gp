@@ -1,4 +1,5 @@
-# Steady rolling: two schemes by FFT and with all entries, the inversion, and CONTACT's.
+# In steady rolling the time of each scheme by FFT and of the inversion grows little faster than N, and the time of
+# CONTACT and of dense matrices with a power of two or more.
 load scripts."/bench.gpi"
 set key maxrows 3
 set title "steady rolling, 0.64 of full sliding, strip\n{/*0.8 ".machines."}"

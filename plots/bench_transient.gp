@@ -1,4 +1,5 @@
-# A transient step that leaves the partition as it is, and N steps from a Cattaneo shift.
+# A transient step by FFT takes a time that grows little faster than N; N steps under a force take a time that grows
+# about as its square. Left, a step that leaves the partition as it is; right, N steps from a Cattaneo shift.
 load scripts."/bench.gpi"
 eval page(980, 600)
 set multiplot layout 1,2 margins 0.08,0.98,0.36,0.84 spacing 0.09 title "transient rolling, steps of one element, strip\n{/*0.8 ".machines."}"

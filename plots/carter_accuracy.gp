@@ -1,5 +1,5 @@
-# Thesis, introduction, "for c < 0.55 the accuracy decreases": the error of the force is least near c = 0.6, and grows
-# on both sides.
+# The error of the force is least near c = 0.6, and grows on both sides. The thesis says in its introduction: "for c <
+# 0.55 the accuracy decreases".
 accuracy = tables."/accuracy.tsv"
 eval page(640, 380)
 set xlabel "step ratio c = dq/dx"

@@ -1,5 +1,5 @@
-# Thesis Fig. 1.1: the smaller the step, the more the traction wiggles where the contact sticks. Above the tractions
-# of the Carter-Fromm problem, below what each adds to the exact solution.
+# The smaller the step, the more the traction wiggles where the contact sticks. Above are the tractions of the
+# Carter-Fromm problem, below their differences from the exact solution. Thesis Fig. 1.1.
 traction = tables."/traction.tsv"
 ratios = ""
 set table $ratios
@@ -25,6 +25,7 @@ unset label
 set format x
 set xlabel "x [mm], rolling to the right"
 set ylabel "p - exact [N/mm^2]"
+set yrange [-0.36:0.15]
 set key bottom left
 plot for [i=1:words(ratios)] traction using (at(word(ratios, i))):(column("traction") - column("exact")) \
        with linespoints linetype i pointtype 7 pointsize 0.25 title "c = ".word(ratios, i)

@@ -4,7 +4,7 @@ energy = tables."/energy_error.tsv"
 motion = tables."/motion_error.tsv"
 of(scheme, integrator) = strcol("scheme") eq scheme && strcol("integrator") eq integrator ? column("elements") : NaN
 
-eval page(860, 400)
+eval page(900, 400)
 set multiplot layout 1,2 margins 0.11,0.98,0.15,0.9 spacing 0.12
 set logscale xy
 set format y "10^{%T}"

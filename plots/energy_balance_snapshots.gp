@@ -1,4 +1,5 @@
-# Tractions on the way: peaks form at the leading edge and travel through the contact.
+# Peaks of traction form at the leading edge and travel through the contact, here at six places on the way of a rolling
+# cylinder.
 snapshots = tables."/snapshots.tsv"
 places = ""
 set table $places

@@ -1,4 +1,4 @@
-# A cylinder that starts from rest on a slope: no slope and no step ratio makes velocity or energy wrong.
+# A cylinder from rest on a slope rolls right for every slope and step ratio: no tile is orange.
 map = "cylinder"
 across = "slope_ratio"
 up = "step_ratio"

@@ -1,5 +1,5 @@
-# Steady rolling with the edges of the contact anywhere within an element: every scheme solves it, and those that are
-# not told the edge have an error that depends on it.
+# Every scheme solves steady rolling with the edges of the contact anywhere within an element; schemes that are not told
+# the edge have an error that depends on it.
 map = "offsets"
 across = "leading_offset"
 up = "trailing_offset"

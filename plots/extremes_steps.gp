@@ -1,6 +1,6 @@
-# Steady rolling for tiny to huge steps and grids: schemes that take differences are right in a narrow band about c = 1,
-# and the others, which have no step, everywhere except for the coarsest grids. The
-# ranges above the panels are those of N = 51.
+# Schemes that take differences are right in a narrow band about c = 1; the others, which have no step, are right
+# everywhere except for the coarsest grids. Steady rolling for tiny to huge steps and grids; the ranges above the panels
+# are the ranges of N = 51.
 map = "steps"
 across = "step_ratio"
 up = "elements"

@@ -1,5 +1,5 @@
-# A Cattaneo shift that rolls on: only the scheme that remembers the displacement is right for steps of any length.
-# The ranges above the panels are those of N = 51.
+# Only the scheme that remembers the displacement is right for steps of any length. A Cattaneo shift rolls on; the
+# ranges above the panels are the ranges of N = 51.
 map = "transient"
 across = "step_ratio"
 up = "elements"

@@ -1,4 +1,4 @@
-# Thesis Fig. 6.7: the Fourier inverse step by step, for constant functions. With the zero frequency the inverse is
-# off by a constant, without it there is no difference to be seen.
+# With the zero frequency the Fourier inverse is off by a constant; without it there is no difference to be seen (last
+# row). The rows are the steps of the thesis for constant functions, Fig. 6.7.
 basis = "constant"
 load scripts."/fourier_inverse.gpi"

@@ -1,4 +1,4 @@
-# Thesis Fig. 6.8: the Fourier inverse step by step, for linear functions. With the zero frequency the inverse is off
-# by a constant, without it there is hardly a difference to be seen.
+# With the zero frequency the Fourier inverse is off by a constant; without it there is hardly a difference to be seen
+# (last row). The rows are the steps of the thesis for linear functions, Fig. 6.8.
 basis = "linear"
 load scripts."/fourier_inverse.gpi"

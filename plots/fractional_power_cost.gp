@@ -1,5 +1,5 @@
-# One fractional step by a Schur method for the power is far dearer than the action of the power on a vector, and
-# grows faster with N.
+# One fractional step by a Schur method takes far longer than the action of the power on a vector, and its time grows
+# faster with N.
 timing = tables."/cost_timing.tsv"
 stats timing using (log10(column("elements"))):(log10(column("action"))) name "action" nooutput
 stats timing using (log10(column("elements"))):(log10(column("schur"))) name "schur" nooutput
@@ -9,8 +9,8 @@ set format y "10^{%T}"
 set xlabel "number of elements N [1]"
 set ylabel "time of one step [s]"
 set xrange [40:8000]
-set yrange [1e-7:1e10]
-set key top left Left reverse
+set yrange [1e-7:1e8]
+set key top left Left reverse maxrows 5
 set title "fractional step: cost against N"
 plot timing using "elements":"schur" with linespoints linetype 2 pointtype 6 pointsize 0.6 \
        title sprintf("Schur method: N^{%.1f}", schur_slope), \

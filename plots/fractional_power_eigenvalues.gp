@@ -1,4 +1,5 @@
-# Why an odd number of elements: with an even one an eigenvalue lies on the negative real axis.
+# With an even number of elements one eigenvalue lies on the negative real axis, where a fractional power is complex;
+# with an odd number none does. All lie inside the unit circle.
 eigenvalues = tables."/eigenvalues.tsv"
 stats eigenvalues using "elements" nooutput
 odd = STATS_max
@@ -11,7 +12,10 @@ set xrange [-1.1:1.1]
 set yrange [-1.1:1.1]
 set xlabel "real part [1]"
 set ylabel "imaginary part [1]"
-set key at graph 0.7, 0.6
+set key at graph 0.68, 0.64
+least = last_value(eigenvalues, sprintf("$at[\"elements\"] == %d && $at[\"real\"] < least { least = $at[\"real\"] } $at[\"real\"] == least", even), "real")
+set arrow from -0.5, -0.13 to least + 0.04, -0.01 linecolor "gray40" linewidth 0.8 filled
+set label sprintf("N = %d: one on the\nnegative real axis", even) at -0.5, -0.18
 set title "eigenvalues of A^{-1}A*"
 set parametric
 set trange [0:2*pi]

@@ -1,37 +1,27 @@
-# Thesis Figs. 8.1 and 8.2: fractional steps of a single one, and of other shapes. Grey: where the start
-# should have gone.
+# Fractional steps make a shape with jumps ring, and leave a smooth one as it is: the largest undershoot stands above each
+# shape. Grey is where the start should have gone. Thesis Figs. 8.1 and 8.2.
 shapes = tables."/shapes.tsv"
-c = 0.0
-steps = ""
-set table $steps
-plot tables."/shapes_summary.tsv" using \
-  (strcol("shape") eq "pulse" && column("steps") > 0 ? (steps = steps.sprintf(" %g", column("steps")), \
-   c = column("distance") / column("steps")) : 0, 0) with table
-unset table
-middle = word(steps, 2)
+summary = tables."/shapes_summary.tsv"
+steps = by_awk(summary, "$1 == \"pulse\" && $2 > 0 { print $2 }'")
+c = real(by_awk(summary, "$1 == \"pulse\" && $2 > 0 { print $3 / $2; exit }'"))
 of(shape, n) = strcol("shape") eq shape && column("steps") == real(n) ? column("position") : NaN
+undershoot(shape, n) = last_value(summary, sprintf("$1 == \"%s\" && $2 == %s", shape, n), "below")
 
-eval page(900, 640)
-set multiplot layout 2,4 margins 0.085,0.985,0.09,0.94 spacing 0.055,0.13
+eval page(900, 600)
+set multiplot layout 2,3 margins 0.085,0.985,0.095,0.91 spacing 0.08,0.15
 set xrange [-150:0]
+set yrange [-1.2:1.6]
 set xtics 50
 unset key
-panel(shape, n) = sprintf("%s, %s step%s", shape eq "pulse" ? "a single one" : shape eq "ramp_up" ? "ramp up" : \
-  shape eq "ramp_down" ? "ramp down" : shape, n, n eq "1" ? "" : "s")
-do for [i=1:words(steps)] {
-  n = word(steps, i)
-  set title panel("pulse", n)
-  set ylabel i == 1 ? "traction [1]" : ""
-  plot shapes using (column("steps") == 0 ? of("pulse", "0") - c * n : NaN):"traction" with lines linecolor "gray60", \
-       shapes using (of("pulse", n)):"traction" with lines linetype 1
-}
-set multiplot next
-set yrange [-0.7:1.35]
-do for [shape in "plateau ramp_up ramp_down pyramid"] {
-  set title panel(shape, middle)
-  set xlabel shape eq "ramp_up" ? "distance from the leading edge [dx], rolling to the right" : ""
-  set ylabel shape eq "plateau" ? "traction [1]" : ""
-  plot shapes using (column("steps") == 0 ? of(shape, "0") - c * middle : NaN):"traction" with lines linecolor "gray60", \
-       shapes using (of(shape, middle)):"traction" with lines linetype 1
+names = "pulse plateau ramp_up pulse ramp_down pyramid"
+titles = "'one node' plateau 'ramp up' 'one node' 'ramp down' pyramid"
+do for [k=1:6] {
+  shape = word(names, k)
+  n = word(steps, k == 4 ? 3 : 2)
+  set title sprintf("%s, %s steps\n{/:Bold undershoot %.2g}", word(titles, k), n, undershoot(shape, n))
+  set ylabel k % 3 == 1 ? "traction [1]" : ""
+  set xlabel k > 3 ? "from the leading edge [dx]" : ""
+  plot shapes using (column("steps") == 0 ? of(shape, "0") - c * n : NaN):"traction" with lines linecolor "gray70" linewidth 4, \
+       shapes using (of(shape, n)):"traction" with lines linecolor rgb colour_of("fractional") linewidth 0.8
 }
 unset multiplot

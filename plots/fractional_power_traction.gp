@@ -1,5 +1,5 @@
-# Thesis Figs. 8.3 and 8.4: fractional powers keep travelling peaks for every step ratio (left); after a distance that
-# is no whole number of elements the direct scheme smears them (right).
+# Fractional powers keep travelling peaks for every step ratio (left); after a distance that is no whole number of
+# elements the direct scheme smears them (right). Thesis Figs. 8.3 and 8.4.
 traction = tables."/traction.tsv"
 ratios = ""
 distances = ""

@@ -1,4 +1,4 @@
-# The force follows small waves of the creepage later and less, the shorter they are; springs (FASTSIM) answer too
+# The shorter a small wave of the creepage, the less the force follows it, and the later; springs (FASTSIM) answer too
 # much and too early. Lines are exact, where everything adheres and about a state with slip; points are transient
 # schemes.
 curves = tables."/curves.tsv"
@@ -14,8 +14,8 @@ point(k) = k == 1 ? 7 : 6
 size(k) = k == 1 ? 0.45 : 1.2
 kernel(i) = i == 2 ? "strip" : "plane"
 ratio(i) = i == 3 ? slips : 1
-eval page(760, 620)
-set multiplot layout 2,1 margins 0.11,0.97,0.1,0.97 spacing 0.04
+eval page(640, 620)
+set multiplot layout 2,1 margins 0.13,0.97,0.1,0.97 spacing 0.04
 set logscale x
 set format x ""
 set logscale y

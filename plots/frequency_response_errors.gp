@@ -1,5 +1,5 @@
-# Small waves of the creepage: remembered is of second order with any step, the other schemes are of first order.
-# Error of dF/dw over waves of 1.7 to 20 half-widths, where everything adheres, and about a state with slip. Filled
+# The scheme remembered is of second order with any step, the other schemes are of first order. Error of dF/dw over
+# small waves of the creepage of 1.7 to 20 half-widths, where everything adheres, and about a state with slip. Filled
 # points are steps of an element, where relaxed and fractional are the scheme direct.
 errors = tables."/errors.tsv"
 slips = 0.6

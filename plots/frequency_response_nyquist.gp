@@ -1,5 +1,5 @@
-# The frequency response in the complex plane: from slow waves at 1 to fast ones at 0. In the half-space the force
-# comes at most a quarter of a wave after the creepage.
+# In the half-space the force comes at most a quarter of a wave after the creepage: the frequency response goes from
+# slow waves at 1 to fast ones at 0 in one quarter of the complex plane.
 curves = tables."/curves.tsv"
 measured = tables."/measured.tsv"
 slips = 0.6

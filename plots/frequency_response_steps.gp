@@ -1,6 +1,6 @@
-# Small steps from rest: the force after a step of the creepage, and the creepage after a step of the force, with its
-# peak where the first peak of the tractions leaves the contact. Steps of one element: every ninth, another for each
-# scheme, and in the small panel all steps near the peak.
+# After a step of the force the creepage has its peak where the first peak of the tractions leaves the contact (right);
+# after a step of the creepage the force rises smoothly (left). Small steps from rest. Steps of one element: every
+# ninth, another for each scheme, and in the small panel all steps near the peak.
 steps = tables."/steps.tsv"
 of(kind, scheme) = strcol("kind") eq kind && strcol("scheme") eq scheme ? column("distance") : NaN
 at_peak = 0.15
@@ -9,7 +9,7 @@ names = "remembered direct"
 point(k) = k == 1 ? 7 : 6
 size(k) = k == 1 ? 0.45 : 0.65
 eval page(860, 400)
-set multiplot layout 1,2 margins 0.085,0.98,0.14,0.9 spacing 0.1
+set multiplot layout 1,2 margins 0.095,0.98,0.14,0.9 spacing 0.11
 set xlabel "distance rolled, in half-widths [1]"
 set xrange [0:5]
 set key bottom right

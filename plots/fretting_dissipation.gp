@@ -1,5 +1,5 @@
-# Without rolling, a cycle loses the cube of a small force (left), and elements see the loss only if a slip zone is
-# about as long as they are (right).
+# The energy that a cycle loses without rolling falls like the cube of a small force (left); elements see the loss only
+# if a slip zone is about as long as they are (right).
 curve = tables."/curve.tsv"
 of(scheme, n) = strcol("scheme") eq scheme && (scheme eq "exact" || column("elements") == n)
 stats curve using (strcol("scheme") eq "exact" ? NaN : column("elements")) name "n" nooutput
@@ -13,8 +13,8 @@ set format y "10^{%T}"
 set xlabel "amplitude of the force / full sliding [1]"
 set ylabel "dissipation / k F_{max}^2 [1]"
 set title "a cycle loses"
-set key top left
-set yrange [1e-10:1e4]
+set key bottom right samplen 1
+set yrange [1e-12:2]
 plot curve using (of("exact", 0) ? column("amplitude") : NaN):"dissipation" with @exact_line title "exact", \
      x**3/3 with lines linecolor "gray60" dashtype 2 title "cube / 3", \
      for [i=1:2] curve using (of("remembered", i == 1 ? n_min : n_max) && column("dissipation") > 0 ? column("amplitude") : NaN):"dissipation" \

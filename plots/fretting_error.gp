@@ -1,6 +1,6 @@
-# Without rolling: the shift is of second order by remembered and of order 3/2 by the grid of the contact, which has
-# the larger errors of the dissipation, too. Root mean squares over the amplitudes, against Mindlin's solution for
-# Hertz's bound, and against superposition for the polynomial one.
+# Without rolling the shift is of second order by remembered, and of order 3/2 by the grid of the contact, which has the
+# larger errors of the dissipation, too. Root mean squares over the amplitudes, against Mindlin's solution for Hertz's
+# bound, and against superposition for the polynomial one.
 errors = tables."/errors.tsv"
 of(bound, scheme) = strcol("bound") eq bound && strcol("scheme") eq scheme ? column("elements") : NaN
 stats errors using "elements" name "n" nooutput

@@ -1,6 +1,6 @@
-# Loops of force and displacement without rolling, by the remembered scheme (points) and
-# exact: what slip adds to the displacement of a contact that sticks everywhere, and how far the two are apart,
-# up and down as one element after another begins to slip.
+# Without rolling, points of the remembered scheme lie on the exact loops of force and displacement (left); their errors
+# jump up and down as one element after another begins to slip (right). Loops show what slip adds to the displacement of
+# a contact that sticks everywhere.
 loops = tables."/loops.tsv"
 of(way, amplitude) = strcol("way") eq way && same(column("amplitude"), amplitude) ? column("displacement") - column("adhesion") : NaN
 error(amplitude) = same(column("amplitude"), amplitude) && strcol("way") ne "out" ? column("error") : NaN
@@ -8,7 +8,7 @@ amplitudes = system("awk -F'\t' '!/^#/ && $1 != \"amplitude\" && !seen[$1]++ { p
 
 eval page(860, 420)
 set multiplot layout 1,2 margins 0.09,0.98,0.14,0.9 spacing 0.13
-set xlabel "displacement - that of full adhesion [mm]"
+set xlabel "displacement that slip adds [mm]"
 set ylabel "force / full sliding [1]"
 set title "loops"
 set yrange [-1:1.5]

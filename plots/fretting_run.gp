@@ -1,5 +1,5 @@
-# In one run of standstill, rolling and standstill the work of the force is what has been lost and stored, at every
-# moment. Left the way of force and displacement, by the remembered scheme.
+# Dissipated and stored energy add up to the work of the force at every moment of a run that stands still, rolls and
+# stands still again (right). Left, the force over the displacement, by the remembered scheme.
 run = tables."/run.tsv"
 stage(k) = column("stage") == k ? column("displacement") : NaN
 names = '"cycle at standstill" "rolling" "cycle at standstill" "rolling" "back to no force"'
@@ -16,7 +16,7 @@ set xlabel "row of the table, as time goes by [1]"
 set ylabel "energy since the start [N]"
 set title "energy"
 set key top right
-set xrange [*:400]
+set yrange [0:3.1]
 plot run using 0:"work" with lines linetype 1 linewidth 2.5 title "work of the force", \
      run using 0:"dissipated" with lines linetype 2 title "dissipated", \
      run using 0:"stored" with lines linetype 3 title "stored", \

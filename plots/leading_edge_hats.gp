@@ -1,4 +1,4 @@
-# Thesis Fig. 10.2: the general hat at the last node, and the one that ends at the leading edge.
+# The trimmed hat ends at the leading edge, which the general hat of the last node reaches beyond (thesis Fig. 10.2).
 hats = tables."/hats.tsv"
 eval page(640, 280)
 set multiplot layout 1,2 margins 0.12,0.98,0.22,0.86 spacing 0.12

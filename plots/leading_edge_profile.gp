@@ -1,5 +1,5 @@
-# Thesis Figs. 10.1 and 10.3, the Carter-Fromm problem near the leading edge: with the displacement at the edge known
-# the tractions meet the exact ones, with the last hat trimmed they do not.
+# With the displacement at the edge known the tractions meet the exact ones (left); with the last hat trimmed they do
+# not (right). The Carter-Fromm problem near the leading edge, thesis Figs. 10.1 and 10.3.
 profile = tables."/profile.tsv"
 offset = 0.0
 set table $offset

@@ -2,7 +2,7 @@
 # known, which is less than second order. Boxes are the interquartile range over all alignments and stick ratios,
 # lines in them medians. The thesis gives one mean and one best factor for two schemes.
 summary = tables."/summary.tsv"
-eval page(700, 420)
+eval page(640, 420)
 set logscale y
 set ylabel "factor per doubling of N [1]"
 set yrange [0.9:12]
@@ -14,10 +14,10 @@ set boxwidth 0.45
 set key top right
 set arrow from -0.6, 2 to 6.1, 2 nohead linecolor "gray60" dashtype 2
 set arrow from -0.6, 4 to 6.1, 4 nohead linecolor "gray60" dashtype 2
-set label "second order" at 6.1, 4.25 right textcolor "gray40"
-set label "first order" at 6.1, 2.12 right textcolor "gray40"
+set label "second order" at 6.1, 4 offset 0,0.6 right textcolor "gray40"
+set label "first order" at 6.1, 2 offset 0,-0.6 right textcolor "gray40"
 set arrow from -0.6, 2**1.5 to 6.1, 2**1.5 nohead linecolor "gray60" dashtype 2
-set label "order 3/2" at 6.1, 3.0 right textcolor "gray40"
+set label "order 3/2" at 6.1, 2**1.5 offset 0,0.6 right textcolor "gray40"
 set title "Reduction of the traction error (1-norm), N = 15 to 240"
 $thesis << EOD
 0.5	1.83	2.09

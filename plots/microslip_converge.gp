@@ -1,4 +1,5 @@
-# The error of every scheme against the number of elements and against the time that it takes.
+# The cheapest scheme for an accuracy is the line that crosses the dashed one farthest to the left: by number of
+# elements (left) and by measured time (right). The dashed line is the accuracy wanted.
 timing = tables."/converge_timing.tsv"
 wanted = parameter(tables."/converge.tsv", "converge.error")
 names = system(sprintf("grep -v '^#' \"%s\" | tail -n +2 | cut -f1 | uniq", timing))

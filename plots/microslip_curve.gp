@@ -1,5 +1,5 @@
-# Curves of force and creepage in steady rolling, by FASTSIM with dashes where it was asked for, and by Carter's exact
-# solution where it is one.
+# The force grows ever more slowly with the creepage, until the whole contact slides. Steady rolling; FASTSIM has dashed
+# lines where it was asked for, and Carter's exact solution is there where it holds.
 load scripts."/microslip.gpi"
 cases = tables."/cases.tsv"
 rows_of_key = rows(lines)

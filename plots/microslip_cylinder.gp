@@ -1,5 +1,5 @@
-# A cylinder that rolls down a slope: tractions at the end, velocity, force of the contact, and what the balance of
-# energy misses with tractions at the end of each step; of several results over one another.
+# A cylinder that rolls down a slope gains velocity while the force of its contact swings and settles. From above:
+# tractions at the end, velocity, force, and what the balance of energy misses with tractions at the end of each step.
 load scripts."/microslip.gpi"
 traction = tables."/traction.tsv"
 history = tables."/history.tsv"

@@ -1,5 +1,5 @@
-# The force that answers a small harmonic creepage: its size and phase against the wavelength, and both in one curve;
-# of several results over one another.
+# The shorter a small wave of the creepage, the less the force follows it, and the later: size and phase against the
+# wavelength (left), and both in one curve (right). One line for each result.
 load scripts."/microslip.gpi"
 response = tables."/response.tsv"
 rows_of_key = rows(lines)

@@ -1,5 +1,5 @@
-# Shifts without rolling, one after the other: the force at the end of each over the rigid shift so far. What is
-# between two points is no straight line; more values of start.force show it.
+# Each shift without rolling leads to the next point: the force at its end, over the rigid shift so far. Between two
+# points the way is no straight line; more values of start.force show it.
 shifts = tables."/shifts.tsv"
 eval page(640, 420)
 set xlabel "rigid shift [mm]"

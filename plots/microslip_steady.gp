@@ -1,5 +1,5 @@
-# Steady rolling: tractions within their bounds, and slip; of several results over one another, and with Carter's
-# exact solution where it is one.
+# The contact slips where the traction reaches its bound, and sticks elsewhere. Steady rolling: tractions above, slip
+# below, for one or more results, and with Carter's exact solution where it holds.
 load scripts."/microslip.gpi"
 traction = tables."/traction.tsv"
 rows_of_key = rows(lines + 1)

@@ -1,5 +1,5 @@
-# A quantity of the cases of a sweep over a key, with a line for each combination of the other keys, and Carter's exact
-# solution where it is one.
+# A quantity follows the key of a sweep, with a line for each combination of the other keys. Carter's exact solution is
+# there where it holds.
 load scripts."/microslip.gpi"
 cases = tables."/cases.tsv"
 rows_of_key = rows(lines)

@@ -1,4 +1,5 @@
-# Tractions within their bounds of results of different kinds, of what is not steady at the end.
+# Tractions stay within their bounds; where a line touches its bound, the contact slips. Results of different kinds,
+# transients at their end.
 load scripts."/microslip.gpi"
 traction = tables."/traction.tsv"
 rows_of_key = rows(lines + 1)

@@ -1,5 +1,5 @@
-# A transient: tractions within their bounds at the end, and force and creepage on the way; of several results over one
-# another.
+# Force and creepage change as the contact rolls on (below); the tractions at the end stay within their bounds (above).
+# A transient, for one or more results.
 load scripts."/microslip.gpi"
 traction = tables."/traction.tsv"
 history = tables."/history.tsv"

@@ -1,5 +1,5 @@
-# The travelling peak after rolling: steps below one element lower it by the schemes direct and relaxed, and not by
-# remembered. Left its height against the step ratio, right the tractions at a small one, black the reference.
+# Steps below one element lower the travelling peak by the schemes direct and relaxed, and not by remembered. Left is
+# its height against the step ratio, right the tractions at a small one; the reference is black.
 steps = tables."/steps.tsv"
 traction = tables."/traction.tsv"
 of(scheme) = strcol("scheme") eq scheme ? column("step_ratio") : NaN
@@ -7,7 +7,7 @@ small = 0.1
 at(scheme, c) = strcol("scheme") eq scheme && same(column("step_ratio"), c) ? column("x") : NaN
 
 eval page(860, 400)
-set multiplot layout 1,2 margins 0.105,0.98,0.14,0.9 spacing 0.1
+set multiplot layout 1,2 margins 0.105,0.98,0.14,0.9 spacing 0.115
 set logscale x
 set xlabel "step ratio c = dq/dx [1]"
 set ylabel "height of the peak over the reference's [1]"

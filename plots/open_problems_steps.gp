@@ -1,5 +1,5 @@
-# Any step: the inversion and the scheme remembered do not depend on the step ratio, in steady rolling and after
-# rolling from a shift; the others do.
+# The results of inversion and remembered do not depend on the step ratio; the results of the other schemes do. Left is
+# steady rolling, right is rolling on from a shift.
 steady = tables."/steady_steps.tsv"
 steps = tables."/steps.tsv"
 of(scheme) = strcol("scheme") eq scheme ? column("step_ratio") : NaN

@@ -1,4 +1,5 @@
-# Why peaks that travel by parts of elements are smoothed: damping and speed of each frequency.
+# A step that is not as long as an element damps short waves (above), and most such steps carry them with a wrong speed
+# (below): so travelling peaks become smooth.
 amplification = tables."/amplification.tsv"
 ratios = ""
 set table $ratios

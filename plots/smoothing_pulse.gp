@@ -1,5 +1,5 @@
-# Thesis Figs. 4.1 and 4.2: a unit pulse keeps its shape for c = 1 only; smaller steps flatten it, and it sheds waves.
-# Left after one step, right after a longer distance.
+# A unit pulse keeps its shape for c = 1 only; smaller steps flatten it, and it sheds waves. Left after one step, right
+# after a longer distance. Thesis Figs. 4.1 and 4.2.
 pulse = tables."/pulse.tsv"
 longest = 0.0
 ratios = ""
@@ -16,7 +16,7 @@ eval page(860, 600)
 set multiplot layout 2,2 margins 0.095,0.98,0.1,0.93 spacing 0.09,0.16
 set ylabel "traction [1]"
 do for [basis in "constant linear"] {
-  set xrange [-4:3]
+  set xrange [-6:3]
   set yrange [-0.15:1.1]
   set key top left
   set xlabel basis eq "linear" ? "distance from the start [dx], rolling to the right" : ""

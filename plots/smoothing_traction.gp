@@ -1,5 +1,5 @@
-# Thesis Fig. 4.3: from a Cattaneo shift to Carter's solution the direct scheme flattens and displaces the travelling
-# peak, if steps are shorter than an element.
+# The direct scheme flattens and displaces the travelling peak, if steps are shorter than an element. From a Cattaneo
+# shift to Carter's solution, thesis Fig. 4.3.
 traction = tables."/traction.tsv"
 ratios = ""
 set table $ratios

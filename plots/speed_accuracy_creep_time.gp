@@ -1,6 +1,6 @@
-# From a Cattaneo shift over a third of the contact, under a constant force: remembered has the least noise of the
-# creepage from step to step, and the most accurate cumulative creep. Each line is one scheme with its best basis, step
-# ratio, solver and N; dots are all runs.
+# The scheme remembered has the least noise of the creepage from step to step, and the most accurate cumulative creep.
+# From a Cattaneo shift over a third of the contact, under a constant force. Each line is one scheme with its best
+# basis, step ratio, solver and N; dots are all runs.
 problems = "transient transient"
 quantities = "creep noise"
 titles = "'cumulative creep' 'noise of the creepage'"

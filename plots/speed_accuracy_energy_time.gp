@@ -1,5 +1,6 @@
-# A cylinder from rest down a slope: with the midpoint rule remembered balances the energy exactly; for the motion
-# Verlet is the fastest. Each line is one scheme with its best step ratio, solver and N; dots are all runs.
+# The scheme remembered with the midpoint rule balances the energy exactly (above); Verlet is the fastest for the motion
+# (below). A cylinder rolls from rest down a slope. Each line is one scheme with its best step ratio, solver and N; dots
+# are all runs.
 problems = "cylinder cylinder"
 quantities = "energy motion"
 titles = "'energy that the balance misses' 'velocity'"

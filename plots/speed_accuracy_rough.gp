@@ -1,5 +1,5 @@
-# Error of the creepage against the number of elements, under bounds that are rough at all scales: the rougher
-# the bound, the more stick zones (their number stands at the points), and the more elements an accuracy takes.
+# The rougher the bound, the more stick zones there are (their number stands at the points), and the more elements an
+# accuracy takes. Error of the creepage under bounds that are rough at all scales.
 rough = tables."/rough.tsv"
 of(h, value) = same(column("hurst"), h) ? value : NaN
 hursts = system(sprintf("awk -F'\\t' '!/^#/ && $1 + 0 > 0 {print $1}' \"%s\" | uniq", rough))
@@ -13,9 +13,9 @@ set xrange [25:20000]
 do for [i=1:words(hursts)] {
   last = system(sprintf("awk -F'\\t' '$1 == \"%s\" {e = $3} END {print e}' \"%s\"", word(hursts, i), rough)) + 0
   n = system(sprintf("awk -F'\\t' '$1 == \"%s\" {e = $2} END {print e}' \"%s\"", word(hursts, i), rough)) + 0
-  set label i sprintf("  H = %g", real(word(hursts, i))) at n, shown(last) left textcolor linetype i
+  set label i sprintf("  H = %g", real(word(hursts, i))) at n, shown(last) left textcolor rgb label_colour_of_line(i)
 }
 plot for [i=1:words(hursts)] rough using "elements":(of(real(word(hursts, i)), shown(column("creepage_error")))) \
          with linespoints linetype i pointtype 7 pointsize 0.6, \
      for [i=1:words(hursts)] rough using "elements":(of(real(word(hursts, i)), shown(column("creepage_error")))):(sprintf("%d", column("zones"))) \
-         with labels offset 0,0.7 font ",10" textcolor linetype i
+         with labels offset 0,0.7 textcolor rgb label_colour_of_line(i)

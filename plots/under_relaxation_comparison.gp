@@ -1,4 +1,5 @@
-# Relaxation of A' (7.4) and of the tractions (7.10): the same until the partitions first differ.
+# Relaxed displacements (7.4) and relaxed tractions (7.10) are the same to rounding until their partitions first differ
+# (left). Right, the elements in which they do.
 comparison = tables."/comparison.tsv"
 parting = tables."/parting.tsv"
 first = 0.0
@@ -6,7 +7,7 @@ set table $first
 plot parting using (first = column("q"), 0) with table
 unset table
 eval page(860, 380)
-set multiplot layout 1,2 margins 0.105,0.98,0.16,0.9 spacing 0.1
+set multiplot layout 1,2 margins 0.105,0.98,0.16,0.9 spacing 0.115
 set logscale y
 set format y "10^{%T}"
 set xlabel "distance rolled [dx]"

@@ -1,5 +1,5 @@
-# Thesis Figs. 7.1 and 7.2: under-relaxed small steps do not wiggle, and flatten the travelling peak; direct ones
-# wiggle. After two distances.
+# Under-relaxed small steps do not wiggle, and flatten the travelling peak (above); direct ones wiggle (below). After
+# two distances; thesis Figs. 7.1 and 7.2.
 traction = tables."/traction.tsv"
 ratios = ""
 distances = ""

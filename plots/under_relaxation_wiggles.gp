@@ -1,4 +1,4 @@
-# Under-relaxation removes the wiggles at any step: local extrema of the traction against the step ratio, after the
+# Under-relaxation removes the wiggles at any step: the local extrema of the traction stay as few as at c = 1. After the
 # first distance.
 wiggles = tables."/wiggles.tsv"
 of(scheme) = strcol("scheme") eq scheme ? column("step_ratio") : NaN

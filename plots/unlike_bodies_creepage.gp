@@ -1,17 +1,17 @@
-# Bodies of different material creep without a force (left), the more the larger β/μ is (right).
+# Bodies of different material creep without a force (left), the more the larger β/μ is (left and right).
 free = tables."/free.tsv"
 tractive = tables."/tractive.tsv"
 ratios = system(sprintf("grep -v '^#' \"%s\" | tail -n +2 | cut -f1 | uniq", tractive))
 of(k) = same(column("ratio"), word(ratios, k) + 0) ? column("creepage") : NaN
-eval page(960, 430)
-set multiplot layout 1,2 margins 0.075,0.98,0.16,0.95 spacing 0.1
+eval page(900, 410)
+set multiplot layout 1,2 margins 0.1,0.98,0.16,0.95 spacing 0.12
 set logscale x
 set xlabel "β/μ [1]" offset 0,0.2
 set ylabel "w over βa/R, free rolling [1]"
 set yrange [0.6:0.95]
 unset key
-set label "no slip: 2/π" at graph 0.6, first 0.646
-set label "no friction: 0.9148" at graph 0.03, first 0.926
+set label "no slip: 2/π" at graph 0.6, first 0.6366 offset 0,-0.7
+set label "no friction: 0.9148" at graph 0.03, first 0.9148 offset 0,0.6
 plot free using "ratio":(2 / pi) with lines linecolor "gray60" dashtype 2, \
      free using "ratio":(0.914771) with lines linecolor "gray60" dashtype 2, \
      free using "ratio":"creepage" with lines linetype 1

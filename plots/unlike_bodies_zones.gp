@@ -1,8 +1,9 @@
-# Where bodies of different material stick and slip: in free rolling against β/μ, and against the force.
+# Bodies of different material slip in both directions within one contact: in free rolling the more the larger β/μ is
+# (left), and under a force (right).
 zones = tables."/zones.tsv"
 place(of, wanted, zone) = strcol("of") eq of && column("zone") == wanted ? column("value") : NaN
-eval page(960, 430)
-set multiplot layout 1,2 margins 0.075,0.86,0.16,0.95 spacing 0.09
+eval page(900, 410)
+set multiplot layout 1,2 margins 0.085,0.86,0.16,0.95 spacing 0.09
 set ylabel "x/a [1]"
 set yrange [-1:1]
 set logscale x

@@ -1,5 +1,5 @@
-# The force follows small waves of the normal load less and later than Carter's solution of each moment, the more the
-# shorter they are; springs (FASTSIM) follow too fast. Drawn lines are exact, points are by the remembered scheme.
+# The shorter a small wave of the normal load, the less and the later the force follows it than Carter's solution of
+# each moment; springs (FASTSIM) follow too fast. Drawn lines are exact, points are by the remembered scheme.
 curves = tables."/curves.tsv"
 measured = tables."/measured.tsv"
 stats measured using "elements" name "n" nooutput
@@ -8,8 +8,8 @@ of(name, k) = strcol("case") eq name && same(column("stick_ratio"), word(states,
 at(k) = same(column("stick_ratio"), word(states, k) + 0) && column("step_ratio") == 1 && column("elements") == n_max \
   ? column("wavelength_ratio") : NaN
 angle(n) = column("phase") * 180 / pi
-eval page(760, 620)
-set multiplot layout 2,1 margins 0.11,0.97,0.1,0.97 spacing 0.04
+eval page(640, 620)
+set multiplot layout 2,1 margins 0.13,0.97,0.1,0.97 spacing 0.04
 set logscale x
 set xrange [0.4:250]
 set format x ""

@@ -1,5 +1,5 @@
-# Waves of the normal load: the remembered scheme is of second order for every wavelength and step. Error of dF/dP
-# about a state with slip.
+# With the remembered scheme the answer to waves of the normal load is of second order, for every wavelength and step.
+# Error of dF/dP about a state with slip.
 measured = tables."/measured.tsv"
 lengths = "1 5 20 50"
 of(k, c) = same(column("stick_ratio"), 0.6) && same(column("wavelength_ratio"), word(lengths, k) + 0) && same(column("step_ratio"), c) \

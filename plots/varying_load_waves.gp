@@ -1,11 +1,11 @@
-# A large wave of the normal load, half of its mean: the shorter it is, the less the force swings, and the lower is
-# its mean (right). Carter's solution of each moment and springs (FASTSIM) swing too much (left).
+# The shorter a wave of the normal load, the less the force swings, and the lower is its mean (right); Carter's solution
+# of each moment and springs (FASTSIM) swing too much (left). The wave is large: half of the mean load.
 waves = tables."/waves.tsv"
 means = tables."/means.tsv"
 lengths = "2 10 50"
 of(k) = same(column("wavelength_ratio"), word(lengths, k) + 0) ? column("part") : NaN
 eval page(960, 430)
-set multiplot layout 1,2 margins 0.075,0.98,0.14,0.93 spacing 0.09
+set multiplot layout 1,2 margins 0.085,0.98,0.14,0.93 spacing 0.09
 set xlabel "part of the wave that has been rolled [1]"
 set ylabel "-F / μP_0 [1]"
 set xrange [0:1]

@@ -1,4 +1,4 @@
-# The introduction's claim: as c falls, imaginary parts of the eigenvalues grow relative to the real ones.
+# As c falls, the eigenvalues of B/c move to the imaginary axis (thesis, introduction).
 eigenvalues = tables."/eigenvalues.tsv"
 of(name, c) = strcol("basis") eq name && same(column("step_ratio"), c) ? column("real") : NaN
 ratios = "1 0.1 0.01"

@@ -1,4 +1,4 @@
-# Thesis Figs. 6.1 and 6.2, constant functions: for small c the diagonal of B = A - A' vanishes, and the inverse
-# alternates from entry to entry.
+# For small c the diagonal of B = A - A' vanishes, and the inverse alternates from entry to entry. Constant functions,
+# thesis Figs. 6.1 and 6.2.
 block = 0
 load scripts."/wiggle_spectrum.gpi"

@@ -1,6 +1,6 @@
-# Thesis, introduction: as c falls, the condition number of B = A - A' grows without bound if N is odd, and stays
-# bounded if N is even. Right the symbol, which explains it, and the real against the imaginary parts of the
-# eigenvalues.
+# As c falls, the condition number of B = A - A' grows without bound if N is odd, and stays bounded if N is even (left).
+# Right are the symbol, which explains it, and the real against the imaginary parts of the eigenvalues. Thesis,
+# introduction.
 spectrum = tables."/spectrum.tsv"
 of(name) = strcol("basis") eq name ? column("step_ratio") : NaN
 stats tables."/matrix.tsv" using "row" nooutput

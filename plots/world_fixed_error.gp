@@ -1,5 +1,5 @@
-# With short steps the direct scheme has by far the largest error of the traction; the other treatments of the edges
-# do not depend on the step ratio.
+# With short steps the direct scheme has by far the largest error of the traction; the errors of the other treatments of
+# the edges hardly depend on the step ratio.
 errors = tables."/errors.tsv"
 of(name) = strcol("treatment") eq name ? column("step_ratio") : NaN
 names = '"at_node" "cell_mean" "cut" "direct"'

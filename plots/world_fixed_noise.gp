@@ -1,5 +1,5 @@
-# The noise of the creepage falls like 1/√N by nodes that are switched on and off, and like 1/N with mean bounds.
-# Standard deviation over one element's travel, over the mean.
+# The noise of the creepage falls like 1/√N where nodes are switched on and off, and like 1/N with mean bounds (left).
+# It is the standard deviation over one element's travel, over the mean.
 noise = tables."/noise.tsv"
 of(name, series) = strcol("treatment") eq name && strcol("series") eq series ? column(series) : NaN
 names = '"at_node" "cell_mean" "cut" "direct"'
@@ -24,8 +24,8 @@ do for [panel=1:2] {
     set xrange [0.8*n_min:1.25*n_max]
     set xtics (25, 50, 100, 200, 400, 800)
     unset key
-    set label 1 "N^{-1/2}" at n_max, 1.25*coarse_max*sqrt(n_min/n_max)*1.5 right textcolor "gray40"
-    set label 2 "N^{-1}" at n_max, 0.065*n_min/n_max*1.6 right textcolor "gray40"
+    set label 1 "N^{-1/2}" at n_max, 1.25*coarse_max*sqrt(n_min/n_max)*2.4 right textcolor "gray40"
+    set label 2 "N^{-1}" at n_max, 0.065*n_min/n_max*2.8 right textcolor "gray40"
   } else {
     set title sprintf("N = %g", fixed_min)
     set xlabel "step ratio c [1]"
@@ -34,7 +34,7 @@ do for [panel=1:2] {
     set key bottom right
     unset label 1
     unset label 2
-    set label 3 "1 %" at 0.009, 0.013 left textcolor "gray40"
+    set label 3 "1 %" at 0.009, 0.018 left textcolor "gray40"
   }
   plot for [i=1:4] noise using (of(word(names, i), series)):(positive("deviation")) \
          with linespoints linecolor rgb colour_of(word(names, i)) pointtype (word("7 7 6 5", i) + 0) pointsize (word("0.5 0.5 0.9 0.4", i) + 0) title word(titles, i), \

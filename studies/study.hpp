@@ -13,7 +13,7 @@
 
 namespace microslip::studies {
 
-/// Runs a study with its two scenes. Its claims are judged if all parameters are those of
+/// Runs a study with its two scenes. Its claims are judged if all parameters are equal to
 /// study.info, whatever the way in which they were given; a quick run has others.
 template <class Read, class Measure>
 int run(const std::string& name, const std::string& question, Read read, Measure measure, int argc,

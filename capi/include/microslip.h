@@ -3,8 +3,8 @@
  * microslip in C: 2D tractive rolling contact, in steps of any length, for multibody codes.
  *
  * Units are mm and N, per mm of width, so forces are in N/mm. Rolling is towards +x: the leading
- * edge is x = +a. Values are those on the body that is driven by the creepage: a positive creepage
- * w = (v - omega R)/v gives negative tractions and a negative force, which is what acts on v.
+ * edge is x = +a. Tractions and forces act on the body that the creepage drives: a positive
+ * creepage w = (v - omega R)/v gives negative tractions and a negative force, which acts on v.
  *
  * Functions return a status. A function that fails changes nothing and gives the reason in one
  * line: microslip_message(), or the text given to microslip_create(). Only a step that runs out of
@@ -12,8 +12,8 @@
  * pointer is a bad input where its description does not allow it.
  *
  * Threads: different handles may be used at once; one handle, by one thread at a time. FFTW, which
- * the library uses, makes plans in one thread at a time: the library takes care of its own, but a
- * program that makes some elsewhere at the same time must call fftw_make_planner_thread_safe(). */
+ * the library uses, makes plans in one thread at a time: the library takes care of its own plans. A
+ * program that makes plans elsewhere at the same time must call fftw_make_planner_thread_safe(). */
 #ifndef MICROSLIP_H
 #define MICROSLIP_H
 
@@ -29,31 +29,31 @@ extern "C" {
 
 enum microslip_status {
   MICROSLIP_OK = 0,
-  MICROSLIP_BAD_INPUT = 1,     /**< the message names what, its value, and what is accepted */
-  MICROSLIP_NO_SOLUTION = 2,   /**< the solver found none */
+  MICROSLIP_BAD_INPUT = 1,   /**< the message names the input, its value, and the accepted values */
+  MICROSLIP_NO_SOLUTION = 2, /**< the solver found no solution */
   MICROSLIP_OUT_OF_MEMORY = 3, /**< in a step: the handle answers this from then on, destroy it */
   MICROSLIP_INTERNAL = 4       /**< an error of microslip itself: please report the message */
 };
 
-/** Combined elastic constants of two bodies: 1/G and nu/G are means over both. */
+/** The combined elastic constants of two bodies: 1/G and nu/G are means over both bodies. */
 struct microslip_material {
   double shear_modulus; /**< G, > 0  [N/mm^2] */
   double poisson_ratio; /**< nu, 0 ... 0.5  [1] */
 };
 
-/** The contact, from -a to a, and the bound of its tractions: Hertzian, or linear between the rows
- * of a table and from the outermost ones to zero at -+a. */
+/** The contact goes from -a to a. The bound of its tractions is Hertzian, or linear between the
+ * rows of a table, and from the outermost rows to zero at -+a. */
 struct microslip_contact {
   double half_width;         /**< a, > 0  [mm] */
-  double peak_traction;      /**< friction coefficient times peak pressure, > 0; of Hertz's only
-                                [N/mm^2] */
+  double peak_traction;      /**< friction coefficient times peak pressure, > 0; for Hertz's bound
+                                only  [N/mm^2] */
   const double* bound_x;     /**< positions, ascending, in [-a, a]; null for Hertz's  [mm] */
   const double* bound_value; /**< as many, >= 0, not all 0; null for Hertz's  [N/mm^2] */
   size_t bound_rows;         /**< of the table, copied; 0 for Hertz's */
 };
 
-/** Bodies of different material in rolling, by Goodman's approximation: the pressure stretches the
- * softer surface more, so that they creep and slip in free rolling, too. In plane strain. */
+/** Bodies of different material roll by Goodman's approximation, in plane strain. The pressure
+ * stretches the softer surface more, so that the bodies creep and slip in free rolling, too. */
 struct microslip_unlike {
   double
       dundurs_beta; /**< Dundurs' beta, -0.5 ... 0.5; above 0 if the driven body is the stiffer one;
@@ -66,7 +66,8 @@ enum microslip_kernel_type {
   MICROSLIP_PLANE = 1  /**< plane strain */
 };
 
-/** Under a prescribed creepage the length matters: it sets the stiffness of the contact. */
+/** How the bodies yield. Under a prescribed creepage the length matters: it sets the stiffness of
+ * the contact. */
 struct microslip_kernel {
   int type;      /**< of microslip_kernel_type */
   double length; /**< the strip's width, > 0, or the distance at which the displacement of plane
@@ -85,8 +86,7 @@ struct microslip_grid {
   int scheme;   /**< of microslip_scheme */
 };
 
-/** Where a contact is, and the step that led there; what belongs to a step is 0 before the first.
- */
+/** The state of a contact after a step. Values that belong to a step are 0 before the first one. */
 struct microslip_state {
   double distance;    /**< q rolled so far  [mm] */
   double force;       /**< F, integral of the tractions  [N/mm] */
@@ -94,8 +94,8 @@ struct microslip_state {
   double creepage;    /**< w of the step  [1] */
   double dissipation; /**< energy lost per mm rolled, over the step. Under a prescribed creepage,
                          dissipation dq + mean_force w dq + the change of the elastic energy is 0:
-                         to rounding with MICROSLIP_REMEMBERED, to the order of the scheme with the
-                         other one  [N/mm] */
+                         to rounding with MICROSLIP_REMEMBERED, to the order of the scheme with
+                         MICROSLIP_DIRECT  [N/mm] */
   double residual;    /**< slip left in adhesion, over the largest term of its equations  [1] */
   double violation;   /**< of the bound or of the direction of slip, relative  [1] */
   int adhesion_elements;
@@ -103,8 +103,8 @@ struct microslip_state {
   int iterations; /**< stick/slip partitions tried */
 };
 
-/** Derivatives of the results of a step by one of its inputs, in the unit of the result over that
- * of the input. */
+/** Derivatives of the results of a step by one of its inputs. The unit is the result's over the
+ * input's. */
 struct microslip_slopes {
   double force;
   double mean_force;
@@ -112,17 +112,17 @@ struct microslip_slopes {
   double dissipation;
 };
 
-/** Derivatives of a step, exact for the step as it is made: its stick/slip partition stays, and the
- * stick-slip point moves. Where the partition changes, they are those of one side. */
+/** Derivatives of a step are exact for the step as it is made: its stick/slip partition stays, and
+ * the stick-slip point moves. Where the partition changes, they hold on one side. */
 struct microslip_jacobian {
   struct microslip_slopes by_load;   /**< by the creepage or the force that is set */
   struct microslip_slopes by_length; /**< by dq at that creepage or force; not a number where the
                                         step changes the contact  [1/mm] */
 };
 
-/** A shift without rolling, and its energies per mm of width. A shift that is made in parts has the
- * same sum of energies, to rounding with MICROSLIP_DIRECT, and with MICROSLIP_REMEMBERED to 6e-3
- * of the work at N = 41. */
+/** A shift moves the bodies without rolling; energies are per mm of width. A shift that is made in
+ * parts has the same sum of energies, to rounding with MICROSLIP_DIRECT, and with
+ * MICROSLIP_REMEMBERED to 6e-3 of the work at N = 41. */
 struct microslip_shift {
   double distance;    /**< rigid shift; a positive one gives negative tractions  [mm] */
   double force;       /**< F at its end  [N/mm] */
@@ -135,7 +135,7 @@ typedef struct microslip_rolling microslip_rolling;
 
 MICROSLIP_API const char* microslip_version(void);
 
-/** A contact without tractions, that has not rolled.
+/** Makes a contact without tractions that has not rolled.
  *
  * rolling       out; null if it fails
  * message       out, may be null: why it failed, cut to message_size bytes with the closing 0 */
@@ -146,40 +146,41 @@ MICROSLIP_API enum microslip_status microslip_create(const struct microslip_mate
                                                      microslip_rolling** rolling, char* message,
                                                      size_t message_size);
 
-/** The same for bodies of different material, with their combined constants. They are pressed
- * together without tractions. microslip_set_contact() takes 1 and 1 alone. */
+/** Makes a contact of bodies of different material, with their combined constants. The bodies are
+ * pressed together without tractions. microslip_set_contact() accepts only 1 and 1 then. */
 MICROSLIP_API enum microslip_status microslip_create_unlike(
     const struct microslip_material* material, const struct microslip_unlike* unlike,
     const struct microslip_contact* contact, const struct microslip_kernel* kernel,
     const struct microslip_grid* grid, microslip_rolling** rolling, char* message,
     size_t message_size);
 
-/** An independent contact that goes on like this one, to the bit; to come back to after steps that
- * are rejected. microslip_attempt() is cheaper where one step alone is tried. */
+/** Makes an independent contact that goes on like this one, to the bit. A caller comes back to it
+ * after steps that are rejected. microslip_attempt() is cheaper where one step alone is tried. */
 MICROSLIP_API enum microslip_status microslip_copy(microslip_rolling* rolling,
                                                    microslip_rolling** copy);
 
-/** Writes all that the next calls depend on to a file, a step that was attempted included, but not
- * the load. Scheme MICROSLIP_REMEMBERED. The file is there whole or not at all; one of that name is
- * replaced. */
+/** Writes the state of a contact to a file: everything on which the next calls depend, a step that
+ * was attempted included, but not the load. The scheme must be MICROSLIP_REMEMBERED. The file is
+ * written as a whole or not at all, and replaces a file of the same name. */
 MICROSLIP_API enum microslip_status microslip_save(microslip_rolling* rolling, const char* path);
 
-/** Goes on from a file of microslip_save() or of `microslip --save`, of the same material, contact,
- * kernel and grid; the load stays as it was set. On the same machine with the same library the
- * contact goes on to the bit like the one that was saved. */
+/** Takes the state from a file of microslip_save() or of `microslip --save`, which must have the
+ * same material, contact, kernel and grid; the load stays as it was set. On the same machine with
+ * the same library the contact goes on like the saved one, to the bit. */
 MICROSLIP_API enum microslip_status microslip_restore(microslip_rolling* rolling, const char* path);
 
-/** Null is accepted. */
+/** Frees a contact; null is accepted. */
 MICROSLIP_API void microslip_destroy(microslip_rolling* rolling);
 
-/** Of the last call that failed, empty if none has; valid until the next call. */
+/** Returns the message of the last call that failed, or an empty text; it is valid until the next
+ * call. */
 MICROSLIP_API const char* microslip_message(microslip_rolling* rolling);
 
-/** The scheme that rolls this contact, as scenes name it: "remembered" or "direct"; ""
- * of no handle. */
+/** Returns the scheme of this contact as scenes name it, "remembered" or "direct", and "" for a
+ * null handle. */
 MICROSLIP_API const char* microslip_method(const microslip_rolling* rolling);
 
-/** What steps are made under, until set again. One of the two is needed before the first.
+/** Sets the load of the next steps, until it is set again. The first step needs one of the two.
  *
  * creepage  w  [1]
  * force     F, less in absolute value than full sliding  [N/mm] */
@@ -187,14 +188,15 @@ MICROSLIP_API enum microslip_status microslip_set_creepage(microslip_rolling* ro
                                                            double creepage);
 MICROSLIP_API enum microslip_status microslip_set_force(microslip_rolling* rolling, double force);
 
-/** The contact at the end of the next step or shift, to which it changes linearly on the way; it
- * stays so until set again. Factors, not mm and N/mm^2: half-width and bound over those of the contact
- * that was created. Under another normal load P both are sqrt(P/P0) by Hertz's theory, and another
- * friction coefficient changes the bound alone. For MICROSLIP_REMEMBERED alone.
+/** Sets the contact at the end of the next step or shift; the contact changes linearly on the way,
+ * and stays so until it is set again. The factors are half-width and bound over the values with
+ * which the contact was created. Under another normal load P both are sqrt(P/P0) by Hertz's
+ * theory, and another friction coefficient changes the bound alone. The scheme must be
+ * MICROSLIP_REMEMBERED.
  *
- * With 0 for one of them, bodies do not touch, or slide without friction: there are no tractions at
- * the end of the step, a force must be 0, and nothing is remembered. A contact that returns begins
- * at the end of its step, at rest, or with the force that is set.
+ * If one of them is 0, the bodies do not touch, or slide without friction: there are no tractions
+ * at the end of the step, a force must be 0, and nothing is remembered. A contact that returns
+ * begins at the end of its step, at rest, or with the force that is set.
  *
  * half_width_factor  >= 0; in plane strain less than 2 L0 over the half-width  [1]
  * bound_factor       of the bound at the same place over the half-width, >= 0  [1] */
@@ -202,16 +204,16 @@ MICROSLIP_API enum microslip_status microslip_set_contact(microslip_rolling* rol
                                                           double half_width_factor,
                                                           double bound_factor);
 
-/** From no tractions, shifts the bodies without rolling until they carry a force, Cattaneo's
- * problem; nothing has been rolled then. The load that is set remains.
+/** Shifts the bodies without rolling, from no tractions, until they carry a force, which is
+ * Cattaneo's problem; nothing has been rolled then. The load that is set remains.
  *
  * shift  out, may be null  [mm] */
 MICROSLIP_API enum microslip_status microslip_start_from_shift(microslip_rolling* rolling,
                                                                double force, double* shift);
 
-/** Shifts the bodies without rolling, from the tractions now, until they carry a force or by a
- * rigid shift. A contact may roll, be shifted and roll on. What the state says of a step is 0
- * afterwards, the distance is the same, and the load that is set remains.
+/** Shifts the bodies without rolling, from the present tractions, until they carry a force, or by a
+ * rigid shift. A contact may roll, be shifted and roll on. Values of the state that belong to a
+ * step are 0 afterwards, the distance rolled is the same, and the load that is set remains.
  *
  * force     F, less in absolute value than full sliding  [N/mm]
  * distance  finite  [mm]
@@ -227,35 +229,35 @@ MICROSLIP_API enum microslip_status microslip_shift_by_distance(microslip_rollin
  * force, rounding is more than 1 % of the creepage below 1e-13 N elements. */
 MICROSLIP_API enum microslip_status microslip_advance(microslip_rolling* rolling, double dq);
 
-/** Steps to make in one call, arrays of `count` numbers each. */
+/** The steps of one call are arrays of `count` numbers each. */
 struct microslip_steps {
   size_t count;
   const double* dq;       /**< as microslip_advance() takes it  [mm] */
-  const double* creepage; /**< of each step; null under forces, or under the load that is set */
-  const double* force;    /**< likewise, null under creepages  [N/mm] */
-  /** Of the contact at the end of each step, as microslip_set_contact() takes them; both null where
-   * it stays  [1] */
+  const double* creepage; /**< w; null under forces, or under the load that is set  [1] */
+  const double* force;    /**< F at the end; null under creepages  [N/mm] */
+  /** The contact at the end of each step, as microslip_set_contact() takes it; both are null if the
+   * contact stays  [1] */
   const double* half_width_factor;
   const double* bound_factor;
 };
 
 /** Makes many steps, to the bit like one by one; a step costs no more than its work. The load and
- * the contact of the last one remain set. If a step fails, none has been made, and the message
- * names it, from 0: "steps[17]: dq = -1: ..."; states of those before it are written.
+ * the contact of the last one remain set. If a step fails, no step has been made, and the message
+ * names it, from 0: "steps[17]: dq = -1: ...". The states of the steps before it are written.
  *
  * states  out, `count` of them, after each step; may be null */
 MICROSLIP_API enum microslip_status microslip_roll(microslip_rolling* rolling,
                                                    const struct microslip_steps* steps,
                                                    struct microslip_state* states);
 
-/** The state to which that step would lead, without rolling. If microslip_advance() makes the same
- * step next, that costs nothing. */
+/** Gives the state to which a step would lead, and leaves the contact as it is. If
+ * microslip_advance() makes the same step next, the step costs nothing. */
 MICROSLIP_API enum microslip_status microslip_attempt(microslip_rolling* rolling, double dq,
                                                       struct microslip_state* state);
 
-/** The same with the derivatives of that step, by which an implicit integrator finds its load by
- * Newton's method: examples/c/wheel_drive.c. For MICROSLIP_REMEMBERED alone. It costs two more
- * solves than microslip_attempt() for each element that is travelled. */
+/** Gives the same state and the derivatives of the step, by which an implicit integrator finds its
+ * load with Newton's method: examples/c/wheel_drive.c. The scheme must be MICROSLIP_REMEMBERED. It
+ * costs two more solves than microslip_attempt() for each element that is travelled. */
 MICROSLIP_API enum microslip_status microslip_attempt_with_jacobian(
     microslip_rolling* rolling, double dq, struct microslip_state* state,
     struct microslip_jacobian* jacobian);
@@ -263,19 +265,20 @@ MICROSLIP_API enum microslip_status microslip_attempt_with_jacobian(
 MICROSLIP_API enum microslip_status microslip_get_state(microslip_rolling* rolling,
                                                         struct microslip_state* state);
 
-/** Stored in the bodies, half of p A p with the means of tractions over elements  [N]. Costs about
- * as much as a step. */
+/** Gives the energy stored in the bodies, half of p A p with the means of tractions over elements
+ * [N]. It costs about as much as a step. */
 MICROSLIP_API enum microslip_status microslip_get_elastic_energy(microslip_rolling* rolling,
                                                                  double* energy);
 
-/** The largest force that the bound allows, of the contact that is set  [N/mm] */
+/** Gives the largest force that the bound of the contact that is set allows  [N/mm] */
 MICROSLIP_API enum microslip_status microslip_get_full_sliding(microslip_rolling* rolling,
                                                                double* force);
 
-/** Number of nodes, the same for good; 0 if the handle is null or lost. */
+/** Returns the number of nodes, which never changes; 0 if the handle is null or lost. */
 MICROSLIP_API size_t microslip_size(microslip_rolling* rolling);
 
-/** Values at the nodes into arrays with room for `length` of them, at least microslip_size().
+/** Writes values at the nodes into arrays with room for `length` numbers, at least
+ * microslip_size().
  *
  * nodes         x in the contact's frame, ascending  [mm]
  * traction      p at the nodes; elements balance means over them, and coefficients that make up for
@@ -298,7 +301,7 @@ MICROSLIP_API enum microslip_status microslip_get_displacement(microslip_rolling
 MICROSLIP_API enum microslip_status microslip_get_zones(microslip_rolling* rolling, int* values,
                                                         size_t length);
 
-/** What steady rolling is solved under. */
+/** The kind of load under which steady rolling is solved. */
 enum microslip_load {
   MICROSLIP_CREEPAGE = 0, /**< w, finite  [1] */
   MICROSLIP_FORCE = 1     /**< F, less in absolute value than full sliding  [N/mm] */
@@ -306,17 +309,18 @@ enum microslip_load {
 
 enum microslip_steady_method {
   MICROSLIP_INVERSION = 0, /**< ten digits */
-  MICROSLIP_ELEMENTS = 1   /**< elements over the whole contact, second order: where there is more
-                              than one zone of stick or of slip, at least 11 of them */
+  MICROSLIP_ELEMENTS = 1   /**< elements over the whole contact, second order, at least 11: where
+                              more than one zone sticks or slips */
 };
 
-/** Steady rolling under one load. If `status` is not 0, other numbers are not a number, or 0. */
+/** The result of steady rolling under one load. If `status` is not 0, the other values are not a
+ * number, or 0. */
 struct microslip_steady {
   double creepage;    /**< w  [1] */
   double force;       /**< F  [N/mm] */
   double dissipation; /**< -w F, energy lost per mm rolled  [N/mm] */
-  double stick_edge;  /**< x where the one stick zone begins, a in full sliding; not a number
-                               by elements  [mm] */
+  double stick_edge;  /**< x where the stick zone begins, a in full sliding; not a number if
+                               elements were used  [mm] */
   double residual;    /**< slip left in adhesion, over the largest term of its equations [1] */
   double violation;   /**< of the bound or of the direction of slip, relative  [1] */
   double dissipation_error; /**< of the integral of -p s at the nodes, relative  [1] */
@@ -327,21 +331,22 @@ struct microslip_steady {
   int status; /**< of microslip_status */
 };
 
-/** Values at the nodes under each load: arrays with room for `count` rows of `elements` numbers,
- * load by load. Each may be null. Slip is 0 in adhesion. */
+/** Values at the nodes under each load fill arrays with room for `count` rows of `elements`
+ * numbers, load by load. Each array may be null. Slip is 0 in adhesion. */
 struct microslip_steady_nodes {
-  double* x;            /**< ascending; by elements they are others than by inversion  [mm] */
+  double* x;            /**< ascending; elements have other nodes than inversion  [mm] */
   double* bound;        /**< [N/mm^2] */
   double* traction;     /**< [N/mm^2] */
   double* slip;         /**< relative slip s  [1] */
   double* displacement; /**< [mm] */
 };
 
-/** Steady rolling under each of many loads: the force of a creepage, or the creepage of a force.
- * It needs no handle. Plane strain of any length: the creepage does not depend on it.
+/** Solves steady rolling under each of many loads: the force of a creepage, or the creepage of a
+ * force. It needs no handle. In plane strain the length may have any value, as the creepage does
+ * not depend on it.
  *
- * Returns the first status of a load that is not 0, and others are solved all the same. The message
- * then names the load, from 0: "loads[3]: ..."
+ * Returns the first status of a load that is not 0; all other loads are solved nevertheless. The
+ * message then names the load, from 0: "loads[3]: ..."
  *
  * elements   N nodes, 1 ... 4 000 000; they say where values are given, and take part in the
  *            solution by elements only
@@ -349,7 +354,7 @@ struct microslip_steady_nodes {
  * loads      `count` of them
  * states     out, `count` of them
  * nodes      out, may be null
- * message    out, may be null, as that of microslip_create() */
+ * message    out, may be null, like the message of microslip_create() */
 MICROSLIP_API enum microslip_status microslip_solve_steady(
     const struct microslip_material* material, const struct microslip_contact* contact,
     const struct microslip_kernel* kernel, int elements, int load_type, const double* loads,

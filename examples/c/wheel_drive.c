@@ -41,7 +41,7 @@ static const char columns[] =
     "#   elastic [N]: of the contact\n"
     "#   dissipated [N]: by slip, with mean tractions\n"
     "#   work [N]: done by the torque\n"
-    "#   missing [N]: kinetic less that of the start + elastic + dissipated - work\n"
+    "#   missing [N]: kinetic less kinetic at the start + elastic + dissipated - work\n"
     "t\tv\tomega\tstep_ratio\ttorque\tforce\tcreepage\tslip_elements\t"
     "kinetic\telastic\tdissipated\twork\tmissing";
 

@@ -7,7 +7,7 @@
  *                                           'remembered' if not given, or 'direct'; for bodies of
  *                                           different material dundurs_beta and friction, too
  *   microslip_mex('set_creepage', h, w)     likewise set_force, advance
- *   microslip_mex('set_contact', h, a, g)   factors of the half-width and bound, over those of
+ *   microslip_mex('set_contact', h, a, g)   factors of the half-width and bound, over the values of
  *                                           the contact that was created
  *   microslip_mex('save', h, path)          the state to a file; likewise restore, from a file
  *   microslip_mex('destroy', h)
@@ -100,7 +100,7 @@ static double number(const mxArray* problem, const char* name, int needed) {
   return value ? mxGetScalar(value) : 0;
 }
 
-/* What a struct describes; the arrays of its bound remain those of the struct. */
+/* What a struct describes; the arrays of its bound still belong to the struct. */
 struct problem {
   struct microslip_material material;
   struct microslip_contact contact;

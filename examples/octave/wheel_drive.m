@@ -44,7 +44,7 @@ function wheel_drive()
     'elastic [N]: of the contact'
     'dissipated [N]: by slip, with mean tractions'
     'work [N]: done by the torque'
-    'missing [N]: kinetic less that of the start + elastic + dissipated - work'};
+    'missing [N]: kinetic less kinetic at the start + elastic + dissipated - work'};
   fprintf('#   %s\n', columns{:});
   names = strtok(columns, ' ');
   fprintf('%s\n', strjoin(names', '\t'));

@@ -35,7 +35,7 @@ kinetic [N]: energy of the wheel, per mm of width as all
 elastic [N]: of the contact
 dissipated [N]: by slip, with mean tractions
 work [N]: done by the torque
-missing [N]: kinetic less that of the start + elastic + dissipated - work""".split("\n")
+missing [N]: kinetic less kinetic at the start + elastic + dissipated - work""".split("\n")
 
 
 class Wheel:

@@ -16,7 +16,7 @@ namespace microslip::experiments {
 namespace {
 
 /// A basis for the displacements, and a basis whose weights integrate the traction. The two differ
-/// for (B.30), whose slip is in the influence coefficients, while the traction is that of (B.7).
+/// for (B.30), whose slip is in the influence coefficients, while the traction follows (B.7).
 struct Variant {
   Basis basis;
   Basis traction;
@@ -120,7 +120,8 @@ std::vector<Table> basis_convergence(const BasisConvergenceParameters& p,
   const Table claims = claims_table(
       {{"linear functions have a slightly lower error than constant ones", "6.4.1", not_given,
         last("linear") / last("constant"), "1", holds_if({below(1)}),
-        at_last + ": error of linear over that of constant functions", "basis_convergence_error"},
+        at_last + ": error of linear over the error of constant functions",
+        "basis_convergence_error"},
        {"linear functions converge no faster than constant ones", "6.4.1", not_given,
         order("linear") - order("constant"), "1", holds_if({within(0.1, 0)}),
         "difference of the fitted orders of the force", "basis_convergence_error"},
@@ -130,7 +131,8 @@ std::vector<Table> basis_convergence(const BasisConvergenceParameters& p,
         "basis_convergence_error"},
        {"quadratic functions make the convergence worse", "6.4.1", not_given, best, "1",
         holds_if({above(1)}),
-        at_last + ": error of quadratic over that of linear functions, limits corrected to +-2",
+        at_last +
+            ": error of quadratic over the error of linear functions, limits corrected to +-2",
         "basis_convergence_error"}});
   return {errors, orders, claims};
 }

@@ -237,7 +237,7 @@ Table converge_table(bool under_force) {
         1e-9},
        {"order", "1", "of answer_error, from the row before"},
        {"traction_error", "1",
-        "sum of |p - exact| at the nodes over that of |exact|; in a transient at the end", 1e-9},
+        "sum of |p - exact| at the nodes over the sum of |exact|; in a transient at the end", 1e-9},
        {"energy_error", "1", "energy lost by slip, relative", 1e-9},
        {"steps", "1", "steps of a transient"},
        {"work", "1", "counted floating-point operations"},
@@ -266,7 +266,7 @@ ConvergeScene read_converge(Scene& scene) {
   if (std::holds_alternative<CylinderScene>(model)) reject_cylinder();
   const auto* transient = std::get_if<TransientScene>(&model);
   if (transient != nullptr && transient->from > 0) {
-    reject("start.type", "state", "another start: a state is that of one scheme and N");
+    reject("start.type", "state", "another start: a state belongs to one scheme and N");
   }
   const auto* steady = std::get_if<SteadyProblem>(&model);
   const Load load = steady != nullptr ? steady->load : transient->loads.at(0);

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Steps before those that are measured are at least this long  [dx]
+/// Steps before the measured ones are at least this long  [dx]
 constexpr double approach = 0.1;
 
 /// Steps that end this close to a distance have reached it  [dx]

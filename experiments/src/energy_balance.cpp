@@ -95,15 +95,15 @@ struct Tables {
                       {"mean_error", "1", "the same with mean_dissipated", 1e-10},
                       {"velocity", "mm/s", "at the end"}}};
   Table motion_error{"motion_error",
-                     "motion against that of a finer grid (remembered, midpoint), root of mean "
-                     "square",
+                     "motion against the motion on a finer grid (remembered, midpoint), root of "
+                     "mean square",
                      {{"scheme", "1", "step.scheme"},
                       {"integrator", "1", "verlet, leapfrog or midpoint"},
                       {"elements", "1", "N"},
                       {"contact_steps", "1", "steps of the contact solved"},
                       {"position_error", "1", "over the distance"},
                       {"velocity_error", "1", "over the velocity at the end"},
-                      {"rotation_error", "1", "of omega, over that at the end"}}};
+                      {"rotation_error", "1", "of omega, over omega at the end"}}};
   Table step_control{"step_control",
                      "error of v by the length of time steps alone, root of mean square "
                      "(remembered, midpoint)",
@@ -323,11 +323,11 @@ Table claims_of(const Tables& tables, const Parameters& p, double period) {
         "largest error over the energy turned over, any N", "energy_balance_error"},
        {"exact bookkeeping is no proof of accuracy", "9", not_given,
         velocity_error("midpoint") / velocity_error("verlet"), "1", ours_if({between(0.5, 3)}),
-        "error of v(t) by the midpoint rule over that by Verlet, largest N",
+        "error of v(t) by the midpoint rule over the error by Verlet, largest N",
         "energy_balance_error"},
        {"the motion is of second order", "9", not_given, order_of(tables, ours, "velocity"), "1",
         ours_if({within(0.2, 2)}),
-        "order of v(t), remembered and midpoint rule; that of Verlet is " +
+        "order of v(t), remembered and midpoint rule; the order of Verlet is " +
             format_short(std::round(100 * tables.orders.latest({{"scheme", "remembered"},
                                                                 {"integrator", "verlet"},
                                                                 {"quantity", "velocity"}},
@@ -336,7 +336,7 @@ Table claims_of(const Tables& tables, const Parameters& p, double period) {
         "energy_balance_cost"},
        {"a tolerance saves steps", "9", not_given, saved_by_tolerance(p, tables.step_control), "1",
         ours_if({above(1.5)}),
-        "equal steps of the same error, over those of the smallest tolerance",
+        "equal steps of the same error, over the steps of the smallest tolerance",
         "energy_balance_cost"}});
 }
 

@@ -104,8 +104,7 @@ Finding finding_of(const ExtremesParameters& p, const Scheme& scheme, double slo
 Map cylinder_map(const ExtremesParameters& p) {
   Map map{"cylinder",
           "a cylinder that starts from rest on a slope, after three contact widths; error: the "
-          "larger of that of its velocity and of what the balance of energy misses, over the work "
-          "of gravity",
+          "larger of two, of its velocity, and of the balance of energy over the work of gravity",
           {{"slope_ratio", "1", "slope force over full sliding; from 3 on a solid body slides"},
            {"step_ratio", "1", "c = v dt/dx, at most"}},
           {0.1, 1},

@@ -40,7 +40,7 @@ struct Tables {
                         {"above", "1", "largest value above 1"},
                         {"below", "1", "largest value below 0"},
                         {"total_variation", "1", "sum of rises and falls"},
-                        {"start_variation", "1", "that of the start"}}};
+                        {"start_variation", "1", "sum of rises and falls of the start"}}};
 };
 
 /// Makes the shapes of Fig. 8.2: some fill a third of the contact next to the leading edge, one is
@@ -183,7 +183,7 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const CostTabl
         "fractional_power_traction"},
        {"sharp edges are kept that the direct scheme smooths", "8", not_given, fractional / direct,
         "1", holds_if({below(0.7)}),
-        fmt::format("error after {} dx, over that of the direct scheme", format_short(part)),
+        fmt::format("error after {} dx, over the error of the direct scheme", format_short(part)),
         "fractional_power_traction"},
        {"wiggles arise after parts of elements", "8", not_given, extrema, "1", holds_if({above(4)}),
         fmt::format("local extrema after {} dx; exact: 3", format_short(part)),

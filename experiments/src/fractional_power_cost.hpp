@@ -21,15 +21,16 @@ struct CostTables {
        {"real", "1", "real part"},
        {"imaginary", "1", "imaginary part"},
        {"negative", "1", "1 if on the negative real axis, where powers turn complex"}}};
-  Table agreement{"agreement",
-                  "the action of C^c on a unit pulse at the leading edge against a Schur method",
-                  {{"elements", "1", "N"},
-                   {"step_ratio", "1", "c"},
-                   {"negative_eigenvalue", "1", "1 if there is one: N even"},
-                   {"schur_residual", "1", "largest entry of |C^c C^(1-c) - C|, over that of |C|",
-                    agreement_rounding},
-                   {"difference", "1", "largest one, over the largest value; nan if N is even",
-                    agreement_rounding}}};
+  Table agreement{
+      "agreement",
+      "the action of C^c on a unit pulse at the leading edge against a Schur method",
+      {{"elements", "1", "N"},
+       {"step_ratio", "1", "c"},
+       {"negative_eigenvalue", "1", "1 if there is one: N even"},
+       {"schur_residual", "1", "largest entry of |C^c C^(1-c) - C|, over the largest of |C|",
+        agreement_rounding},
+       {"difference", "1", "largest one, over the largest value; nan if N is even",
+        agreement_rounding}}};
   Table cost{"cost",
              "work of one step, counted: solves with C + t I, each of O(N)",
              {{"elements", "1", "N"}, {"solves", "1", "number of solves"}}};

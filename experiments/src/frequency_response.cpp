@@ -34,7 +34,7 @@ Table curves_table(const FrequencyResponseParameters& p) {
                 "steady slope"},
                {"stick_ratio", "1", "a' of the state; 1 where everything adheres"},
                {"wavelength_ratio", "1", "L over the half-width"},
-               {"size", "1", "|H|, H = dF/dw over that of an infinite wavelength"},
+               {"size", "1", "|H|, H = dF/dw over its value at an infinite wavelength"},
                {"phase", "rad", "argument of H; below zero, the force comes after the creepage"},
                {"from_winkler", "1", "|H - H of the foundation|", 1e-12}});
   const double a = p.bound.half_width();
@@ -111,8 +111,8 @@ Table claims_of(const FrequencyResponseParameters& p, const Table& curves, const
         "the "
         "contact, and the remembered scheme has it",
         "none", 1, peak, "1", ours_if({within(0.05, 1)}),
-        fmt::format("largest mean over an element next to q = 2 a, over that of the exact solution "
-                    "there, c = 1, N = {}",
+        fmt::format("largest mean over an element next to q = 2 a, over the exact solution's "
+                    "mean there, c = 1, N = {}",
                     p.motion_sizes.back()),
         "frequency_response_steps"}});
 }

@@ -107,7 +107,7 @@ std::vector<Complex> measured_slopes(const FrequencyResponseParameters& p, const
 
 /// Sums over alignments for one wave.
 struct WaveError {
-  Complex ratio = 0;  ///< of dF/dw to that of an infinite wavelength
+  Complex ratio = 0;  ///< of dF/dw to its value at an infinite wavelength
   double squares = 0;
 };
 

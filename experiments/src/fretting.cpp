@@ -217,13 +217,13 @@ Table curve_table(const Parameters& p) {
 }
 
 Table lengths_table(const Parameters& p) {
-  Table table(
-      "lengths", "a cycle with other L0, half of full sliding, Hertz's bound",
-      {{"scheme", "1", "direct or remembered"},
-       {"length", "1", "L0 in half-widths"},
-       {"shift", "mm", "to the amplitude, positive with the force"},
-       {"dissipation", "N", "of a closed cycle"},
-       {"difference", "1", "of the dissipation to that of the first, relative", length_rounding}});
+  Table table("lengths", "a cycle with other L0, half of full sliding, Hertz's bound",
+              {{"scheme", "1", "direct or remembered"},
+               {"length", "1", "L0 in half-widths"},
+               {"shift", "mm", "to the amplitude, positive with the force"},
+               {"dissipation", "N", "of a closed cycle"},
+               {"difference", "1", "of the dissipation to its value at the first length, relative",
+                length_rounding}});
   const HertzBound bound = hertz_like(p.bound);
   for (const std::string scheme : {"direct", "remembered"}) {
     double first = 0;

@@ -84,7 +84,7 @@ struct Curves {
                "how soft contacts are",
                {{"kernel", "1", "half-space, layer or brush"},
                 {"softness", "1", "C over 2 (1 - nu)/G a"},
-                {"slope", "1", "|dF/dw| at w = 0 over that of the half-space"}}};
+                {"slope", "1", "|dF/dw| at w = 0 over the slope of the half-space"}}};
 };
 
 double exact_force_ratio(const Parameters& p, const Yielding& of, double creepage) {
@@ -205,7 +205,7 @@ struct Errors {
                 {"order", "1", "least-squares slope"}}};
 };
 
-/// Creepages around that of the force ratio, so that stick-slip points lie anywhere in elements.
+/// Creepages around the creepage of the force ratio, so that stick-slip points lie anywhere in elements.
 std::vector<double> creepages_of(const Parameters& p, const Kernel& kernel) {
   constexpr int count = 8;
   const double middle =
@@ -255,7 +255,7 @@ Table transients_of(const Parameters& p) {
       {{"kernel", "1", "half-space, layer or brush"},
        {"softness", "1", "C over 2 (1 - nu)/G a"},
        {"distance", "1", "rolled, over the width of the contact"},
-       {"creepage", "1", "of a step of two elements, over that of steady rolling"}});
+       {"creepage", "1", "of a step of two elements, over the creepage of steady rolling"}});
   const double force = -p.force_ratio * sliding_force(p);
   const double a = p.bound.half_width();
   const double dx = 2 * a / static_cast<double>(p.elements);
@@ -317,7 +317,7 @@ Table claims_of(const Parameters& p, const Curves& curves, const Table& noise, c
       {{"over their slope at no creepage, all curves of creepage and force are alike to a tenth",
         "none", not_given, from_half_space, "1", ours_if({below(0.1)}),
         "largest difference from the half-space's, over full sliding", "kernels_curves"},
-       {"on springs alone the force is that of the brush model in closed form", "none", not_given,
+       {"on springs alone the force is the closed form of the brush model", "none", not_given,
         from_brush, "1", ours_if({below(1e-4)}),
         "largest difference, over full sliding, by leading_edge calibrated", "kernels_curves"},
        {"wiggles at small steps need the half-space", "none", not_given, of_half_space, "1",

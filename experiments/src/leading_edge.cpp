@@ -342,7 +342,7 @@ Table claims_of(const LeadingEdgeParameters& p, const std::vector<Series>& all,
         "smallest p_N over its exact value, over the offsets below 1", "leading_edge_profile"},
        {"the trimmed hat does not significantly improve the rate of convergence", "10.4", not_given,
         trimmed_change, "1", holds_if({below(0.2)}),
-        "mean factor per doubling against that of plain hats, minus 1",
+        "mean factor per doubling over the factor of plain hats, minus 1",
         "leading_edge_reductions"}});
 }
 

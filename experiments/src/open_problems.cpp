@@ -88,15 +88,16 @@ Table claims_of(const OpenProblemsParameters& p, const SteadyTables& steady,
         "open_problems_convergence"},
        {"a better leading edge will decrease the cost of a given accuracy drastically", "11",
         not_given, gain, "1", holds_if({above(100)}),
-        fmt::format("median error of the standard scheme over that of calibrated elements, N = {}",
-                    p.sizes.back()),
+        fmt::format(
+            "median error of the standard scheme over the error of calibrated elements, N = {}",
+            p.sizes.back()),
         "open_problems_convergence"},
        {"further tests show odd behaviour in a world-fixed frame in certain cases", "11", not_given,
         between, "N/mm", corrected_if({below(1e-3)}, "reproduced"),
         "largest integral of the difference to c = 1, over all c", "open_problems_steps", 1e-12},
        {"smoothing can be stopped in a world-fixed frame", "11", not_given, direct / remembered,
         "1", holds_if({above(10)}),
-        "largest error of the direct scheme over that of the remembered scheme, over all c",
+        "largest error of the direct scheme over the error of the remembered scheme, over all c",
         "open_problems_steps"}});
 }
 

@@ -110,7 +110,7 @@ Table empty_response() {
            {"wavelength_ratio", "1", "L over the half-width of the contact"},
            {"slope_real", "N/mm", "real part of dF/dw"},
            {"slope_imaginary", "N/mm", "imaginary part of dF/dw"},
-           {"size", "1", "|H|, H = dF/dw over that of an infinite wavelength"},
+           {"size", "1", "|H|, H = dF/dw over its value at an infinite wavelength"},
            {"phase", "rad", "argument of H; below zero, the force comes after the creepage"}}};
 }
 

@@ -86,7 +86,7 @@ struct Tables {
        {"step_ratio", "1", "c = dq/dx"},
        {"frequency", "1", "theta / pi, below 1, which would alternate from node to node"},
        {"magnitude", "1", "|g| of one step; exact: 1"},
-       {"damping", "1", "|g|^(1/c), that of one element travelled; exact: 1"},
+       {"damping", "1", "|g|^(1/c), the factor of one element travelled; exact: 1"},
        {"speed", "1", "arg g / (c theta); exact: 1"}}};
 };
 

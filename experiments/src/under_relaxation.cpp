@@ -185,7 +185,7 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const Paramete
         "under_relaxation_traction"},
        {"relaxed solutions depend much less on c than direct ones", "7.1", not_given, dependence,
         "1", holds_if({below(0.5)}, {below(1)}),
-        "difference of c = 0.8 and 0.2, over that of the direct scheme",
+        "difference of c = 0.8 and 0.2, over the same difference by the direct scheme",
         "under_relaxation_traction"}});
 }
 

@@ -248,9 +248,10 @@ LargeWaves large_waves(const VaryingLoadParameters& p, const Progress& progress)
         {"quasi_steady", "1", "by Carter's solution of each moment"},
         {"springs", "1", "by a foundation of springs"}}},
       {"means",
-       "means over a large wave; that of the energy lost is the creepage times that of the force",
+       "means over a large wave; the mean energy lost is the creepage times the mean force",
        {{"wavelength_ratio", "1", "L over the half-width under the mean load"},
-        {"force", "1", "by the remembered scheme, over that of Carter's solution of each moment"},
+        {"force", "1",
+         "by the remembered scheme, over the mean of Carter's solution of each moment"},
         {"springs", "1", "by a foundation of springs, likewise"},
         {"swing", "1", "largest less least force by the remembered scheme, likewise"},
         {"dissipation_error", "1",
@@ -343,8 +344,8 @@ Table claims_of(const VaryingLoadParameters& p, const SmallWaves& small, const L
         "largest difference of dF/dP over states at L = 20 a, relative", "varying_load_bode"},
        {"short waves hardly swing the force", "none", not_given, large.means.number(0, "swing"),
         "1", ours_if({below(0.5)}),
-        "swing of the force at the shortest wavelength, over that of Carter's solution of each "
-        "moment",
+        "swing of the force at the shortest wavelength, over the swing of Carter's solution of "
+        "each moment",
         "varying_load_waves"},
        {"the energy lost over a wave is the creepage times the mean force", "none", 0,
         extreme(large.means, "dissipation_error", false, [](std::size_t) { return true; }), "1",

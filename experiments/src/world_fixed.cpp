@@ -66,8 +66,8 @@ struct Tables {
                "order of decay of the noise in N, fitted",
                {{"treatment", "1", "of the elements at the edges"},
                 {"elements", "1", "largest N of the fit"},
-                {"deviation_order", "1", "that of the deviation"},
-                {"noise_order", "1", "that of the noise, without the drift"},
+                {"deviation_order", "1", "order of the deviation"},
+                {"noise_order", "1", "order of the noise, without the drift"},
                 {"largest", "1", "largest one of the series against c"}}};
 };
 
@@ -220,7 +220,8 @@ Table claims_of(const Tables& tables, const Parameters& p) {
         holds_if({{"its difference to the one of the direct scheme", whole - direct_whole,
                    within(1e-6, 0)},
                   {"the noise at c = " + format_short(c), at_node, above(target)}}),
-        "relative change of the creepage from step to step at c = 1: that of the direct scheme",
+        "relative change of the creepage from step to step at c = 1: the change by the direct "
+        "scheme",
         "world_fixed_noise"},
        {"the cause of the odd behaviour is still unknown", "11", not_given, leaving, "1",
         corrected_if({above(0.9)}, "not_comparable"),

@@ -44,8 +44,9 @@ Scene parse_file(const std::string& path) {
 
 void add_scene_options(Options& options, const Program& program) {
   const std::string scene_default = program.scene.empty() ? " (required)" : " (default: built in)";
-  options.add_options()("scene", options::value<std::string>(),
-                        ("property tree in INFO format" + scene_default).c_str())(
+  options.add_options()(
+      "scene", options::value<std::string>(),
+      ("file of the scene: keys and values, in INFO format" + scene_default).c_str())(
       "set", options::value<std::vector<std::string>>()->default_value({}, ""),
       "section.key=value, overrides the scene; an empty value removes the key; repeatable");
   for (const auto& [name, key, help] : program.key_options) {

@@ -43,8 +43,8 @@ struct Line {
   bool is_exact = false;
 };
 
-/// Number `i` of `count` colours that differ, also for the colour-blind; more than six are those of
-/// a scale from dark to light.
+/// Number `i` of `count` colours that differ, also for the colour-blind; more than six are colours
+/// of a scale from dark to light.
 std::string color_of(std::size_t i, std::size_t count);
 
 /// The colour of exact solutions.

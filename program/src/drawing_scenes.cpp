@@ -115,7 +115,7 @@ void add_exact(Drawing& drawing, const std::vector<Parameters>& all) {
   }
 }
 
-/// The creepage of a transient is that of a step: its first row, the start, has none.
+/// The creepage of a transient belongs to a step: its first row, the start, has none.
 void leave_out_first_creepage(Table& history, std::size_t row) {
   if (row < history.rows()) history.put(row, "creepage", "NaN");
 }

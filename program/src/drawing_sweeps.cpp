@@ -227,7 +227,7 @@ void require_few_lines(std::size_t lines, const Cases& cases, const Axes& axes) 
                   lines, most_lines, key, cases.text(cases.rows().front(), key)));
 }
 
-/// Places on the horizontal axis: numbers, or those of words in the order of the rows.
+/// Places on the horizontal axis: numbers, or for words the order of the rows.
 class Places {
  public:
   Places(const Cases& cases, const std::string& over)

@@ -49,7 +49,7 @@ std::string header_of(const fs::path& table) {
       fmt::format("'{}': expected the folder of a result; {}", shown(folder.string()), why));
 }
 
-/// Whether it is that of a case of a sweep, which is there as a whole or not at all.
+/// Whether it is the folder of a case of a sweep, which is there as a whole or not at all.
 bool is_case(const fs::path& folder) {
   const fs::path cases = fs::absolute(folder).lexically_normal().parent_path();
   return cases.filename() == "cases" && fs::exists(cases.parent_path() / "plan.tsv");
@@ -68,7 +68,7 @@ std::string program_of(const fs::path& folder, const std::string& name) {
                      : "it has no provenance.txt");
 }
 
-/// Of those that have a figure of their own.
+/// The kind of a result that has a figure of its own.
 std::string kind_of(const fs::path& folder) {
   for (const char* kind : {"sweep", "curve", "response", "converge"}) {
     if (fs::exists(folder / fmt::format("{}.tsv", kind))) return kind;
@@ -129,7 +129,7 @@ int run_tool(std::vector<std::string> words) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
-/// \param settings  commands of gnuplot, before those of the script
+/// \param settings  commands of gnuplot, before the commands of the script
 void draw(const fs::path& script, const fs::path& tables, const fs::path& figure,
           const std::string& settings = "") {
   if (run_tool({script.parent_path() / "draw.sh", script, tables, figure, settings}) != 0) {
@@ -352,7 +352,7 @@ int plot(const std::string& name, int argc, const char* const* argv) {
     known.add_options()("result", options::value<Words>()->default_value({"out"}, "out"),
                         "the first words: folders of results, or of a study, or tables there; "
                         "several are drawn over one another")("figure", word(),
-                                                              "this one instead of all")(
+                                                              "name of the only figure to draw")(
         "to", word(),
         "file that ends in .svg, .png or .pdf (default: RESULT.svg, or RESULT_FIGURE.svg of one "
         "figure of several)")("x", word(), "a:b, range of the horizontal axis")(
@@ -361,7 +361,7 @@ int plot(const std::string& name, int argc, const char* const* argv) {
         "value", word(), "of a sweep: the quantity on the vertical axis")(
         "by", word(), "of a sweep: the key that colours tell apart")(
         "only", options::value<Words>()->default_value({}, ""),
-        "of a sweep: key=value, cases with that; repeatable")(
+        "of a sweep: key=value, only cases with this value; repeatable")(
         "version", "print version and revision")("help", "print this");
     const Given given = parse(known, argc - 1, argv + 1, "result", any_number);
     if (answers(given, known, name + " plot", "draws the figures of results, with gnuplot")) {

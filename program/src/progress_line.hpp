@@ -23,7 +23,7 @@ class ProgressLine {
   /// Whether it would be written now.
   bool wants_one() const;
 
-  /// \param done    with parts of those that have begun
+  /// \param done    with parts of the cases that have begun
   /// \param total   or unknown_total
   /// \param behind  what else there is to say
   void tell(double done, std::size_t total, const std::string& behind = "");

@@ -30,7 +30,7 @@ struct MergedSweep {
 ///   cases/07/     all its tables, where they are kept
 class SweepFolder {
  public:
-  /// Makes the folder that of a sweep. \throws std::invalid_argument if it is that of another one
+  /// Makes the folder belong to a sweep. \throws std::invalid_argument if it belongs to another one
   static SweepFolder begin(const std::filesystem::path& path, const std::string& program,
                            const Table& plan, const Parameters& common);
 

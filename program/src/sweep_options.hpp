@@ -27,7 +27,7 @@ struct SweepSettings {
   bool quiet;
 };
 
-/// Those of a program, and --threads, --shard and --tables.
+/// The options of a program, and --threads, --shard and --tables.
 Options sweep_options(const Program& program);
 
 /// \throws std::invalid_argument for --threads and --shard out of their ranges

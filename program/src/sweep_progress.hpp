@@ -15,7 +15,7 @@ namespace microslip::program {
 /// those are that run. For several threads at once.
 class SweepProgress {
  public:
-  /// \param done, failed, total  cases at the start; those that failed are done, too
+  /// \param done, failed, total  cases at the start; failed cases are done, too
   SweepProgress(const std::string& name, bool quiet, std::size_t done, std::size_t failed,
                 std::size_t total);
 

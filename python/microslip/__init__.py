@@ -14,7 +14,7 @@
     rolling.roll(dq, creepage=w)                         # of numbers or arrays
 
 Units are mm and N, per mm of width, so forces are in N/mm. Rolling is towards +x. A positive creepage
-w = (v - omega R)/v gives negative tractions and a negative force, which is what acts on v.
+w = (v - omega R)/v gives negative tractions and a negative force, which acts on v.
 
 Keys of scenes: ms.keys(), and docs/scenes.md. Errors are ms.InputError, a ValueError, and ms.NoSolution.
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Numbers and arrays as people give them."""
+"""Turns numbers and arrays into what the library takes."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def numbers(name: str, value: Any) -> np.ndarray:
 
 
 def broadcast(given: Mapping[str, Any]) -> Dict[str, np.ndarray]:
-    """Those that are not None, as arrays of one shape, of no or one dimension; errors are about the first."""
+    """Returns the values that are not None as arrays of one shape, of no or one dimension; errors name the first."""
     columns = {name: numbers(name, value) for name, value in given.items() if value is not None}
     for name, column in columns.items():
         if column.ndim > 1:
@@ -43,5 +43,5 @@ def broadcast(given: Mapping[str, Any]) -> Dict[str, np.ndarray]:
 
 
 def record(values: np.ndarray) -> Any:
-    """A structured array without dimensions as a record."""
+    """Turns a structured array without dimensions into a record."""
     return values.reshape(1).view(np.recarray)[0]

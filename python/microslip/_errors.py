@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What goes wrong, as exceptions."""
+"""Exceptions of the package."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ class Error(Exception):
 
 
 class InputError(Error, ValueError):
-    """A value that is not accepted, in one line.
+    """A value is not accepted; the message is one line.
 
     Attributes
     ----------
@@ -52,8 +52,8 @@ class InputError(Error, ValueError):
 
 
 class NoSolution(Error, ArithmeticError):
-    """The solver found no solution, or none that is accepted."""
+    """The solver found no solution, or no solution that the scene accepts."""
 
 
 class LoadWarning(UserWarning):
-    """A doubt about a value, or about a result that is accepted."""
+    """A value, or a result that is accepted, is doubtful."""

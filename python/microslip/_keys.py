@@ -51,12 +51,12 @@ def _all_keys() -> Keys:
 
 
 def keys(part: str = "") -> Keys:
-    """Keys of scenes with units, meanings and accepted values.
+    """Lists the keys of scenes with units, meanings and accepted values.
 
     Parameters
     ----------
     part : str
-        Only those that have this in their name.
+        Only keys that have this text in their name.
 
     >>> import microslip as ms
     >>> ms.keys("half_width")

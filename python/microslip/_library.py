@@ -20,7 +20,7 @@ CREEPAGE, FORCE = 0, 1  # of microslip_load
 
 
 def _dtype(*fields: str) -> np.dtype:
-    """A struct of C: "name" of a double, "name:int" of an int."""
+    """Makes a struct of C: "name" is a double, "name:int" an int."""
     return np.dtype([(name, np.intc if kind else float)
                      for name, _, kind in (field.partition(":") for field in fields)], align=True)
 
@@ -125,12 +125,12 @@ _library = _load()
 
 
 def call(name: str, *arguments: Any) -> Any:
-    """What the function microslip_NAME returns."""
+    """Calls the function microslip_NAME and returns its result."""
     return getattr(_library, f"microslip_{name}")(*arguments)
 
 
 def text_of(name: str, *arguments: Any) -> str:
-    """The same of a function that returns a text."""
+    """Calls a function that returns a text."""
     return call(name, *arguments).decode()
 
 
@@ -148,7 +148,7 @@ def error_of(status: int, message: str, key: str = "") -> Exception:
 
 
 def require(result: Any) -> Any:
-    """A result of a function microslip_py_*, if it is not null.
+    """Returns the result of a function microslip_py_*, if it is not null.
 
     Raises what the library says otherwise.
     """
@@ -163,7 +163,7 @@ def require_ok(status: int) -> None:
 
 
 def as_progress(told: Optional[Callable[[int, int], Any]], raised: list[BaseException]) -> Any:
-    """A function of C that tells of progress, and ends the work where that raises something.
+    """Makes a function of C that reports progress, and ends the work if the report raises something.
 
     An interrupt is noticed here, too, as the interpreter looks for one when it runs.
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures by matplotlib, where that is installed."""
+"""Draws figures with matplotlib, if it is installed."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 
 
 def print_progress(done: int, total: int) -> None:
-    """A line on stderr, over the last one."""
+    """Prints a line on stderr over the last one."""
     end = "\n" if done == total and total else ""
     print(f"\rmicroslip: {done}" + (f" of {total}" if total else ""), end=end, file=sys.stderr, flush=True)
 
@@ -26,7 +26,7 @@ def _new_axes(columns: int = 1) -> Any:
 
 
 def plot_traction(x: np.ndarray, bound: np.ndarray, traction: np.ndarray, axes: Any = None) -> Any:
-    """Tractions, and their bound on both sides."""
+    """Draws tractions, and their bound on both sides."""
     axes = _new_axes() if axes is None else axes
     axes.fill_between(x, -bound, bound, color="0.92", label="bound")
     axes.plot(x, traction, label="traction")
@@ -37,7 +37,7 @@ def plot_traction(x: np.ndarray, bound: np.ndarray, traction: np.ndarray, axes: 
 
 
 def plot_result(result: Any, axes: Any = None) -> Any:
-    """As Result.plot."""
+    """Draws a result, see Result.plot."""
     history = result.history if axes is None else None
     both = _new_axes(1 if history is None else 2) if axes is None else axes
     first = both if history is None else both[0]
@@ -51,7 +51,7 @@ def plot_result(result: Any, axes: Any = None) -> Any:
 
 
 def plot_curve(steady: Any, axes: Any = None) -> Any:
-    """|F| over |w|, with full sliding."""
+    """Draws |F| over |w|, with full sliding."""
     axes = _new_axes() if axes is None else axes
     (line,) = axes.plot(100 * np.abs(steady.creepage), np.abs(steady.force), label="steady rolling")
     line.sticky_edges.x[:] = line.sticky_edges.y[:] = [0]  # axes begin there, and still grow with other curves

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scenes solved, alone or in sweeps."""
+"""Solves scenes, alone or in sweeps."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ Progress = Union[bool, Callable[[int, int], Any], None]
 
 
 def shown_progress(progress: Progress) -> Optional[Callable[[int, int], Any]]:
-    """A function to call, or None."""
+    """Returns the function to call, or None."""
     if not isinstance(progress, bool):
         return progress
     return _plot.print_progress if progress else None
@@ -37,21 +37,21 @@ class Result:
     Attributes
     ----------
     summary : numpy.record
-        A field a quantity: ``result.summary["force"]`` or ``result.summary.force``.
+        One field per quantity: ``result.summary["force"]`` or ``result.summary.force``.
     traction : numpy.ndarray
-        A row a node: x, bound, traction, slip, displacement and region, "A" in adhesion and "S" in slip.
+        One row per node: x, bound, traction, slip, displacement and region, "A" in adhesion and "S" in slip.
     history : numpy.ndarray or None
-        A row a step; None for steady rolling.
+        One row per step; None for steady rolling.
     shifts : numpy.ndarray or None
-        A row a shift before rolling, if there are several.
+        One row per shift before rolling, if there are several.
     tables : dict of Table
-        The same with descriptions, units and parameters.
+        The same tables with descriptions, units and parameters.
     units : dict of str
-        Of all columns and quantities: ``result.units["force"]`` is "N/mm".
+        Units of all columns and quantities: ``result.units["force"]`` is "N/mm".
     evidence : dict of float
-        What the result shows of its own correctness.
+        Numbers that show whether the result is right, see docs/scenes.md.
     warnings : list of str
-        Doubts about values, and about the result; each has been a LoadWarning, too.
+        Warnings of values and of the result; each has been a LoadWarning, too.
     parameters : dict of str
         Keys and values of the scene, with defaults and what follows from them.
     """
@@ -86,23 +86,23 @@ class Result:
         return f"<table><caption>{html.escape(table.description)}</caption>{rows}</table>{doubts}"
 
     def to_pandas(self, table: str = "") -> Any:
-        """A pandas.DataFrame of a table: that of the steps if there is one, else of the tractions."""
+        """Returns a table as a pandas.DataFrame: by default the steps if there are any, else the tractions."""
         return self.tables[table or ("history" if self.history is not None else "traction")].to_pandas()
 
     def write(self, folder: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes the tables as files, as the program does, which ms.read_table and `microslip plot` read."""
+        """Writes the tables as files, as the program does; ms.read_table and `microslip plot` read them."""
         path = pathlib.Path(folder)
         path.mkdir(parents=True, exist_ok=True)
         for name, table in self.tables.items():
             table.write(path / f"{name}.tsv")
 
     def plot(self, axes: Any = None) -> Any:
-        """Draws tractions within their bound and, of what is not steady, the force over the distance.
+        """Draws tractions within their bound and, unless rolling is steady, the force over the distance.
 
         Parameters
         ----------
         axes : matplotlib axes, optional
-            One of them, for the tractions alone.
+            Axes to draw into; then the tractions alone are drawn.
 
         Returns
         -------
@@ -123,7 +123,7 @@ def _short(text: str) -> str:
 
 
 def _record_of(summary: Table) -> np.record:
-    """The rows quantity, value, unit as one record."""
+    """Turns the rows quantity, value, unit into one record."""
     names = [str(name) for name in summary["quantity"]]
     values = []
     for text in summary["value"]:
@@ -172,7 +172,7 @@ class Cases:
 
 
 def warn_of(lines: Iterable[str], depth: int = 3) -> None:
-    """Tells the user who called, `depth` frames above."""
+    """Warns the user who called, `depth` frames above."""
     for line in lines:
         warnings.warn(line, LoadWarning, stacklevel=depth)
 
@@ -184,12 +184,12 @@ def solve(scene: Scene = None, *, progress: Progress = None, **overrides: Any) -
     ----------
     scene : str, path or dict
         A file ``scene.info``; or its text, which has a brace or several lines; or a dictionary of keys,
-        whose sections may be dictionaries. All keys: ``ms.keys()``, and docs/scenes.md.
+        whose sections may be dictionaries. ``ms.keys()`` and docs/scenes.md list all keys.
     progress : bool or function
-        True prints a line; a function gets what is done and the total, which is 0 if it is not known.
+        True prints a line; a function gets the finished part and the total, which is 0 if it is not known.
     **overrides
-        Keys over the scene, as sections, ``load={"force": -1500}``, or with underscores,
-        ``load_force=-1500``. Numbers may have a unit: ``"1.5 kN/mm"``. None takes a key away. A key that
+        Keys that override the scene: as sections, ``load={"force": -1500}``, or with underscores,
+        ``load_force=-1500``. Numbers may have a unit: ``"1.5 kN/mm"``. None removes a key. A key that
         names a file takes arrays instead: ``contact={"bound_file": (x, values)}``,
         ``load={"file": {"q": q, "force": force}}``.
 
@@ -202,7 +202,7 @@ def solve(scene: Scene = None, *, progress: Progress = None, **overrides: Any) -
     InputError
         A ValueError that names key, value and what is accepted.
     NoSolution
-        If there is none, or none that is accepted.
+        If there is no solution, or no solution that the scene accepts.
 
     >>> import microslip as ms
     >>> result = ms.solve(problem="steady",

@@ -28,7 +28,7 @@ _STEPS_AT_ONCE = 1000
 
 
 class Load(NamedTuple):
-    """What steps are made under."""
+    """The load of the next steps."""
 
     kind: str  #: creepage or force
     value: float
@@ -40,18 +40,18 @@ class Rolling:
     Parameters
     ----------
     scene : str, path or dict
-        As ms.solve() takes it, of which the contact is taken: material, contact, kernel, grid, basis,
-        solver, direction, step.scheme and step.relaxation. What it says about its problem, load, steps,
-        start and motion is left out.
+        A scene as for ms.solve(). The contact is taken from it: material, contact, kernel, grid, basis,
+        solver, direction, step.scheme and step.relaxation. Its problem, load, steps, start and motion are
+        left out.
     **overrides
-        Likewise: ``contact={"half_width": 5, "bound_file": (x, values)}`` has a bound of arrays.
+        Keys as for ms.solve(): ``contact={"half_width": 5, "bound_file": (x, values)}`` has a bound of arrays.
 
     Notes
     -----
-    A contact begins without tractions and with nothing rolled. A call that fails leaves it as it was.
+    A contact begins without tractions, at the distance 0. A call that fails leaves it as it was.
     Contacts may be used in several threads at once, each in one at a time. ``copy.copy`` and
     ``copy.deepcopy`` make contacts of their own, and ``pickle`` keeps state and load (scheme remembered). In a
-    ``with`` block it is closed at the end; it is closed anyhow when it is no longer used.
+    ``with`` block it is closed at the end of the block, otherwise when it is no longer used.
 
     A positive creepage w = (v - omega R)/v gives negative tractions and a negative force.
 
@@ -94,7 +94,7 @@ class Rolling:
         self.close()
 
     def copy(self) -> "Rolling":
-        """An independent contact that goes on like this one, to the bit; other attributes are shared."""
+        """Returns an independent contact that goes on like this one, to the bit; other attributes are shared."""
         return self._copy_with(vars(self))
 
     __copy__ = copy
@@ -131,7 +131,7 @@ class Rolling:
         self._call("save", os.fsencode(path))
 
     def restore(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Goes on from the file of a like contact, to the bit; the load stays as it was set."""
+        """Takes the state from the file of an equal contact, and goes on to the bit; the load stays as it was set."""
         self._call("restore", os.fsencode(path))
 
     # Steps
@@ -143,27 +143,26 @@ class Rolling:
         Parameters
         ----------
         dq : float or array
-            Lengths of the steps, from 1e-15 to 1e6 elements  [mm]. Arrays and numbers go together as
-            numpy broadcasts them.
+            Lengths of the steps, from 1e-15 to 1e6 elements  [mm]. numpy broadcasts arrays and numbers.
         creepage : float or array, optional
             w of each step  [1].
         force : float or array, optional
             F at the end of each step, less in absolute value than full sliding  [N/mm]; instead of
             creepage. Without either the load of the last step goes on.
         half_width_factor, bound_factor : float or array, optional
-            Of the contact at the end of each step, as set_contact() takes them  [1].
+            Factors of the contact at the end of each step, as for set_contact()  [1].
         progress : bool or function
             As of ms.solve().
 
         Returns
         -------
         numpy.record or structured array
-            The state after the step; of arrays, after each. Units are in ``Rolling.units``.
+            The state after the step; for arrays, the states after each step. Units are in ``Rolling.units``.
 
         Raises
         ------
         InputError, NoSolution
-            No step has been made then; the message names the first that fails, from 0.
+            No step has been made then; the message names the first step that fails, counted from 0.
         """
         given = {"dq": numbers("dq", dq), "creepage": creepage, "force": force, "half_width_factor": half_width_factor,
                  "bound_factor": bound_factor}
@@ -182,7 +181,7 @@ class Rolling:
 
     def _roll_once(self, dq: float, creepage: Optional[float] = None, force: Optional[float] = None,
                    half_width_factor: Optional[float] = None, bound_factor: Optional[float] = None) -> None:
-        """Without the copy that an array of steps takes, which costs about as much as a step."""
+        """Rolls one step without the copy that an array of steps takes, which costs about as much as a step."""
         with self._settings_kept():
             if half_width_factor is not None:
                 self._call("set_contact", half_width_factor, bound_factor)
@@ -204,7 +203,7 @@ class Rolling:
             raise
 
     def _roll_all(self, columns: Dict[str, np.ndarray], states: np.ndarray, told: Any) -> None:
-        """On a copy, so that an error or an interrupt changes nothing."""
+        """Rolls on a copy, so that an error or an interrupt changes nothing."""
         count = len(states)
         work = self._copy_with({})
         for at in range(0, count, _STEPS_AT_ONCE):
@@ -232,9 +231,9 @@ class Rolling:
 
     def attempt(self, dq: float, *, creepage: Optional[float] = None, force: Optional[float] = None,
                 jacobian: bool = False) -> Any:
-        """The state to which a step would lead; the contact stays as it is, and the load is set.
+        """Returns the state to which a step would lead; the contact stays as it is, and the load is set.
 
-        If roll() makes the same step next, it costs nothing.
+        If roll() makes the same step next, that step costs nothing.
 
         Parameters
         ----------
@@ -247,7 +246,7 @@ class Rolling:
         -------
         state : numpy.record
         jacobian : numpy.record
-            If it is wanted: fields ``by_load`` and ``by_length``, each with force, mean_force, creepage
+            With ``jacobian=True``: fields ``by_load`` and ``by_length``, each with force, mean_force, creepage
             and dissipation; derivatives by the creepage or force, and by dq.
         """
         self._require_load(creepage, force)
@@ -275,24 +274,24 @@ class Rolling:
 
     @property
     def load(self) -> Optional[Load]:
-        """What the next step is made under, if nothing else is given; None before the first."""
+        """The load of the next step, if no other load is given; None before the first step."""
         return self._load
 
     def set_contact(self, half_width_factor: float, bound_factor: float) -> None:
-        """The contact at the end of the next step or shift, to which it changes linearly on the way.
+        """Sets the contact at the end of the next step or shift; it changes linearly on the way.
 
         Parameters
         ----------
         half_width_factor, bound_factor : float
-            Over those that the contact began with, >= 0: both are sqrt(P/P0) under another normal load by
-            Hertz's theory, and another friction coefficient changes the bound alone. With 0, bodies do not
-            touch. Scheme remembered  [1].
+            Half-width and bound over their values at the beginning, >= 0  [1]. Both are sqrt(P/P0) under
+            another normal load by Hertz's theory, and another friction coefficient changes the bound alone.
+            With 0, bodies do not touch. The scheme must be remembered.
         """
         self._call("set_contact", float(half_width_factor), float(bound_factor))
         self._contact = (float(half_width_factor), float(bound_factor))
 
     def start_from_shift(self, force: float) -> float:
-        """From no tractions, shifts the bodies without rolling until they carry a force, Cattaneo's problem.
+        """Shifts bodies without tractions until they carry a force, and does not roll: Cattaneo's problem.
 
         Returns
         -------
@@ -304,14 +303,14 @@ class Rolling:
         return float(shift)
 
     def shift(self, *, force: Optional[float] = None, distance: Optional[float] = None) -> Any:
-        """Shifts the bodies without rolling, from the tractions now, to a force or by a rigid shift.
+        """Shifts the bodies without rolling, from the present tractions, to a force or by a rigid shift.
 
         Parameters
         ----------
         force : float
-            To which, less in absolute value than full sliding  [N/mm].
+            The force at the end, less in absolute value than full sliding  [N/mm].
         distance : float
-            By which, instead; a positive one gives negative tractions  [mm].
+            The rigid shift, instead of a force; a positive one gives negative tractions  [mm].
 
         Returns
         -------
@@ -330,19 +329,19 @@ class Rolling:
 
     @property
     def state(self) -> Any:
-        """The state now, and the step that led there: a numpy.record, see ``Rolling.units``."""
+        """The present state, and the step that led to it: a numpy.record, see ``Rolling.units``."""
         state = np.zeros((), STATE)
         self._call("get_state", state.ctypes.data)
         return record(state)
 
     @property
     def elastic_energy(self) -> float:
-        """Stored in the bodies  [N]. Costs about as much as a step."""
+        """The energy stored in the bodies  [N]. It costs about as much as a step."""
         return self._number("get_elastic_energy")
 
     @property
     def full_sliding(self) -> float:
-        """The largest force that the bound allows, of the contact that is set  [N/mm]."""
+        """The largest force that the bound of the contact that is set allows  [N/mm]."""
         return self._number("get_full_sliding")
 
     @property
@@ -357,12 +356,12 @@ class Rolling:
 
     @property
     def traction(self) -> np.ndarray:
-        """p at the nodes  [N/mm^2]."""
+        """Tractions p at the nodes  [N/mm^2]."""
         return self._values("traction")
 
     @property
     def bound(self) -> np.ndarray:
-        """At the nodes  [N/mm^2]."""
+        """The bound at the nodes  [N/mm^2]."""
         return self._values("bound")
 
     @property
@@ -372,12 +371,12 @@ class Rolling:
 
     @property
     def displacement(self) -> np.ndarray:
-        """At the nodes  [mm]. Costs about as much as a step."""
+        """The displacement at the nodes  [mm]. It costs about as much as a step."""
         return self._values("displacement")
 
     @property
     def zones(self) -> np.ndarray:
-        """0 in adhesion, else the sign of the traction that slips; no meaning where the bound is 0."""
+        """0 at nodes in adhesion, else the sign of the traction that slips; no meaning where the bound is 0."""
         return self._values("zones", np.intc)
 
     def __len__(self) -> int:
@@ -411,7 +410,7 @@ class Rolling:
     def _check(self, status: int, before: int = 0) -> None:
         """Raises what the library says.
 
-        before  steps that were made before those of this call
+        before  number of steps that were made before this call
         """
         if status == 0:
             return

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Scenes as people give them: files, texts, dictionaries and arguments, as the library reads them."""
+"""Turns scenes into texts that the library reads: files, texts, dictionaries and arguments."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def _sections() -> set:
 
 
 def _key_of(name: str) -> str:
-    """load_force is load.force, and contact_half_width contact.half_width."""
+    """Returns the key of an argument: load_force is load.force, contact_half_width contact.half_width."""
     if "." in name or name in keys():
         return name
     section, _, rest = name.partition("_")
@@ -45,7 +45,7 @@ def _key_of(name: str) -> str:
 
 
 def _items(given: Mapping[str, Any], section: str = "") -> Iterator[Tuple[str, Any]]:
-    """Keys with their values, of sections below one another; those of tables are not taken apart."""
+    """Yields keys with their values, from nested sections; tables are not taken apart."""
     for name, value in given.items():
         if not isinstance(name, str):
             raise _bad(section + str(name), value, "a text as the name of a key")
@@ -91,7 +91,7 @@ class SceneArguments:
             self._assignments.append(f"{key}={text}".encode())
 
     def _text_of(self, key: str, value: Any) -> str:
-        """As a scene has it; nothing of None, which takes the key away."""
+        """Writes a value as in a scene; the text for None is empty, which removes the key."""
         if value is None:
             return ""
         if isinstance(value, (bool, np.bool_)):
@@ -113,7 +113,7 @@ class SceneArguments:
         return " ".join(one if isinstance(one, str) else _number(one) for one in values)
 
     def _file_of(self, key: str, value: Any) -> str:
-        """The name of a file in memory, for arrays or the bytes of a state; a path as it is."""
+        """Returns the name of a file in memory, for arrays or the bytes of a state; a path stays as it is."""
         if isinstance(value, os.PathLike):
             return os.fspath(value)
         name = f"<{key}>"
@@ -143,7 +143,7 @@ def _text_of_file(name: str) -> str:
 
 
 def _columns_text(key: str, value: Any) -> bytes:
-    """Arrays as the text of a table: a dictionary, a structured array, or columns in their order."""
+    """Writes arrays as the text of a table: a dictionary, a structured array, or columns in their order."""
     names, arrays = _columns_of(key, value)
     columns = [np.asarray(array) for array in arrays]
     sizes = {column.shape for column in columns}

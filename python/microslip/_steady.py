@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Steady rolling under many loads."""
+"""Solves steady rolling under many loads."""
 
 from __future__ import annotations
 
@@ -31,18 +31,18 @@ class Steady:
     creepage, force, dissipation : numpy.ndarray
         w [1], F [N/mm], and -w F [N/mm].
     states : numpy.ndarray
-        The same and the evidence of each load, structured: stick_edge [mm], where the one stick zone begins
+        The same and the evidence of each load, as a structured array: stick_edge [mm], where the one stick zone begins
         (nan where elements replace the inversion), residual, violation, dissipation_error, condition,
         adhesion_elements, slip_elements, method (0 inversion, 1 elements) and status (0, or 2 where there is no
         solution).
     x, bound, traction, slip, displacement : numpy.ndarray
-        At the nodes, in the last dimension.
+        Values at the nodes, in the last dimension.
     full_sliding : float
         The largest force that the bound allows  [N/mm].
     fastsim_force : numpy.ndarray or None
-        By Kalker's simplified theory at the same creepages, if ms.creep_curve() was asked for it  [N/mm].
+        Force by Kalker's simplified theory at the same creepages, with ms.creep_curve(beside="fastsim")  [N/mm].
     messages : list of str
-        Of each load in turn, why it has no solution; empty if it has one.
+        For each load the reason why it has no solution; empty if it has one.
     units : dict of str
     """
 
@@ -73,11 +73,11 @@ class Steady:
         return html_table(self.states.reshape(-1), self.units, caption="steady rolling") + lines
 
     def to_pandas(self) -> Any:
-        """A pandas.DataFrame, a row a load."""
+        """Returns a pandas.DataFrame with one row per load."""
         return to_pandas(self.states.reshape(-1), self.units)
 
     def plot(self, axes: Any = None) -> Any:
-        """Draws the force over the creepage; of one load, tractions within their bound."""
+        """Draws the force over the creepage; for one load, tractions within their bound."""
         if self.states.size == 1:
             return _plot.plot_traction(self.x.reshape(-1), self.bound.reshape(-1), self.traction.reshape(-1), axes)
         return _plot.plot_curve(self, axes)
@@ -93,7 +93,7 @@ class _Contact:
         self.full_sliding = call("py_full_sliding", self.handle)
 
     def solve(self, kind: int, loads: np.ndarray, threads: int, told: Any = None) -> Steady:
-        """Of loads of any shape."""
+        """Solves loads of any shape."""
         count = loads.size
         flat = np.ascontiguousarray(loads, dtype=float).reshape(-1)
         states = np.zeros(count, STEADY)
@@ -112,7 +112,7 @@ class _Contact:
                       self.full_sliding, [line.decode() for line in messages])
 
     def fastsim(self, creepages: np.ndarray) -> np.ndarray:
-        """Forces by FASTSIM; its flexibility is that with which the slope without slip is that of this contact."""
+        """Returns forces by FASTSIM, with the flexibility that gives it the slope of this contact without slip."""
         small = 1e-9 * float(np.abs(creepages).max())
         without_slip = self.solve(CREEPAGE, np.array(small), 1)
         _raise_first(without_slip, "raise")
@@ -123,7 +123,7 @@ class _Contact:
 
 
 def threads_of(threads: Optional[int]) -> int:
-    """All cores that this process may use, if it is None."""
+    """Returns a number of threads: all cores that this process may use, if none is given."""
     if threads is None:
         return len(os.sched_getaffinity(0))
     if isinstance(threads, int) and threads >= 1:
@@ -134,13 +134,13 @@ def threads_of(threads: Optional[int]) -> int:
 
 def steady(scene: Scene = None, *, creepage: Values = None, force: Values = None, threads: Optional[int] = None,
            progress: Progress = None, missing: str = "raise", **overrides: Any) -> Steady:
-    """Steady rolling: the force of a creepage, or the creepage of a force, with tractions.
+    """Solves steady rolling: the force of a creepage, or the creepage of a force, with tractions.
 
     Parameters
     ----------
     scene : str, path or dict
-        As ms.solve() takes it. Its load and motion are left out, and its method is taken if its problem is
-        steady; otherwise, and if it names none, it is `inversion`, with ten digits.
+        A scene as for ms.solve(). Its load and motion are left out. Its method is taken if its problem is
+        steady; the default is `inversion`, with ten digits.
     creepage : float or array
         w, finite  [1].
     force : float or array
@@ -150,7 +150,7 @@ def steady(scene: Scene = None, *, creepage: Values = None, force: Values = None
     progress : bool or function
         As of ms.solve().
     missing : {"raise", "nan"}
-        What becomes of loads that have no solution.
+        Whether a load without solution raises NoSolution, or has nan as its result.
     **overrides
         As of ms.solve().
 
@@ -189,7 +189,7 @@ def _read(scene: Scene, overrides: Any) -> _Contact:
 
 
 def _raise_first(found: Steady, missing: str) -> None:
-    """What is out of range is an error in any case."""
+    """Raises the error of the first failed load; with missing="nan" a load without solution is none."""
     for number, (status, message) in enumerate(zip(found.states["status"].flat, found.messages)):
         if status and not (missing == "nan" and status == STATUS_OF_NO_SOLUTION):
             raise error_of(int(status), f"load {number}: {message}" if len(found) > 1 else message)
@@ -197,17 +197,17 @@ def _raise_first(found: Steady, missing: str) -> None:
 
 def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, beside: Optional[str] = None,
                 threads: Optional[int] = None, progress: Progress = None, **overrides: Any) -> Steady:
-    """The curve of force and creepage in steady rolling, from rest to full sliding and beyond.
+    """Computes the curve of force and creepage in steady rolling, from rest to full sliding and beyond.
 
     Parameters
     ----------
     scene : str, path or dict
         As of ms.steady().
     points : int
-        On the curve, >= 5: three quarters of them up to `most`, closer to one another where it bends, and the rest
-        up to half as much creepage again, where all slides.
+        Number of points, >= 5: three quarters of them up to `most`, closer to one another where the curve bends,
+        and the rest up to half as much creepage again, where all slides.
     most : float
-        Largest part of full sliding below it, above 0, below 1.
+        Largest force below full sliding, as a part of it, above 0, below 1.
     beside : {None, "fastsim"}
         Another curve for comparison, in ``.fastsim_force``: Kalker's simplified theory of like bodies.
     threads, progress, **overrides
@@ -216,8 +216,8 @@ def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, b
     Returns
     -------
     Steady
-        For creepages >= 0 in ascending order; the force is negative. Bodies of different material have another
-        curve for creepages below zero: ms.steady() takes any.
+        Results for creepages >= 0 in ascending order; the force is negative. Bodies of different material have
+        another curve for creepages below zero, which ms.steady() computes.
 
     >>> import microslip as ms
     >>> curve = ms.creep_curve(material={"shear_modulus": 82000, "poisson_ratio": 0.28},

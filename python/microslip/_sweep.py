@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Many scenes in one."""
+"""Solves many scenes at once."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ class Sweep:
     Attributes
     ----------
     cases : numpy.ndarray
-        Structured, a row a case: the swept keys, and all numbers of the summaries. Of a case without solution the
-        latter are nan.
+        Structured array with one row per case: the swept keys, and all numbers of the summaries. These numbers are
+        nan for a case without solution.
     keys : list of str
-        That were swept.
+        Keys that were swept.
     results : list of Result or None
         None where there is no solution.
     errors : list of str
-        Of each case; empty if there is none.
+        Message of each case; empty if it has a solution.
     units : dict of str
     """
 
@@ -46,7 +46,7 @@ class Sweep:
         return len(self.results)
 
     def __getitem__(self, which: Any) -> Any:
-        """A case's result by its number, or a column by its name."""
+        """Returns a case's result by its number, or a column by its name."""
         return self.cases[which] if isinstance(which, str) else self.results[which]
 
     def __repr__(self) -> str:
@@ -58,7 +58,7 @@ class Sweep:
         return html_table(self.cases, self.units, caption=f"sweep over {', '.join(self.keys)}")
 
     def to_pandas(self) -> Any:
-        """A pandas.DataFrame, a row a case."""
+        """Returns a pandas.DataFrame with one row per case."""
         return to_pandas(self.cases, self.units)
 
 
@@ -96,9 +96,9 @@ def sweep(scene: Scene = None, over: Optional[Mapping[str, Any]] = None, *, thre
     threads : int, optional
         At once; all cores if it is not given. Results do not depend on it.
     progress : bool or function
-        Gets the number of cases that are done and of all.
+        True prints a line; a function gets the number of finished cases and of all cases.
     missing : {"nan", "raise"}
-        What becomes of cases without solution.
+        Whether a case without solution has nan as its result, or raises NoSolution.
     **overrides
         As of ms.solve().
 
@@ -134,7 +134,7 @@ def sweep(scene: Scene = None, over: Optional[Mapping[str, Any]] = None, *, thre
 
 
 def _solve_all(cases: Cases, threads: int, told: Any, missing: str) -> Any:
-    """In threads; an interrupt or an error ends those that run."""
+    """Solves all cases in threads; an interrupt or an error ends the cases that run."""
     results: List[Optional[Result]] = [None] * len(cases)
     errors = [""] * len(cases)
     stop = threading.Event()

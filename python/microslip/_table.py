@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables as microslip writes them: tab-separated, behind a block of comments."""
+"""Reads tables that microslip writes: tab-separated, behind a block of comments."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from ._errors import InputError
 
 
 class Column(NamedTuple):
-    """What a column holds."""
+    """Name, unit and meaning of a column."""
 
     name: str
     unit: str  #: "1" if it has none
@@ -24,14 +24,14 @@ class Column(NamedTuple):
 
 
 class Table:
-    """A table as a structured array, with what its comments say.
+    """A table as a structured array, with description, units and parameters from its comments.
 
     Columns of numbers are floats, all others texts. A table is indexed like the array.
 
     Attributes
     ----------
     data : numpy.ndarray
-        Structured, a row a row.
+        Structured array, one element per row of the table.
     name, description : str
     columns : dict of Column
         By their names, in their order.
@@ -41,7 +41,7 @@ class Table:
         Keys and values of the scene that made it, with defaults.
     warnings : list of str
     text : str
-        As it was read.
+        The table as it was read.
     """
 
     def __init__(self, name: str, text: str):
@@ -69,11 +69,11 @@ class Table:
         return html_table(self.data, self.units, caption=self.description)
 
     def to_pandas(self) -> Any:
-        """A pandas.DataFrame; units are in its attrs["units"]."""
+        """Returns a pandas.DataFrame; units are in its attrs["units"]."""
         return to_pandas(self.data, self.units)
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes the text that it was read from, to the byte."""
+        """Writes the text of the table as it was read, to the byte."""
         pathlib.Path(path).write_text(self.text, encoding="utf-8", newline="\n")
 
 
@@ -91,7 +91,7 @@ def _split(name: str, text: str) -> Tuple[List[str], str]:
 
 
 def _read_comments(comments: List[str]) -> Tuple[str, Dict[str, str], List[str], Dict[str, Column]]:
-    """Description, parameters, warnings and columns; a table of somebody else may have none."""
+    """Reads description, parameters, warnings and columns; tables of other programs may have none."""
     description = comments[0].strip().partition(": ")[2] if comments else ""
     part, parameters, warnings, columns = "", {}, [], {}
     for line in comments[1:]:
@@ -111,7 +111,7 @@ def _read_comments(comments: List[str]) -> Tuple[str, Dict[str, str], List[str],
 
 
 def _read_rows(name: str, text: str) -> Tuple[List[Column], np.ndarray]:
-    """The columns as the header has them, perhaps with units, and the rows, separated by tabs or by blanks."""
+    """Reads the columns of the header, perhaps with units, and the rows, separated by tabs or by blanks."""
     header, _, rows = text.partition("\n")
     separator = "\t" if "\t" in header else None
     named = [_named(one) for one in (header.split("\t") if separator else re.sub(r"\s+\[", "[", header).split())]
@@ -124,7 +124,7 @@ def _read_rows(name: str, text: str) -> Tuple[List[Column], np.ndarray]:
 
 
 def _named(header: str) -> Column:
-    """q, q [mm] or q[mm]."""
+    """Takes a name and its unit apart: q, q [mm] or q[mm]."""
     name, _, unit = header.strip().partition("[")
     return Column(name.strip(), unit.rstrip("] ") or "1", "")
 
@@ -178,7 +178,7 @@ def read_table(path: Union[str, "os.PathLike[str]", io.TextIOBase]) -> Table:
 
 
 def to_pandas(data: np.ndarray, units: Dict[str, str]) -> Any:
-    """A frame of a structured array."""
+    """Turns a structured array into a pandas.DataFrame."""
     try:
         import pandas  # pylint: disable=import-outside-toplevel
     except ImportError:
@@ -190,7 +190,7 @@ def to_pandas(data: np.ndarray, units: Dict[str, str]) -> Any:
 
 
 def html_table(data: np.ndarray, units: Dict[str, str], caption: str = "", most: int = 10) -> str:
-    """A table of the first and the last rows."""
+    """Writes an HTML table of the first and the last rows."""
     names = data.dtype.names
 
     def with_unit(name: str) -> str:

@@ -90,6 +90,13 @@ class Browser(unittest.TestCase):
                  "carter_traction: nothing to see"),
                 ("a lost mark", '<circle id="carter-1-gpPt5"', "<circle", "carter_traction: no mark #carter-1-gpPt5"),
                 ("a broken link", 'href="#carter-1"', 'href="#carter-0"', "#carter-0 leads nowhere"),
+                ("small letters", r'(<figure id="carter_traction".*?font-size=")14', r"\g<1>4", "letters of"),
+                ("a cut text", r'(<figure id="open_problems_peak".*?</svg><svg viewBox=")[\d.]+', r"\g<1>215",
+                 "open_problems_peak: cut through"),
+                ("a lost panel", r'(<figure id="open_problems_peak".*?</svg>)<svg viewBox.*?</svg>', r"\1",
+                 "open_problems_peak: panels show"),
+                ("a pale label", r'(<figure id="open_problems_convergence".*?)style="fill:light-dark\(#......', r"\1"
+                 'style="fill:light-dark(#d55e00', "contrast"),
                 ("too wide", "<footer>", '<footer style="width:99rem">', "px wide in"),
                 ("too pale", "<footer>", '<footer><p style="color:rgb(150,150,150)">pale</p>', "contrast 3.0"),
                 ("an error", "<footer>", "<footer><script>nothing()</script>", "nothing is not defined"),

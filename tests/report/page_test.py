@@ -48,6 +48,20 @@ class Page(unittest.TestCase):
             if match := re.fullmatch(r"#   (\S+) = (.*)", line):
                 self.assertIn(f"<tr><td><code>{match[1]}</code></td><td>{match[2]}</td></tr>", self.text)
 
+    def test_figures_have_panels_for_a_phone(self):
+        """A figure or panel of more than 640 pixels has texts that are too small there."""
+        cut = 0
+        for name, drawing in re.findall(r'data-figure="(\w+)".*?<div class="drawing">(.*?)<figcaption>', self.text, re.DOTALL):
+            whole, *panels = [list(map(float, box.split())) for box in re.findall(r'<svg[^>]*viewBox="([^"]*)"', drawing)]
+            for left, top, width, height in panels or [whole]:
+                self.assertLessEqual(width, 640, name)
+                self.assertEqual((top, height), (0, whole[3]), name)
+            if panels:
+                cut += 1
+                self.assertAlmostEqual(sum(panel[2] for panel in panels), whole[2], delta=0.2, msg=name)
+                self.assertEqual([panel[0] for panel in panels], sorted(panel[0] for panel in panels), name)
+        self.assertGreater(cut, 20)
+
     def test_what_is_nothing_but_rounding_has_no_digits(self):
         card = re.search(r'<article id="fractional_power-1".*?</article>', self.text, re.DOTALL)[0]
         self.assertIn("<dd>below 1 · 10<sup>−9</sup></dd>", card)

@@ -32,7 +32,7 @@ damaged() {
 
 afresh
 "$plots/draw.sh" "$figure" "$work/tables" "$svg"
-grep -q '<title>Thesis Fig. 1.1: .*of the Carter-Fromm problem.* the exact solution.</title>' "$svg"
+grep -q '<title>The smaller the step, .*of the Carter-Fromm problem.* Thesis Fig. 1.1.</title>' "$svg"
 for format in png pdf; do "$plots/draw.sh" "$figure" "$work/tables" "$work/figures/traction.$format"; done
 [[ $(head -c 4 "$work/figures/traction.png") == *PNG && $(head -c 4 "$work/figures/traction.pdf") == %PDF ]]
 rm "$work/figures"/traction.p*

@@ -106,7 +106,7 @@ TEST_F(SavedStates, ThatDoNotFitAreRefused) {
   expect_rejected(scene(), go_on() + " --set contact.peak_traction=2",
                   named + "bound of element 1 = ");
   expect_rejected(scene(), go_on() + " --set motion.distance=2",
-                  "motion.distance = 2: expected more than that of start.state, 2.05");
+                  "motion.distance = 2: expected more than the distance of start.state, 2.05");
   expect_rejected(scene(),
                   "--set start.type=state --set start.force=", "missing key 'start.state'");
   expect_rejected(scene(), "--set start.state=x", "key 'start.state' has no role here");

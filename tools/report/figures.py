@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Figures of gnuplot, made ready to stand within a page: smaller, with ids of their own, and with the
-greys of the page, which are others in the dark."""
+"""Figures of gnuplot, made ready to stand within a page: smaller, with ids of their own, with the greys of the page,
+which are others in the dark, and with their panels one below the other for a phone."""
 import re
 import xml.etree.ElementTree as xml
 from dataclasses import dataclass
 from html import escape
 from pathlib import Path
 
+from panels import panels
 from tables import ReportError, read_text
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -17,6 +18,8 @@ SPACE = "{http://www.w3.org/XML/1998/namespace}space"
 GREYS = ((40, "ink"), (90, "axis"), (165, "middle"), (200, "soft"), (235, "grid"), (255, "paper"))
 NAMED = {"black": (0, 0, 0), "gray": (190, 190, 190), "white": (255, 255, 255)}
 DEFAULTS = {("stroke-linecap", "butt"), ("stroke-linejoin", "miter")}
+PHONE = 640  # pixels, from which on a figure with panels side by side is cut on a phone
+DARK_TEXT = 0.25  # luminance of a coloured text in the dark, of contrast 5 there
 MANY_COLOURS = 24  # of a colour map; the lines of a figure have at most seven, and greys
 
 
@@ -46,6 +49,22 @@ def page_colour(value):
     if max(rgb) == min(rgb):
         return next(f"var(--{name})" for level, name in GREYS if rgb[0] <= level)
     return "#%02x%02x%02x" % rgb
+
+
+def in_the_dark(rgb):
+    """The colour of a text, with white added in linear light."""
+    linear = [c / 12.92 if c <= 0.03928 else ((c + 0.055) / 1.055) ** 2.4 for c in (level / 255 for level in rgb)]
+    luminance = sum(c * weight for c, weight in zip(linear, (0.2126, 0.7152, 0.0722)))
+    white = max(0, (DARK_TEXT - luminance) / (1 - luminance))
+    return "#%02x%02x%02x" % tuple(round(255 * (1.055 * (c + white * (1 - c)) ** (1 / 2.4) - 0.055)) for c in linear)
+
+
+def text_style(group):
+    """Of a group of texts; in the light their colour is the attribute `fill`."""
+    rgb = rgb_of(group.get("fill", ""))
+    if rgb is None or max(rgb) == min(rgb) or group.find(SVG + "text") is None:
+        return ""
+    return f' style="fill:light-dark({page_colour(group.get("fill"))},{in_the_dark(rgb)})"'
 
 
 def is_empty(element):
@@ -83,7 +102,7 @@ def attributes(element, prefix):
 def text_of(element, prefix):
     tag = element.tag.removeprefix(SVG)
     content = escape(element.text or "", quote=False) + "".join(text_of(child, prefix) for child in element)
-    named = "".join(f' {key}="{escape(value)}"' for key, value in attributes(element, prefix))
+    named = "".join(f' {key}="{escape(value)}"' for key, value in attributes(element, prefix)) + text_style(element)
     body = f"<{tag}{named}>{content}</{tag}>" if content else f"<{tag}{named}/>"
     return body + escape(element.tail or "", quote=False)
 
@@ -128,9 +147,21 @@ def read_figure(path, prefix):
     for group in root.iter(SVG + "g"):  # canvas and plots, which nothing refers to
         group.attrib.pop("id", None)
     colours = {element.get(key) for element in root.iter() for key in ("color", "fill", "stroke")}
-    svg = (f'<svg viewBox="{size[0]}" role="img" aria-label="{escape(caption)}">'
-           f"{text_of(canvas, prefix)}</svg>")
+    ranges = panels(canvas, int(size[1])) if int(size[1]) > PHONE else []
+    svg = drawing(text_of(canvas, prefix), size[0], ranges, f"{prefix}all", caption)
     return Figure(Path(path).stem, caption, svg, int(size[1]), len(colours) > MANY_COLOURS)
+
+
+def drawing(canvas, box, ranges, id, caption):
+    """The figure, and for a phone its panels, which show parts of the same canvas."""
+    label = f'role="img" aria-label="{escape(caption)}"'
+    if len(ranges) < 2:
+        return f'<svg viewBox="{box}" {label}>{canvas}</svg>'
+    height = box.split()[3]
+    parts = "".join(f'<svg viewBox="{left:.1f} 0 {right - left:.1f} {height}"><use href="#{id}"/></svg>'
+                    for left, right in ranges)
+    return (f'<svg class="whole" viewBox="{box}" {label}><g id="{id}">{canvas}</g></svg>'
+            f'<div class="panels" {label}>{parts}</div>')
 
 
 def shows_measured_times(script):

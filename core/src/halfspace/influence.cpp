@@ -223,7 +223,7 @@ Toeplitz influence_difference_toeplitz(const Kernel& kernel, const ShapeFunction
 
 namespace {
 
-/// Column j of the matrix is that of the Toeplitz matrix of node j's shape.
+/// Column j of the matrix is column j of the Toeplitz matrix of node j's shape.
 template <class ToeplitzOf>
 Eigen::MatrixXd assemble(const Basis& basis, Eigen::Index n, const ToeplitzOf& toeplitz_of) {
   std::vector<Toeplitz> matrices;

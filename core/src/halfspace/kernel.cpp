@@ -102,8 +102,8 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Sizes relative to S below which a layer or half-space behind a table is rounding.
 constexpr double rounding = 1e-12;
 
-/// By how much the exponent of S may be below that of a half-space, or above that of springs, in the
-/// last two rows.
+/// By how much the exponent of S in the last two rows may be below the exponent of a half-space, or above
+/// the exponent of springs.
 constexpr double steepest = 0.5;
 
 /// The longest phase, in radians, of a sine that 15 Gauss points integrate to rounding.

@@ -124,7 +124,7 @@ LeadingEdgeConstants of_springs() {
   return edge;
 }
 
-/// Above this, all is that of springs to rounding.
+/// Above this softness the layer acts as springs alone, to rounding.
 constexpr double softest = 1e15;
 
 LeadingEdgeConstants with_layer(const std::function<double(double)>& b_less_one, double softness) {

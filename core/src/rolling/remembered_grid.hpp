@@ -40,7 +40,7 @@ namespace microslip {
 ///
 /// Cost: a solve of ActiveSet for each substep; a substep ends where an element has been travelled
 /// or with the step. Where the partition changes, four neighbours of the stick-slip point are
-/// solved, too. Nothing is allocated if the partitions are those of earlier steps.
+/// solved, too. Nothing is allocated if the partitions have been met in earlier steps.
 /// Accuracy: second order in dx, for small changes of the load, too; docs/theory.md,
 /// tests/order/small_motion_test.cpp, tests/unit/remembered_rolling_test.cpp
 class RememberedGrid final : public RollingGrid {

@@ -30,7 +30,7 @@ class RollingGrid {
     return placed_.half_width * weights_;
   }  ///< of tractions, in a force  [mm]
 
-  /// Tractions as values at the nodes, where those of the state are coefficients  [N/mm^2]
+  /// Tractions as values at the nodes; the tractions of the state are coefficients  [N/mm^2]
   virtual Eigen::VectorXd traction_at_nodes(const TransientState& state) const = 0;
 
   /// A times tractions at the nodes  [mm]
@@ -103,7 +103,7 @@ class RollingGrid {
   void require_lasting(const ContactScale& scale) const;
 
   /// Fills a state from a solved contact, on the problem's contact. Dissipation and mean force are
-  /// those at the end, and the creepage over an element is that of the step.
+  /// values at the end, and the creepage over an element is the creepage of the step.
   /// \param contact  with slip and creepage as displacements over the length  [mm]
   /// \param bound    that its tractions kept, and its means over elements  [N/mm^2]
   void fill_state(double distance, const ContactState& contact, double length,

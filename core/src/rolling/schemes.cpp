@@ -36,8 +36,8 @@ constexpr std::array steady{
     SteadyEntry{
         .name = "inversion",
         .text =
-            "inversion if one zone sticks: ten digits; elements over the whole contact, "
-            "{functions}, if there are more zones; row 'method' of the summary names the method",
+            "one stick zone is solved by inversion, to ten digits; more zones by elements over the "
+            "whole contact, {functions}; the row 'method' of the summary names the method",
         .limits = "else elements are taken over the whole contact",
         .order = ten_digits,
         .by_elements = false,

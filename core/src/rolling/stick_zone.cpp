@@ -81,7 +81,7 @@ double StickZone::leading_root() const {
   return root;
 }
 
-/// The strain of a strip without that of plane strain is smooth over the whole contact. The
+/// The difference between the strains of a strip and of plane strain is smooth over the whole contact. The
 /// strain's Chebyshev coefficients on the stick zone are the coefficients of the tractions that
 /// cancel it there.
 void StickZone::add_regular_strain() {

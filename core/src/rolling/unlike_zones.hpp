@@ -57,8 +57,8 @@ class UnlikeZones {
   double slip(const ZonePlace& place) const;
 
  private:
-  /// A slip zone as a source of strain: at Gauss points of the angle, in which the zone's places
-  /// are those of a half circle over it.
+  /// A slip zone as a source of strain: at Gauss points of the angle, in which the zone is
+  /// the diameter of a half circle.
   struct Source {
     std::size_t zone = 0;
     Eigen::ArrayXd weights, behind, ahead, x;

@@ -22,7 +22,7 @@ struct ReadColumns {
 };
 
 /// \throws std::invalid_argument in one line, with the line's number; also for a column whose name
-///         is nearly that of an optional column
+///         is nearly the name of an optional column
 ReadColumns read_columns(std::istream& in, const std::vector<FileColumn>& wanted);
 
 /// A column whose cells may be words.

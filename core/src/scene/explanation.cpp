@@ -37,8 +37,9 @@ std::string elements_of(const Grid& grid) {
 
 std::string method_of(const SteadyProblem& problem) {
   if (problem.has_unlike_bodies() && std::holds_alternative<Inversion>(problem.method)) {
-    return "inversion on all stick zones, under Hertz's bound; otherwise elements over the whole "
-           "contact, constant functions; row 'method' of the summary names the method";
+    return "all stick zones are solved by inversion under Hertz's bound; otherwise by elements "
+           "over the whole contact, constant functions; the row 'method' of the summary names the "
+           "method";
   }
   const auto* differences = std::get_if<Differences>(&problem.method);
   const double c = differences == nullptr ? 1 : differences->step_ratio;
@@ -70,7 +71,7 @@ std::string loaded(const TransientScene& scene) {
   return sliding(scene.problem.bound, largest);
 }
 
-/// The shifts before rolling, except for that of an ordinary start.
+/// The shifts before rolling, except for the shift of an ordinary start.
 std::vector<std::string> shifted(const TransientScene& scene) {
   if (scene.shifts.empty()) return {};
   double most = 0;
@@ -178,14 +179,15 @@ struct OfKernel {
     const double longest = 2 * std::numbers::pi / waves[0];
     const double shortest = 2 * std::numbers::pi / waves[waves.size() - 1];
     consequences = {fmt::format(
-        "a kernel by its symbol, from waves of {} to {} mm; shorter ones feel a half-space with "
+        "a kernel by its symbol, from waves of {} to {} mm; shorter waves feel a half-space with "
         "2 (1 - nu)/G = {} mm^2/N and a layer of {} mm^3/N, as the last two rows say",
         number(longest), number(shortest), number(std::numbers::pi * symbol.log_factor()),
         number(symbol.compliance()))};
-    not_modelled = {fmt::format(
-        "how bodies yield to waves longer than {} mm, {} half-widths: as to that one, so that they "
-        "do not move far from a load",
-        number(longest), number(longest / half_width))};
+    not_modelled = {
+        fmt::format("how bodies yield to waves longer than {} mm, {} half-widths: as to this wave, "
+                    "so that they "
+                    "do not move far from a load",
+                    number(longest), number(longest / half_width))};
   }
 };
 
@@ -214,10 +216,11 @@ struct Explain {
   Explanation operator()(const SteadyTarget& target) const {
     return with_kernel(
         target.contact,
-        steady(kind_of(target.contact.load),
-               {sliding(target.contact.bound, target.contact.load),
-                "method and grid are chosen: inversion if one zone sticks, otherwise as many "
-                "calibrated elements as the error needs"}));
+        steady(
+            kind_of(target.contact.load),
+            {sliding(target.contact.bound, target.contact.load),
+             "the program chooses method and grid: inversion if one zone sticks, otherwise as many "
+             "calibrated elements as the error needs"}));
   }
   Explanation operator()(const TransientScene& scene) const {
     std::vector<std::string> consequences = {loaded(scene), elements_of(scene.problem.grid)};

@@ -40,8 +40,8 @@ void warn_of_long_waves(Scene& scene, const Kernel& kernel, double half_width) {
                          format_short(1 / half_width)));
 }
 
-/// \param whole  the grid is that of elements over the whole contact, which may lie in it anyhow;
-///               else its nodes only say where a result is shown
+/// \param whole  the elements form the grid, with the offsets of the scene; otherwise nodes in the middles
+///               of equal elements only say where a result is shown
 /// \param tangential  the constants of the kernel
 ContactModel read_contact(Scene& scene, const Material& material, const Material& tangential,
                           bool whole = true) {
@@ -132,7 +132,7 @@ double read_distance(Scene& scene, const LoadHistory& loads) {
 double read_distance(Scene& scene, const LoadHistory& loads, double from) {
   const double distance = read_distance(scene, loads);
   require(distance > from, "motion.distance", distance,
-          [&] { return "more than that of start.state, " + format_short(from); });
+          [&] { return "more than the distance of start.state, " + format_short(from); });
   return distance;
 }
 

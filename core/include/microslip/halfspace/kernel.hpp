@@ -97,8 +97,8 @@ class WinklerKernel {
   double compliance_;
 };
 
-/// A Winkler layer in series with a half-space, as of a third body between the surfaces: the
-/// displacement is that of the half-space and C p.
+/// A Winkler layer in series with a half-space, such as a third body between the surfaces: the
+/// displacement is the half-space's plus C p.
 class LayeredKernel {
  public:
   using HalfSpace = std::variant<StripKernel, PlaneKernel>;
@@ -118,8 +118,8 @@ class LayeredKernel {
   double compliance_;
 };
 
-/// A kernel by its symbol S, the displacement over the traction of a wave p cos(kappa x); that of
-/// a kernel is \f$ S(\kappa)=\int K(z)\cos(\kappa z)\,dz \f$. Plane strain has \f$ \pi k/\kappa
+/// A kernel by its symbol S, the displacement over the traction of a wave p cos(kappa x); the symbol
+/// of a kernel K is \f$ S(\kappa)=\int K(z)\cos(\kappa z)\,dz \f$. Plane strain has \f$ \pi k/\kappa
 /// \f$ with k = 2 (1 - nu)/(pi G), and a Winkler layer adds C.
 ///
 /// Between the rows of a table, kappa S is linear, so that these two and their sum are exact. From

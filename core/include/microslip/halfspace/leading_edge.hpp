@@ -14,11 +14,11 @@ namespace microslip {
 /// logarithm alone determines them, so they hold for strips and plane strain.
 ///
 /// With a Winkler layer in series tractions vanish linearly close to the edge, and like a square
-/// root far from it. The symbol is then b + 2 lambda |sin(theta/2)|, that of the exact kernel 1 +
+/// root far from it. The symbol is then b + 2 lambda |sin(theta/2)|; the exact kernel has 1 +
 /// lambda |theta|. lambda is the softness(); of springs alone, which is infinite, the edge is felt
 /// where it is, one element beyond the last node.
 struct LeadingEdgeConstants {
-  /// beta*: to second order, the tractions are those of a contact whose leading edge lies so many
+  /// beta*: to second order, the tractions belong to a contact whose leading edge lies so many
   /// elements beyond the last node, whatever the offset of the grid  [1]
   double offset;
 
@@ -42,7 +42,7 @@ struct LeadingEdgeConstants {
   double value(Eigen::Index j, double fraction) const;
 };
 
-/// The compliance C of a layer over that of an element of the half-space, lambda = C/(pi k dx);
+/// The compliance C of a layer over the compliance of an element of the half-space, lambda = C/(pi k dx);
 /// infinite without a half-space.
 /// \param spacing  dx  [mm]
 double softness(const Kernel& kernel, double spacing);

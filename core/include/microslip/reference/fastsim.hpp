@@ -9,7 +9,7 @@ namespace microslip {
 /// width and force as the bound. In two dimensions the sum of its slices has a closed form,
 /// \f[ \frac{|F|}{F_{\max}} = 3\xi - 3\xi^2 + \xi^3, \quad
 ///     \xi = \min\Bigl(1, \frac{2a^2|w|}{3L\,F_{\max}}\Bigr) . \f]
-/// The flexibility L is that of Kalker's linear theory: without slip the force is 2 a^2 w/L, so
+/// The flexibility L comes from Kalker's linear theory: without slip the force is 2 a^2 w/L, so
 /// that L = 2 a^2/|dF/dw|. In plane strain that is 4 a (1 - nu)/(pi G).
 class Fastsim {
  public:

@@ -27,7 +27,7 @@ struct Relaxed {
 };
 
 /// p = (1 - c/c*) p' + (c/c*) p*, where p* follows from a direct step of c*: thesis (7.10),
-/// under-relaxation of the tractions. A prescribed force is that of p*.
+/// under-relaxation of the tractions. A prescribed force is the force of p*.
 struct RelaxedTraction {
   double step_ratio;  ///< c*, >= c
 };

@@ -3,7 +3,7 @@
 
 namespace microslip {
 
-/// Half-width and bound of a contact, over those of the problem. For a Hertzian contact under P
+/// Half-width and bound of a contact, over the problem's. For a Hertzian contact under P
 /// instead of P_0 both are sqrt(P/P_0); another friction coefficient changes the bound alone.
 struct ContactScale {
   double half_width = 1;  ///< a, >= 0

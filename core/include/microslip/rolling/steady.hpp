@@ -73,8 +73,8 @@ void validate(const SteadyProblem& problem);
 
 /// Differences over one element, with mean bounds, and with the edges where the scheme feels them:
 /// tractions that vanish like a square root at the leading edge do so calibrated_offset()
-/// elements beyond the last node, and those of a trailing edge that sticks are singular half an
-/// element less before the first.
+/// elements beyond the last node, and tractions at a trailing edge that sticks are singular half
+/// an element less before the first.
 /// Accuracy: within 1 % of force and creepage at N = 100 for any bound, kernel and load,
 /// tests/property/generated_contacts_test.cpp; second order, with noise from stick-slip points
 /// inside elements. The bound has no influence where it is not reached.
@@ -88,7 +88,7 @@ std::string name_of(SteadyScheme scheme);
 
 /// Values at the N nodes, and what follows from them. A positive creepage gives negative tractions.
 struct SteadySolution {
-  Eigen::VectorXd x;             ///< those of the grid, or of whole_contact()  [mm]
+  Eigen::VectorXd x;             ///< nodes of the grid, or of whole_contact()  [mm]
   Eigen::VectorXd bound;         ///< at the nodes, or its means if these are used  [N/mm^2]
   Eigen::VectorXd traction;      ///< coefficients of the basis  [N/mm^2]
   Eigen::VectorXd slip;          ///< relative slip s  [1]

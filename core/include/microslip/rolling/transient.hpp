@@ -117,7 +117,7 @@ class TransientRolling {
 
   /// Rolls a distance in steps of the given lengths, in turn; the last step is shortened to end at
   /// the distance. If the loads change the contact, each step ends with the contact at its end.
-  /// \param distance    (0, inf), at most that of the loads  [mm]
+  /// \param distance    (0, inf), at most the distance of the loads  [mm]
   /// \param lengths     dq, at least one, each as for step()  [mm]
   /// \param loads       as functions of the distance from here on
   /// \param after_step  called after each step
@@ -126,7 +126,7 @@ class TransientRolling {
 
   /// Continues a run that began at distance 0, with the steps of an uninterrupted run: the first
   /// step ends where a step of that run ends.
-  /// \param distance  at the end; more than the current distance, at most that of the loads  [mm]
+  /// \param distance  at the end; more than the current distance, at most the loads'  [mm]
   /// \param loads     as functions of the distance from 0 on
   void roll_to(double distance, const std::vector<double>& lengths, const LoadHistory& loads,
                const std::function<void(const TransientState&)>& after_step);

@@ -76,7 +76,7 @@ void require_within_bound(const Eigen::VectorXd& x, const Eigen::VectorXd& bound
 /// shift, and what follows from them. A positive creepage gives negative tractions.
 struct TransientState {
   double distance;           ///< q rolled so far  [mm]
-  ContactScale scale = {};   ///< of the contact, over that of the problem
+  ContactScale scale = {};   ///< of the contact, over the problem's contact
   Eigen::VectorXd traction;  ///< coefficients of the basis  [N/mm^2]
   Eigen::VectorXd slip;      ///< relative slip s of the step; zero at standstill  [1]
   std::vector<Zone> zones;
@@ -84,7 +84,7 @@ struct TransientState {
   double creepage;  ///< w of the step; zero at standstill  [1]
   /// Energy lost per mm rolled and mm width. With Remembered it is the work of the force less the
   /// change of elastic_energy(), over dq. With the other schemes it is -integral of (p + p')/2 s
-  /// over the material points, including those that have just left, for which slip is interpolated.
+  /// over the material points, including points that have just left, for which slip is interpolated.
   /// The two are equal in theory. In steady rolling with 101 nodes they differ by 1e-3, with
   /// Fractional by 5 % (tests/unit/dissipation_test.cpp)  [N/mm]
   double dissipation;

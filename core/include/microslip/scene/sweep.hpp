@@ -43,7 +43,7 @@ class Sweep {
   ///         that cannot be read or has a column that is no key, and for more than max_cases cases
   explicit Sweep(Scene scene);
 
-  /// Those of a group follow one another.
+  /// The swept keys; the keys of a group follow one another.
   const std::vector<SweptKey>& keys() const { return keys_; }
   std::size_t size() const { return size_; }
 

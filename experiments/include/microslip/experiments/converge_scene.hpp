@@ -32,7 +32,7 @@ ConvergeScene read_converge(Scene& scene);
 
 /// Tables: converge (errors and work of every scheme and N), converge_timing (measured time),
 /// summary (the reference) and advice_timing (a line of text for the error, and for the time of a
-/// step). The best reference of steady rolling is the inversion where it holds; that of all else is
+/// step). The best reference of steady rolling is the inversion where it holds; the best of all else is
 /// fine: the default scheme of those by elements with 4 N + 3 elements for the largest N, of which
 /// the difference to 2 N + 1 elements is the reference's error.
 ///

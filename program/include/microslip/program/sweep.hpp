@@ -10,7 +10,7 @@ namespace microslip::program {
 /// and unit. In both, argv[1] is the word that chose them.
 
 /// Solves all cases of a scene with a section `sweep` (see Sweep), or a shard of them, on several
-/// threads. Each is written when it is done, and those that are there already are left out, so that
+/// threads. Each is written when it is done, and cases that are there already are left out, so that
 /// an interrupted sweep goes on. All scenes are read before the first is solved. Ends with merge
 /// unless a shard was asked for. The files do not depend on threads, shards and interrupts.
 /// Returns the exit status: 0; 1 for bad input or a failed write, 2 if a case has no solution, both
