@@ -175,6 +175,11 @@ MICROSLIP_API void microslip_destroy(microslip_rolling* rolling);
 /** Of the last call that failed, empty if none has; valid until the next call. */
 MICROSLIP_API const char* microslip_message(microslip_rolling* rolling);
 
+/** Why the load that was set last, or one of the last microslip_roll(), is doubtful, in one line: a
+ * creepage above 0.2 in size, of which 0.2 % is 0.002. Empty if there is no doubt; valid until the
+ * next call. */
+MICROSLIP_API const char* microslip_warning(const microslip_rolling* rolling);
+
 /** The scheme that rolls this contact, as scenes name it: "remembered" or "direct"; ""
  * of no handle. */
 MICROSLIP_API const char* microslip_method(const microslip_rolling* rolling);
@@ -349,7 +354,9 @@ struct microslip_steady_nodes {
  * loads      `count` of them
  * states     out, `count` of them
  * nodes      out, may be null
- * message    out, may be null, as that of microslip_create() */
+ * message    out, may be null, as that of microslip_create(). Where all loads have a solution it is
+ *            empty, or "warning: " and why the largest creepage is doubtful, as microslip_warning()
+ *            has it */
 MICROSLIP_API enum microslip_status microslip_solve_steady(
     const struct microslip_material* material, const struct microslip_contact* contact,
     const struct microslip_kernel* kernel, int elements, int load_type, const double* loads,

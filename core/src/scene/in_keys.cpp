@@ -73,8 +73,10 @@ BadParameter in_keys(const BadParameter& error) {
 
 BadParameter in_keys(const BadParameter& error, const Scene& scene) {
   const BadParameter named = in_keys(error);
-  const bool is_rough = named.name() == "contact.bound_file" && scene.has("contact.roughness");
-  return is_rough ? renamed(named, "contact.roughness") : named;
+  constexpr std::string_view file = "contact.bound_file", roughness = "contact.roughness";
+  const std::string& name = named.name();
+  if (!name.ends_with(file) || !scene.has(std::string(roughness))) return named;
+  return renamed(named, name.substr(0, name.size() - file.size()) + std::string(roughness));
 }
 
 }  // namespace microslip
