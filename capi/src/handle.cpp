@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/support/format.hpp"
@@ -32,6 +33,15 @@ void require_force(const microslip_rolling& handle, double force) {
   const double most = full_sliding_of(handle);
   require(std::abs(force) < most, "force", force,
           [&] { return "an absolute value below full sliding, " + format_short(most); });
+}
+
+void set_creepage(microslip_rolling& handle, double creepage) {
+  require(true, "creepage", creepage, "a finite number");
+  handle.load = PrescribedCreepage{creepage};
+  const std::string doubt = doubt_of_creepage(creepage, handle.strain);
+  if (doubt.empty()) return;
+  const Message warning{handle.warning, sizeof handle.warning};
+  warning.say(fmt::format("creepage = {:.6g}: {}", creepage, doubt));
 }
 
 const Load& require_step(const microslip_rolling& handle, double dq) {

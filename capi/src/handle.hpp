@@ -6,6 +6,7 @@
 #include <string>
 
 #include "microslip.h"
+#include "microslip/rolling/large_creepage.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "status.hpp"
@@ -16,21 +17,25 @@ struct microslip_rolling {
       : contact(std::make_unique<microslip::TransientRolling>(problem)),
         method(microslip::name_of(problem.scheme)),
         spacing(problem.grid.spacing()),
-        full_sliding(spacing * contact->bound().sum()) {}
+        full_sliding(spacing * contact->bound().sum()),
+        strain(microslip::bound_strain(problem.bound, problem.kernel)) {}
 
   microslip_rolling(const microslip_rolling& other)
       : contact(std::make_unique<microslip::TransientRolling>(*other.contact)),
         method(other.method),
         spacing(other.spacing),
         full_sliding(other.full_sliding),
+        strain(other.strain),
         load(other.load) {}
 
   std::unique_ptr<microslip::TransientRolling> contact;  ///< null if it was lost
   std::string method;                                    ///< name of its scheme
   double spacing;                                        ///< dx  [mm]
   double full_sliding;                                   ///< as the elements have it  [N/mm]
+  double strain;                                         ///< mean bound over shear modulus  [1]
   std::optional<microslip::Load> load;
   char message[512] = "";  ///< of the last call that failed
+  char warning[512] = "";  ///< of the last call that set a load
 };
 
 namespace microslip::capi {
@@ -61,6 +66,10 @@ double full_sliding_of(const microslip_rolling& handle);
 
 /// \throws std::invalid_argument for a force that is not below full sliding
 void require_force(const microslip_rolling& handle, double force);
+
+/// Sets the load, and warns of a creepage that is large.
+/// \throws std::invalid_argument for a creepage that is not finite
+void set_creepage(microslip_rolling& handle, double creepage);
 
 /// Rejects a length dq that is out of its range, and a step without a load.
 /// \return the load of the step

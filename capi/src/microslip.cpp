@@ -106,6 +106,10 @@ const char* microslip_message(microslip_rolling* rolling) {
   return rolling == nullptr ? "rolling = null: expected a handle" : rolling->message;
 }
 
+const char* microslip_warning(const microslip_rolling* rolling) {
+  return rolling == nullptr ? "" : rolling->warning;
+}
+
 const char* microslip_method(const microslip_rolling* rolling) {
   return rolling == nullptr ? "" : rolling->method.c_str();
 }
@@ -131,14 +135,15 @@ microslip_status microslip_restore(microslip_rolling* rolling, const char* path)
 
 microslip_status microslip_set_creepage(microslip_rolling* rolling, double creepage) {
   return with(rolling, [&](microslip_rolling& of) {
-    microslip::require(true, "creepage", creepage, "a finite number");
-    of.load = microslip::PrescribedCreepage{creepage};
+    of.warning[0] = '\0';
+    set_creepage(of, creepage);
   });
 }
 
 microslip_status microslip_set_force(microslip_rolling* rolling, double force) {
   return with(rolling, [&](microslip_rolling& of) {
     require_force(of, force);
+    of.warning[0] = '\0';
     of.load = microslip::PrescribedForce{force};
   });
 }

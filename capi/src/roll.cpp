@@ -29,8 +29,7 @@ void make_step(microslip_rolling& of, const microslip_steps& steps, std::size_t 
         {.half_width = steps.half_width_factor[k], .bound = steps.bound_factor[k]});
   }
   if (steps.creepage != nullptr) {
-    microslip::require(true, "creepage", steps.creepage[k], "a finite number");
-    of.load = microslip::PrescribedCreepage{steps.creepage[k]};
+    set_creepage(of, steps.creepage[k]);
   } else if (steps.force != nullptr) {
     of.load = microslip::PrescribedForce{steps.force[k]};
   }
@@ -54,6 +53,7 @@ microslip_status microslip_roll(microslip_rolling* rolling, const microslip_step
     const microslip_steps& all = require_pointer(steps, "steps");
     validate(all);
     microslip_rolling before(of);
+    if (all.creepage != nullptr || all.force != nullptr) of.warning[0] = '\0';
     try {
       for (std::size_t k = 0; k < all.count; ++k) {
         at = k;

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "steady.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
+#include "microslip/rolling/large_creepage.hpp"
 #include "microslip/support/require.hpp"
 #include "problem.hpp"
 
@@ -61,6 +65,16 @@ void require_load_type(int type) {
           "0 for creepages or 1 for forces");
 }
 
+std::string doubt_of_loads(const SteadyProblem& problem, int type, const double* loads,
+                           std::size_t count) {
+  if (type != MICROSLIP_CREEPAGE || count == 0) return "";
+  const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const double largest = *std::max_element(loads, loads + count, by_size);
+  const double strain = bound_strain(problem.bound, problem.kernel);
+  const std::string doubt = doubt_of_creepage(largest, strain);
+  return doubt.empty() ? "" : fmt::format("creepage = {:.6g}: {}", largest, doubt);
+}
+
 microslip_steady solve_load(SteadyProblem problem, int type, double load, const NodesOut& nodes,
                             const Message& message) noexcept {
   microslip_steady state{nan, nan, nan, nan, nan, nan, nan, nan, 0, 0, 0, MICROSLIP_OK};
@@ -115,6 +129,9 @@ microslip_status microslip_solve_steady(const microslip_material* material,
                     why);
       said.say(text);
     }
+    if (first != MICROSLIP_OK) return;
+    const std::string doubt = doubt_of_loads(problem, load_type, loads, count);
+    said.say(doubt.empty() ? "" : "warning: " + doubt);
   });
   return status != MICROSLIP_OK ? status : first;
 }

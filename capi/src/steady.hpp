@@ -25,6 +25,11 @@ struct NodesOut {
 /// Solves under a load of microslip_load. What has no solution, or none that is accepted, has a
 /// status, a message, and no numbers.
 /// \param problem  the load of which is replaced
+/// "creepage = 1: ...": of the creepage that is largest in size, why it is doubtful; empty if it is
+/// not, and of forces.
+std::string doubt_of_loads(const SteadyProblem& problem, int type, const double* loads,
+                           std::size_t count);
+
 microslip_steady solve_load(SteadyProblem problem, int type, double load, const NodesOut& nodes,
                             const Message& message) noexcept;
 

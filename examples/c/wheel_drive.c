@@ -31,7 +31,7 @@ static const char columns[] =
     "# columns\n"
     "#   t [s]: time\n"
     "#   v [mm/s]: velocity\n"
-    "#   omega [1/s]: angular velocity\n"
+    "#   omega [rad/s]: angular velocity\n"
     "#   step_ratio [1]: dq/dx of the step\n"
     "#   torque [N]: T, mean over the step\n"
     "#   force [N/mm]: F of the contact, mean over the step\n"
@@ -47,7 +47,7 @@ static const char columns[] =
 
 struct wheel {
   double velocity; /* v  [mm/s] */
-  double spin;     /* omega  [1/s] */
+  double spin;     /* omega  [rad/s] */
   double torque;   /* T, the mean over the step  [N] */
 };
 

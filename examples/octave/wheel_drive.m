@@ -34,7 +34,7 @@ function wheel_drive()
   columns = {
     't [s]: time'
     'v [mm/s]: velocity'
-    'omega [1/s]: angular velocity'
+    'omega [rad/s]: angular velocity'
     'step_ratio [1]: dq/dx of the step'
     'torque [N]: T, mean over the step'
     'force [N/mm]: F of the contact, mean over the step'

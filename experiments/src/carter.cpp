@@ -18,6 +18,7 @@ namespace microslip::experiments {
 namespace {
 
 constexpr int exact_points = 1001;
+const std::string exact_only = "as errors are differences to Carter's solution";
 
 Carter exact_solution(const SteadyProblem& problem) {
   const Material& material = material_of(problem.kernel);
@@ -101,7 +102,15 @@ CarterParameters read_carter(Scene& scene) {
                        "contact.peak_traction");
   }
   const std::vector<double> step_ratios = scene.numbers("step.ratios");
-  return {.problem = read_steady(scene, Differences{}),
+  const SteadyProblem problem = read_steady(scene, Differences{});
+  if (!std::holds_alternative<PlaneKernel>(problem.kernel)) {
+    reject("kernel.type", name_of(problem.kernel), "plane without a layer, " + exact_only);
+  }
+  if (!std::holds_alternative<HertzBound>(problem.bound)) {
+    throw BadParameter("contact.bound_polynomial",
+                       "contact.bound_polynomial, contact.roughness: expected none, " + exact_only);
+  }
+  return {.problem = problem,
           .step_ratios = step_ratios,
           .accuracy_step_ratios = scene.numbers("accuracy.step_ratios")};
 }

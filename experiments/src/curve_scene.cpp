@@ -45,14 +45,8 @@ SteadyProblem read_contact_of_curve(Scene& scene) {
                                          : std::get<CylinderScene>(model).contact);
 }
 
-/// Reads creepages with the ranges and units of a sweep.
 std::vector<double> read_creepages(Scene& scene, const TractionBound& bound) {
   if (!scene.has(creepages_key)) return {};
-  std::string expanded;
-  for (const std::string& value : swept_values(creepages_key, scene.text(creepages_key))) {
-    expanded += value + ' ';
-  }
-  scene.replace(creepages_key, expanded.substr(0, expanded.size() - 1));
   const std::vector<double> creepages = scene.numbers(creepages_key);
   demand_rising(scene, creepages_key, creepages);
   for (const double creepage : {creepages.front(), creepages.back()}) {

@@ -46,7 +46,7 @@ Table empty_history(double energy) {
           {{"t", "s", "time"},
            {"X", "mm", "distance rolled"},
            {"v", "mm/s", "velocity"},
-           {"omega", "1/s", "angular velocity"},
+           {"omega", "rad/s", "angular velocity"},
            {"force", "N/mm", "force F of the contact"},
            {"creepage", "1", "(v - omega R)/v of the step"},
            {"adhesion_elements", "1", "elements in adhesion"},
@@ -98,7 +98,7 @@ std::vector<Table> scene_tables(const CylinderScene& scene, const Progress& prog
   summary.add({"distance", state.position, "mm"});
   summary.add({"steps", history.rows() - 1, "1"});
   summary.add({"velocity", state.velocity, "mm/s"});
-  summary.add({"angular_velocity", state.angular_velocity, "1/s"});
+  summary.add({"angular_velocity", state.angular_velocity, "rad/s"});
   summary.add({"force", state.force, "N/mm"});
   summary.add({"creepage", state.creepage, "1"});
   summary.add({"full_sliding_force", full_sliding_force(scene.contact.bound), "N/mm"});

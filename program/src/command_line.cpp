@@ -117,7 +117,12 @@ Scene read_scene(const Program& program, const Given& given) {
   return scene;
 }
 
-std::string one_line(const std::exception& error) { return shown(error.what(), longest_message); }
+std::string one_line(const std::exception& error) {
+  std::string text = error.what();
+  if (text.find("expected only one of '") != std::string::npos)
+    text += "; --set KEY= takes one away";
+  return shown(text, longest_message);
+}
 
 int status_of(const std::string& name, const std::function<int()>& action) {
   const auto fail = [&](const std::exception& error, int status) {

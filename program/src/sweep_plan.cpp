@@ -73,9 +73,10 @@ SweepPlan plan_of(const Program& program, Scene scene) {
           fmt::format("{}{}: {}", place, case_label(plan.table, i), error.what()));
     };
     try {
-      plan.cases.push_back(with_keys([&] { return read_case(program, one); }));
+      plan.cases.push_back(read_case(program, one));
     } catch (const BadParameter& error) {
-      fail(one.place_of(error.name()), error);
+      const BadParameter named = in_keys(error, one);
+      fail(one.place_of(named.name()), named);
     } catch (const std::invalid_argument& error) {
       fail("", error);
     }

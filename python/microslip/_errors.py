@@ -45,7 +45,7 @@ class InputError(Error, ValueError):
             message += "; None takes a key away"
         found = re.search(r"(?:^|: )([^\s=:]+) = (.*?): (?:expected )?(.*)$", message, re.DOTALL)
         if found is None:
-            named = re.search(r"key '([^']*)'|expected only one of '([^']*)'", message)
+            named = re.search(r"keys? '([^']*)'|expected only one of '([^']*)'", message)
             return cls(message, key or (named.group(1) or named.group(2) if named else ""), "", message)
         name, value, expected = found.groups()
         return cls(message, key or name, value.strip("'"), expected)

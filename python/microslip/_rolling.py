@@ -16,7 +16,7 @@ from . import _plot
 from ._arrays import Values, broadcast, numbers, record
 from ._errors import Error, InputError
 from ._library import (JACOBIAN, SHIFT, STATE, Steps, call, error_of, require, require_ok, text_of)
-from ._result import Progress, shown_progress
+from ._result import Progress, shown_progress, warn_of
 from ._scene import Scene, SceneArguments
 from ._table import html_table
 
@@ -67,6 +67,8 @@ class Rolling:
     >>> run["force"].shape
     (1000,)
     """
+
+    _warned = False  # of a creepage
 
     #: Units of the fields of a state.
     units: Dict[str, str] = dict(_UNITS)
@@ -174,9 +176,10 @@ class Rolling:
         if columns["dq"].ndim == 0:
             self._roll_once(**{name: float(value) for name, value in columns.items()})
             self._remember(columns)
+            self._tell_once(text_of("warning", self._handle))
             return self.state
         states = np.zeros(columns["dq"].shape, STATE)
-        self._roll_all(columns, states, shown_progress(progress))
+        self._tell_once(self._roll_all(columns, states, shown_progress(progress)))
         return states
 
     def _roll_once(self, dq: float, creepage: Optional[float] = None, force: Optional[float] = None,
@@ -202,13 +205,15 @@ class Rolling:
                     self._set_load(**{before.kind: before.value})
             raise
 
-    def _roll_all(self, columns: Dict[str, np.ndarray], states: np.ndarray, told: Any) -> None:
-        """Rolls on a copy, so that an error or an interrupt changes nothing."""
+    def _roll_all(self, columns: Dict[str, np.ndarray], states: np.ndarray, told: Any) -> str:
+        """Rolls on a copy, so that an error or an interrupt changes nothing. Returns the last warning."""
         count = len(states)
         work = self._copy_with({})
+        doubt = ""
         for at in range(0, count, _STEPS_AT_ONCE):
             part = slice(at, at + _STEPS_AT_ONCE)
             work._roll_at_once({name: value[part] for name, value in columns.items()}, states[part], at)
+            doubt = text_of("warning", work._handle) or doubt
             if told is not None:
                 told(min(at + _STEPS_AT_ONCE, count), count)
         self._finalizer()
@@ -216,6 +221,7 @@ class Rolling:
         self._own(work._handle)
         if count > 0:
             self._remember(columns)
+        return doubt
 
     def _roll_at_once(self, columns: Dict[str, np.ndarray], states: np.ndarray, before: int = 0) -> None:
         pointers = {name: value.ctypes.data for name, value in columns.items()}
@@ -253,11 +259,18 @@ class Rolling:
         state, slopes = np.zeros((), STATE), np.zeros((), JACOBIAN)
         with self._settings_kept():
             self._set_load(creepage, force)
-            if not jacobian:
+            if jacobian:
+                self._call("attempt_with_jacobian", float(dq), state.ctypes.data, slopes.ctypes.data)
+            else:
                 self._call("attempt", float(dq), state.ctypes.data)
-                return record(state)
-            self._call("attempt_with_jacobian", float(dq), state.ctypes.data, slopes.ctypes.data)
-        return record(state), record(slopes)
+        self._tell_once(text_of("warning", self._handle))
+        return (record(state), record(slopes)) if jacobian else record(state)
+
+    def _tell_once(self, doubt: str) -> None:
+        """Warns the user who called, two frames above; once, as steps are many."""
+        if doubt and not self._warned:
+            self._warned = True
+            warn_of([doubt], depth=4)
 
     def _require_load(self, creepage: Any, force: Any) -> None:
         if creepage is not None and force is not None:

@@ -111,6 +111,12 @@ class _Contact:
                       {name: values.reshape(loads.shape + (self.nodes,)) for name, values in nodes.items()},
                       self.full_sliding, [line.decode() for line in messages])
 
+    def warn_of_creepages(self, creepages: np.ndarray) -> None:
+        """Tells the user who called, two frames above, of the largest if it is doubtful."""
+        flat = np.ascontiguousarray(creepages, dtype=float).reshape(-1)
+        doubt = text_of("py_steady_doubt", self.handle, CREEPAGE, flat.ctypes.data, flat.size)
+        warn_of([doubt] if doubt else [], depth=4)
+
     def fastsim(self, creepages: np.ndarray) -> np.ndarray:
         """Returns forces by FASTSIM, with the flexibility that gives it the slope of this contact without slip."""
         small = 1e-9 * float(np.abs(creepages).max())
@@ -179,6 +185,8 @@ def steady(scene: Scene = None, *, creepage: Values = None, force: Values = None
     found = contact.solve(CREEPAGE if force is None else FORCE, numbers(name, loads), threads_of(threads),
                           shown_progress(progress))
     _raise_first(found, missing)
+    if force is None:
+        contact.warn_of_creepages(found.creepage)
     return found
 
 
@@ -245,6 +253,7 @@ def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, b
     sliding = contact.solve(CREEPAGE, last * np.linspace(1, 1.5, points - below + 1)[1:], cores, told)
     _raise_first(sliding, "raise")
     curve = _joined(rising, sliding)
+    contact.warn_of_creepages(curve.creepage)
     if beside is not None:
         curve.fastsim_force = contact.fastsim(curve.creepage)
     return curve

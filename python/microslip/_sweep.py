@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import concurrent.futures
+import re
 import threading
 from typing import Any, Dict, List, Mapping, Optional
 
@@ -128,9 +129,22 @@ def sweep(scene: Scene = None, over: Optional[Mapping[str, Any]] = None, *, thre
     given = {f"sweep.{key}": value for key, value in (over or {}).items()}
     removed = {key: None for key in (over or {})}
     cases = Cases(scene, {**removed, **overrides, **given}, True)
-    warn_of(dict.fromkeys(line for case in range(len(cases)) for line in cases.warnings(case)))
+    warn_of(_warnings_of(cases))
     results, errors = _solve_all(cases, cores, shown_progress(progress), missing)
     return Sweep(cases.swept, [cases.values(case) for case in range(len(cases))], results, errors)
+
+
+def _warnings_of(cases: Cases) -> List[str]:
+    """A line for each kind of warning, which is the warning without its numbers: how many cases have it, and the
+    first of them."""
+    counts: Dict[str, int] = {}
+    first: Dict[str, str] = {}
+    for case in range(len(cases)):
+        for line in cases.warnings(case):
+            kind = re.sub(r"[0-9.+\-e]", "", line)
+            counts[kind] = counts.get(kind, 0) + 1
+            first.setdefault(kind, f"the first is case {case}: {line}")
+    return [f"{count} of {len(cases)} cases, {first[kind]}" for kind, count in counts.items()]
 
 
 def _solve_all(cases: Cases, threads: int, told: Any, missing: str) -> Any:

@@ -67,6 +67,15 @@ const char* microslip_py_steady_warnings(const microslip_py_steady* steady) {
   return steady->warnings.c_str();
 }
 
+const char* microslip_py_steady_doubt(const microslip_py_steady* steady, int load_type,
+                                      const double* loads, std::size_t count) {
+  static thread_local std::string text;
+  return or_null([&] {
+    text = capi::doubt_of_loads(steady->problem, load_type, loads, count);
+    return text.c_str();
+  });
+}
+
 int microslip_py_steady_solve(const microslip_py_steady* steady, int load_type, const double* loads,
                               std::size_t count, int threads, microslip_steady* states,
                               const microslip_steady_nodes* nodes, char* messages,

@@ -82,6 +82,11 @@ MICROSLIP_API double microslip_py_full_sliding(const microslip_py_steady* steady
 MICROSLIP_API int microslip_py_fastsim(const microslip_py_steady* steady, double slope,
                                        const double* creepages, std::size_t count, double* forces);
 MICROSLIP_API const char* microslip_py_steady_warnings(const microslip_py_steady* steady);
+
+/// Why the largest of the loads is doubtful; empty if it is not. Valid until the next call.
+MICROSLIP_API const char* microslip_py_steady_doubt(const microslip_py_steady* steady,
+                                                    int load_type, const double* loads,
+                                                    std::size_t count);
 /// As microslip_solve_steady(), on several threads.
 /// \param messages  `count` rows of `room` bytes: why a load has no solution
 MICROSLIP_API int microslip_py_steady_solve(const microslip_py_steady* steady, int load_type,

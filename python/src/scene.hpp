@@ -15,9 +15,10 @@ Scene scene_of(const microslip_py_scene& given);
 template <class Action>
 auto placed(const Scene& scene, Action action) {
   try {
-    return with_keys(action);
+    return action();
   } catch (const BadParameter& error) {
-    throw BadParameter(error.name(), scene.place_of(error.name()) + error.what());
+    const BadParameter named = in_keys(error, scene);
+    throw BadParameter(named.name(), scene.place_of(named.name()) + named.what());
   }
 }
 

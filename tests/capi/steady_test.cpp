@@ -208,5 +208,46 @@ TEST(CSteady, WorksFromC99) {
   EXPECT_NEAR(steady_force_in_c99(0.5) / exact.force(), 1, 1e-9);
 }
 
+// A creepage of 0.3 may be 0.3 % without the percent. Normalised contacts have no such limit.
+TEST(SteadyInC, LargeCreepagesAreWarnedOf) {
+  Parts parts;
+  EXPECT_EQ(solve(parts, MICROSLIP_CREEPAGE, {0.1, 0.9}).message, "");
+  parts.material.shear_modulus = 82000;
+  EXPECT_EQ(solve(parts, MICROSLIP_CREEPAGE, {0.1, -0.2}).message, "");
+  EXPECT_EQ(solve(parts, MICROSLIP_FORCE, {0.5}).message, "");
+  const Solved solved = solve(parts, MICROSLIP_CREEPAGE, {0.1, -0.9, 0.3});
+  EXPECT_EQ(solved.status, MICROSLIP_OK);
+  EXPECT_EQ(solved.message.find("warning: creepage = -0.9: creepages above 0.2 are not small"), 0U)
+      << solved.message;
+  EXPECT_EQ(solve(parts, MICROSLIP_CREEPAGE, {0.9, nan}).message.find("loads[1]: creepage = nan"),
+            0U);
+}
+
+TEST(RollingInC, LargeCreepagesAreWarnedOf) {
+  Parts parts;
+  parts.material.shear_modulus = 82000;
+  const Handle handle = created(parts);
+  const auto told = [&] { return std::string(microslip_warning(handle.get())).substr(0, 15); };
+  EXPECT_EQ(told(), "");
+  EXPECT_STREQ(microslip_warning(nullptr), "");
+  for (const auto& [creepage, expected] : {std::pair{0.25, "creepage = 0.25"}, std::pair{0.2, ""},
+                                           std::pair{-0.3, "creepage = -0.3"}}) {
+    EXPECT_EQ(microslip_set_creepage(handle.get(), creepage), MICROSLIP_OK);
+    EXPECT_EQ(told(), expected);
+    EXPECT_EQ(microslip_advance(handle.get(), 0.1), MICROSLIP_OK);
+    EXPECT_EQ(told(), expected);
+  }
+  EXPECT_EQ(microslip_set_creepage(handle.get(), nan), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_set_force(handle.get(), 0.5), MICROSLIP_OK);
+  EXPECT_EQ(told(), "");
+  const std::vector<double> dq{0.1, 0.1}, large{0.001, 0.75}, small{0.001, 0.002};
+  microslip_steps steps{.count = 2, .dq = dq.data(), .creepage = large.data()};
+  EXPECT_EQ(microslip_roll(handle.get(), &steps, nullptr), MICROSLIP_OK);
+  EXPECT_EQ(told(), "creepage = 0.75");
+  steps.creepage = small.data();
+  EXPECT_EQ(microslip_roll(handle.get(), &steps, nullptr), MICROSLIP_OK);
+  EXPECT_EQ(told(), "");
+}
+
 }  // namespace
 }  // namespace microslip

@@ -7,6 +7,7 @@ import pickle
 import subprocess
 import sys
 import threading
+import warnings
 
 import numpy as np
 import pytest
@@ -274,3 +275,19 @@ def test_a_constructor_that_fails_raises_its_own_error_only(rest, error):
     assert done.returncode == 1
     assert done.stderr.count("Traceback") == 1 and "ignored" not in done.stderr
     assert error in done.stderr.splitlines()[-1]
+
+
+def test_large_creepages_are_warned_of_once(scene):
+    rolling = ms.Rolling(scene)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        rolling.roll(0.1, creepage=0.2)
+        rolling.roll([0.1, 0.2], force=[-100, -200])
+        rolling.attempt(0.1, creepage=0.001)
+    for act in (lambda one: one.roll(0.1, creepage=-0.3), lambda one: one.attempt(0.1, creepage=-0.3),
+                lambda one: one.roll(np.full(50, 0.01), creepage=np.linspace(0, -0.3, 50))):
+        one = rolling.copy()
+        with pytest.warns(ms.LoadWarning, match="^creepage = -0.[0-9]*: creepages above 0.2") as told:
+            act(one)
+            act(one)
+        assert len(told) == 1 and told[0].filename == __file__

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Steady rolling under many loads, curves and sweeps."""
+import warnings
+
 import numpy as np
 import pytest
 
@@ -174,3 +176,30 @@ def test_an_interrupt_ends_a_sweep(scene):
     long = {**scene, "problem": "transient", "motion.distance": 2000, "step.ratio": 0.1, "start.type": "rest"}
     with pytest.raises(KeyboardInterrupt):
         ms.sweep(long, {"load.creepage": [1e-3] * 40, "motion.distance": [1] + [5000] * 1}, threads=2, progress=stop)
+
+
+def test_large_creepages_are_warned_of(scene):
+    small = {"material": {"shear_modulus": 1, "poisson_ratio": 0}, "contact": {"half_width": 1, "peak_traction": 1},
+             "kernel": {"type": "plane", "length": 10}, "grid": {"elements": 20}}
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        ms.steady(scene, creepage=[0.1, -0.2])
+        ms.steady(small, creepage=0.9)
+        ms.creep_curve(scene)
+    with pytest.warns(ms.LoadWarning, match="^creepage = -0.9: creepages above 0.2 are not small") as told:
+        ms.steady(scene, creepage=[[0.3, -0.9], [0.001, 0]])
+    assert len(told) == 1 and told[0].filename == __file__
+
+
+def test_warnings_of_a_sweep_are_counted(scene):
+    with pytest.warns(ms.LoadWarning) as told:
+        ms.sweep(scene, {"load.creepage": [0.001, 0.3, 0.5, 1e10]}, problem="steady")
+    assert [str(one.message).split(": creepages")[0] for one in told] == [
+        "3 of 4 cases, the first is case 1: load.creepage = 0.3"]
+    assert told[0].filename == __file__
+
+
+def test_errors_of_rough_bounds_name_their_key(scene):
+    with pytest.raises(ms.InputError) as told:
+        ms.sweep(scene, {"contact.roughness": [0.1, 11]}, problem="steady", load_force=-100)
+    assert "contact.roughness = 11" in str(told.value)

@@ -222,7 +222,8 @@ TEST_F(BadInputs, PlacesOfKeys) {
        {"misspelt, and so missing", replaced(good_scene, "poisson_ratio", "poison_ratio"),
         "SCENE:3: missing key 'material.poisson_ratio' (did you mean 'material.poison_ratio'?)"},
        {"one of two", good_scene + "load { force -1 }\n",
-        "SCENE:10: expected only one of 'load.creepage' and 'load.force'"},
+        "SCENE:10: expected only one of 'load.creepage' and 'load.force'; --set KEY= takes one "
+        "away"},
        {"without a role", good_scene + "\nstep { ratio 1 }\n",
         "SCENE:11: key 'step.ratio' has no role here: it is for leading_edge standard, known_edge "
         "or "
@@ -281,8 +282,8 @@ TEST_F(BadInputs, Columns) {
        {"a cell that is missing", "x\tbound\n0\t1\n0.5\n", "line 3: expected 2 values, found 1"},
        {"no rows", "x\tbound\n", "line 1: expected at least one row below the names"},
        {"a comment behind", "x\tbound\n0\t1 # one\n", "line 2: expected 2 values, found 4"},
-       {"commas between", "x,bound\n0,1\n",
-        "line 1: expected a column 'x' among the names in the first line, which are: x,bound"},
+       {"commas in the rows alone", "x\tbound\n0,1\n", "line 2: expected 2 values, found 1"},
+       {"tabs in the rows alone", "x,bound\n0\t1\n", "line 2: expected 2 values, found 1"},
        {"control characters", "x\tbound\n0\t\x1b[31m\n",
         "line 2: column 'bound': '\\x1b[31m' is not a finite number"},
        {"a NUL byte", "x\tbound\n0\t1" + std::string(1, '\0'),
@@ -296,7 +297,8 @@ TEST_F(BadInputs, ColumnsThatAreAccepted) {
   const std::string plain = traction(bound_scene());
   for (const std::string& same :
        {replaced(text, "\n", "\r\n"), bom + text, text.substr(0, text.size() - 1),
-        replaced(text, "\t", "   "), replaced(text, "\n", "\n\n# more\n"),
+        replaced(text, "\t", "   "), replaced(text, "\t", ","), replaced(text, "\t", " ; "),
+        replaced(text, "\n", "\n\n# more\n"),
         std::string("x\tword\tbound\n-.5\tnan\t+1\n+.5\ta,b\t5e-1")}) {
     std::ofstream(folder_ / "bound.tsv") << same;
     EXPECT_EQ(traction(bound_scene()), plain) << same;

@@ -193,7 +193,7 @@ TEST_F(BadScenes, BoundFiles) {
   rejected("x\tbound\n2\t1\n", "x = 2: expected positions from -half_width to half_width");
   rejected("x\tbound\n0\t-1\n", "bound = -1: expected a number >= 0");
   rejected("x\tbound\n0\t0\n", "bound = 0: expected a bound that is not");
-  rejected("x\tbound\n0\t1e300\n", "largest bound = 1e+300: expected a number from 1e-50");
+  rejected("x\tbound\n0\t1e300\n", "largest of bound = 1e+300: expected a number from 1e-50");
   std::ofstream(folder_ / "bound.tsv") << "x\tbound\n0\t1\n";
   for (const char* method : {"method=chebyshev", "leading_edge=known_edge"}) {
     std::string scene = good_scene;

@@ -182,8 +182,8 @@ TEST_F(Commands, ConvergeAdvisesAndIsDrawn) {
     run_in_folder("init " + kind);
     const std::string step_time = kind == "steady" ? "" : " --step-time '1 s'";
     const std::string error = kind == "steady" ? "1e-4" : "'1 %'";
-    const Outcome outcome =
-        run_in_folder("converge " + kind + ".info --elements '11 21' --error " + error + step_time);
+    const Outcome outcome = run_in_folder(
+        "converge " + kind + ".info --elements '11:10:21' --error " + error + step_time);
     EXPECT_EQ(outcome.status, 0);
     EXPECT_EQ(outcome.error, "");
     EXPECT_TRUE(outcome.output.starts_with("for an error of ")) << outcome.output;

@@ -275,6 +275,10 @@ TEST_F(Sweeps, BadInput) {
                   "case 4 of 12 (leading_edge = calibrated, grid.elements = 0, load.creepage = "
                   "0.1): grid.elements = 0: expected");
   expect_rejected("--set 'sweep.leading_edge=standard sharp'", "leading_edge = 'sharp': expected");
+  expect_rejected(
+      "--set contact.roughness=10 --set leading_edge=calibrated --set load.creepage=0.1 "
+      "--set grid.elements=50 --set 'sweep.contact.peak_traction=1 1e50'",
+      "case 2 of 2 (contact.peak_traction = 1e50): largest of contact.roughness = 1.");
   expect_rejected("--threads 0", "--threads '0': expected a whole number from 1");
   expect_rejected("--threads many", "--threads 'many': expected");
   for (const char* shard : {"0/2", "3/2", "1", "1/", "/2", "1/0", "a/b", "-1/2", "1/2/3"}) {

@@ -47,5 +47,25 @@ TEST(BasisConvergence, Verdicts) {
             (std::vector<std::string>{"reproduced", "reproduced", "reproduced", "refuted"}));
 }
 
+// Below a' = 1/2 the point x = 0 slips: its traction is the bound, without an error.
+TEST(BasisConvergence, TakesAnyStickRatio) {
+  for (const double stick_ratio : {0.1, 0.3, 0.5, 0.9}) {
+    const std::vector<Table> found = basis_convergence({.material = {1, 0.28},
+                                                        .length = 200,
+                                                        .bound = HertzBound(1, 1),
+                                                        .sizes = {63, 127, 255},
+                                                        .leading_offset = 1,
+                                                        .trailing_offset = 1,
+                                                        .step_ratio = 1,
+                                                        .stick_ratio = stick_ratio},
+                                                       [](std::size_t, std::size_t) {});
+    for (const std::size_t basis : {0U, 1U, 2U}) {
+      EXPECT_NEAR(found[1].number(basis, "force_order"), 1.1, 0.1) << stick_ratio;
+      EXPECT_EQ(std::isnan(found[1].number(basis, "point_order")), stick_ratio < 0.5)
+          << stick_ratio << ' ' << basis;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace microslip::experiments

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "microslip/experiments/scene_tables.hpp"
+#include "scene_text.hpp"
 #include "study_tables.hpp"
 
 namespace microslip::experiments {
@@ -72,6 +73,32 @@ TEST(SteadyScene, SummaryHoldsThePromisedRows) {
                                "slip_elements", "iterations", "dissipation"}) {
     EXPECT_NE(std::find(quantities.begin(), quantities.end(), promised), quantities.end())
         << promised;
+  }
+}
+
+// Carter's solution is exact for one kernel and one bound alone.
+TEST(CarterStudy, RefusesContactsThatAreNotCarters) {
+  const std::string scene =
+      "step { ratios 1 }\naccuracy { step_ratios 1 }\ncontact { half_width 1 peak_traction 1 }\n"
+      "grid { elements 50 }\nload { creepage 0.576 }\n";
+  const std::string steel = "material { shear_modulus 1 poisson_ratio 0.28 }\n";
+  const auto refusal = [&](const std::string& kernel, const std::string& setting = "") {
+    return message([&] {
+      Scene read = scene_of(scene + kernel);
+      if (!setting.empty()) read.set(setting);
+      read_carter(read);
+    });
+  };
+  const std::string plane = steel + "kernel { type plane length 200 }\n";
+  EXPECT_EQ(refusal(plane), "");
+  const std::string why = "as errors are differences to Carter's solution";
+  EXPECT_EQ(refusal(steel + "kernel { type strip width 2 }\n"),
+            "kernel.type = 'strip': expected plane without a layer, " + why);
+  EXPECT_EQ(refusal(plane, "kernel.compliance=1"),
+            "kernel.type = 'plane with a layer': expected plane without a layer, " + why);
+  for (const char* setting : {"contact.bound_polynomial=1 0 -0.5", "contact.roughness=0.1"}) {
+    EXPECT_EQ(refusal(plane, setting),
+              "contact.bound_polynomial, contact.roughness: expected none, " + why);
   }
 }
 

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What scenes warn of: columns that nobody reads, creepages and radii that are mistakes of units, and
 // forces that are there at once.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
+#include "microslip/reference/carter.hpp"
+#include "microslip/rolling/steady.hpp"
 #include "microslip/scene/model.hpp"
 #include "scene_text.hpp"
 
@@ -121,6 +127,90 @@ TEST(Doubts, AreOfOneKindWhateverTheNumbers) {
             kind_of_warning("step.ratio = -1e-07: safe from 1.3 on"));
   EXPECT_NE(kind_of_warning("step.ratio = 0.1: safe"),
             kind_of_warning("grid.elements = 0.1: safe"));
+}
+
+TEST(Doubts, NumbersOfWarningsAreShort) {
+  EXPECT_EQ(warnings(run, "t v omega _\n0 20000 0.3333333 0\n0.001 20000 0.3333333 0\n")
+                .find("creepage of load.file = 0.992333: "),
+            0U);
+}
+
+// As vehicle codes and spreadsheets write them.
+TEST(Columns, MayBeSeparatedByCommasOrSemicolons) {
+  const std::vector<std::string> tables{
+      "q [m]\tcreepage [%]\n0\t0.1\n0.005\t0.2\n", "q [m],creepage [%]\n0,0.1\n0.005,0.2\n",
+      "q[m] , creepage [ % ]\n 0 , 0.1\n\n# x, y, z\n0.005, 0.2\n",
+      "\"q [m]\";\"creepage [%]\"\n0;0.1\n0.005;\"0.2\"\n",
+      ",creepage [%],_note,q [m]\n0,0.1,x y,0\n1,0.2,,0.005\n"};
+  for (const std::string& table : tables) {
+    Scene scene = scene_of(run);
+    scene.set("load.radius=");
+    scene.read_files_by([&](const std::string&) { return table; });
+    const Model model = read_model(scene);
+    const LoadHistory& loads = std::get<TransientScene>(model).loads;
+    EXPECT_EQ(loads.distance(), 5) << table;
+    EXPECT_EQ(std::get<PrescribedCreepage>(loads.at(5)).value, 0.002) << table;
+    EXPECT_TRUE(scene.warnings().empty()) << table;
+  }
+  EXPECT_EQ(
+      message([] { warnings(run, "q;creepage;_\n0;0,1;0\n1;0,2;0\n"); }),
+      "test:7: load.file = 'run.tsv': line 2: column 'creepage': '0,1' is not a finite number "
+      "with a decimal point");
+  EXPECT_EQ(message([] { warnings(run, "q,creepage\n0,1,2\n1,2\n"); }),
+            "test:7: load.file = 'run.tsv': line 2: expected 2 values, found 3");
+}
+
+// The oracle is Carter's closed form. Where nothing is warned of, errors are those that docs/scenes.md promises.
+TEST(Doubts, DifferencesOnFewElementsNearFullSliding) {
+  std::mt19937 random(1);
+  const auto uniform = [&](double from, double to) {
+    return std::uniform_real_distribution(from, to)(random);
+  };
+  int warned = 0, wrong = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double ratio = (i % 2 == 0 ? 1 : -1) * (1 - std::pow(10, uniform(-9, 0)));
+    const std::string basis = i % 3 == 0 ? "linear" : "constant";
+    Scene scene = scene_of(fmt::format(
+        "problem steady\nmaterial {{ shear_modulus 1 poisson_ratio 0.28 }}\n"
+        "contact {{ half_width 1 peak_traction 1 }}\nkernel {{ type plane length 200 }}\n"
+        "leading_edge {}\nbasis {}\nstep {{ ratio {} }}\ngrid {{ elements {} }}\n"
+        "load {{ force_ratio {} }}\n",
+        i % 5 == 0 ? "known_edge" : "standard", basis, uniform(0.7, 1.5),
+        static_cast<int>(uniform(11, 90)), ratio));
+    const auto problem = std::get<SteadyProblem>(read_model(scene));
+    const double exact =
+        Carter::from_force(material_of(problem.kernel), std::get<HertzBound>(problem.bound),
+                           std::get<PrescribedForce>(problem.load).value)
+            .creepage();
+    const double error = std::abs(solve_steady(problem).creepage / exact - 1);
+    if (scene.warnings().empty()) {
+      EXPECT_LT(error, 0.1) << basis << ' ' << ratio;
+    } else {
+      ++warned;
+      if (error > 0.1) ++wrong;
+    }
+  }
+  EXPECT_GT(wrong, 20);
+  EXPECT_LT(warned, 220);
+}
+
+TEST(Doubts, FewElementsInTransients) {
+  const std::string rolls = transient + "step { ratio 1 }\nmotion { distance 5 }\n";
+  const auto of = [&](const std::string& scheme, const std::string& set) {
+    std::string text = rolls + "load { creepage 0.001 }\n";
+    text.replace(text.find("step { "), 7, "step { scheme " + scheme + " ");
+    Scene scene = scene_of(text);
+    scene.set("grid.elements=" + set);
+    read_model(scene);
+    return scene.warnings().empty() ? "" : scene.warnings().front().line;
+  };
+  const std::string doubt =
+      "this scheme is safe from 11 on; step.scheme remembered is safe for any";
+  for (const char* scheme : {"direct", "relaxed", "relaxed_traction", "fractional"}) {
+    EXPECT_EQ(of(scheme, "9"), "grid.elements = 9: " + doubt) << scheme;
+    EXPECT_EQ(of(scheme, "11"), "") << scheme;
+  }
+  EXPECT_EQ(of("remembered", "4"), "");
 }
 
 }  // namespace

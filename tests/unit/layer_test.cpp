@@ -378,12 +378,12 @@ TEST(Layer, IsSolvedByElementsInsteadOfInversion) {
   const SteadySolution solution =
       solve_steady(contact(layer_on_plane(0.3), hertz, 100, PrescribedCreepage{0.1}, Inversion{}));
   EXPECT_EQ(solution.scheme, SteadyScheme::calibrated);
-  EXPECT_EQ(solution.fallback, "the kernel is no half-space's, but plane with a layer");
+  EXPECT_EQ(solution.fallback, "the kernel is plane with a layer, not a half-space");
   EXPECT_EQ(
       message_of([] {
         solve_steady(contact(WinklerKernel(1), hertz, 10, PrescribedCreepage{0.1}, Inversion{}));
       }),
-      "elements = 10: expected at least 11, as the kernel is no half-space's, but winkler");
+      "elements = 10: expected at least 11, as the kernel is winkler, not a half-space");
 }
 
 TEST(Layer, IsRefusedWhereOnlyHalfSpacesHaveASolution) {

@@ -191,5 +191,52 @@ TEST(Table, RejectsARowOfTheWrongLength) {
   EXPECT_THROW(table.add({1.0, 2.0}), std::logic_error);
 }
 
+// As in sweeps: the ends, and the numbers between them to 15 digits.
+TEST(Scene, ListsHaveRanges) {
+  const auto numbers = [](const std::string& key, const std::string& text) {
+    Scene scene;
+    scene.set(key + "=" + text);
+    return scene.numbers(key);
+  };
+  EXPECT_EQ(numbers("a", "1:2:7"), (std::vector<double>{1, 3, 5, 7}));
+  EXPECT_EQ(numbers("a", "5 0:0.1:0.3 8:log4:1"),
+            (std::vector<double>{5, 0, 0.1, 0.2, 0.3, 8, 4, 2, 1}));
+  EXPECT_EQ(numbers("start.force", "-500:500:500 N/mm"), (std::vector<double>{-500, 0, 500}));
+  EXPECT_EQ(numbers("start.force", "1:1:2 kN/m 3N/mm"), (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(message([&] { numbers("a", "1:4"); }).find("a = '1:4': expected first:step:last"), 0U);
+  EXPECT_EQ(message([&] { numbers("a", "x:1:2"); }),
+            "a = 'x:1:2': expected finite numbers, separated by blanks");
+  Scene scene = scene_of("converge { elements 10:10:40 }");
+  EXPECT_EQ(scene.wholes("converge.elements"), (std::vector<Eigen::Index>{10, 20, 30, 40}));
+  EXPECT_EQ(scene.parameters().back().second, "10 20 30 40");
+}
+
+TEST(Scene, NamesAllMissingKeys) {
+  const auto missing = [](const std::string& text) {
+    Scene scene = scene_of(text);
+    return message([&] { read_model(scene); });
+  };
+  EXPECT_EQ(missing(""), "missing key 'problem'");
+  EXPECT_EQ(missing("problem steady\nkernel { type plane }"),
+            "missing keys 'material.shear_modulus' or 'material.youngs_modulus', "
+            "'material.poisson_ratio', 'contact.half_width' or 'contact.normal_load', "
+            "'contact.peak_traction' or 'contact.bound_file', 'kernel.length', 'grid.elements', "
+            "'load.creepage' or 'load.force' or 'load.force_ratio' or 'load.stick_ratio'");
+  const std::string contact =
+      "problem transient\nmaterial { shear_modulus 1 poisson_ratio 0 }\n"
+      "contact { half_width 1 peak_traction 1 }\n";
+  // What comes behind a word depends on it.
+  EXPECT_EQ(missing(contact), "missing key 'kernel.type'");
+  EXPECT_EQ(missing(contact + "kernel { type strip }"),
+            "missing keys 'kernel.width', 'grid.elements', 'load.creepage' or 'load.force' or "
+            "'load.force_ratio' or 'load.stick_ratio' or 'load.file', 'step.ratio', 'start.type'");
+  // Of two ways the one that wants fewer keys besides those that are given.
+  const std::string steel = "problem steady\nmaterial { shear_modulus 1 poisson_ratio 0 }\n";
+  EXPECT_EQ(missing(steel + "contact { radius_1 1 friction 0.3 }"),
+            "missing keys 'contact.half_width' or 'contact.normal_load', 'kernel.type'");
+  EXPECT_EQ(missing(contact + "kernel { type strip widht 1 }"),
+            missing(contact + "kernel { type strip }") + " (did you mean 'kernel.widht'?)");
+}
+
 }  // namespace
 }  // namespace microslip

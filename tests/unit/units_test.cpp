@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/scene/sweep.hpp"
@@ -102,6 +104,28 @@ TEST(Keys, UnitsAreUnits) {
     EXPECT_EQ(accepted_units(std::string(key.unit)) == "no unit", key.unit == "1") << key.name;
   }
   EXPECT_EQ(unit_of_key("no.such.key"), "1");
+}
+
+// 1/min of a wheel is one revolution a minute for some and one radian for others.
+TEST(Units, OfAnAngularVelocityNameTheAngle) {
+  const double pi = std::numbers::pi;
+  EXPECT_DOUBLE_EQ(*quantity("30 rad/min", "rad/s"), 0.5);
+  EXPECT_DOUBLE_EQ(*quantity("30 rpm", "rad/s"), pi);
+  EXPECT_DOUBLE_EQ(*quantity("30 rev/min", "rad/s"), pi);
+  EXPECT_DOUBLE_EQ(*quantity("0.5 rev/s", "rad/s"), pi);
+  EXPECT_DOUBLE_EQ(*quantity("180 deg/s", "rad/s"), pi);
+  for (const char* text : {"30 1/min", "30 1/s", "30 rad", "30 rad2/s", "30 s/rad", "30 1"}) {
+    EXPECT_FALSE(quantity(text, "rad/s")) << text;
+  }
+  EXPECT_FALSE(quantity("30 rad/s", "1"));
+  Scene scene = scene_of("load { file run.tsv }");
+  scene.read_files_by([](const std::string&) { return "omega [1/min]\n461\n"; });
+  EXPECT_EQ(
+      message([&] {
+        scene.from_columns("load.file", {{"omega", "rad/s"}}, [](const auto&) { return 0; });
+      }),
+      "load.file = 'run.tsv': line 1: column 'omega': unit '1/min': expected rad/s or another "
+      "of its kind (rad/min, deg/s, rev/s, rev/min, rpm)");
 }
 
 }  // namespace

@@ -143,7 +143,7 @@ TabulatedBound::TabulatedBound(double half_width, const VectorXd& x, const Vecto
     require(values[i] >= 0, "bound", values[i], "a number >= 0");
   }
   require(values.maxCoeff() > 0, "bound", 0, "a bound that is not zero everywhere");
-  require_positive("largest bound", values.maxCoeff());
+  require_positive("largest of bound", values.maxCoeff());
   const Index last = x.size() - 1;
   const double first_x = at_edge_if_near(x[0], half_width);
   const double last_x = at_edge_if_near(x[last], half_width);

@@ -269,7 +269,7 @@ SteadySolution by_inversion(const SteadyProblem& problem) {
   if (problem.has_unlike_bodies()) return unlike_zones(problem);
   if (!is_half_space(problem.kernel)) {
     return instead_of_inversion(
-        problem, fmt::format("the kernel is no half-space's, but {}", name_of(problem.kernel)));
+        problem, fmt::format("the kernel is {}, not a half-space", name_of(problem.kernel)));
   }
   const InvertedRolling rolling(problem.kernel, problem.bound);
   if (const auto why = rolling.obstacle()) return instead_of_inversion(problem, *why);

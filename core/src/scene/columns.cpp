@@ -34,20 +34,32 @@ std::string next_line(std::istream& in, int& line_number) {
   return "";
 }
 
-/// Its words; none at the end.
-std::vector<std::string> next_words(std::istream& in, int& line_number) {
-  return words_of(next_line(in, line_number));
+/// What separates the cells of a table, by its line of names: a comma or a semicolon if there is
+/// one, as in CSV; otherwise blanks and tabs.
+char separator_of(const std::string& names) {
+  for (const char separator : {',', ';'}) {
+    if (names.find(separator) != std::string::npos) return separator;
+  }
+  return ' ';
 }
 
-/// Splits a line at its tabs, and leaves one blank between the words of a cell. A cell without
-/// words is empty.
-std::vector<std::string> cells_between_tabs(const std::string& line) {
+/// Splits a line at a separator, and leaves one blank between the words of a cell, without the
+/// quotes around it. A cell without words is empty.
+std::vector<std::string> cells_between(const std::string& line, char separator) {
   std::vector<std::string> cells;
-  std::istringstream stream(line + '\t');
-  for (std::string cell; std::getline(stream, cell, '\t');) {
+  std::istringstream stream(line + separator);
+  for (std::string cell; std::getline(stream, cell, separator);) {
     cells.push_back(joined(words_of(cell), " "));
+    std::string& last = cells.back();
+    if (last.size() > 1 && last.starts_with('"') && last.ends_with('"')) {
+      last = joined(words_of(last.substr(1, last.size() - 2)), " ");
+    }
   }
   return cells;
+}
+
+std::vector<std::string> cells_of(const std::string& line, char separator) {
+  return separator == ' ' ? words_of(line) : cells_between(line, separator);
 }
 
 /// The first name that occurs twice; empty if none does.
@@ -85,6 +97,19 @@ Header header_of(const std::vector<std::string>& words) {
   return header;
 }
 
+/// \param line  of names
+Header header_of(const std::string& line, char separator) {
+  if (separator == ' ') return header_of(words_of(line));
+  Header header;
+  for (const std::string& cell : cells_between(line, separator)) {
+    const std::size_t bracket = std::min(cell.size(), cell.find('['));
+    header.names.push_back(joined(words_of(cell.substr(0, bracket)), " "));
+    const std::string rest = cell.substr(bracket);
+    header.units.push_back(rest.substr(rest.empty() ? 0 : 1, rest.find(']') - 1));
+  }
+  return header;
+}
+
 void require_as_many(std::size_t found, std::size_t expected, int line) {
   if (found == expected) return;
   throw std::invalid_argument(
@@ -111,7 +136,7 @@ std::vector<std::string> unused_of(const Header& header, const std::vector<FileC
   if (std::ranges::all_of(wanted, &FileColumn::needed)) return unused;
   for (const std::string& name : header.names) {
     const bool is_wanted = std::ranges::find(wanted, name, &FileColumn::name) != wanted.end();
-    if (is_wanted || name.starts_with('_')) continue;
+    if (is_wanted || name.empty() || name.starts_with('_')) continue;
     const std::string meant = meant_column(name, wanted);
     if (!meant.empty()) {
       throw std::invalid_argument(
@@ -138,9 +163,10 @@ ReadColumns read_columns(std::istream& in, const std::vector<FileColumn>& wanted
   const auto fail = [&](const std::string& what) {
     throw std::invalid_argument(fmt::format("line {}: {}", line, what));
   };
-  const std::vector<std::string> words = next_words(in, line);
-  if (words.empty()) throw std::invalid_argument("expected a line of column names, found none");
-  const Header header = header_of(words);
+  const std::string names = next_line(in, line);
+  if (names.empty()) throw std::invalid_argument("expected a line of column names, found none");
+  const char separator = separator_of(names);
+  const Header header = header_of(names, separator);
   const auto find = [&](const FileColumn& column) -> std::optional<Found> {
     const auto name = std::find(header.names.begin(), header.names.end(), column.name);
     if (name == header.names.end()) {
@@ -166,7 +192,8 @@ ReadColumns read_columns(std::istream& in, const std::vector<FileColumn>& wanted
   }
   ReadColumns read{.wanted = {}, .unused = unused_of(header, wanted, line)};
   std::size_t rows = 0;
-  for (auto row = next_words(in, line); !row.empty(); row = next_words(in, line), ++rows) {
+  for (auto text = next_line(in, line); !text.empty(); text = next_line(in, line), ++rows) {
+    const std::vector<std::string> row = cells_of(text, separator);
     require_as_many(row.size(), header.names.size(), line);
     for (std::size_t k = 0; k < wanted.size(); ++k) {
       if (!found[k]) continue;
@@ -196,7 +223,9 @@ std::vector<TextColumn> read_text_columns(std::istream& in) {
   };
   const std::string names = next_line(in, line);
   if (names.empty()) throw std::invalid_argument("expected a line of column names, found none");
-  const Header header = header_of(words_of(names));
+  const char of_names = separator_of(names);
+  const char separator = of_names == ' ' && names.find('\t') != std::string::npos ? '\t' : of_names;
+  const Header header = header_of(names, of_names);
   if (const std::string name = repeated(header.names); !name.empty()) {
     fail(fmt::format("expected one column '{}', found more of that name", shown(name)));
   }
@@ -204,9 +233,8 @@ std::vector<TextColumn> read_text_columns(std::istream& in) {
   for (std::size_t k = 0; k < header.names.size(); ++k) {
     columns.push_back({header.names[k], header.units[k], {}});
   }
-  const bool by_tabs = names.find('\t') != std::string::npos;
   for (std::string row = next_line(in, line); !row.empty(); row = next_line(in, line)) {
-    const std::vector<std::string> cells = by_tabs ? cells_between_tabs(row) : words_of(row);
+    const std::vector<std::string> cells = cells_of(row, separator);
     require_as_many(cells.size(), columns.size(), line);
     for (std::size_t k = 0; k < cells.size(); ++k) {
       if (cells[k].empty()) fail(fmt::format("column '{}': expected a value", columns[k].name));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "microslip/rolling/large_creepage.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/scene/units.hpp"
 #include "microslip/support/format.hpp"
@@ -22,6 +23,20 @@ void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, d
                                 ? fmt::format("from {} to {}", least, format_short(safe.most))
                                 : fmt::format("from {} on", least);
   scene.warn(key, value, fmt::format("this scheme is safe {}; {} is safe for any", range, instead));
+}
+
+void warn_near_full_sliding(Scene& scene, const Load& load, const TractionBound& bound,
+                            Eigen::Index elements, const std::string& instead) {
+  constexpr double safe_ratio = 0.8;  // with any number that is safe otherwise
+  constexpr Eigen::Index safe_elements = 51;
+  const auto* force = std::get_if<PrescribedForce>(&load);
+  if (force == nullptr || elements >= safe_elements) return;
+  const double ratio = std::abs(force->value) / full_sliding_force(bound);
+  if (ratio <= safe_ratio) return;
+  scene.warn("grid.elements", static_cast<double>(elements),
+             fmt::format("under a force above {} of full sliding, here {:.4g}, this scheme is safe "
+                         "from {} on; {} is safe for any",
+                         format_short(safe_ratio), ratio, safe_elements, instead));
 }
 
 void warn_of_noise(Scene& scene, Eigen::Index elements, double step_ratio) {
@@ -65,14 +80,10 @@ void warn_of_small_radius(Scene& scene, const std::string& key, double radius, d
 
 void warn_of_large_creepage(Scene& scene, const std::string& key, double creepage,
                             const TractionBound& bound) {
-  constexpr double most = 0.2, most_strain = 0.1;
-  if (std::abs(creepage) <= most) return;
-  const double mean = full_sliding_force(bound) / (2 * half_width_of(bound));
-  if (mean > most_strain * read_material_if_any(scene).shear_modulus) return;  // normalised
-  scene.warn(
-      key, creepage,
-      "creepages above 0.2 are not small against 1, as the theory has them, and errors are of "
-      "their size where part of the contact sticks; 0.2 % is 0.002");
+  if (!is_large_creepage(creepage)) return;
+  const double strain = bound_strain(bound, read_material_if_any(scene).shear_modulus);
+  const std::string doubt = doubt_of_creepage(creepage, strain);
+  if (!doubt.empty()) scene.warn(key, creepage, doubt);
 }
 
 void warn_of_large_creepages(Scene& scene, const LoadHistory& loads, const TractionBound& bound) {

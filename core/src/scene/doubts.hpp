@@ -18,6 +18,12 @@ namespace microslip {
 void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, double value,
                   const std::string& instead);
 
+/// Of difference schemes on coarse grids under a force near full sliding: their stick zone is then
+/// shorter than some elements, and the creepage is wrong by more than 10 %.
+/// \param instead  what is safe for any value
+void warn_near_full_sliding(Scene& scene, const Load& load, const TractionBound& bound,
+                            Eigen::Index elements, const std::string& instead);
+
 /// Of creepages that are nothing but rounding, under a force.
 void warn_of_noise(Scene& scene, Eigen::Index elements, double step_ratio);
 

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Errors of a scene: in its keys, and with all keys that are missing.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "microslip/scene/keys.hpp"
 #include "microslip/scene/scene.hpp"
+#include "microslip/support/nearest.hpp"
 
 namespace microslip {
 
@@ -73,8 +79,72 @@ BadParameter in_keys(const BadParameter& error) {
 
 BadParameter in_keys(const BadParameter& error, const Scene& scene) {
   const BadParameter named = in_keys(error);
-  const bool is_rough = named.name() == "contact.bound_file" && scene.has("contact.roughness");
-  return is_rough ? renamed(named, "contact.roughness") : named;
+  constexpr std::string_view file = "contact.bound_file", roughness = "contact.roughness";
+  const std::string& name = named.name();
+  if (!name.ends_with(file) || !scene.has(std::string(roughness))) return named;
+  return renamed(named, name.substr(0, name.size() - file.size()) + std::string(roughness));
+}
+
+namespace {
+
+std::string quoted_alternatives(const std::vector<std::string>& keys) {
+  return fmt::format("'{}'", joined(keys, "' or '"));
+}
+
+}  // namespace
+
+MissingKey::MissingKey(const std::string& name, const std::vector<std::string>& alternatives,
+                       const std::string& hint)
+    : BadParameter(name, fmt::format("missing key {}{}", quoted_alternatives(alternatives), hint)),
+      alternatives_(alternatives),
+      hint_(hint) {}
+
+namespace {
+
+using Reader = std::function<void(Scene&)>;
+using Names = std::vector<std::string>;
+
+struct Missing {
+  Names names;
+  bool to_end = true;  ///< no fault of another kind ended the search
+};
+
+Missing missing_with(Scene scene, const std::string& key, const Reader& read);
+
+/// This key and those behind it, by the alternative with the fewest.
+Missing missing_from(const Scene& scene, const MissingKey& first, const Reader& read) {
+  std::optional<Missing> fewest;
+  for (const std::string& key : first.alternatives()) {
+    const Missing found = missing_with(scene, key, read);
+    const auto rank = [](const Missing& one) { return std::pair(!one.to_end, one.names.size()); };
+    if (!fewest || rank(found) < rank(*fewest)) fewest = found;
+  }
+  fewest->names.insert(fewest->names.begin(), quoted_alternatives(first.alternatives()));
+  return *fewest;
+}
+
+/// Those behind a key; none behind a word, as they depend on it.
+Missing missing_with(Scene scene, const std::string& key, const Reader& read) {
+  const Key* known = scene.known(key);
+  if (known == nullptr || known->type == Key::Type::file) return {.names = {}, .to_end = false};
+  if (known->type == Key::Type::word) return {};
+  scene.set(key + (known->type == Key::Type::whole ? "=51" : "=0.25"));
+  try {
+    read(scene);
+    return {};
+  } catch (const MissingKey& next) {
+    return missing_from(scene, next, read);
+  } catch (const std::invalid_argument&) {
+    return {.names = {}, .to_end = false};
+  }
+}
+
+}  // namespace
+
+BadParameter all_missing(const Scene& scene, const MissingKey& first, const Reader& read) {
+  const Names names = missing_from(scene, first, read).names;
+  if (names.size() == 1) return first;
+  return {first.name(), fmt::format("missing keys {}{}", joined(names, ", "), first.hint())};
 }
 
 }  // namespace microslip

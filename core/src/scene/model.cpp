@@ -242,6 +242,9 @@ SteadyProblem read_steady(Scene& scene, bool with_load) {
     warn_outside(scene, safe_elements(problem.basis), "grid.elements",
                  static_cast<double>(problem.grid.size()), instead);
   }
+  if (entry.safe_steps) {
+    warn_near_full_sliding(scene, problem.load, problem.bound, problem.grid.size(), instead);
+  }
   return problem;
 }
 
@@ -297,6 +300,12 @@ TransientScene read_transient(Scene& scene) {
     require(ratio >= min_step_ratio, "step.ratio", ratio, "numbers >= 1e-15");
     warn_outside(scene, entry_of(problem.scheme).safe_steps, "step.ratio", ratio,
                  "step.scheme remembered");
+  }
+  if (!std::holds_alternative<Remembered>(problem.scheme)) {
+    warn_outside(scene, safe_elements(problem.basis), "grid.elements",
+                 static_cast<double>(problem.grid.size()), "step.scheme remembered");
+    warn_near_full_sliding(scene, loads.at(0), problem.bound, problem.grid.size(),
+                           "step.scheme remembered");
   }
   warn_of_missed_rows(scene, loads, step_ratios, problem.grid.spacing());
   const Load load = loads.at(0);
@@ -369,12 +378,24 @@ CylinderScene read_cylinder(Scene& scene) {
   return cylinder;
 }
 
-Model read_model(Scene& scene) {
+namespace {
+
+Model read_any(Scene& scene) {
   const std::string problem = scene.word("problem");
   if (problem == "transient") return read_transient(scene);
   if (problem == "cylinder") return read_cylinder(scene);
   if (scene.has("target_error")) return read_steady_target(scene);
   return read_steady(scene);
+}
+
+}  // namespace
+
+Model read_model(Scene& scene) {
+  try {
+    return read_any(scene);
+  } catch (const MissingKey& first) {
+    throw all_missing(scene, first, [](Scene& completed) { read_any(completed); });
+  }
 }
 
 Eigen::Index elements_of(const Model& model) {

@@ -64,7 +64,7 @@ void require_contacts(const LoadHistory& loads, const TransientProblem& problem)
   if ((narrowest != 1 || widest != 1) && !is_half_space(problem.kernel)) {
     throw std::invalid_argument(fmt::format(
         "columns normal_load and half_width: expected none that changes the half-width where the "
-        "kernel is no half-space's, but {}",
+        "kernel is {}, not a half-space",
         name_of(problem.kernel)));
   }
   with_keys([&] {

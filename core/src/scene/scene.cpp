@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -30,7 +31,7 @@ bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x
 
 /// A key that nobody knows may be the missing one, misspelt.
 /// \param near  a given key of a similar name; may be empty
-[[noreturn]] void reject_missing(const Scene& scene, const std::string& names,
+[[noreturn]] void reject_missing(const Scene& scene, const std::vector<std::string>& names,
                                  const std::string& near) {
   std::string misspelt = near, hint = suggestion(near);
   for (const std::string& key : scene.keys()) {
@@ -40,7 +41,13 @@ bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x
     misspelt = key;
     hint = fmt::format("; '{}' is no key{}", shown(key), suggestion(likely));
   }
-  throw BadParameter(misspelt, fmt::format("missing key '{}'{}", names, hint));
+  throw MissingKey(misspelt, names, hint);
+}
+
+/// The known key with an s more or less, as step.ratios of a study; empty if there is none.
+std::string in_other_number(const std::string& key, const std::vector<std::string>& known) {
+  const std::string other = key.ends_with('s') ? key.substr(0, key.size() - 1) : key + 's';
+  return std::ranges::find(known, other) == known.end() ? "" : other;
 }
 
 /// Removes all that sweeps a key, alone or together with others, except for one name. Returns how
@@ -170,7 +177,7 @@ void Scene::remove(const std::string& key) {
 const Scene::Value& Scene::value(const std::string& key) const {
   const auto found = values_.find(key);
   if (found != values_.end()) return found->second;
-  reject_missing(*this, key, nearest(key, keys()));
+  reject_missing(*this, {key}, nearest(key, keys()));
 }
 
 std::string Scene::at_most_one_of(const std::vector<std::string>& keys) const {
@@ -189,7 +196,7 @@ std::string Scene::at_most_one_of(const std::vector<std::string>& keys) const {
 std::string Scene::one_of(const std::vector<std::string>& keys) const {
   const std::string found = at_most_one_of(keys);
   if (!found.empty()) return found;
-  reject_missing(*this, joined(keys, "' or '"), nearest(keys.front(), this->keys()));
+  reject_missing(*this, keys, nearest(keys.front(), this->keys()));
 }
 
 const Key* Scene::known(std::string_view key) const {
@@ -255,7 +262,14 @@ double Scene::positive(const std::string& key) {
   return value;
 }
 
+/// Replaces ranges in a list by their numbers, as a sweep has them.
+void Scene::expand_ranges(const std::string& key) {
+  if (text(key).find(':') == std::string::npos) return;
+  replace(key, joined(swept_values(key, text(key)), " "));
+}
+
 std::vector<double> Scene::numbers(const std::string& key) {
+  expand_ranges(key);
   const std::string unit = unit_of(key);
   const bool takes_units = unit != "1";
   std::vector<double> values;
@@ -359,7 +373,8 @@ void Scene::reject_unread() const {
     const std::string why =
         elsewhere == nullptr
             ? fmt::format("unknown key '{}'{}", shown(key), suggestion(likely_key(key, known)))
-            : fmt::format("key '{}' has no role here: it is for {}", key,
+            : fmt::format("key '{}' has no role here{}: it is for {}", key,
+                          suggestion(in_other_number(key, known)),
                           elsewhere->role.empty() ? "scenes" : elsewhere->role);
     throw BadParameter(key, fmt::format("{}; known to this model: {}", why, joined(known, ", ")));
   }
@@ -370,7 +385,7 @@ void Scene::derive(const std::string& key, double value) {
 }
 
 void Scene::warn(const std::string& key, double value, const std::string& doubt) {
-  warn(key, format_short(value), doubt);
+  warn(key, fmt::format("{:.6g}", value), doubt);
 }
 
 void Scene::warn(const std::string& key, const std::string& value, const std::string& doubt) {

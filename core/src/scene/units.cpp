@@ -22,11 +22,12 @@ namespace microslip {
 
 namespace {
 
-/// The unit factor * 10^ten of mm, N and s, raised to these powers.
+/// The unit factor * 10^ten of mm, N, s and rad, raised to these powers. An angle counts as a
+/// dimension: 1/min of a wheel is one revolution a minute for some and one radian for others.
 struct Unit {
   double factor = 1;
   int ten = 0;
-  std::array<int, 3> powers = {};
+  std::array<int, 4> powers = {};
 };
 
 const std::map<std::string, Unit, std::less<>> symbols{
@@ -52,19 +53,22 @@ const std::map<std::string, Unit, std::less<>> symbols{
     {"s", {1, 0, {0, 0, 1}}},
     {"min", {60, 0, {0, 0, 1}}},
     {"h", {3.6, 3, {0, 0, 1}}},
-    {"rad", {}},
-    {"deg", {std::numbers::pi / 180, 0, {}}},
-    {"rev", {2 * std::numbers::pi, 0, {}}},
-    {"rpm", {2 * std::numbers::pi / 60, 0, {0, 0, -1}}},
+    {"rad", {1, 0, {0, 0, 0, 1}}},
+    {"deg", {std::numbers::pi / 180, 0, {0, 0, 0, 1}}},
+    {"rev", {2 * std::numbers::pi, 0, {0, 0, 0, 1}}},
+    {"rpm", {2 * std::numbers::pi / 60, 0, {0, 0, -1, 1}}},
 };
 
 /// Units for messages, besides the unit of the key.
-const std::map<std::string, std::string> others{
-    {"mm", "um, cm, m, in"},       {"N/mm^2", "Pa, kPa, MPa, GPa"},
-    {"N/mm", "N/m, kN/m"},         {"mm^3/N", "mm/MPa, um/MPa"},
-    {"mm/s", "cm/s, m/s"},         {"N s^2/mm^2", "kg/mm, kg/m, t/m"},
-    {"N s^2", "kg m, kg m^2/m"},   {"s", "ms"},
-    {"rad/s", "deg/s, rev/s, rpm"}};
+const std::map<std::string, std::string> others{{"mm", "um, cm, m, in"},
+                                                {"N/mm^2", "Pa, kPa, MPa, GPa"},
+                                                {"N/mm", "N/m, kN/m"},
+                                                {"mm^3/N", "mm/MPa, um/MPa"},
+                                                {"mm/s", "cm/s, m/s"},
+                                                {"N s^2/mm^2", "kg/mm, kg/m, t/m"},
+                                                {"N s^2", "kg m, kg m^2/m"},
+                                                {"s", "ms"},
+                                                {"rad/s", "rad/min, deg/s, rev/s, rev/min, rpm"}};
 
 /// The unit of a symbol with an optional power: "mm^2", "mm2", "mm".
 std::optional<Unit> power_of_symbol(std::string_view text) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace microslip {
 
@@ -10,6 +11,7 @@ namespace {
 
 template <class... Style>
 std::string to_string(double value, Style... style) {
+  if (std::isnan(value)) return "nan";  // of either sign
   std::array<char, 64> text;
   const double without_sign_of_zero = value + 0.0;
   const auto end =

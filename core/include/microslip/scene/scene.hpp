@@ -33,6 +33,22 @@ struct Warning {
 /// of for the same reason.
 std::string kind_of_warning(const std::string& line);
 
+/// A key that a scene needs and does not have.
+class MissingKey : public BadParameter {
+ public:
+  /// \param name  a given key that may be a misspelt one; may be empty
+  /// \param alternatives  keys of which one is needed
+  MissingKey(const std::string& name, const std::vector<std::string>& alternatives,
+             const std::string& hint);
+
+  const std::vector<std::string>& alternatives() const { return alternatives_; }
+  const std::string& hint() const { return hint_; }
+
+ private:
+  std::vector<std::string> alternatives_;
+  std::string hint_;
+};
+
 /// A column of a table file.
 struct FileColumn {
   FileColumn(const char* name_, const char* unit_, bool needed_ = true)
@@ -115,7 +131,7 @@ class Scene {
   double positive(const std::string& key);
 
   /// A list of finite numbers, separated by blanks; not empty. For a key with a unit, as for
-  /// quantities().
+  /// quantities(). Ranges are those of swept_values().
   std::vector<double> numbers(const std::string& key);
 
   /// A whole number, also as 1e5.
@@ -194,6 +210,7 @@ class Scene {
                                                       const std::vector<FileColumn>& wanted);
   const Value& value(const std::string& key) const;
   void put(const std::string& key, const std::string& text, const Place& place);
+  void expand_ranges(const std::string& key);
   void remove(const std::string& key);
   const Key& declared(const std::string& key) const;
   std::string unit_of(const std::string& key) const;
@@ -207,6 +224,13 @@ class Scene {
   std::vector<std::span<const Key>> declared_;
   FileReader read_file_;
 };
+
+/// The error of a missing key with the names of all that are missing, as far as they can be told
+/// without a value of those before them: the way a scene is read depends on words and files.
+/// \param scene  that was read
+/// \param read   reads it; called again, with values for the missing keys
+BadParameter all_missing(const Scene& scene, const MissingKey& first,
+                         const std::function<void(Scene&)>& read);
 
 /// Turns the error of an argument of core into the error of the key that gives the argument:
 /// "half_width = -1 ..." becomes "contact.half_width = -1 ...". Other errors are returned
