@@ -53,6 +53,12 @@ class TypedNumbers(unittest.TestCase):
                 self.assertNotEqual(typed_numbers(text[:place + 1] + " 42" + text[place + 1:]), [], text[place - 40:place])
 
 
+class Figures(unittest.TestCase):
+    def test_of_measured_times_are_refused(self):
+        for figure, refused in (("carter_traction", 0), ("fractional_power_cost", 1), ("speed_accuracy_force_time", 1)):
+            self.assertEqual(len(checked(f"\\studyfigure{{{figure}}}{{a}}{{b}}", "article.tex")), refused, figure)
+
+
 class Numbers(unittest.TestCase):
     def test_are_rounded_as_decimals(self):
         generator = random.Random(7)
