@@ -172,12 +172,15 @@ mutants: deps
 	@tools/mutants.py build/mutants $(JOBS) $(MUTANTS)
 
 # Without tests that count work or measure accuracy in long runs: other tests run the same code, and
-# `make test` runs them without sanitizers.
-LONG_RUNS := ^Cost\.|TurnsToCarter|HasNoNoiseWhereItIsSteep|SlipLosesTheEnergy
-LONG_RUNS := $(LONG_RUNS)|IsOfSecondOrderForAnyStep|SeveralStickZonesToo.*fractional|NarrowStripsAreEstimated|EstimateIsHonest
+# `make test` runs them without sanitizers. As many processes run the tests of units as there are jobs: to start
+# one for each test takes as long as the tests themselves.
+LONG_RUNS := Cost.*:*TurnsToCarter*:*HasNoNoiseWhereItIsSteep*:*SlipLosesTheEnergy*
+LONG_RUNS := $(LONG_RUNS):*IsOfSecondOrderForAnyStep*:*NarrowStripsAreEstimated*:*EstimateIsHonest*
 sanitize: deps
 	@$(call cmake_build,debug,--target unit_tests capi_tests corpus)
-	ctest --preset debug -L 'unit|capi|corpus' -E '$(LONG_RUNS)' -j $(JOBS)
+	ctest --preset debug -L 'capi|corpus' -j $(JOBS)
+	seq 0 $$(($(JOBS) - 1)) | GTEST_TOTAL_SHARDS=$(JOBS) xargs -P $(JOBS) -I {} env GTEST_SHARD_INDEX={} \
+	  build/debug/bin/unit_tests --gtest_brief=1 --gtest_filter='-$(LONG_RUNS)'
 
 # What ends a reader is written to build/fuzz/findings; what is new stays in build/fuzz/corpus.
 fuzz:

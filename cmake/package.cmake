@@ -9,7 +9,7 @@ endforeach()
 configure_package_config_file(cmake/microslip-config.cmake.in package/microslip-config.cmake
   INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/package/microslip-config-version.cmake
-  COMPATIBILITY SameMinorVersion)
+  COMPATIBILITY SameMajorVersion)  # of C; C++ is not promised to stay (docs/stability.md)
 install(FILES cmake/FindFFTW3.cmake
               ${PROJECT_BINARY_DIR}/package/microslip-config.cmake
               ${PROJECT_BINARY_DIR}/package/microslip-config-version.cmake

@@ -4,6 +4,8 @@
 
 usage: tools/accuracy.py ORDER_TESTS [--check]     with --check, only says where the page differs
 
+ORDER_TESTS is their program, or the folder in which a run of them left what it measured (MICROSLIP_ORDERS).
+
 A table stands between `<!-- orders: Suite.Test -->` and `<!-- end of orders -->`; sentences are the page's own. Numbers
 agree if orders differ by less than 0.05 and errors by less than a tenth: those of other processors do.
 """
@@ -74,11 +76,20 @@ def renewed(page, tests):
     return PLACE.sub(fill, page), found
 
 
-def main(program, check):
-    run = subprocess.run([program], stdout=subprocess.PIPE, text=True)
+def output_of(tests):
+    """What the program of the tests prints, or has left in a folder."""
+    if pathlib.Path(tests).is_dir():  # instances of a test have numbers
+        files = sorted(pathlib.Path(tests).iterdir(), key=lambda file: [int(part) if part.isdigit() else part
+                                                                        for part in re.split(r"(\d+)", file.name)])
+        return "".join(file.read_text(encoding="utf-8") for file in files)
+    run = subprocess.run([tests], stdout=subprocess.PIPE, text=True)
     if run.returncode != 0:
-        sys.exit(f"{program}: a test failed")
-    page, found = renewed(PAGE.read_text(encoding="utf-8"), measured(run.stdout))
+        sys.exit(f"{tests}: a test failed")
+    return run.stdout
+
+
+def main(tests, check):
+    page, found = renewed(PAGE.read_text(encoding="utf-8"), measured(output_of(tests)))
     for sentence in found:
         print(f"docs/accuracy.md: {sentence}")
     if check:

@@ -127,6 +127,7 @@ class Archive(unittest.TestCase):
             with self.subTest(name=name):
                 self.assertEqual(both[name if name.startswith("figures") else f"tables/{name}"], path.read_bytes())
         self.assertIn("figures/fractional_power_cost.svg", measured)
+        self.assertIn("figures/speed_accuracy_force_time.svg", measured)
         self.assertIn("tables/speed_accuracy/runs_timing.tsv", measured)
 
     def test_describes_itself(self):

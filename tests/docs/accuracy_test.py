@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""docs/accuracy.md has the orders that the order tests measure. Usage: accuracy_test.py ORDER_TESTS"""
+"""docs/accuracy.md has the orders that the order tests have measured. Usage: accuracy_test.py FOLDER_OF_ORDERS"""
 import subprocess
 import sys
 import unittest

@@ -4,7 +4,11 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <span>
 #include <string>
 #include <string_view>
@@ -12,6 +16,22 @@
 #include "microslip/support/convergence.hpp"
 
 namespace microslip {
+
+/// Appends a line to the file of the running test in the folder MICROSLIP_ORDERS, if there is such a
+/// variable of the environment. The first line of a test replaces what the file had.
+inline void keep_in_folder(const std::string& line) {
+  const char* folder = std::getenv("MICROSLIP_ORDERS");
+  if (folder == nullptr) return;
+  static std::string running;
+  const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
+  std::string name = fmt::format("{}.{}", test.test_suite_name(), test.name());
+  std::ranges::replace(name, '/', '_');
+  std::filesystem::create_directories(folder);
+  std::ofstream file(std::filesystem::path(folder) / name,
+                     name == running ? std::ios::app : std::ios::trunc);
+  file << line;
+  running = name;
+}
 
 /// Prints a line for tools/accuracy.py, whether the test passes or not: `[   ORDER  ]`, the test's
 /// name without its parameter, the problem, pairs of size and error, and the order. They are
@@ -34,7 +54,9 @@ inline double measured_order(std::string_view problem, std::span<const double> s
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     line += fmt::format("\t{:g}\t{:.2e}", sizes[i], std::abs(errors[i]));
   }
-  fmt::print("{}\t{:.2f}\n", line, order);
+  line += fmt::format("\t{:.2f}\n", order);
+  fmt::print("{}", line);
+  keep_in_folder(line);
   return order;
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "scene_text.hpp"
@@ -41,6 +42,19 @@ TEST(RoughBound, IsTheSameForTheSameSeedOnly) {
   EXPECT_EQ(one, profile_of({.amplitude = 0.1, .hurst = 0.7, .seed = 1}));
   const VectorXd other = profile_of({.amplitude = 0.1, .hurst = 0.7, .seed = 2});
   EXPECT_GT((one - other).norm(), 0.5 * one.norm());
+}
+
+// docs/stability.md promises these. They are sums over cosines in Python, with a mt19937_64 of its own.
+TEST(RoughBound, OfASeedStaysTheSameInAllVersions) {
+  const auto expect_at = [](unsigned seed, const std::array<double, 3>& expected) {
+    const TabulatedBound bound = rough_bound(hertz, {.amplitude = 0.5, .hurst = 0.8, .seed = seed});
+    const std::array<double, 3> rows = {512, 1024, 1700};  // of 0 to 2048
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      EXPECT_NEAR(bound(5 * (rows.at(i) / 1024 - 1)), expected.at(i), 1e-12 * 300);
+    }
+  };
+  expect_at(1, {127.64388642647204, 353.7090505678931, 385.12919734950896});
+  expect_at(4294967295U, {12.98711996743889, 279.9808751000045, 294.8542389818004});
 }
 
 // More rows add waves that are shorter than before.

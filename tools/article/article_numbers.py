@@ -229,11 +229,11 @@ def claims_of_the_thesis(results):
 
 
 def figures_of_the_thesis():
-    """A row for each script that says which figure of the thesis it shows."""
+    """A row for each script that says which figure of the thesis it shows, with the first sentence of its comment."""
     rows = []
     for script in ROOT.glob("plots/*_*.gp"):
         comment = " ".join(line.lstrip("# ") for line in re.match(r"(?:#.*\n)+", script.read_text(encoding="utf-8"))[0].splitlines())
-        if match := re.match(r"Thesis (Figs?\. [\d.]+(?: and [\d.]+)*|chapter \d+): (.+)", comment):
+        if match := re.match(r"Thesis (Figs?\. [\d.]+(?: and [\d.]+)*|chapter \d+): (.+?)(?:[.;] |\.?$)", comment):
             place = [int(part) for part in re.findall(r"\d+", match[1])]
             rows.append((place, f"{match[1]} & {in_tex(match[2])} & \\texttt{{{in_tex(script.stem)}}} \\\\"))
     return "\n".join(row for _, row in sorted(rows))

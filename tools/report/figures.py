@@ -165,5 +165,7 @@ def drawing(canvas, box, ranges, id, caption):
 
 
 def shows_measured_times(script):
-    """Whether a script of plots draws measured times, which differ from run to run."""
-    return bool(re.search(r"_timing\.tsv|^cost = \"time\"", script.read_text(encoding="utf-8"), re.MULTILINE))
+    """Whether a script of plots draws measured times, which differ from run to run, itself or by a script that it loads."""
+    text = script.read_text(encoding="utf-8")
+    loaded = [script.parent / name for name in re.findall(r'^load scripts\."/(\w+\.gpi)"', text, re.MULTILINE)]
+    return "_timing.tsv" in text or any(map(shows_measured_times, loaded))

@@ -10,8 +10,7 @@ namespace microslip::experiments {
 /// A shift without rolling from no tractions, for a polynomial bound in plane strain: the tractions
 /// of full sliding minus the tractions of full sliding on the stick zone under a smaller normal
 /// load, which are also a polynomial times square roots. Source: J. Jäger, Arch. Appl. Mech. 65
-/// (1995), 478; M. Ciavarella, Int. J. Solids Struct. 35 (1998), 2349. Accuracy: 1e-12 relative,
-/// tests/study/fretting_test.cpp
+/// (1995), 478; M. Ciavarella (1998). Accuracy: 1e-12 relative, tests/study/fretting_test.cpp
 class SuperposedShift {
  public:
   /// \param compliance  2 (1 - nu)/G  [mm^2/N]
