@@ -37,6 +37,14 @@ TEST_F(Warnings, TellOfUnsafeValues) {
   expect_warned(good_transient, "--set step.scheme=direct --set step.ratio=0.1",
                 "step.ratio = 0.1: this scheme is safe from 0.5 to 1.3; step.scheme remembered "
                 "is safe for any");
+  const std::string direct = "--set step.scheme=direct --set step.ratio=1 --set motion.distance=";
+  expect_warned(
+      good_transient, direct + "0.23",
+      "motion.distance = 0.23: cuts the last step to a step.ratio of 0.3, and the creepage "
+      "of the summary is its creepage; direct is safe from 0.5 on, step.scheme remembered "
+      "for any");
+  EXPECT_EQ(run(good_transient, direct + "0.2").error, "");
+  EXPECT_EQ(run(good_transient, direct + "0.23 --set step.scheme=remembered").error, "");
   // With the place on stderr alone: the tables are the same wherever the scene is.
   const Outcome of_file = run(good_scene + "leading_edge standard\nstep { ratio 0.1 }\n", "");
   const auto line = std::ranges::count(good_scene, '\n') + 2;

@@ -297,6 +297,11 @@ std::size_t number_of_steps(double distance, const std::vector<double>& lengths,
   return Schedule(distance, lengths, start).size();
 }
 
+double last_step(double distance, const std::vector<double>& lengths, double start) {
+  const Schedule schedule(distance, lengths, start);
+  return schedule.length(schedule.first() + schedule.size() - 1);
+}
+
 double end_of_whole_steps(double distance, const std::vector<double>& lengths) {
   return Schedule(distance, lengths).unlimited_distance();
 }

@@ -39,6 +39,17 @@ void warn_near_full_sliding(Scene& scene, const Load& load, const TractionBound&
                          format_short(safe_ratio), ratio, safe_elements, instead));
 }
 
+void warn_of_short_end(Scene& scene, const AdvectionScheme& scheme, double step_ratio,
+                       double distance) {
+  const AdvectionEntry& entry = entry_of(scheme);
+  if (step_ratio >= (1 - 1e-9) * entry.safe_steps.least) return;
+  scene.warn(
+      "motion.distance", distance,
+      fmt::format("cuts the last step to a step.ratio of {}, and the creepage of the summary "
+                  "is its creepage; {} is safe from {} on, step.scheme remembered for any",
+                  format_roughly(step_ratio), entry.name, format_short(entry.safe_steps.least)));
+}
+
 void warn_of_noise(Scene& scene, Eigen::Index elements, double step_ratio) {
   const double least = least_step_under_force(elements);
   if (step_ratio >= least) return;

@@ -24,6 +24,12 @@ void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, d
 void warn_near_full_sliding(Scene& scene, const Load& load, const TractionBound& bound,
                             Eigen::Index elements, const std::string& instead);
 
+/// Of a last step that the distance cuts shorter than the scheme is safe with: the summary has its
+/// creepage.
+/// \param step_ratio  of the last step  [1]
+void warn_of_short_end(Scene& scene, const AdvectionScheme& scheme, double step_ratio,
+                       double distance);
+
 /// Of creepages that are nothing but rounding, under a force.
 void warn_of_noise(Scene& scene, Eigen::Index elements, double step_ratio);
 

@@ -167,6 +167,9 @@ double stiffness(const TransientProblem& problem);
 /// \param start  in [0, distance)  [mm]
 std::size_t number_of_steps(double distance, const std::vector<double>& lengths, double start = 0);
 
+/// Length of the last one of these steps; the distance may cut it short  [mm]
+double last_step(double distance, const std::vector<double>& lengths, double start = 0);
+
 /// The end of the step that ends at a distance except for rounding; the distance if there is no
 /// such step. A run that ends there can be continued with the same bits as an uninterrupted run.
 double end_of_whole_steps(double distance, const std::vector<double>& lengths);
