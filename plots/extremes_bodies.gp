@@ -1,7 +1,7 @@
 # Steady rolling of bodies of different material by N = 51 elements: calibrated elements are right to 3 % up to 0.9 of
 # full sliding. Next to it a zone may be shorter than an element; a scene warns where the creepage is wrong by more.
 map = "bodies"
-across = "strain_ratio"
+across = "beta_over_mu"
 up = "load"
 names = "standard calibrated"
 label_across = "β/μ"

@@ -113,7 +113,7 @@ Map bodies_map(const ExtremesParameters& p) {
       "bodies",
       "steady rolling of bodies of different material in plane strain; errors are relative to "
       "the larger of the creepage and the creepage of like bodies",
-      {{"strain_ratio", "1", "beta/mu"}, {"load", "1", "force over full sliding, with its sign"}},
+      {{"beta_over_mu", "1", "beta/mu"}, {"load", "1", "force over full sliding, with its sign"}},
       {1, 0.5},
       {}};
   const Kernel kernel = PlaneKernel(p.material, p.length);

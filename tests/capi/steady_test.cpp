@@ -241,7 +241,10 @@ TEST(RollingInC, LargeCreepagesAreWarnedOf) {
   EXPECT_EQ(microslip_set_force(handle.get(), 0.5), MICROSLIP_OK);
   EXPECT_EQ(told(), "");
   const std::vector<double> dq{0.1, 0.1}, large{0.001, 0.75}, small{0.001, 0.002};
-  microslip_steps steps{.count = 2, .dq = dq.data(), .creepage = large.data()};
+  microslip_steps steps{};
+  steps.count = 2;
+  steps.dq = dq.data();
+  steps.creepage = large.data();
   EXPECT_EQ(microslip_roll(handle.get(), &steps, nullptr), MICROSLIP_OK);
   EXPECT_EQ(told(), "creepage = 0.75");
   steps.creepage = small.data();

@@ -206,8 +206,9 @@ TEST_F(BadScenes, BoundFiles) {
 }
 
 TEST_F(BadScenes, TheGoodTransientIsSolvedAndStartsTheNext) {
-  for (const std::string load : {"", " --set load.force=1.2", " --set step.scheme=direct",
-                                 " --set load.force= --set start.force=1 --set load.creepage=-9"}) {
+  for (const std::string load :
+       {"", " --set load.force=1.2", " --set step.scheme=direct --set motion.distance=0.3",
+        " --set load.force= --set start.force=1 --set load.creepage=-9"}) {
     EXPECT_EQ(run(good_transient, load).error, "");
     EXPECT_TRUE(fs::exists(out() / "history.tsv"));
     const std::string start =

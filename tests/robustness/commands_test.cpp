@@ -93,7 +93,8 @@ TEST_F(Commands, ExplainSaysTheScenesErrorsAndWarnings) {
 TEST_F(Commands, ExplainSaysWhichSteadyMethodRuns) {
   run_in_folder("init steady");
   const Outcome hertz = run_in_folder("explain steady.info");
-  EXPECT_NE(hertz.output.find("one stick zone is solved by inversion, to ten digits"), std::string::npos);
+  EXPECT_NE(hertz.output.find("one stick zone is solved by inversion, to ten digits"),
+            std::string::npos);
   const Outcome standard = run_in_folder("explain steady.info --set leading_edge=standard");
   EXPECT_NE(standard.output.find("differences over c = 1 elements, constant functions"),
             std::string::npos)

@@ -24,8 +24,8 @@ void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, d
 void warn_near_full_sliding(Scene& scene, const Load& load, const TractionBound& bound,
                             Eigen::Index elements, const std::string& instead);
 
-/// Of a last step that the distance cuts shorter than the scheme is safe with: the summary has its
-/// creepage.
+/// Of a last step that the distance cuts shorter than the scheme is safe with, under a force: the
+/// summary has its creepage.
 /// \param step_ratio  of the last step  [1]
 void warn_of_short_end(Scene& scene, const AdvectionScheme& scheme, double step_ratio,
                        double distance);

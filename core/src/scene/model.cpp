@@ -315,7 +315,8 @@ TransientScene read_transient(Scene& scene) {
   const double mean = std::accumulate(step_ratios.begin(), step_ratios.end(), 0.0) /
                       static_cast<double>(step_ratios.size());
   require_few_steps(distance, beginning.distance, mean * problem.grid.spacing());
-  if (entry_of(problem.scheme).safe_steps.holds(std::ranges::min(step_ratios))) {
+  if (std::holds_alternative<PrescribedForce>(load) &&
+      entry_of(problem.scheme).safe_steps.holds(std::ranges::min(step_ratios))) {
     std::vector<double> lengths = step_ratios;
     for (double& length : lengths) length *= problem.grid.spacing();
     warn_of_short_end(scene, problem.scheme,
