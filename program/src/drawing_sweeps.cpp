@@ -245,8 +245,6 @@ class Places {
     return static_cast<double>(found - all_.begin()) + 1;
   }
 
-  bool are_words() const { return words_; }
-
   /// As gnuplot wants them; empty for numbers.
   std::string tics() const {
     std::string text;
