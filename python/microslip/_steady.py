@@ -243,6 +243,10 @@ def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, b
     if beside not in (None, "fastsim"):
         raise InputError(f"beside = {beside!r}: expected None or 'fastsim'", "beside", repr(beside),
                          "None or 'fastsim'")
+    for load in ("creepage", "force"):
+        if load in overrides:
+            raise InputError(f"{load}: expected no loads, because a curve has its own; "
+                             f"ms.steady(scene, {load}=...) takes them", load, repr(overrides[load]), "no loads")
     contact = _read(scene, overrides)
     told, cores = shown_progress(progress), threads_of(threads)
     below = (3 * points + 3) // 4

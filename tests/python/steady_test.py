@@ -130,6 +130,9 @@ def test_a_curve_rises_to_full_sliding_and_stays_there(plane, points):
     for wrong in ({"points": 4}, {"points": 5.5}, {"most": 1}, {"most": np.nan}):
         with pytest.raises(ms.InputError, match=f"^{list(wrong)[0]} = "):
             ms.creep_curve(plane, **wrong)
+    for load in ("creepage", "force"):
+        with pytest.raises(ms.InputError, match=f"^{load}: expected no loads.*ms.steady"):
+            ms.creep_curve(plane, **{load: [0.001]})
 
 
 def test_a_sweep_is_its_cases_one_by_one(scene):
