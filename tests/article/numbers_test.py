@@ -13,7 +13,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tools/article"))
-from article_numbers import Results, checked, formatted, keys_of, number, shown, typed_numbers
+from article_numbers import Results, checked, figures_of_the_thesis, formatted, keys_of, number, shown, typed_numbers
 from tables import ReportError
 
 TABLES = Results(ROOT / "tests/reference_tables")
@@ -81,6 +81,12 @@ class Numbers(unittest.TestCase):
         self.assertEqual(number(TABLES, f"{cell}turning_points over carter/summary[step_ratio=0.1]turning_points|2"),
                          "\\ensuremath{2.4}")
         self.assertEqual(number(TABLES, "carter/claims[claim has accuracy]thesis_value|2"), "\\ensuremath{0.55}")
+
+    def test_of_figures_of_the_thesis_are_those_that_the_thesis_computes(self):
+        listed = [row.split(" & ")[0] for row in figures_of_the_thesis().splitlines()]
+        self.assertEqual(sorted(number for place in listed for number in re.findall(r"\d+(?:\.\d+)?", place)),
+                         sorted("1.1 4.1 4.2 4.3 5.1 6.1 6.2 6.3 6.4 6.5 6.6 6.7 6.8 6.9 7.1 7.2 8.1 8.2 8.3 8.4 9 "
+                                "10.1 10.2 10.3".split()))
 
     def test_are_refused_where_they_are_not_clear(self):
         for place in ("carter/summary turning_points|d", "carter/summary[]turning_points|d", "carter/summary[step_ratio=3]force|2",

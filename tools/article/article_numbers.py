@@ -233,9 +233,11 @@ def figures_of_the_thesis():
     rows = []
     for script in ROOT.glob("plots/*_*.gp"):
         comment = " ".join(line.lstrip("# ") for line in re.match(r"(?:#.*\n)+", script.read_text(encoding="utf-8"))[0].splitlines())
-        if match := re.match(r"Thesis (Figs?\. [\d.]+(?: and [\d.]+)*|chapter \d+): (.+?)(?:[.;] |\.?$)", comment):
+        if match := re.search(r"[Tt]hesis (Figs?\. \d+\.\d+(?: and \d+\.\d+)*|chapter \d+)", comment):
             place = [int(part) for part in re.findall(r"\d+", match[1])]
-            rows.append((place, f"{match[1]} & {in_tex(match[2])} & \\texttt{{{in_tex(script.stem)}}} \\\\"))
+            without = re.sub(r" \((?:thesis [^)]*|above|below|left|right)\)", "", comment)
+            shows = re.match(r"(.+?)(?:[.;:] |\.?$)", without)[1]
+            rows.append((place, f"{match[1]} & {in_tex(shows)} & \\texttt{{{in_tex(script.stem)}}} \\\\"))
     return "\n".join(row for _, row in sorted(rows))
 
 
