@@ -37,10 +37,7 @@ Case case_of(const ExtremesParameters& p, std::string_view scheme, const SteadyP
           .size = static_cast<double>(p.elements),
           .solve = [=, solved = solved_by(steady_scheme(scheme), problem)]() -> Finding {
             const SteadySolution found = solve_steady(solved);
-            return {.error = std::abs(found.creepage - truth->exact) / truth->scale,
-                    .condition = found.condition,
-                    .evidence = found.evidence,
-                    .iterations = static_cast<double>(found.iterations)};
+            return finding_of(found, std::abs(found.creepage - truth->exact) / truth->scale);
           }};
 }
 
@@ -55,11 +52,9 @@ double brush_creepage(const Brush& brush, double force) {
 }
 
 /// Returns the creepage by so many elements that four digits are right.
-double by_fine_elements(SteadyProblem problem) {
+double by_fine_elements(const SteadyProblem& problem) {
   constexpr Index finer = 41;
-  problem.grid =
-      Grid({.half_width = problem.grid.half_width(), .elements = finer * problem.grid.size()});
-  return solve_steady(solved_by(steady_scheme("calibrated"), problem)).creepage;
+  return creepage_by_elements(problem, finer * problem.grid.size());
 }
 
 /// Under a layer this many times as compliant as the half-space, the half-space changes the creepage

@@ -51,28 +51,21 @@ std::vector<TractionBound> bounds(const HertzBound& hertz) {
 
 /// Returns the creepage: by inversion with finer quadratures, or by so many elements that four
 /// digits are right.
-double truth_of(const Kernel& kernel, const TractionBound& bound, const Load& load) {
+double truth_of(const SteadyProblem& problem) {
   constexpr double finer = 2;
   constexpr Index elements = 8001;
   try {
-    const InvertedSolution found = InvertedRolling(kernel, bound, finer).solve(load);
+    const InvertedSolution found =
+        InvertedRolling(problem.kernel, problem.bound, finer).solve(problem.load);
     if (found.keeps_conditions()) return found.creepage();
   } catch (const NotConverged&) {
   }
-  return solve_steady({.kernel = kernel,
-                       .bound = bound,
-                       .grid = Grid({.half_width = half_width_of(bound), .elements = elements}),
-                       .method = Calibrated{},
-                       .load = load})
-      .creepage;
+  return creepage_by_elements(problem, elements);
 }
 
 Finding solve(const SteadyProblem& problem, double truth) {
   const SteadySolution found = solve_steady(problem);
-  return {.error = std::abs(found.creepage / truth - 1),
-          .condition = found.condition,
-          .evidence = found.evidence,
-          .iterations = static_cast<double>(found.iterations)};
+  return finding_of(found, std::abs(found.creepage / truth - 1));
 }
 
 }  // namespace
@@ -95,15 +88,14 @@ Map bounds_map(const ExtremesParameters& p) {
   for (const TractionBound& bound : bounds(p.bound)) {
     ++kind;
     for (const double part : p.bounds) {
-      const Load load = PrescribedForce{-part * full_sliding_force(bound)};
-      const auto truth = std::make_shared<const double>(truth_of(kernel, bound, load));
+      const SteadyProblem contact{
+          .kernel = kernel,
+          .bound = bound,
+          .grid = Grid({.half_width = p.bound.half_width(), .elements = p.elements}),
+          .load = PrescribedForce{-part * full_sliding_force(bound)}};
+      const auto truth = std::make_shared<const double>(truth_of(contact));
       for (const std::string_view scheme : schemes) {
-        const SteadyProblem problem =
-            solved_by(steady_scheme(scheme),
-                      {.kernel = kernel,
-                       .bound = bound,
-                       .grid = Grid({.half_width = p.bound.half_width(), .elements = p.elements}),
-                       .load = load});
+        const SteadyProblem problem = solved_by(steady_scheme(scheme), contact);
         map.cases.push_back({.scheme = std::string(scheme),
                              .place = {kind, part},
                              .size = static_cast<double>(p.elements),

@@ -14,6 +14,19 @@ std::string verdict_on(const Attempt& attempt, const Finding& found,
 
 }  // namespace
 
+Finding finding_of(const SteadySolution& found, double error) {
+  return {.error = error,
+          .condition = found.condition,
+          .evidence = found.evidence,
+          .iterations = static_cast<double>(found.iterations)};
+}
+
+double creepage_by_elements(SteadyProblem problem, Eigen::Index elements) {
+  problem.grid = problem.grid.with_elements(elements);
+  problem.method = Calibrated{};
+  return solve_steady(problem).creepage;
+}
+
 Outcome outcome_of(Runs& smaller, const Case& at, const ExtremesParameters::Limits& limits) {
   Finding found;
   const Attempt attempt = smaller.run(at.size, [&] { found = at.solve(); });

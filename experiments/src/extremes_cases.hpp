@@ -8,7 +8,7 @@
 #include "campaign.hpp"
 #include "microslip/experiments/claims.hpp"
 #include "microslip/experiments/extremes.hpp"
-#include "microslip/rolling/evidence.hpp"
+#include "microslip/rolling/steady.hpp"
 
 namespace microslip::experiments::extremes_study {
 
@@ -20,6 +20,13 @@ struct Finding {
   Evidence evidence;
   double iterations = not_given;
 };
+
+/// The finding of a solution, without the amplitude of waves.
+/// \param error  of the result that is not prescribed, relative  [1]
+Finding finding_of(const SteadySolution& found, double error);
+
+/// Returns the creepage by so many calibrated elements.
+double creepage_by_elements(SteadyProblem problem, Eigen::Index elements);
 
 /// One scheme at one place of a map.
 struct Case {

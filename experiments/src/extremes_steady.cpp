@@ -89,14 +89,12 @@ Finding solve(const Scheme& scheme, const Setting& setting, const Grid& grid, do
                                                       step_ratio));
   const Truth& truth = *setting.truth;
   const bool by_force = std::holds_alternative<PrescribedForce>(load);
-  return {.error = by_force
-                       ? relative(found.creepage, truth.creepage,
-                                  compliance(material_of(setting.kernel)) * setting.bound.peak())
-                       : relative(found.force, truth.force, setting.bound.total()),
-          .wiggle = wiggle_of(found.traction - truth.at(found.x)) / setting.bound.peak(),
-          .condition = found.condition,
-          .evidence = found.evidence,
-          .iterations = static_cast<double>(found.iterations)};
+  Finding finding = finding_of(
+      found, by_force ? relative(found.creepage, truth.creepage,
+                                 compliance(material_of(setting.kernel)) * setting.bound.peak())
+                      : relative(found.force, truth.force, setting.bound.total()));
+  finding.wiggle = wiggle_of(found.traction - truth.at(found.x)) / setting.bound.peak();
+  return finding;
 }
 
 /// Solves under the creepage and under the force; the finding is the worst of both.

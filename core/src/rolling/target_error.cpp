@@ -201,13 +201,12 @@ double error_of(const SteadyContact& contact, Index elements, const SteadySoluti
                       cost_of_unresolved_leading_slip(contact, fine) +
                       cost_of_unresolved_jumps(fine) + 2 * std::numeric_limits<double>::epsilon() +
                       cost_of(fine.evidence, contact);
-  double error = 0;
-  const auto take = [&](double other) { return cost + 3 * (error = std::max(error, other)); };
-  if (take(difference(elements / 4) / 2) > target) return cost + 3 * error;
+  double largest = difference(elements / 4) / 2;
   for (const Index fourteenths : {7, 8, 10, 12}) {
-    if (take(difference(elements * fourteenths / 14)) > target) break;
+    if (cost + 3 * largest > target) break;
+    largest = std::max(largest, difference(elements * fourteenths / 14));
   }
-  return cost + 3 * error;
+  return cost + 3 * largest;
 }
 
 }  // namespace

@@ -39,12 +39,14 @@ void warn_near_full_sliding(Scene& scene, const Load& load, const TractionBound&
                          format_short(safe_ratio), ratio, safe_elements, instead));
 }
 
-void warn_of_short_end(Scene& scene, const AdvectionScheme& scheme, double step_ratio,
-                       double distance) {
-  const AdvectionEntry& entry = entry_of(scheme);
+void warn_of_short_end(Scene& scene, const TransientScene& read) {
+  const AdvectionEntry& entry = entry_of(read.problem.scheme);
+  if (!entry.safe_steps.holds(std::ranges::min(read.step_ratios))) return;
+  const double step_ratio =
+      last_step(read.distance, read.step_lengths(), read.from) / read.problem.grid.spacing();
   if (step_ratio >= (1 - 1e-9) * entry.safe_steps.least) return;
   scene.warn(
-      "motion.distance", distance,
+      "motion.distance", read.distance,
       fmt::format("cuts the last step to a step.ratio of {}, and the creepage of the summary "
                   "is its creepage; {} is safe from {} on, step.scheme remembered for any",
                   format_roughly(step_ratio), entry.name, format_short(entry.safe_steps.least)));

@@ -7,6 +7,7 @@
 
 #include "microslip/rolling/load_history.hpp"
 #include "microslip/rolling/schemes.hpp"
+#include "microslip/scene/model.hpp"
 #include "microslip/scene/scene.hpp"
 
 namespace microslip {
@@ -25,10 +26,8 @@ void warn_near_full_sliding(Scene& scene, const Load& load, const TractionBound&
                             Eigen::Index elements, const std::string& instead);
 
 /// Of a last step that the distance cuts shorter than the scheme is safe with, under a force: the
-/// summary has its creepage.
-/// \param step_ratio  of the last step  [1]
-void warn_of_short_end(Scene& scene, const AdvectionScheme& scheme, double step_ratio,
-                       double distance);
+/// summary has its creepage. Steps that are all unsafe are warned of by themselves.
+void warn_of_short_end(Scene& scene, const TransientScene& read);
 
 /// Of creepages that are nothing but rounding, under a force.
 void warn_of_noise(Scene& scene, Eigen::Index elements, double step_ratio);

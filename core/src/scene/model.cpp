@@ -315,24 +315,18 @@ TransientScene read_transient(Scene& scene) {
   const double mean = std::accumulate(step_ratios.begin(), step_ratios.end(), 0.0) /
                       static_cast<double>(step_ratios.size());
   require_few_steps(distance, beginning.distance, mean * problem.grid.spacing());
-  if (std::holds_alternative<PrescribedForce>(load) &&
-      entry_of(problem.scheme).safe_steps.holds(std::ranges::min(step_ratios))) {
-    std::vector<double> lengths = step_ratios;
-    for (double& length : lengths) length *= problem.grid.spacing();
-    warn_of_short_end(scene, problem.scheme,
-                      last_step(distance, lengths, beginning.distance) / problem.grid.spacing(),
-                      distance);
-  }
+  TransientScene read{.problem = problem,
+                      .start = beginning.start,
+                      .shifts = beginning.shifts,
+                      .distance = distance,
+                      .step_ratios = step_ratios,
+                      .loads = loads,
+                      .from = beginning.distance};
   if (std::holds_alternative<PrescribedForce>(load)) {
+    warn_of_short_end(scene, read);
     for (const double ratio : judged) warn_of_noise(scene, problem.grid.size(), ratio);
   }
-  return {.problem = problem,
-          .start = beginning.start,
-          .shifts = beginning.shifts,
-          .distance = distance,
-          .step_ratios = step_ratios,
-          .loads = loads,
-          .from = beginning.distance};
+  return read;
 }
 
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator) {

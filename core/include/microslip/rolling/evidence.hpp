@@ -27,9 +27,9 @@ struct Evidence {
                           ///< transient, the larger of |w F| and the dissipation; for bodies of
                           ///< different material, the dissipation  [N/mm]
   double full_sliding = 0;  ///< the largest |F| that the bound allows  [N/mm]
-  double one_element =
-      0;  ///< for bodies of different material: what the bound allows in zones of one
-          ///< element, over the rest of |F| to full sliding  [1]
+  /// For bodies of different material: the force that the bound allows in zones of one element,
+  /// over the rest of |F| to full sliding  [1]
+  double one_element = 0;
 
   // Violations relative to the load or to the power; 0 without a load.
   double bound_violation() const;    ///< excess over load  [1]
