@@ -3,36 +3,38 @@
 load scripts."/microslip.gpi"
 traction = tables."/traction.tsv"
 history = tables."/history.tsv"
-rows_of_key = rows(lines + 1)
-height = 690 + key_height(lines + 1)
-top = 1 - key_height(lines + 1) / height
+eval add_bound
+eval key_height
+height = 695 + top
 eval page(640, height)
-set multiplot
-set lmargin at screen 0.15; set rmargin at screen 0.97
-set tmargin at screen top; set bmargin at screen top - 250./height
-eval "set xrange ".x_range
-set xlabel "x [mm], rolling to the right"
-set ylabel "traction p at the end [N/mm^2]"
-eval above(height)
-plot for [k=1:lines] traction using (of(k, column("x"))):"bound" with @bound_line title k == 1 ? "bound ±g" : "", \
-     for [k=1:lines] traction using (of(k, column("x"))):(-column("bound")) with @bound_line notitle, \
-     for [k=1:lines] traction using (of(k, column("x"))):"traction" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k) title label(k)
-unset key
-set autoscale xfix
-eval "set xrange ".q_range
-set yrange [*<0:0<*]
-unset xlabel
-set format x ""
-set tmargin at screen top - 320./height; set bmargin at screen top - 465./height
-set ylabel "force F [N/mm]"
-eval zero_axis(history, "q", "force", "no force")
-plot for [k=1:lines] history using (of(k, column("q"))):"force" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
-eval ordinary_axis
-set yrange [*<0:0<*]
-set format x "%g"
-set xlabel "distance rolled q [mm]"
-set ylabel "creepage w"
-eval zero_axis(history, "q", "creepage", "no creepage")
-set tmargin at screen top - 480./height; set bmargin at screen top - 625./height
-plot for [k=1:lines] history using (of(k, column("q"))):"creepage" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
-unset multiplot
+do for [pass=1:2] {
+  eval begin_pass
+  eval area(top, top + 250)
+  eval "set xrange ".x_range
+  set xlabel "x [mm], rolling to the right"
+  set ylabel "traction p at the end [N/mm^2]"
+  eval draw_key
+  eval drawn_tractions
+  eval end_panel
+  eval without_key
+  set autoscale xfix
+  eval "set xrange ".history_range
+  set yrange [*<0:0<*]
+  set xlabel ""
+  set format x ""
+  eval area(top + 320, top + 465)
+  set ylabel "force F [N/mm]"
+  eval flat_axis(history, "over", history_range, "force", "no force")
+  plot for [k=1:lines] history using (of(k, column("over"))):"force" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
+  eval end_panel
+  eval ordinary_axis
+  set yrange [*<0:0<*]
+  set format x "%g"
+  set xlabel said(history, "over")
+  set ylabel "creepage w"
+  eval flat_axis(history, "over", history_range, "creepage", "no creepage")
+  eval area(top + 483, top + 628)
+  plot for [k=1:lines] history using (of(k, column("over"))):"creepage" with lines linecolor rgb color(k) dashtype dash(k) linewidth width(k)
+  eval end_panel
+  unset multiplot
+}

@@ -18,7 +18,7 @@ set xtics offset 0,0.25
 set title offset 0,-0.4
 set grid linecolor "gray85" linewidth 0.6
 set xlabel offset 0,0.75
-set ylabel offset 0.9,0
+set ylabel offset (format eq "svg" ? 0.9 : 0),0
 set key samplen 2.2 spacing 1.15
 
 line_colours = "#0072b2 #d55e00 #009e73 #cc79a7 #e69f00 #56b4e9 #000000"
@@ -64,6 +64,6 @@ same(a, b) = abs(a - b) <= 1e-9 * abs(b)
 # On logarithmic axes, what is nothing but rounding.
 shown(error) = error < 1e-16 ? 1e-16 : error
 
-# What is shown of the horizontal axis, and of the distance rolled; draw.sh may have set them.
+# What is shown of the horizontal axis, and of the axis of a history; draw.sh may have set them.
 if (!exists("x_range")) x_range = "[*:*]"
-if (!exists("q_range")) q_range = "[*:*]"
+if (!exists("history_range")) history_range = "[*:*]"

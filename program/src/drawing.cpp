@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <stdexcept>
 
 #include "microslip/scene/text.hpp"
@@ -33,6 +34,47 @@ std::string on_scale(double part) {
     mixed += fmt::format("{:02x}", std::lround(std::lerp(stops[k][i], stops[k + 1][i], between)));
   }
   return mixed;
+}
+
+/// The byte at which a letter begins, at or before a place.
+std::size_t letter_at(const std::string& text, std::size_t place) {
+  const auto is_inside = [&] { return (static_cast<unsigned char>(text[place]) & 0xc0U) == 0x80U; };
+  while (place > 0 && place < text.size() && is_inside()) --place;
+  return place;
+}
+
+/// The length of what all texts begin with, up to the begin of a word or folder.
+std::size_t common_begin(const std::vector<std::string>& texts) {
+  std::size_t length = texts.front().size();
+  for (const std::string& text : texts) {
+    const auto ends = std::ranges::mismatch(texts.front(), text);
+    length = std::min(length, static_cast<std::size_t>(ends.in1 - texts.front().begin()));
+  }
+  const std::size_t end = texts.front().substr(0, length).find_last_of(" /");
+  return end == std::string::npos ? 0 : end + 1;
+}
+
+/// Labels that have room: those of results without the folders that all have in common, if one of
+/// them is too long, and then without its middle. Labels that have become the same have numbers.
+void fit_labels(std::vector<Line>& lines) {
+  std::vector<std::string> named;
+  bool is_long = false;
+  for (const Line& line : lines) {
+    if (line.label.empty() || line.is_exact) continue;
+    named.push_back(line.label);
+    is_long = is_long || line.label.size() > label_letters;
+  }
+  if (!is_long) return;
+  const std::size_t common = named.size() > 1 ? common_begin(named) : 0;
+  std::map<std::string, int> found;
+  for (Line& line : lines) {
+    if (line.label.size() <= common || line.is_exact) continue;
+    const std::string rest = common > 3 ? "…" + line.label.substr(common) : line.label;
+    line.label = fitted(rest, label_letters);
+    if (const int number = ++found[line.label]; number > 1) {
+      line.label = fitted(fmt::format("{}: {}", number, line.label), label_letters);
+    }
+  }
 }
 
 Table list_of(const std::vector<Line>& lines) {
@@ -76,6 +118,11 @@ void Extent::include(double value) {
   if (!std::isfinite(value)) return;
   least = std::min(least, value);
   most = std::max(most, value);
+  values.insert(value);
+}
+
+std::size_t Extent::count(double from, double to) const {
+  return static_cast<std::size_t>(std::distance(values.lower_bound(from), values.upper_bound(to)));
 }
 
 std::string color_of(std::size_t i, std::size_t count) {
@@ -85,8 +132,17 @@ std::string color_of(std::size_t i, std::size_t count) {
   return on_scale(static_cast<double>(i) / static_cast<double>(count - 1));
 }
 
+std::string fitted(const std::string& text, std::size_t letters) {
+  if (text.size() <= letters) return text;
+  const std::size_t begin = letter_at(text, letters / 3);
+  const std::size_t end = letter_at(text, text.size() - (letters - letters / 3 - 1));
+  return text.substr(0, begin) + "…" + text.substr(end);
+}
+
 void write_drawing(const Drawing& drawing, const fs::path& folder) {
-  std::vector<OutputFile> files{output_of(list_of(drawing.lines), "figure", drawing.axes)};
+  std::vector<Line> lines = drawing.lines;
+  fit_labels(lines);
+  std::vector<OutputFile> files{output_of(list_of(lines), "figure", drawing.axes)};
   for (const Table& table : drawing.tables) {
     files.push_back(output_of(table, "figure", drawing.axes));
   }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,12 @@ std::optional<double> number_of(const Cell& cell);
 struct Extent {
   double least = std::numeric_limits<double>::infinity();
   double most = -std::numeric_limits<double>::infinity();
+  std::set<double> values = {};
 
   void include(double value);
+
+  /// How many different numbers lie within a range.
+  std::size_t count(double from, double to) const;
 };
 
 /// A line of a figure.
@@ -50,6 +55,12 @@ std::string color_of(std::size_t i, std::size_t count);
 /// The colour of exact solutions.
 inline constexpr const char* black = "#000000";
 
+/// Letters of a label that have room in the key.
+inline constexpr std::size_t label_letters = 60;
+
+/// A text of a figure without the middle of it, if it is longer than so many letters.
+std::string fitted(const std::string& text, std::size_t letters);
+
 /// What a figure is drawn from.
 struct Drawing {
   std::string kind;              ///< of the script, PROGRAM_KIND.gp
@@ -58,13 +69,15 @@ struct Drawing {
   std::vector<Table> tables = {};
   Parameters axes = {};     ///< names of the axes and what else the script asks for
   Extent horizontal = {};   ///< of the horizontal axis, or of the positions in the contact
-  Extent distance = {};     ///< of the distance rolled; empty where no axis has it
+  Extent history = {};      ///< of distances rolled, or of times; empty without a history
+  std::string over = "q";   ///< what the axis of the history has: q, or t
   std::string unit = "mm";  ///< of the horizontal axis
 };
 
 /// Tractions, slip and histories of one scene or more, over one another, with exact solutions.
-/// \throws std::invalid_argument for kinds that do not go together
-Drawing drawing_of_scenes(const std::vector<Result>& results);
+/// \param over  horizontal axis of histories: "q", the distance rolled, or "t", the time; empty: q
+/// \throws std::invalid_argument for kinds that do not go together, and for times that are not there
+Drawing drawing_of_scenes(const std::vector<Result>& results, const std::string& over);
 
 /// What to show of a sweep, or of curves of creepage and force; all may be empty.
 struct SweepView {

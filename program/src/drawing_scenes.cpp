@@ -80,13 +80,13 @@ Table empty_table(const std::string& name, const Names& columns) {
   return {name, "lines of a figure", all};
 }
 
-/// \return  how far the first of the columns reaches
-void append(Table& table, std::size_t line, const Table& from, Extent& extent) {
+/// Adds the rows of a table.
+/// \param names   of its columns that are taken, in the order of the columns of `table`
+/// \param extent  takes the numbers of the first of them
+void append(Table& table, std::size_t line, const Table& from, const Names& names, Extent& extent) {
   for (std::size_t i = 0; i < from.rows(); ++i) {
     std::vector<Cell> row{fmt::format("{}", line)};
-    for (std::size_t k = 1; k < table.columns().size(); ++k) {
-      row.push_back(from.at(i, table.columns()[k].name));
-    }
+    for (const std::string& name : names) row.push_back(from.at(i, name));
     extent.include(number_of(row[1]).value_or(NAN));
     table.add(row);
   }
@@ -120,31 +120,65 @@ void leave_out_first_creepage(Table& history, std::size_t row) {
   if (row < history.rows()) history.put(row, "creepage", "NaN");
 }
 
+/// Columns of a kind's history that are drawn over distance or time.
+Names quantities_of(const std::string& kind) {
+  if (kind == "transient") return {"force", "creepage"};
+  return {"v", "force", "total", "potential", "X"};
+}
+
+/// The column of a history that has the distance rolled.
+std::string distance_column(const std::string& kind) { return kind == "transient" ? "q" : "X"; }
+
+void require_times(const Result& result, const Table& history) {
+  const Names names = names_of(history.columns());
+  if (std::ranges::find(names, "t") != names.end()) return;
+  throw std::invalid_argument(
+      fmt::format("--over t: '{}' has no times: expected a run whose load.file has columns t and v",
+                  shown(result.name)));
+}
+
+/// Adds the histories of all results, over distance or time.
+void add_histories(Drawing& drawing, const std::vector<Result>& results) {
+  if (drawing.over != "q" && drawing.over != "t") {
+    throw std::invalid_argument(fmt::format("--over '{}': expected q or t", shown(drawing.over)));
+  }
+  const std::string distance = distance_column(drawing.kind);
+  const bool over_time = drawing.over == "t";
+  const Names quantities = quantities_of(drawing.kind);
+  Names drawn{"over"}, taken{over_time ? "t" : distance};
+  drawn.insert(drawn.end(), quantities.begin(), quantities.end());
+  taken.insert(taken.end(), quantities.begin(), quantities.end());
+  drawing.axes.emplace_back(
+      "over", over_time ? "time t [s]" : fmt::format("distance rolled {} [mm]", distance));
+  Table all = empty_table("history", drawn);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const Table history = table_in(results[i].folder, "history").table;
+    if (over_time) require_times(results[i], history);
+    const std::size_t begin = all.rows();
+    append(all, i + 1, history, taken, drawing.history);
+    if (drawing.kind == "transient") leave_out_first_creepage(all, begin);
+  }
+  drawing.tables.push_back(all);
+}
+
 }  // namespace
 
-Drawing drawing_of_scenes(const std::vector<Result>& results) {
+Drawing drawing_of_scenes(const std::vector<Result>& results, const std::string& over) {
   Drawing drawing{.kind = common_kind(results)};
   const bool responds = drawing.kind == "response";
   const std::string first = responds ? "response" : "traction";
+  const Names columns = responds ? Names{"wavelength_ratio", "size", "phase"}
+                                 : Names{"x", "bound", "traction", "slip"};
   std::vector<Parameters> parameters;
-  drawing.tables.push_back(empty_table(first, responds ? Names{"wavelength_ratio", "size", "phase"}
-                                                       : Names{"x", "bound", "traction", "slip"}));
+  drawing.tables.push_back(empty_table(first, columns));
   if (responds) drawing.unit = "1";
-  const Names columns = drawing.kind == "transient" ? Names{"q", "force", "creepage"}
-                        : drawing.kind == "cylinder"
-                            ? Names{"X", "v", "force", "total", "potential"}
-                            : Names{};
-  if (!columns.empty()) drawing.tables.push_back(empty_table("history", columns));
   for (std::size_t i = 0; i < results.size(); ++i) {
     const WrittenTable table = table_in(results[i].folder, first);
     parameters.push_back(table.parameters);
-    append(drawing.tables[0], i + 1, table.table, drawing.horizontal);
-    if (columns.empty()) continue;
-    const std::size_t begin = drawing.tables[1].rows();
-    append(drawing.tables[1], i + 1, table_in(results[i].folder, "history").table,
-           drawing.distance);
-    if (drawing.kind == "transient") leave_out_first_creepage(drawing.tables[1], begin);
+    append(drawing.tables[0], i + 1, table.table, columns, drawing.horizontal);
   }
+  if (!over.empty()) drawing.over = over;
+  if (drawing.kind == "transient" || drawing.kind == "cylinder") add_histories(drawing, results);
   for (const std::string& label : labels_of(results, parameters)) {
     drawing.lines.push_back({label, color_of(drawing.lines.size(), results.size())});
   }

@@ -20,6 +20,8 @@ namespace {
 using Names = std::vector<std::string>;
 
 constexpr std::size_t most_lines = 24;
+constexpr std::size_t most_letters = 64;     // of the name of the horizontal axis
+constexpr std::size_t heading_letters = 74;  // over the key
 
 std::string text_of(const Cell& cell) {
   const auto* text = std::get_if<std::string>(&cell);
@@ -194,8 +196,9 @@ std::string with_unit(const std::string& name, const std::string& unit) {
 
 /// One combination of values of the families.
 struct Family {
-  std::string label;
-  std::string first;  ///< value of the first key
+  std::string label;   ///< keys and their values
+  std::string values;  ///< of the keys, in their order
+  std::string first;   ///< value of the first key
   std::vector<std::size_t> rows;
 };
 
@@ -209,6 +212,8 @@ std::vector<Family> families_of(const Cases& cases, const Axes& axes) {
       const std::string unit = cases.unit(key);
       family.label += fmt::format("{}{} = {}{}", family.label.empty() ? "" : ", ", key, value,
                                   unit == "1" ? "" : " " + unit);
+      family.values += fmt::format("{}{}{}", family.values.empty() ? "" : ", ", value,
+                                   unit == "1" ? "" : " " + unit);
       if (&key == &axes.families.front()) family.first = value;
     }
     const auto [at, is_new] = known.emplace(family.label, families.size());
@@ -249,14 +254,26 @@ class Places {
   std::string tics() const {
     std::string text;
     for (std::size_t k = 0; k < all_.size(); ++k) {
-      std::string word = all_[k];
+      std::string word = fitted(all_[k], most_letters);
       std::erase_if(word, [](char c) { return c == '"' || c == '\\'; });
       text += fmt::format("{}\"{}\" {}", k == 0 ? "(" : ", ", word, k + 1);
     }
-    return text.empty() ? "" : text + ")";
+    if (text.empty()) return "";
+    return (height() > 0 ? "rotate by 90 right offset 0,0 " : "") + text + ")";
+  }
+
+  /// Pixels that words take below the axis, beyond those of a line: more than none if they stand
+  /// upright, because side by side they would overlap.
+  std::size_t height() const {
+    constexpr std::size_t letter = 9, width = 450;
+    std::size_t longest = 0;
+    for (const std::string& word : all_) longest = std::max(longest, word.size());
+    if ((longest + 1) * letter * all_.size() <= width) return 0;
+    return letter * std::min(longest, most_letters);
   }
 
  private:
+  static constexpr std::size_t most_letters = 24;
   std::string over_;
   bool words_;
   Names all_;
@@ -289,6 +306,7 @@ struct Lines {
               "lines of a figure",
               {{"line", "1", "number of the line"}, {"x", "1", "place"}, {"y", "1", "value"}}};
   Extent x, y;
+  std::string heading = {};  ///< of the key: names of keys, where labels have no room for them
 
   template <class Value>
   void add(const Line& line, const Cases& cases, const Family& family, const Places& places,
@@ -325,11 +343,17 @@ void add_lines(Lines& lines, const Result& result, const Cases& cases, const Axe
   const Places places(cases, axes.over);
   const auto number = [&](std::size_t row) { return cases.number(row, axes.value); };
   const bool has_fastsim = axes.value == "force" && cases.has("fastsim_force");
+  const bool is_long = std::ranges::any_of(
+      families, [](const Family& family) { return family.label.size() > label_letters; });
+  const bool has_heading = is_long && results == 1;
+  if (has_heading) lines.heading = fitted(joined(axes.families, ", "), heading_letters);
   std::vector<Line> drawn;
   for (const Family& family : families) {
     const auto color =
         static_cast<std::size_t>(std::ranges::find(firsts, family.first) - firsts.begin());
-    const std::string label = family.label.empty() ? axes.value : family.label;
+    const std::string label = family.label.empty() ? axes.value
+                              : has_heading        ? family.values
+                                                   : family.label;
     const std::string drawn_color =
         results > 1 ? color_of(of_result, results) : color_of(color, firsts.size());
     const Line line{.label = results > 1 ? fmt::format("{}: {}", result.name, label) : label,
@@ -374,13 +398,15 @@ Drawing drawing_of_sweeps(const std::vector<Result>& results, const SweepView& v
     drawing.unit = cases.unit(axes.over);
     const std::string others =
         axes.together.empty() ? "" : ", with its own " + joined(axes.together, ", ");
-    drawing.axes = {{"x_label", with_unit(axes.over, drawing.unit) + others},
+    drawing.axes = {{"x_label", fitted(with_unit(axes.over, drawing.unit) + others, most_letters)},
                     {"y_label", with_unit(axes.value, cases.unit(axes.value))},
+                    {"x_tic_height", fmt::format("{}", places.height())},
                     {"x_tics", places.tics()}};
   }
   constexpr double wide = 30, very_wide = 1000;
   const bool has_words = !drawing.axes.back().second.empty();
   drawing.axes.emplace_back("x_log", !has_words && spans(lines.x, wide) ? "1" : "0");
+  drawing.axes.emplace_back("key_heading", lines.heading);
   drawing.axes.emplace_back("y_log", spans(lines.y, very_wide) ? "1" : "0");
   drawing.lines = lines.lines;
   drawing.tables.push_back(lines.table);

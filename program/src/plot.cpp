@@ -147,7 +147,7 @@ void reject_options_of(const Given& given, const std::vector<const char*>& names
   }
 }
 
-/// What --x or --q asks for, as gnuplot wants it.
+/// What --x, --q or --t asks for, as gnuplot wants it.
 std::string axis_of(const char* option, const Given& given, const Extent& extent,
                     const std::string& unit) {
   const std::string text = given[option].as<std::string>();
@@ -169,6 +169,7 @@ std::string axis_of(const char* option, const Given& given, const Extent& extent
     fail(fmt::format("a range that meets {} to {}{}", format_short(extent.least),
                      format_short(extent.most), in));
   }
+  if (extent.count(*least, *most) < 2) fail("a range with two rows of the table or more");
   return fmt::format("[{}:{}]", from.empty() ? "*" : format_full(*least),
                      to.empty() ? "*" : format_full(*most));
 }
@@ -234,7 +235,7 @@ fs::path folder_of_scripts() {
 }
 
 void draw_study(const std::string& study, const fs::path& folder, const Given& given) {
-  reject_options_of(given, {"x", "q", "over", "value", "by", "only"}, "a result of a scene");
+  reject_options_of(given, {"x", "q", "t", "over", "value", "by", "only"}, "a result of a scene");
   const std::vector<Figure> all = figures_of_study(folder_of_scripts(), study);
   if (all.empty()) reject(folder, fmt::format("the result of {} has no figures", shown(study)));
   const std::vector<Figure> figures = chosen(all, given);
@@ -258,20 +259,28 @@ Drawing drawing_of_tables(const Result& result, const std::string& column) {
   return drawing;
 }
 
+std::string text_of(const Given& given, const char* option) {
+  return given.count(option) == 0 ? "" : given[option].as<std::string>();
+}
+
 Drawing drawing_of(const std::vector<Result>& results, const Given& given) {
   const std::string& kind = results.front().kind;
   if (kind == "sweep" || kind == "curve") {
-    reject_options_of(given, {"q"}, "a transient or a cylinder");
-    const auto text = [&](const char* name) {
-      return given.count(name) == 0 ? std::string() : given[name].as<std::string>();
-    };
-    return drawing_of_sweeps(results, {.over = text("over"),
-                                       .value = text("value"),
-                                       .by = text("by"),
+    reject_options_of(given, {"q", "t"}, "a transient or a cylinder");
+    return drawing_of_sweeps(results, {.over = text_of(given, "over"),
+                                       .value = text_of(given, "value"),
+                                       .by = text_of(given, "by"),
                                        .only = given["only"].as<std::vector<std::string>>()});
   }
-  reject_options_of(given, {"over", "value", "by", "only"}, "a sweep or a curve");
-  if (kind != "converge" && kind != "shifts") return drawing_of_scenes(results);
+  reject_options_of(given, {"value", "by", "only"}, "a sweep or a curve");
+  if (kind != "converge" && kind != "shifts") {
+    const Drawing drawing = drawing_of_scenes(results, text_of(given, "over"));
+    if (drawing.history.values.empty()) {
+      reject_options_of(given, {"over"}, "a sweep, a curve, a transient or a cylinder");
+    }
+    return drawing;
+  }
+  reject_options_of(given, {"over"}, "a sweep, a curve, a transient or a cylinder");
   if (results.size() > 1) {
     throw std::invalid_argument(fmt::format("'{}': expected one result, as figures of {} take one",
                                             shown(results[1].name), kind));
@@ -287,11 +296,15 @@ void draw_results(const std::string& name, const std::vector<Result>& results, c
   if (given.count("x") != 0) {
     settings += fmt::format("x_range='{}';", axis_of("x", given, drawing.horizontal, drawing.unit));
   }
-  if (given.count("q") != 0) {
-    if (!(drawing.distance.least <= drawing.distance.most)) {
-      reject_options_of(given, {"q"}, "a transient or a cylinder");
-    }
-    settings += fmt::format("q_range='{}';", axis_of("q", given, drawing.distance, "mm"));
+  if (drawing.history.values.empty()) {
+    reject_options_of(given, {"q", "t"}, "a transient or a cylinder");
+  }
+  const bool over_time = drawing.over == "t";
+  reject_options_of(given, {over_time ? "q" : "t"}, over_time ? "--over q" : "--over t");
+  const char* axis = over_time ? "t" : "q";
+  if (given.count(axis) != 0) {
+    settings += fmt::format("history_range='{}';",
+                            axis_of(axis, given, drawing.history, over_time ? "s" : "mm"));
   }
   const fs::path script = folder_of_scripts() / fmt::format("{}_{}.gp", name, drawing.kind);
   if (drawing.tables.empty()) return draw(script, results.front().folder, figure, settings);
@@ -312,7 +325,11 @@ fs::path name_of_comparison(const std::vector<Result>& results) {
 void draw_scenes(const std::string& name, std::vector<Result> results, const Given& given) {
   const fs::path first = results.front().folder;
   std::vector<Figure> all{{results.front().kind, "", ""}};
-  if (results.size() == 1 && all.front().name == "transient" && has_loop(first)) {
+  const bool shows_history = std::ranges::any_of(
+      std::vector{"q", "t", "over"}, [&](const char* option) { return given.count(option) != 0; });
+  const bool is_shifts = text_of(given, "figure") == "shifts";
+  if (results.size() == 1 && all.front().name == "transient" && has_loop(first) &&
+      (is_shifts || !shows_history)) {
     all.push_back({"shifts", "", "_shifts"});
   }
   const std::vector<Figure> figures = chosen(all, given);
@@ -356,8 +373,10 @@ int plot(const std::string& name, int argc, const char* const* argv) {
         "to", word(),
         "file that ends in .svg, .png or .pdf (default: RESULT.svg, or RESULT_FIGURE.svg of one "
         "figure of several)")("x", word(), "a:b, range of the horizontal axis")(
-        "q", word(), "a:b, range of the distance rolled")(
-        "over", word(), "of a sweep: the key on the horizontal axis")(
+        "q", word(), "a:b, range of the distance rolled")("t", word(),
+                                                          "a:b, range of the time, with --over t")(
+        "over", word(),
+        "of a sweep: the key on the horizontal axis; of a run: t, the time, in the place of q")(
         "value", word(), "of a sweep: the quantity on the vertical axis")(
         "by", word(), "of a sweep: the key that colours tell apart")(
         "only", options::value<Words>()->default_value({}, ""),

@@ -150,13 +150,77 @@ TEST_F(Plots, RangesThatAreNone) {
   EXPECT_EQ(beyond.status, 1);
   EXPECT_TRUE(has(beyond.error, "--x '6:7': expected a range that meets -4.")) << beyond.error;
   expect_error("plot strip --q 0:1", "--q: expected a transient or a cylinder with it");
-  expect_error("plot strip --over load.force", "--over: expected a sweep or a curve with it");
+  expect_error("plot strip --over load.force",
+               "--over: expected a sweep, a curve, a transient or a cylinder with it");
   run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/carter --quick --out mine");
   expect_error("plot mine --x 0:1", "--x: expected a result of a scene with it");
   expect_error(
       "plot strip mine",
       "'mine': expected the folder of a result; figures of studies are drawn one at a time");
   EXPECT_FALSE(fs::exists(folder_ / "strip.svg"));
+}
+
+// A measured run is drawn over its times, or over the distance rolled; --t and --q are ranges of these.
+TEST_F(Plots, OverTimeOrDistance) {
+  run_in_folder("init run");
+  run_in_folder("run.info --set grid.elements=20 --set motion.distance=1400 --out ran");
+  const std::string over_q = drawn("ran", "ran.svg");
+  EXPECT_TRUE(has(over_q, ">distance rolled q [mm]<") && !has(over_q, "time t"));
+  EXPECT_EQ(drawn("ran --over q", "ran.svg"), over_q);
+  const std::string over_t = drawn("ran --over t", "ran.svg");
+  EXPECT_TRUE(has(over_t, ">time t [s]<") && !has(over_t, "distance rolled"));
+  EXPECT_TRUE(has(over_t, ">0.2<")) << "it ends after 0.2 s";
+  EXPECT_FALSE(has(drawn("ran --over t --t '10 ms:50 ms'", "ran.svg"), ">0.2<"));
+  drawn("ran ran --over t", "ran_and_ran.svg");
+  run_in_folder("init cylinder");
+  run_in_folder("cylinder.info --set grid.elements=20 --out rolls");
+  EXPECT_TRUE(has(drawn("rolls --over t --t :0.1", "rolls.svg"), ">time t [s]<"));
+  EXPECT_TRUE(has(drawn("rolls", "rolls.svg"), ">distance rolled X [mm]<"));
+}
+
+TEST_F(Plots, TimesThatAreNone) {
+  run_in_folder("init transient");
+  run_in_folder("transient.info --set grid.elements=20 --out rolled");
+  expect_error(
+      "plot rolled --over t",
+      "--over t: 'rolled' has no times: expected a run whose load.file has columns t and v");
+  expect_error("plot rolled --over force", "--over 'force': expected q or t");
+  expect_error("plot rolled --t 0:1", "--t: expected --over t with it");
+  expect_error("plot rolled --value force", "--value: expected a sweep or a curve with it");
+  run_in_folder("init run");
+  run_in_folder("run.info --set grid.elements=20 --set motion.distance=100 --out ran");
+  expect_error("plot ran --over t --q 0:1", "--q: expected --over q with it");
+  expect_error(
+      "plot ran rolled --over t",
+      "--over t: 'rolled' has no times: expected a run whose load.file has columns t and v");
+}
+
+// Between two rows there is nothing to draw, and gnuplot would say so in its own words.
+TEST_F(Plots, RangesBetweenRows) {
+  run_in_folder("init transient");
+  run_in_folder("transient.info --set grid.elements=20 --set 'start.force=-9 9 -9 9' --out rolled");
+  for (const std::string range : {"--q 0.1:0.2", "--q 0.4:0.5", "--x 0.1:0.2"}) {
+    expect_error("plot rolled " + range,
+                 range.substr(0, 4) + "'" + range.substr(4) +
+                     "': expected a range with two rows of the table or more");
+  }
+  drawn("rolled --q 0.4:1.1", "rolled.svg");
+  EXPECT_FALSE(fs::exists(folder_ / "rolled_shifts.svg")) << "it has no distance";
+}
+
+// A label that is too long for the key loses what all have in common, or its middle, but stays unique.
+TEST_F(Plots, LabelsHaveRoom) {
+  run_in_folder("init steady");
+  const std::string deep = "a_folder/with_a_long_name/and_another_folder/in_it/before_the_last";
+  for (const std::string name : {"one", "two"}) {
+    run_in_folder("steady.info --set grid.elements=20 --out " + deep + "/" + name);
+  }
+  const std::string two = drawn(deep + "/one " + deep + "/two --to two.svg", "two.svg");
+  EXPECT_TRUE(has(two, ">…one<") && has(two, ">…two<"));
+  const std::string one = "b_folder/with_a_long_name/and_another_folder/in_it/before_the_last";
+  run_in_folder("steady.info --set grid.elements=20 --out " + one + "/one");
+  const std::string same = drawn(deep + "/one " + one + "/one --to same.svg", "same.svg");
+  EXPECT_TRUE(has(same, ">a_folder/with_a_long…") || has(same, ">2: ")) << "two labels are alike";
 }
 
 class SweepPlots : public Plots {
@@ -225,6 +289,24 @@ TEST_F(Plots, OfNothingSayWhatIsNotThere) {
       "transient.info --set start.type=rest --set load.force= --set load.creepage=1e-3 --out rest");
   const std::string rolling = drawn("rest", "rest.svg");
   EXPECT_FALSE(has(rolling, "no force") || has(rolling, "no creepage"));
+}
+
+// An axis of one value has a range, and long labels have the names of their keys in one heading.
+TEST_F(SweepPlots, OfOneValueAndOfManyKeys) {
+  run_in_folder("init steady");
+  ASSERT_EQ(
+      run_in_folder("sweep steady.info --quiet --out s --set 'sweep.kernel.width=5 10'").status, 0);
+  drawn("s --value force", "s.svg");
+  drawn("s --value force --only kernel.width=5", "s.svg");
+  ASSERT_EQ(run_in_folder("sweep steady.info --quiet --out many --set 'sweep.kernel.width=5 10' "
+                          "--set 'sweep.contact.half_width=4.5 5' "
+                          "--set 'sweep.material.poisson_ratio=0.25 0.3' "
+                          "--set 'sweep.load.force=-100:-100:-900'")
+                .status,
+            0);
+  const std::string figure = drawn("many", "many.svg");
+  EXPECT_TRUE(has(figure, ">kernel.width, contact.half_width, material.poisson_ratio<"));
+  EXPECT_TRUE(has(figure, ">10 mm, 4.5 mm, 0.25<"));
 }
 
 TEST_F(SweepPlots, NameWhatIsNotThere) {
