@@ -19,7 +19,7 @@ set yrange [1e-5:20]
 set title "where the energy goes"
 set xrange [0:1.32*end]
 unset key
-do for [k=1:5] { set label k word(said, k) at end, abs(end_of(word(names, k))) * (k == 1 ? 1.5 : k == 2 ? 0.8 : 1) offset 0.5,0 textcolor rgb (k == 1 ? "#000000" : label_colour_of_line(k - 1)) }
+do for [k=1:5] { set label k word(said, k) at end, abs(end_of(word(names, k))) * (k == 1 ? 1.6 : k == 3 ? 0.7 : 1) offset 0.5,0 textcolor rgb (k == 1 ? "#000000" : label_colour_of_line(k - 1)) }
 plot energy using (at("remembered", "midpoint")):(-column("potential")) with lines linetype 7, \
      energy using (at("remembered", "midpoint")):"translation" with lines linetype 1, \
      energy using (at("remembered", "midpoint")):"rotation" with lines linetype 2, \

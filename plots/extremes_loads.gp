@@ -26,6 +26,7 @@ set lmargin at screen 0.53
 set rmargin at screen 0.84
 unset ylabel
 set xrange [0.5:5e-13]
+set xtics 1e3
 set xlabel "part that slides, 1 - a'"
 set title "to full stick" offset 0,-0.5
 plot for [i=1:words(names)] of(word(names, i)) using (good("sliding")):(shown(column("error"))) with linespoints linecolor rgb colour_of(word(names, i)) pointtype 7 pointsize 0.5, \

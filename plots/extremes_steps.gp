@@ -7,7 +7,7 @@ up = "elements"
 names = "standard known_edge trimmed calibrated inversion chebyshev"
 label_across = "step ratio c = dq/dx"
 label_up = "elements N"
-across_tics = "1e-12 1e-3 0.1 1 10 100"
+across_tics = "1e-12 1e-3 1 100"
 up_tics = "1 5 51 401 100001"
 sentence(k) = no_role ? (safe(scheme, "elements", "least") > 1 ? sprintf("right from N = %g on", safe(scheme, "elements", "least")) : "right for any N") : \
   safe(scheme, "step_ratio", "least") < 1e-9 && safe(scheme, "step_ratio", "most") >= 100 ? "right for any c" : \

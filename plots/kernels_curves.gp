@@ -5,7 +5,7 @@ load scripts."/kernels.gpi"
 of(k) = strcol("softness") eq softness(k) ? column("force_ratio") : NaN
 eval page(900, 410)
 set multiplot layout 1,2 margins 0.085,0.98,0.16,0.95 spacing 0.1
-set xlabel "creepage w |dF/dw|_0 over full sliding [1]" offset 0,0.2
+set xlabel "creepage w, times |dF/dw| at w = 0, over full sliding"
 set ylabel "force over full sliding [1]"
 set xrange [0:4]
 set yrange [0:1.05]

@@ -7,9 +7,9 @@ set logscale y
 set ylabel "factor per doubling of N [1]"
 set yrange [0.9:12]
 set ytics (1, 1.5, 2, 3, 4, 6, 8, 10)
-set bmargin 4.2
+set bmargin 4.6
 set xrange [-0.6:6.1]
-set xtics ("standard\nconstant" 0, "standard\nlinear" 1, "edge known\nconstant" 2, "edge known\nlinear" 3, "trimmed\nlinear" 4, "edge\nfunction" 5)
+set xtics ("standard\nconstant" 0, "standard\nlinear" 1, "edge\nknown,\nconstant" 2, "edge\nknown,\nlinear" 3, "trimmed\nlinear" 4, "edge\nfunction" 5)
 set boxwidth 0.45
 set key top right
 set arrow from -0.6, 2 to 6.1, 2 nohead linecolor "gray60" dashtype 2

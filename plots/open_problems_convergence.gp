@@ -6,7 +6,7 @@ orders = tables."/orders.tsv"
 names = "standard known_edge calibrated inversion"
 titles = "'thesis and CONTACT' 'edge known' 'calibrated edges' 'inversion: rounding'"
 # Where the labels stand, as factors above the ends of the lines.
-above = "1 1 0.8 1"
+above = "1 1.2 0.7 1"
 of(scheme) = strcol("scheme") eq scheme ? column("elements") : NaN
 least = 1e-17
 seen(name) = column(name) > least ? column(name) : least  # a logarithm has no zero

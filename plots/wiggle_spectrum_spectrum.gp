@@ -18,7 +18,7 @@ plot spectrum using (of("constant")):"condition" with lines linetype 1 title spr
      spectrum using (of("linear")):"condition" with lines linetype 2 title sprintf("linear, N = %d", n), \
      spectrum using (of("constant")):"condition_next" with lines linetype 1 dashtype 2 title sprintf("constant, N = %d", n + 1), \
      spectrum using (of("linear")):"condition_next" with lines linetype 2 dashtype 2 title sprintf("linear, N = %d", n + 1)
-set title "least |symbol| of B/c; real against imaginary parts"
+set title "least |symbol|; real to imaginary parts"
 set ylabel "least |symbol| [2(1-ν)/G], Σ|Re λ| / Σ|Im λ| [1]"
 set yrange [1e-9:2]
 set key bottom right

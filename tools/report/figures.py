@@ -29,6 +29,7 @@ class Figure:
     caption: str
     svg: str
     width: int
+    has_panels: bool  # side by side, which a phone shows one below the other
     is_map: bool  # has colours that are right on white only
 
 
@@ -149,7 +150,7 @@ def read_figure(path, prefix):
     colours = {element.get(key) for element in root.iter() for key in ("color", "fill", "stroke")}
     ranges = panels(canvas, int(size[1])) if int(size[1]) > PHONE else []
     svg = drawing(text_of(canvas, prefix), size[0], ranges, f"{prefix}all", caption)
-    return Figure(Path(path).stem, caption, svg, int(size[1]), len(colours) > MANY_COLOURS)
+    return Figure(Path(path).stem, caption, svg, int(size[1]), len(ranges) > 1, len(colours) > MANY_COLOURS)
 
 
 def drawing(canvas, box, ranges, id, caption):

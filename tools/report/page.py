@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The page: first screen, all claims, and a section for each study."""
 import math
+import re
 from collections import Counter
 from html import escape
 from pathlib import Path
@@ -19,6 +20,9 @@ MEANING = {
     "ours": "a finding of microslip, not a claim of the thesis",
     NOT_JUDGED: "the run has other parameters than the study",
 }
+# Sides of a figure in its caption; `right` alone may mean correct.
+SIDES = re.compile(r"\bLeft\b|\bRight\b|\bleft\b|(?<=\()right(?=\))|(?<=left and )right\b|(?<=[,;] )right\b")
+BELOW = {"Left": "Above", "Right": "Below", "left": "above", "right": "below"}
 WIDE = 800  # pixels, of figures with panels side by side
 
 
@@ -114,8 +118,7 @@ def summary_row(study):
     cells = "".join(f'<td class="count {verdict}">{counts[verdict] or "<i>·</i>"}</td>' for verdict in GIVEN)
     if study.not_judged:
         cells = f'<td class="count {NOT_JUDGED}" colspan="{len(GIVEN)}">{counts[NOT_JUDGED]} not judged</td>'
-    name = study.name.replace("_", "_<wbr>")
-    return f'<tr><td><a href="#{study.name}">{name}</a></td>{cells}</tr>'
+    return f'<tr><td><a href="#{study.name}">{study.name}</a></td>{cells}</tr>'
 
 
 def all_claims(studies):
@@ -170,11 +173,19 @@ def claim_card(claim):
 """
 
 
+def caption_of(figure):
+    """Where panels may stand one below the other, each name of a side has the word for that beside it."""
+    text = prose(figure.caption)
+    if not figure.has_panels:
+        return text
+    return SIDES.sub(lambda match: f'<span class="beside">{match[0]}</span><span class="below">{BELOW[match[0]]}</span>', text)
+
+
 def figure_block(figure, id):
     kind = (" map" if figure.is_map else "") + (" wide" if figure.width > WIDE else "")
     return (f'<figure id="{id}" class="{kind.strip()}" data-figure="{figure.name}" style="max-width:{figure.width}px">'
             f'<div class="drawing">{figure.svg}</div>'
-            f"<figcaption>{prose(figure.caption)} <code>{figure.name}</code></figcaption></figure>\n")
+            f"<figcaption>{caption_of(figure)} <code>{figure.name}</code></figcaption></figure>\n")
 
 
 def exhibit(study, figure):

@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""All figures in Chromium, on a desktop and on a phone: every text lies inside its picture, and no two texts overlap.
+Figures are those of the studies, by themselves and in the report, the sketches of the pages, and those that `microslip plot`
+draws of results of every kind.
+Usage: texts_test.py PROGRAMS FIGURES_FOLDER WORK_FOLDER; exit status 77 if there is no Chromium."""
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "browser"))
+import webdriver
+from quick_results import ROOT, link_results, make_report
+
+PROGRAMS, FIGURES, WORK = (Path(word).resolve() for word in sys.argv[1:])
+WIDTHS = (1280, 390)
+IN_BROWSER = Path(__file__).with_name("texts.js").read_text(encoding="utf-8")
+BOUNDS = [f"a_file_with_a_long_name_of_a_bound_{i}.tsv" for i in range(4)]
+SWEEP = "sweep steady.info --quiet --set load.force= --out"
+
+# What makes a result, by words of a command line.
+RESULTS = """
+steady.info --out steady
+steady.info --set load.force=-0.001 --out little
+steady.info --set kernel.type=plane --set kernel.width= --set kernel.length=50 --out plane
+wheel.info --out wheel
+transient.info --out transient
+transient.info --set step.ratio=0.5 --out fine
+transient.info --set start.force="-100 100 -100 100" --out shifts
+run.info --out run
+cylinder.info --set grid.elements=20 --out cylinder
+sweep sweep.info --quiet --out sweep
+SWEEP words --set sweep.load.creepage=1e-4:log4:1e-2 --set sweep.leading_edge="calibrated standard inversion known_edge"
+SWEEP many --set sweep.load.creepage=1e-4:log4:1e-2 --set sweep.leading_edge="calibrated standard" \
+ --set sweep.kernel.width="5 10" --set sweep.contact.half_width="4.5123 5.3123" --set sweep.material.poisson_ratio="0.25 0.3"
+SWEEP files --set contact.peak_traction= --set load.creepage=1e-3 --set sweep.contact.bound_file="BOUNDS"
+curve steady.info --quiet --out curve
+converge steady.info --quiet --out converge
+converge transient.info --quiet --out converge_transient
+response steady.info --out response
+response steady.info --set load.force=-100 --out response_of_little
+"""
+# What is drawn of them, by the names of the figures.
+PLOTS = {"steady": "steady", "little": "little", "plane": "plane", "wheel": "wheel", "transient": "transient", "run": "run",
+         "cylinder": "cylinder", "sweep": "sweep", "curve": "curve", "converge": "converge",
+         "converge_transient": "converge_transient", "response": "response", "shifts": "shifts --figure shifts",
+         "three": "steady little plane", "long": "DEEP/steady DEEP/little DEEP/plane", "tractions": "steady run cylinder",
+         "edge": "steady little --x 4.7:4.9", "transients": "transient fine", "begin": "run --q 10:100", "time": "run --over t",
+         "early": "run --over t --t 0.1:0.2", "cylinder_time": "cylinder --over t", "words": "words",
+         "upright": "files", "names": "words --over leading_edge", "many": "many", "responses": "response response_of_little"}
+
+
+def run(words):
+    return subprocess.run(f"'{PROGRAMS}/microslip' {words}", shell=True, cwd=WORK, capture_output=True, text=True)
+
+
+def page_of(figures):
+    """A page with figures as they are, scaled down where the window is narrow."""
+    bodies = [f'<figure id="{figure.stem}">' + re.sub(r"<\?xml.*?\?>|<!DOCTYPE[^>]*>", "", figure.read_text(encoding="utf-8"),
+                                                      flags=re.DOTALL) + "</figure>" for figure in figures]
+    return ('<!DOCTYPE html><meta charset="utf-8"><meta name="viewport" content="width=device-width">'
+            "<style>figure { margin: 0 } svg { display: block; max-width: 100%; height: auto }</style>" + "\n".join(bodies))
+
+
+class Texts(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = webdriver.Browser()
+        cls.addClassCleanup(cls.browser.close)
+        for number, bound in enumerate(BOUNDS):
+            (WORK / bound).write_text(f"x\tbound\n-5\t0\n{number - 2}\t300\n5\t0\n", encoding="utf-8")
+        for kind in ("steady", "wheel", "transient", "run", "cylinder", "sweep"):
+            run(f"init {kind}")
+        for words in RESULTS.replace("\\\n", "").strip().splitlines():
+            made = run(words.replace("SWEEP", SWEEP).replace("BOUNDS", " ".join(BOUNDS)))
+            assert made.returncode == 0, words + made.stderr
+
+    def problems(self, page, width):
+        self.browser.emulate(width)
+        self.browser.open(page)
+        return self.browser.run(IN_BROWSER)
+
+    def expect_none(self, figures):
+        page = WORK / "page.html"
+        page.write_text(page_of(figures), encoding="utf-8")
+        for width in WIDTHS:
+            with self.subTest(width=width):
+                self.assertEqual(self.problems(page, width), [])
+
+    def test_studies(self):
+        figures = sorted(FIGURES.glob("*/*.svg"))
+        self.assertGreater(len(figures), 60)
+        self.expect_none(figures)
+
+    def test_report(self):
+        page = WORK / "report.html"
+        made = make_report(link_results(FIGURES, WORK / "results"), page)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        for width in WIDTHS:
+            with self.subTest(width=width):
+                self.assertEqual(self.problems(page, width), [])
+
+    def test_pages(self):
+        self.expect_none(sorted(ROOT.glob("docs/*.svg")))
+
+    def test_sketch_is_what_its_script_draws(self):
+        drawn = WORK / "signs.svg"
+        subprocess.run([ROOT / "plots/draw.sh", ROOT / "plots/signs.gp", WORK, drawn], check=True)
+        made, kept = drawn.read_text(encoding="utf-8"), (ROOT / "docs/signs.svg").read_text(encoding="utf-8")
+        version = re.compile("Produced by (GNUPLOT.*)<")
+        if version.search(made)[1] != version.search(kept)[1]:
+            self.skipTest("another version of gnuplot")
+        self.assertEqual(made, kept)
+
+    def test_own_results(self):
+        figures = []
+        for name, words in PLOTS.items():
+            figures.append(WORK / f"own_{name}.svg")
+            drawn = run(f"plot {words.replace('DEEP', str(WORK))} --to {figures[-1].name}")
+            self.assertEqual((drawn.returncode, drawn.stderr), (0, ""), words)
+        self.expect_none(figures)
+
+    def test_problems_are_found(self):
+        """Texts that are moved out of the picture, onto one another or onto a sample, and a blank that is lost."""
+        figure = ('<svg viewBox="0 0 400 200" xmlns="http://www.w3.org/2000/svg" font-size="14">'
+                  '<polygon points="20,90 34,90 34,104 20,104" fill="red"/><text x="{x}" y="{y}">one text</text>'
+                  '<text x="200" y="100">another<tspan>{blank}</tspan>text</text></svg>')
+        for what, values, found in (("nothing", (100, 50, ","), None), ("out", (-8, 50, ","), "out of the picture"),
+                                    ("above", (100, 6, ","), "out of the picture"), ("over", (230, 105, ","), "overlap"),
+                                    ("near", (140, 100, ","), "overlap"), ("sample", (30, 100, ","), "on a sample"),
+                                    ("blank", (100, 50, "  "), "lost a blank")):
+            with self.subTest(what):
+                text = figure.format(**dict(zip(("x", "y", "blank"), values)))
+                (WORK / "figure.svg").write_text(text, encoding="utf-8")
+                (WORK / "page.html").write_text(page_of([WORK / "figure.svg"]), encoding="utf-8")
+                said = self.problems(WORK / "page.html", 1280)
+                self.assertTrue(any(found in line for line in said) if found else not said, said)
+
+
+if __name__ == "__main__":
+    if webdriver.missing():
+        print(f"skipped: {webdriver.missing()} is not installed; `tools/deps.sh browser` does it")
+        sys.exit(77)
+    shutil.rmtree(WORK, ignore_errors=True)
+    WORK.mkdir(parents=True)
+    unittest.main(argv=sys.argv[:1])
