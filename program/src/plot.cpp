@@ -147,7 +147,7 @@ void reject_options_of(const Given& given, const std::vector<const char*>& names
   }
 }
 
-/// What --x, --q or --t asks for, as gnuplot wants it.
+/// What --x, --q or --time asks for, as gnuplot wants it.
 std::string axis_of(const char* option, const Given& given, const Extent& extent,
                     const std::string& unit) {
   const std::string text = given[option].as<std::string>();
@@ -235,7 +235,8 @@ fs::path folder_of_scripts() {
 }
 
 void draw_study(const std::string& study, const fs::path& folder, const Given& given) {
-  reject_options_of(given, {"x", "q", "t", "over", "value", "by", "only"}, "a result of a scene");
+  reject_options_of(given, {"x", "q", "time", "over", "value", "by", "only"},
+                    "a result of a scene");
   const std::vector<Figure> all = figures_of_study(folder_of_scripts(), study);
   if (all.empty()) reject(folder, fmt::format("the result of {} has no figures", shown(study)));
   const std::vector<Figure> figures = chosen(all, given);
@@ -266,7 +267,7 @@ std::string text_of(const Given& given, const char* option) {
 Drawing drawing_of(const std::vector<Result>& results, const Given& given) {
   const std::string& kind = results.front().kind;
   if (kind == "sweep" || kind == "curve") {
-    reject_options_of(given, {"q", "t"}, "a transient or a cylinder");
+    reject_options_of(given, {"q", "time"}, "a transient or a cylinder");
     return drawing_of_sweeps(results, {.over = text_of(given, "over"),
                                        .value = text_of(given, "value"),
                                        .by = text_of(given, "by"),
@@ -297,11 +298,11 @@ void draw_results(const std::string& name, const std::vector<Result>& results, c
     settings += fmt::format("x_range='{}';", axis_of("x", given, drawing.horizontal, drawing.unit));
   }
   if (drawing.history.values.empty()) {
-    reject_options_of(given, {"q", "t"}, "a transient or a cylinder");
+    reject_options_of(given, {"q", "time"}, "a transient or a cylinder");
   }
   const bool over_time = drawing.over == "t";
-  reject_options_of(given, {over_time ? "q" : "t"}, over_time ? "--over q" : "--over t");
-  const char* axis = over_time ? "t" : "q";
+  reject_options_of(given, {over_time ? "q" : "time"}, over_time ? "--over q" : "--over t");
+  const char* axis = over_time ? "time" : "q";
   if (given.count(axis) != 0) {
     settings += fmt::format("history_range='{}';",
                             axis_of(axis, given, drawing.history, over_time ? "s" : "mm"));
@@ -325,8 +326,9 @@ fs::path name_of_comparison(const std::vector<Result>& results) {
 void draw_scenes(const std::string& name, std::vector<Result> results, const Given& given) {
   const fs::path first = results.front().folder;
   std::vector<Figure> all{{results.front().kind, "", ""}};
-  const bool shows_history = std::ranges::any_of(
-      std::vector{"q", "t", "over"}, [&](const char* option) { return given.count(option) != 0; });
+  const bool shows_history =
+      std::ranges::any_of(std::vector{"q", "time", "over"},
+                          [&](const char* option) { return given.count(option) != 0; });
   const bool is_shifts = text_of(given, "figure") == "shifts";
   if (results.size() == 1 && all.front().name == "transient" && has_loop(first) &&
       (is_shifts || !shows_history)) {

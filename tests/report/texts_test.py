@@ -49,7 +49,7 @@ PLOTS = {"steady": "steady", "little": "little", "plane": "plane", "wheel": "whe
          "converge_transient": "converge_transient", "response": "response", "shifts": "shifts --figure shifts",
          "three": "steady little plane", "long": "DEEP/steady DEEP/little DEEP/plane", "tractions": "steady run cylinder",
          "edge": "steady little --x 4.7:4.9", "transients": "transient fine", "begin": "run --q 10:100", "time": "run --over t",
-         "early": "run --over t --t 0.1:0.2", "cylinder_time": "cylinder --over t", "words": "words",
+         "early": "run --over t --time 0.1:0.2", "cylinder_time": "cylinder --over t", "words": "words",
          "upright": "files", "names": "words --over leading_edge", "many": "many", "responses": "response response_of_little"}
 
 

@@ -160,7 +160,7 @@ TEST_F(Plots, RangesThatAreNone) {
   EXPECT_FALSE(fs::exists(folder_ / "strip.svg"));
 }
 
-// A measured run is drawn over its times, or over the distance rolled; --t and --q are ranges of these.
+// A measured run is drawn over its times, or over the distance rolled; --time and --q are ranges of these.
 TEST_F(Plots, OverTimeOrDistance) {
   run_in_folder("init run");
   run_in_folder("run.info --set grid.elements=20 --set motion.distance=1400 --out ran");
@@ -170,11 +170,11 @@ TEST_F(Plots, OverTimeOrDistance) {
   const std::string over_t = drawn("ran --over t", "ran.svg");
   EXPECT_TRUE(has(over_t, ">time t [s]<") && !has(over_t, "distance rolled"));
   EXPECT_TRUE(has(over_t, ">0.2<")) << "it ends after 0.2 s";
-  EXPECT_FALSE(has(drawn("ran --over t --t '10 ms:50 ms'", "ran.svg"), ">0.2<"));
+  EXPECT_FALSE(has(drawn("ran --over t --time '10 ms:50 ms'", "ran.svg"), ">0.2<"));
   drawn("ran ran --over t", "ran_and_ran.svg");
   run_in_folder("init cylinder");
   run_in_folder("cylinder.info --set grid.elements=20 --out rolls");
-  EXPECT_TRUE(has(drawn("rolls --over t --t :0.1", "rolls.svg"), ">time t [s]<"));
+  EXPECT_TRUE(has(drawn("rolls --over t --time :0.1", "rolls.svg"), ">time t [s]<"));
   EXPECT_TRUE(has(drawn("rolls", "rolls.svg"), ">distance rolled X [mm]<"));
 }
 
@@ -185,7 +185,7 @@ TEST_F(Plots, TimesThatAreNone) {
       "plot rolled --over t",
       "--over t: 'rolled' has no times: expected a run whose load.file has columns t and v");
   expect_error("plot rolled --over force", "--over 'force': expected q or t");
-  expect_error("plot rolled --t 0:1", "--t: expected --over t with it");
+  expect_error("plot rolled --time 0:1", "--time: expected --over t with it");
   expect_error("plot rolled --value force", "--value: expected a sweep or a curve with it");
   run_in_folder("init run");
   run_in_folder("run.info --set grid.elements=20 --set motion.distance=100 --out ran");
