@@ -375,7 +375,7 @@ int plot(const std::string& name, int argc, const char* const* argv) {
         "to", word(),
         "file that ends in .svg, .png or .pdf (default: RESULT.svg, or RESULT_FIGURE.svg of one "
         "figure of several)")("x", word(), "a:b, range of the horizontal axis")(
-        "q", word(), "a:b, range of the distance rolled")("t", word(),
+        "q", word(), "a:b, range of the distance rolled")("time", word(),
                                                           "a:b, range of the time, with --over t")(
         "over", word(),
         "of a sweep: the key on the horizontal axis; of a run: t, the time, in the place of q")(
