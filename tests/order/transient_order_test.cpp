@@ -15,7 +15,7 @@
 namespace microslip {
 namespace {
 
-const Material material{1.44, 0.28};  // K mu p0 a = 1
+const Material material{1.44, 0.28};  // 2 (1 - nu)/G mu p0 = 1
 constexpr double length = 200;
 const double force = -0.64 * std::numbers::pi / 2;
 
