@@ -50,7 +50,7 @@ std::string color_of(std::size_t i, std::size_t count);
 /// The colour of exact solutions.
 inline constexpr const char* black = "#000000";
 
-/// What a figure is drawn from.
+/// The data of a figure.
 struct Drawing {
   std::string kind;              ///< of the script, PROGRAM_KIND.gp
   std::vector<Line> lines = {};  ///< in the order of their numbers, from 1
@@ -66,7 +66,7 @@ struct Drawing {
 /// \throws std::invalid_argument for kinds that do not go together
 Drawing drawing_of_scenes(const std::vector<Result>& results);
 
-/// What to show of a sweep, or of curves of creepage and force; all may be empty.
+/// Selects what a figure shows of a sweep, or of curves of creepage and force; all may be empty.
 struct SweepView {
   std::string over;               ///< column of the horizontal axis
   std::string value;              ///< of the vertical one
