@@ -206,8 +206,8 @@ TEST_P(MotionFromRest, IsSecondOrder) {
   }
 }
 
-// Of time steps alone, on one grid: where the body swings, where it rolls a few elements in a
-// swing, and where it slides; with tolerances by which most steps are shortened.
+// The error of time steps alone, on one grid, is measured where the body swings, where it rolls a
+// few elements in a swing, and where it slides; with tolerances by which most steps are shortened.
 TEST(StepsByATolerance, HaveItsErrorAndAreFewerThanEqualOnes) {
   for (const auto& [slope_force, saved] :
        {std::pair{0.05, 1.05}, std::pair{0.3, 1.25}, std::pair{3.0, 1.7}}) {
