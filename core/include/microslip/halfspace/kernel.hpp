@@ -126,8 +126,8 @@ class LayeredKernel {
 /// the last row on, it goes on as between the last two: a half-space and a layer, pi k + C kappa; as
 /// a half-space alone where kappa K^ falls there, and as a layer alone where K^ rises.
 /// Before the first row K^ keeps its first value, so that K vanishes far away: the bodies are of
-/// finite thickness. With \f$ \Psi(\theta)=\sin\theta/\theta-\mathrm{Ci}(\theta) \f$ and the changes of slope of kappa K^
-/// at the rows as its factors, the kernel has a closed form,
+/// finite thickness. With \f$ \Psi(\theta)=\sin\theta/\theta-\mathrm{Ci}(\theta) \f$ and the changes of
+/// slope of kappa K^ at the rows as its factors, the kernel has a closed form,
 /// \f[ u=C\,p+\int K\,p\,d\xi,\quad K(z)=\sum_n k_n\,\Psi(\kappa_n z), \quad \sum_n k_n=k . \f]
 /// A half-space from kappa_1 on is therefore, at distances z << 1/kappa_1, plane strain with L0 =
 /// exp(1 - 0.5772)/kappa_1, except for terms of the order of (kappa_1 z)^2.
