@@ -182,7 +182,7 @@ sanitize: deps
 	seq 0 $$(($(JOBS) - 1)) | GTEST_TOTAL_SHARDS=$(JOBS) xargs -P $(JOBS) -I {} env GTEST_SHARD_INDEX={} \
 	  build/debug/bin/unit_tests --gtest_brief=1 --gtest_filter='-$(LONG_RUNS)'
 
-# What ends a reader is written to build/fuzz/findings; what is new stays in build/fuzz/corpus.
+# Input that ends a reader is written to build/fuzz/findings; new input stays in build/fuzz/corpus.
 fuzz:
 	@tools/deps.sh build fuzz
 	@$(call cmake_build,fuzz,--target corpus)

@@ -77,7 +77,7 @@ def renewed(page, tests):
 
 
 def output_of(tests):
-    """What the program of the tests prints, or has left in a folder."""
+    """Returns what the program of the tests prints, or has left in a folder."""
     if pathlib.Path(tests).is_dir():  # instances of a test have numbers
         files = sorted(pathlib.Path(tests).iterdir(), key=lambda file: [int(part) if part.isdigit() else part
                                                                         for part in re.split(r"(\d+)", file.name)])

@@ -32,7 +32,7 @@ class Mutant:
         self.name, self.file, self.text, self.replacement, self.tests = fields
 
     def fault(self):
-        """What is wrong with its place, or nothing."""
+        """Says what is wrong with its place, or nothing."""
         path = ROOT / self.file
         count = path.read_text().count(self.text) if path.is_file() else 0
         if count != 1:
@@ -109,7 +109,7 @@ class Build:
         return re.match(r"(\w+/)?\w+\.\w+", failed[1])[0] if failed else ""
 
     def verdict(self, mutant):
-        """What catches it: the tests that the list names, or else any."""
+        """Returns the tests that catch it: the tests that the list names, or else any."""
         place = self.tree / mutant.file
         original = place.read_text()
         place.write_text(original.replace(mutant.text, mutant.replacement))

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What docs/stability.md promises to keep, one a line: keys of scenes with unit, default and words; options and exit statuses;
+"""Lists what docs/stability.md promises to keep, one a line: keys of scenes with unit, default and words; options and exit statuses;
 tables with columns; declarations of the C interface; names of the Python package.
 
 usage: tools/promised.py MICROSLIP [--check | --add]

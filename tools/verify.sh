@@ -15,7 +15,7 @@ for source in "$work/a" "$work/another/b"; do
   mkdir -p "$source"
   tar -C "$root" --exclude=./.git --exclude=./build --exclude=./results -c . | tar -C "$source" -x
 done
-# What a compiler cache remembers of one build is no second build.
+# A second build must not come out of a compiler cache.
 export CCACHE_DISABLE=1
 build_and_run() {
   local source=$1 build=$2 tables=$3 threads=$4

@@ -11,7 +11,7 @@
 #include "microslip/rolling/transient.hpp"
 #include "status.hpp"
 
-/// What a handle of the C interface stands for.
+/// The contact behind a handle of the C interface.
 struct microslip_rolling {
   explicit microslip_rolling(const microslip::TransientProblem& problem)
       : contact(std::make_unique<microslip::TransientRolling>(problem)),

@@ -7,7 +7,7 @@
 
 namespace microslip::capi {
 
-/// What the structs of C describe.
+/// Makes the problem that the structs of C describe.
 /// \throws std::invalid_argument for what is out of its range, and for parts of a table that is not
 ///                               whole
 TransientProblem make_problem(const microslip_material& material, const microslip_contact& contact,

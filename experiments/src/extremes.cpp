@@ -69,7 +69,7 @@ ExtremesParameters read_extremes(Scene& scene) {
         range(1e-12, 1e6)},
        {"kernels.force_ratios", list, "1", "forces over full sliding of both",
         range(1e-12, 0.999999)},
-       {"offsets", list, "1", "alpha and beta", fraction},
+       {"offsets", list, "1", "leading and trailing offsets", fraction},
        {"transient.step_ratios", list, "1", "c of a shift that rolls on", range(1e-15, 1e6)},
        {"transient.sizes", wholes, "1", "N of that", range(1, most_elements)},
        {"transient.elements_rolled", number, "1",

@@ -354,15 +354,16 @@ LeadingEdgeParameters read_leading_edge(Scene& scene) {
       {{"grid.sizes", wholes, "1", "numbers N of nodes", range(3, 10000),
         "two or more, each twice the one before"},
        {"grid.leading_offsets", list, "1",
-        "beta: the leading edge lies beta dx beyond the last node", range_above(0, 1)},
+        "distances from the last node to the leading edge, in elements", range_above(0, 1)},
        {"grid.trailing_offsets", list, "1",
-        "alpha: the trailing edge lies alpha dx before the first node", fraction},
+        "distances from the trailing edge to the first node, in elements", fraction},
        {"load.stick_ratios", list, "1", "parts a' of the contact that stick", inner_fraction},
        {"profile.elements", whole, "1", "N of the tractions shown", range(1, Grid::max_elements)},
        {"profile.stick_ratio", number, "1",
         "a' of the tractions shown, and of the numbers of the thesis", inner_fraction,
         "one of load.stick_ratios"},
-       {"profile.leading_offset", number, "1", "beta of the trimmed hat shown", inner_fraction}});
+       {"profile.leading_offset", number, "1", "leading offset of the trimmed hat shown",
+        inner_fraction}});
   scene.declare(keys);
 
   const Material material = read_material(scene);

@@ -20,12 +20,12 @@ using Parameters = UnlikeBodiesParameters;
 
 namespace {
 
-/// Creepages of free rolling, over beta a/R without slip and over mu a/R without friction; they
+/// Creepages of free rolling, over beta a/R_r without slip, over mu a/R_r without friction; they
 /// depend on neither L0 nor the scale.
 constexpr double without_slip = 2 / std::numbers::pi;
 constexpr double without_friction = 2 * 0.457385508786518;  // Bentall and Johnson 1967 print 0.457
 
-/// Results of a Gauss-Chebyshev method for beta/mu = 2.87667: creepage over mu a/R, force over full
+/// Results of a Gauss-Chebyshev method for beta/mu = 2.87667: creepage over mu a/R_r, force over full
 /// sliding.
 struct Known {
   double force_ratio, creepage;

@@ -61,7 +61,7 @@ inline constexpr std::size_t label_letters = 60;
 /// A text of a figure without the middle of it, if it is longer than so many letters.
 std::string fitted(const std::string& text, std::size_t letters);
 
-/// What a figure is drawn from.
+/// The data of a figure.
 struct Drawing {
   std::string kind;              ///< of the script, PROGRAM_KIND.gp
   std::vector<Line> lines = {};  ///< in the order of their numbers, from 1
@@ -79,7 +79,7 @@ struct Drawing {
 /// \throws std::invalid_argument for kinds that do not go together, and for times that are not there
 Drawing drawing_of_scenes(const std::vector<Result>& results, const std::string& over);
 
-/// What to show of a sweep, or of curves of creepage and force; all may be empty.
+/// Selects what a figure shows of a sweep, or of curves of creepage and force; all may be empty.
 struct SweepView {
   std::string over;               ///< column of the horizontal axis
   std::string value;              ///< of the vertical one

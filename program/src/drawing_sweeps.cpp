@@ -125,7 +125,7 @@ class Cases {
   std::vector<std::size_t> rows_;
 };
 
-/// What a sweep is shown by.
+/// The columns and keys by which a sweep is shown.
 struct Axes {
   std::string over;
   std::string value;
@@ -148,7 +148,7 @@ std::string running_key(const Cases& cases) {
   return best;
 }
 
-/// What the load does not prescribe.
+/// Returns the quantity that the load does not prescribe.
 std::string answer(const Cases& cases) {
   const auto under_force = [](const std::string& key) {
     return key == "load.force" || key == "load.force_ratio" || key == "load.stick_ratio";

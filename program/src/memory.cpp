@@ -19,7 +19,7 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 double page() { return static_cast<double>(sysconf(_SC_PAGESIZE)); }
 
-/// What this process has in use of two limits  [bytes]
+/// The memory that this process uses, as two limits count it  [bytes]
 struct Usage {
   double addresses;  ///< of RLIMIT_AS
   double data;       ///< of RLIMIT_DATA

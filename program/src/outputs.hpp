@@ -31,7 +31,7 @@ void require_writable(const std::filesystem::path& folder);
 
 /// Writes all files under temporary names, which are this process's own, then renames them; on a
 /// failure it removes what it wrote, and what was there before stays. Makes the folder if needed.
-/// Of several processes with one folder, each writes all its files before the next one does. If
+/// Writes files into a folder. Processes that share a folder write one after the other. If
 /// provenance.txt is the last of the files, tables are removed that the previous provenance.txt
 /// names and the new one does not: the folder holds one run.
 /// \throws std::runtime_error that names the file

@@ -147,7 +147,7 @@ void reject_options_of(const Given& given, const std::vector<const char*>& names
   }
 }
 
-/// What --x, --q or --time asks for, as gnuplot wants it.
+/// Returns the range that --x, --q or --time asks for, as gnuplot takes it.
 std::string axis_of(const char* option, const Given& given, const Extent& extent,
                     const std::string& unit) {
   const std::string text = given[option].as<std::string>();

@@ -43,7 +43,7 @@ CaseResult solve(const Work& work, const Progress& progress) {
   }
 }
 
-/// What is known of the cases of a shard.
+/// The cases of a shard, with the results that are known.
 struct Outcome {
   std::vector<std::size_t> cases;
   std::vector<std::string> statuses;

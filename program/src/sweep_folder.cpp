@@ -48,7 +48,7 @@ void add_columns(std::vector<Column>& known, const std::vector<Column>& columns)
   }
 }
 
-/// Of columns that the table may lack.
+/// Returns a row's cells in some columns, which the table may lack.
 std::vector<Cell> cells_in(const Table& table, std::size_t row,
                            const std::vector<Column>& columns) {
   std::vector<Cell> cells;

@@ -11,7 +11,7 @@
 
 namespace microslip::program {
 
-/// What became of a case.
+/// The result of a case.
 struct CaseResult {
   std::vector<Table> tables;  ///< none if there is no solution
   std::string status;         ///< "ok", or in one line why there is no solution

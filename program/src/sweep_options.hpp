@@ -18,7 +18,7 @@ struct Shard {
   std::size_t count;   ///< n, up to the most cases that a sweep may have
 };
 
-/// What the options of a sweep say.
+/// The settings of a sweep, as its options give them.
 struct SweepSettings {
   std::filesystem::path out;
   int threads;

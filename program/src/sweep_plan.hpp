@@ -14,7 +14,7 @@ struct Case {
   Work work;
 };
 
-/// What a sweep is going to do.
+/// The cases that a sweep is going to solve.
 struct SweepPlan {
   Table table;        ///< `plan`: a row a case, its number from 1 and the swept values
   Parameters common;  ///< parameters that are the same in all cases, and checksums of files

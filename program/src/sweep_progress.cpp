@@ -9,7 +9,7 @@ namespace microslip::program {
 
 namespace {
 
-/// Of cases that run; more would not fit into a line.
+/// The largest number of running cases that fit on the line.
 constexpr std::size_t most_shown = 2;
 
 }  // namespace

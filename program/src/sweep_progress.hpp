@@ -19,7 +19,7 @@ class SweepProgress {
   SweepProgress(const std::string& name, bool quiet, std::size_t done, std::size_t failed,
                 std::size_t total);
 
-  /// What a case that begins tells its progress.
+  /// Returns the progress that a case reports to from its begin on.
   /// \param number  of the case, from 1
   Progress begin(std::size_t number);
 

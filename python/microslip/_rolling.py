@@ -338,7 +338,7 @@ class Rolling:
         self._call(name, float(value), shift.ctypes.data)  # type: ignore[arg-type]
         return record(shift)
 
-    # What is there now
+    # The present state
 
     @property
     def state(self) -> Any:

@@ -6,8 +6,8 @@
 #include <cstddef>
 
 /// \file
-/// What the Python package calls besides microslip.h: scenes, which that has not. It is private: it
-/// changes with the package, which loads no other library than its own.
+/// The Python package calls these functions for scenes, which microslip.h has not. The interface is
+/// private: it changes with the package, which loads no other library than its own.
 
 extern "C" {
 
@@ -29,7 +29,7 @@ typedef int (*microslip_py_progress)(std::size_t done, std::size_t total);
 /// microslip_status, and one more.
 enum { MICROSLIP_PY_STOPPED = 5 };
 
-// Of the last call of this thread that failed, which answered null or a status.
+// These describe the last failed call of this thread, which answered null or a status.
 MICROSLIP_API int microslip_py_error_status(void);
 MICROSLIP_API const char* microslip_py_error_key(void);  ///< empty if it is about none
 MICROSLIP_API const char* microslip_py_error_message(void);

@@ -17,7 +17,8 @@ namespace {
 
 using Files = std::map<std::string, std::string>;
 
-/// Of a key that is not there nothing is removed: it is an argument that was not given.
+/// Assigns a value to a key. Removing a missing key does nothing: it is an argument that was not
+/// given.
 void assign(Scene& scene, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   const std::string key = assignment.substr(0, equals);

@@ -22,7 +22,7 @@ auto placed(const Scene& scene, Action action) {
   }
 }
 
-/// What a scene says about a contact that rolls.
+/// Reads a contact that rolls from a scene.
 /// \throws std::invalid_argument as read_transient_problem, and for a key that nobody reads
 TransientProblem rolling_of(Scene scene);
 

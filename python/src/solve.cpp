@@ -26,7 +26,8 @@ struct Case {
   std::string warnings;  ///< a line each
 };
 
-/// What fails to converge while it is read fails when it is solved: others may have solutions.
+/// Reads a case. If it fails to converge while it is read, it fails when it is solved: others may
+/// have solutions.
 Case read_case(Scene scene) {
   const program::Work work = placed(scene, [&]() -> program::Work {
     try {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the C interface answers where memory runs out, in each allocation of a call in turn.
+// The C interface answers with an error where memory runs out, in each allocation of a call in
+// turn.
 #include "capi/handle.hpp"
 #include "counted_malloc.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is allocated in a loop of steps.
+// Counts the allocations in a loop of steps.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>

@@ -49,7 +49,7 @@ def members(path):
 
 
 def problems(files):
-    """What RO-Crate 1.1 demands of a crate and is not so."""
+    """Returns the demands of RO-Crate 1.1 that a crate does not meet."""
     document = json.loads(files[DESCRIPTOR])
     found = []
     if document.get("@context") != "https://w3id.org/ro/crate/1.1/context":

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the C interface answers is what TransientRolling does, to the bit.
+// The C interface answers as TransientRolling does, to the bit.
 #include <gtest/gtest.h>
 
 #include <cstdio>

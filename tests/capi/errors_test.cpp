@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the C interface answers where something is wrong, and that nothing has happened then.
+// The C interface answers with an error where something is wrong, and nothing has happened then.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -14,7 +14,7 @@ namespace microslip {
 
 using Handle = std::unique_ptr<microslip_rolling, void (*)(microslip_rolling*)>;
 
-/// What microslip_create() takes; an ordinary case.
+/// The arguments of microslip_create(), for an ordinary case.
 struct Parts {
   microslip_material material{1, 0.28};
   microslip_contact contact{1, 1, nullptr, nullptr, 0};
@@ -78,7 +78,7 @@ inline std::vector<double> answers(const Handle& handle) {
   return all;
 }
 
-/// Of the same bits; a nan is the same as another.
+/// Expects the same bits; a nan is the same as another.
 inline void expect_same(const std::vector<double>& a, const std::vector<double>& b) {
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -42,7 +42,7 @@ Solved solve(const Parts& parts, int type, const std::vector<double>& loads) {
   return solved;
 }
 
-/// Of any size, with loads from 1e-6 of full sliding to close below it.
+/// A generated contact of any size, with loads from 1e-6 of full sliding to close below it.
 struct Generated {
   Parts parts;
   std::vector<double> forces;

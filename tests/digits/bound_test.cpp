@@ -139,7 +139,7 @@ TEST_P(BoundValue, AgreesWith50Digits) {
   EXPECT_LE(worst.error(), GetParam().documented);
 }
 
-// Of polynomials, relative to the whole.
+// The error for polynomials is relative to the whole.
 TEST_P(BoundIntegral, AgreesWith50Digits) {
   WorstCase worst;
   for (const double a : half_widths()) {
@@ -155,7 +155,8 @@ TEST_P(BoundIntegral, AgreesWith50Digits) {
   EXPECT_LE(worst.error(), GetParam().documented);
 }
 
-// Of polynomials, relative to the mean of Hertz's bound times the sum of the coefficients' sizes.
+// The error for polynomials is relative to the mean of Hertz's bound times the sum of the
+// coefficients' sizes.
 TEST_P(BoundMean, AgreesWith50Digits) {
   WorstCase worst;
   for (const double a : half_widths()) {

@@ -40,7 +40,7 @@ struct Scale {
 const std::vector<Scale> scales = {
     {1, 1, 1}, {3.3, 8.1e4, 700}, {1e-12, 1e12, 1e12}, {1e12, 1e-12, 1e-12}};
 
-/// Of a square; zero where there is none
+/// Returns the root of a square, and zero below zero.
 Digits100 root(const Digits100& square) {
   return square > 0 ? Digits100(sqrt(square)) : Digits100(0);
 }

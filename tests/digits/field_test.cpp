@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What tractions and bounds do to the half-space, inside, next to their ends, and far away.
+// Tests the strains that tractions and bounds cause in the half-space: inside, next to their ends,
+// and far away.
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/tanh_sinh.hpp>

@@ -76,7 +76,7 @@ Digits100 of_regular_decay(const Reference& r, const Digits100& z) {
          (r.nu / (1 - r.nu) * b / (radius * radius) + 1 / (b + radius));
 }
 
-/// What a logarithm, ln(b / z) or ln(z / L0), integrated n times is added up from
+/// Returns the size of the terms of ln(b / z) or ln(z / L0), integrated n times.
 template <int n>
 Digits100 of_integral(const Reference& r, const Digits100& z) {
   return of_logarithm(r, z) * pow(z, n);

@@ -337,9 +337,9 @@ struct InverseCase : Stated {};
 
 class FourierInverseDigits : public testing::TestWithParam<InverseCase> {};
 
-// Of A - A' as it is in double precision, by sums: held against the column's largest entry times
-// the ratio of the largest coefficient to the least one, by which a rounding of A - A' is
-// amplified.
+// The inverse is of A - A' as it is in double precision, by sums. Its error is held against the
+// column's largest entry times the ratio of the largest coefficient to the least one, by which a
+// rounding of A - A' is amplified.
 TEST_P(FourierInverseDigits, AgreesWith50Digits) {
   const Digits50 two_pi = 2 * boost::math::constants::pi<Digits50>();
   WorstCase worst;

@@ -15,7 +15,7 @@ prefix="$work/a prefix"
 export PATH="$prefix/bin:$PATH"
 cd "$work/elsewhere"
 
-# What a newcomer types, from the installed programs and with their scripts of figures.
+# A newcomer types these commands, with the installed programs and their scripts of figures.
 [ "$(command -v microslip)" = "$prefix/bin/microslip" ] || fail "microslip is not installed"
 microslip init steady >/dev/null
 microslip explain steady.info >/dev/null

@@ -104,8 +104,8 @@ TEST(CarterForce, IsOfOrderThreeHalvesWithTheEdgeDisplacementKnown) {
   }
 }
 
-/// Of the creepage under a part of full sliding, by elements that are laid where the edges are felt;
-/// the largest of five alignments of the stick-slip point.
+/// Returns the error of the creepage under a part of full sliding, by elements that are laid where
+/// the edges are felt; the largest of five alignments of the stick-slip point.
 double creepage_error(double n, double ratio) {
   const HertzBound bound(1, 1);
   const double force = -ratio * bound.total();

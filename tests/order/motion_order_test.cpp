@@ -31,14 +31,16 @@ RollingCylinder rolling_on(Eigen::Index n, const AdvectionScheme& scheme, const 
 }
 
 // A cylinder that rolls freely with v0, and on which a small force F_cm acts from then on. With
-// lambda = ln(2 L0/a), the modified Bessel functions I0, I1 of s, and the distance rolled over a,
-//   (v - omega R)/v0 = F_cm a/(m v0^2) L^-1 { 1/(s (s + O H)) },  H = 1/(I0/(I0 + I1) + s lambda),
-//   v/v0 - 1 = F_cm a/(m v0^2) L^-1 { 1/s^2 - (m'/m) O H/(s^2 (s + O H)) },  O = a^2/(k m' v0^2),
-// 1/m' = 1/m + R^2/I: docs/theory.md. O = 20, lambda = ln 20, by de Hoog's method in 40 digits.
+// lambda = ln(2 L0/a), the modified Bessel functions I0, I1 of sigma, and the distance rolled over a,
+//   (v - omega R)/v0 = F_cm a/(m v0^2) L^-1 { 1/(sigma (sigma + O H)) },
+//   H = 1/(I0/(I0 + I1) + sigma lambda),
+//   v/v0 - 1 = F_cm a/(m v0^2) L^-1 { 1/sigma^2 - (m_r/m) O H/(sigma^2 (sigma + O H)) },
+//   O = a^2/(k m_r v0^2),
+// 1/m_r = 1/m + R^2/I: docs/theory.md. O = 20, lambda = ln 20, by de Hoog's method in 40 digits.
 struct Place {
   double distance;     ///< over a
   double slip_speed;   ///< the first of the two over its factor
-  double force_pulse;  ///< L^-1 { H/(s^2 (s + O H)) }
+  double force_pulse;  ///< L^-1 { H/(sigma^2 (sigma + O H)) }
 };
 
 constexpr double stiffness = 20;  ///< O
@@ -204,8 +206,8 @@ TEST_P(MotionFromRest, IsSecondOrder) {
   }
 }
 
-// Of time steps alone, on one grid: where the body swings, where it rolls a few elements in a
-// swing, and where it slides; with tolerances by which most steps are shortened.
+// The error of time steps alone, on one grid, is measured where the body swings, where it rolls a
+// few elements in a swing, and where it slides; with tolerances by which most steps are shortened.
 TEST(StepsByATolerance, HaveItsErrorAndAreFewerThanEqualOnes) {
   for (const auto& [slope_force, saved] :
        {std::pair{0.05, 1.05}, std::pair{0.3, 1.25}, std::pair{3.0, 1.7}}) {

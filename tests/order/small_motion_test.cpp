@@ -73,7 +73,7 @@ double error_of_creepage_step(Eigen::Index n, const Case& by) {
 
 constexpr std::array<double, 3> sizes = {40, 80, 160};
 
-/// Of three sizes, whose order is printed.
+/// Returns the errors for three sizes, and prints their order.
 std::vector<double> errors_of(double (*error)(Eigen::Index n, const Case& by), const Case& by) {
   std::vector<double> errors;
   for (const double n : sizes) errors.push_back(error(static_cast<Eigen::Index>(n), by));
@@ -88,7 +88,7 @@ TEST_P(SmallMotion, ForceAfterAStepOfTheCreepageIsSecondOrder) {
   EXPECT_GT(errors[0] / errors[2], 9);
 }
 
-/// Of the creepage, by the difference of the cumulative creep over two elements.
+/// Returns the error of the creepage, by the difference of the cumulative creep over two elements.
 double error_of_force_step(Eigen::Index n, const Case& by) {
   constexpr std::array<Value, 6> exact = {{{0.25, 0.5333589},
                                            {0.5, 0.5716907},

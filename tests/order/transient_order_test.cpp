@@ -15,7 +15,7 @@
 namespace microslip {
 namespace {
 
-const Material material{1.44, 0.28};  // K mu p0 a = 1
+const Material material{1.44, 0.28};  // 2 (1 - nu)/G mu p0 = 1
 constexpr double length = 200;
 const double force = -0.64 * std::numbers::pi / 2;
 
@@ -29,8 +29,8 @@ TransientRolling rolling_on(Eigen::Index n, const AdvectionScheme& scheme = Dire
 
 constexpr std::array<double, 4> sizes = {40, 80, 160, 320};
 
-// Of an independent program, extrapolated to dx = 0: the integral of |w| over the distance q, about
-// 4 digits.
+// An independent program gave the integral of |w| over the distance q, extrapolated to dx = 0, to
+// about 4 digits.
 constexpr std::array<double, 5> distances = {0.25, 0.5, 1, 2, 3};
 constexpr std::array<double, 5> cumulative_creep = {0.052644, 0.111834, 0.289966, 0.696553,
                                                     1.09784};

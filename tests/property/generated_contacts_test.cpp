@@ -117,8 +117,8 @@ TEST(GeneratedContacts, SmallLoadsAreThoseOfTheClosedForm) {
   EXPECT_GT(total(counts, &Count::held), 20);
 }
 
-// Of the right sign, and within one and a half times the larger of 1 % and the error of the
-// thesis's scheme with as many elements.
+// The result has the right sign, and is within one and a half times the larger of 1 % and the error
+// of the thesis's scheme with as many elements.
 TEST(GeneratedContacts, DefaultMethodIsRight) {
   ContactGenerator generator(seed_of_tests());
   std::map<std::string, Count> counts;

@@ -104,7 +104,8 @@ class EventGenerator {
   ContactScale scale_;
 };
 
-/// What the event answers, or the text of its error. An attempt is followed by its step at times.
+/// Returns the answer of the event, or the text of its error. An attempt is followed by its step at
+/// times.
 std::string happens(TransientRolling& rolling, const Event& event, std::vector<double>& answers) {
   answers.clear();
   try {

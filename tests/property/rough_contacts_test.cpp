@@ -138,9 +138,9 @@ TEST(RoughContacts, UnresolvedGapsAreDoubted) {
   }
 }
 
-// Of 290 contacts like these, with 10 to 400 elements, 5 creepages were wrong by more than 10 % without
-// a warning at the limit 0.05, and 2 at 0.02, with 10 and 12 elements. An error below 1 % was warned
-// of in 5.
+// Among 290 contacts like these, with 10 to 400 elements, 5 creepages were wrong by more than 10 %
+// without a warning at the limit 0.05, and 2 at 0.02, with 10 and 12 elements. An error below 1 %
+// was warned of in 5.
 TEST(RoughContacts, LargeErrorsAreDoubted) {
   std::mt19937 random(7);
   const auto uniform = [&](double from, double to) {

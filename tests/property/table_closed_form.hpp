@@ -90,7 +90,7 @@ class TableClosedForm {
     return 2 * stick() * integral([](double eta) { return std::pow(std::sinh(eta), 2) + 0.5; });
   }
 
-  /// Of the line of a piece, continued to a distance from the trailing edge.
+  /// Returns the value of a piece's line, continued to a distance from the trailing edge.
   static double continued(const Piece& piece, double t) {
     return piece.value + piece.slope * (t - piece.start);
   }

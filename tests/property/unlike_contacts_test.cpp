@@ -15,8 +15,8 @@ namespace {
 using Eigen::Index;
 
 // Next to full sliding an end of a zone that is known to a part of an element decides on the creepage.
-// Of 1024 contacts like these 38 were wrong by more than 10 %, of the creepage or the creepage of like
-// bodies, whichever is larger, and 113 were warned of.
+// Among 1024 contacts like these 38 were wrong by more than 10 %, of the creepage or the creepage
+// of like bodies, whichever is larger, and 113 were warned of.
 TEST(UnlikeContacts, LargeErrorsAreDoubted) {
   constexpr Material material{1, 0.28};
   const HertzBound bound(1, 1);

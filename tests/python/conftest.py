@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests of the Python package share."""
+"""Fixtures that the tests of the Python package share."""
 import pathlib
 
 import numpy as np

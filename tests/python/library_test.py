@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the package says about the library holds against its headers, and its examples against themselves."""
+"""The package's statements about the library hold against its headers, and its examples against themselves."""
 import doctest
 import importlib
 import pkgutil

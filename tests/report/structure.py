@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What can be wrong with a page, by its text alone."""
+"""Finds what is wrong with a page, by its text alone."""
 import re
 from collections import Counter
 from html.parser import HTMLParser

@@ -12,7 +12,7 @@
 namespace microslip {
 namespace {
 
-/// What `text` is, is up to the test.
+/// A bad input; each test decides what `text` is.
 struct BadInput {
   std::string what;
   std::string text;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands beside a run: scenes to start from, what they will cost, and the figures of results.
+// Tests the commands beside a run: scenes to start from, their cost, and the figures of results.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 

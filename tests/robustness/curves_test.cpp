@@ -39,7 +39,7 @@ class Curves : public Executables {
     return std::stod(std::get<std::string>(table.at(row, column)));
   }
 
-  /// Of a summary without a sweep.
+  /// Returns a quantity of a summary without a sweep.
   double quantity(const std::string& name) const {
     const Table summary = table_of("summary");
     for (std::size_t i = 0; i < summary.rows(); ++i) {

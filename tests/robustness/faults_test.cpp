@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is not the fault of the input: signals, full disks, folders that are none, others who write
-// to the same folder. One line, a fitting exit status, and in the folder all of one run.
+// Tests faults that are not in the input: signals, full disks, folders that are none, others who
+// write to the same folder. There is one line, a fitting exit status, and in the folder all of one
+// run.
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/types.h>
@@ -60,7 +61,7 @@ class Faults : public Executables {
 
   Files files() const { return files_in(out()); }
 
-  /// What a run leaves in an empty folder.
+  /// Returns the files that a run leaves in an empty folder.
   Files files_of(const std::string& command) const {
     fs::remove_all(out());
     EXPECT_EQ(run_command(command).status, 0) << command;

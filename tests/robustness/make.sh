@@ -75,7 +75,7 @@ for signal in INT TERM; do
   [ -z "$(find results -newer "$work/third")" ] || fail "the third make did something"
 done
 
-# What make has made goes, and what a user has made stays.
+# Results that make has made go, and results that a user has made stay.
 mkdir -p results/mine
 cp -r $quick/carter results/carter
 echo kept >results/mine/traction.tsv

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What would take more memory than there is, is refused before it begins, in one line that says how
-// much; and it takes what that line says.
+// A task that needs more memory than there is, is refused before it begins, in one line that says
+// how much; and the task needs what that line says.
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -85,7 +85,7 @@ TEST_F(Memory, WhatIsNotForeseenIsOneLine) {
             ? "--set grid.elements=1000000"
             : "--scene '" + scene_file().string() + "' --set sweep.load.creepage=1:1:100000");
     EXPECT_EQ(outcome.status, 1);
-    // Of a sweep, what is left may be too little for the next case to be read.
+    // In a sweep, the memory that is left may be too little to read the next case.
     EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
     EXPECT_TRUE(outcome.error.ends_with(": not enough memory\n") ||
                 outcome.error.ends_with(" GB are available\n"))

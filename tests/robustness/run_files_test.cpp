@@ -133,7 +133,7 @@ std::string rolling_on(const std::string& contact, const std::filesystem::path& 
          "start { type rest }\nload { file \"" + file.string() + "\" }\n";
 }
 
-// Of the load, or of half-width and peak that follow from it.
+// The results follow the load, or half-width and peak that follow from the load.
 TEST_F(RunFiles, OfAContactThatChangesFollowIt) {
   const std::string text = rolling_on(under_load, folder_ / "run.tsv");
   const auto size = [](double part) { return 1 + 0.3 * std::sin(5 * part); };

@@ -30,7 +30,7 @@ class Shifts : public Executables {
             " --set grid.elements=" + std::to_string(elements) + " " + options);
   }
 
-  /// Of the last run.
+  /// Returns a table of the last run.
   WrittenTable table(const std::string& name) const {
     return read_table(name, text_of(out() / (name + ".tsv")));
   }

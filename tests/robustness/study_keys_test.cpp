@@ -14,7 +14,7 @@
 namespace microslip {
 namespace {
 
-/// Of a row that --print-keys=markdown has for a key of the study's own.
+/// A row that --print-keys=markdown has for a key of the study's own.
 struct Row {
   std::string study, key, unit, accepted;
 };
@@ -119,7 +119,7 @@ TEST_F(Studies, RefuseWhatIsOutOfTheRangeThatTheyPrint) {
   EXPECT_GT(ends, 180U);
 }
 
-// What a list has to be besides, or a number beside another.
+// Studies demand what they print about lists, and about a number beside another.
 TEST_F(Studies, DemandWhatTheyPrint) {
   const auto expect_refused = [&](const std::string& study, const std::string& assignment,
                                   const std::string& note) {

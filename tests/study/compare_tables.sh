@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What compare_tables says of tables that were changed by hand.
+# Tests the answers of compare_tables about tables that were changed by hand.
 # Usage: compare_tables.sh COMPARE_TABLES WORK_FOLDER
 # shellcheck disable=SC2016,SC2053  # what is said is a pattern, and a quoted $ is one of sed
 set -euo pipefail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `microslip converge` says of a scene, against orders and references that are known.
+// Compares the answers of `microslip converge` with orders and references that are known.
 #include "microslip/experiments/converge_scene.hpp"
 
 #include <gtest/gtest.h>

@@ -60,7 +60,7 @@ TEST(EnergyBalanceStudy, MidpointBalancesToRoundingAtAnySize) {
   }
 }
 
-// Of the direct scheme the contact is of first order, which shows in shorter steps or on finer
+// With the direct scheme the contact is of first order, which shows in shorter steps or on finer
 // grids (tests/order/motion_order_test.cpp).
 TEST(EnergyBalanceStudy, MotionIsSecondOrderForAllIntegrators) {
   for (const char* scheme : {"remembered", "remembered"}) {

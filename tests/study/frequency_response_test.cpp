@@ -121,8 +121,8 @@ TEST(FrequencyResponseStudy, CurvesAreTheClosedForm) {
   EXPECT_NEAR(of("winkler", 10, "size"), std::abs(winkler_response(pi / 5)), 1e-12);
 }
 
-// Of springs, the traction at the distance y from the leading edge is that of a creepage that has
-// acted since it entered: (1 - exp(-i kappa y))/(i kappa) times the rest.
+// Springs add up the creepage: at the distance r from the leading edge the creepage has acted since
+// the material entered: (1 - exp(-i kappa r))/(i kappa) times the rest.
 TEST(FrequencyResponseStudy, SpringsAddUpTheirCreepage) {
   for (const double kappa : {1e-6, 0.9e-3, 1.1e-3, 0.05, 1.0, 7.0}) {
     const auto real = [&](double y) { return std::sin(kappa * y) / kappa; };

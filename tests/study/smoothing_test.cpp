@@ -26,7 +26,7 @@ const std::vector<Table>& tables() {
   return all;
 }
 
-// Of one step. Peaks of c and 1 - c mirror each other.
+// The pulses are those after one step. Peaks of c and 1 - c mirror each other.
 TEST(SmoothingStudy, PulsesMirrorEachOtherAtOneHalf) {
   const Table& pulses = table_named(tables(), "pulse_summary");
   for (const std::size_t row : {2U, 12U}) {

@@ -270,10 +270,10 @@ TEST(SpeedAccuracyStudy, Orders) {
   EXPECT_NEAR(order_of("plane", "collocation", "standard", 1, "force_error"), 1, 0.2);
   EXPECT_NEAR(order_of("plane", "collocation", "known_edge", 1, "force_error"), 1.6, 0.25);
   EXPECT_NEAR(order_of("plane", "collocation", "aligned", 1, "force_error"), 1.9, 0.35);
-  // Of coarse grids, with noise.
+  // The grids are coarse, and the errors have noise.
   EXPECT_GT(order_of("plane", "collocation", "calibrated", NAN, "force_error"), 1.7);
   EXPECT_GT(order_of("strip", "collocation", "calibrated", NAN, "force_error"), 1.7);
-  // Of three coarse grids, the limit of work; of finer ones: order/transient_order_test.cpp.
+  // The limit of work leaves three coarse grids; finer ones are in order/transient_order_test.cpp.
   EXPECT_GT(order_of("transient", "remembered", "calibrated", 1, "creep_error"), 1.7);
   EXPECT_NEAR(order_of("transient", "direct", "standard", 1, "creep_error"), 1.1, 0.25);
   EXPECT_GT(order_of("creepage", "remembered", "calibrated", 1, "force_error"), 1.7);

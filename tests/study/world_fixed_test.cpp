@@ -175,8 +175,8 @@ TEST(WorldFixedStudy, AveragedAndCutElementsStayBelowOnePercent) {
   EXPECT_LT(noise("direct", "elements", 200), 0.002);
 }
 
-// What is left is of the border between adhesion and slip, not of the edges; in the direct scheme,
-// too, which has it less often.
+// The remaining jumps come from the border between adhesion and slip, not from the edges. The
+// direct scheme has them, too, but less often.
 TEST(WorldFixedStudy, WhereTheCreepageJumps) {
   EXPECT_GT(value("events", "at_node", "left", "share"), 0.95);
   for (const std::string treatment : {"cell_mean", "cut", "direct"}) {

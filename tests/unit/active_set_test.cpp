@@ -64,7 +64,8 @@ void expect_contact_conditions(const SlipEquations& equations, const ContactStat
   }
 }
 
-/// Of the adhesion elements with the creepage as an unknown and the force as a row.
+/// Returns the condition number of the equations of the elements in adhesion, with the creepage as
+/// an unknown and the force as a row.
 double bordered_condition(const SlipEquations& equations, const ContactState& state) {
   std::vector<Eigen::Index> stuck;
   for (std::size_t i = 0; i < state.zones.size(); ++i) {

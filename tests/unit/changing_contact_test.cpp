@@ -174,7 +174,7 @@ TEST(ChangingContact, ThatIsLostCarriesNothingAndReturnsAtRest) {
   EXPECT_NEAR(rolling.state().force, -0.2, 1e-13);
 }
 
-// Of work and stored energy, whatever the contact does: the balance of the state itself.
+// Work and stored energy balance whatever the contact does, by the state itself.
 TEST(ChangingContact, KeepsTheBalanceOfEnergyAndTheBound) {
   for (const Kernel& kernel : {Kernel(plane), Kernel(strip)}) {
     TransientRolling rolling(problem_with(kernel, 50));

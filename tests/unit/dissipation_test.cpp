@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is neither done by the force nor stored is dissipated.
+// Work of the force that is not stored is dissipated.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -62,9 +62,9 @@ TEST(Dissipation, OfTransientsIsTheWorkLessWhatIsStored) {
   }
 }
 
-// Of any tractions, on elements that move along with the material: what slip loses by their means
-// over the step is what the force does less what is stored. With those at the end of the step the
-// energy of their change is missing.
+// On elements that move along with the material, slip under the mean tractions of a step loses the
+// work of the force less the stored energy, whatever the tractions are. With the tractions at the
+// end of the step the energy of their change is missing.
 TEST(Dissipation, MeanTractionsBalanceAnyStepAndThoseAtItsEndDoNot) {
   std::mt19937 generator(9);
   std::uniform_real_distribution<double> uniform(-1, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What scenes warn of: columns that nobody reads, creepages and radii that are mistakes of units, and
+// Scenes warn of columns that nobody reads, creepages and radii that are mistakes of units, and
 // forces that are there at once.
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(Columns, ThatNobodyReadsAreWarnedOf) {
             "load.file = run.tsv: columns that are not used: N; " + known);
 }
 
-// Of all names in which up to a third of the letters differ.
+// This holds for all names in which up to a third of the letters differ.
 TEST(Columns, OfNearlyAKnownNameAreRefused) {
   const std::vector<std::pair<std::string, std::string>> meant{{"normal_laod", "normal_load"},
                                                                {"normalload", "normal_load"},

@@ -142,8 +142,8 @@ TEST(Evidence, ShowsBoundsThatElementsDoNotResolve) {
   EXPECT_LE(solve_steady(problem).evidence.bound_resolution(), 1e-15);
 }
 
-// What is relative to the load is so for small ones, too: tractions above the bound that are
-// nothing next to its peak.
+// Evidence is relative to small loads, too: tractions exceed the bound by amounts that are nothing
+// next to its peak.
 TEST(Evidence, IsRelativeToTheLoad) {
   const PolynomialBound bound(1, 1, Eigen::Vector2d(1, -1));
   const Evidence evidence = evidence_by_samples(

@@ -51,7 +51,7 @@ TEST(FrequencyResponse, AdhesionInPlaneStrain) {
         -.1557111453,
         .9582963528,
         -.2931078511}}};
-  // Of a contact of the half-width 3, L0 = 10 a and 100 a.
+  // The contact has the half-width 3, and L0 = 10 a and 100 a.
   const FrequencyResponse near(PlaneKernel(material, 30), -3, 3, 0.3);
   const FrequencyResponse far(PlaneKernel(material, 300), -3, 3, 0.3);
   EXPECT_NEAR(near.steady_slope(), -3 * pi, 1e-13);
@@ -126,7 +126,7 @@ TEST(FrequencyResponse, NarrowStripsAreEstimated) {
   }
 }
 
-/// Of the curve of steady rolling, by a difference of the fourth order.
+/// Returns the slope of the curve of steady rolling, by a difference of the fourth order.
 double slope_of_curve(const InvertedRolling& rolling, double creepage) {
   const auto force = [&](double part) {
     return rolling.solve(PrescribedCreepage{creepage * (1 + part)}).force();

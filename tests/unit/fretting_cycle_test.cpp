@@ -45,7 +45,8 @@ TEST(FrettingCycle, DissipationIsTheAreaOfTheLoop) {
   }
 }
 
-// Of friction at the bound on the way back, where the slip is that of the surface displacements.
+// Friction at the bound dissipates on the way back, where the slip follows from the surface
+// displacements.
 TEST(FrettingCycle, DissipationIsThatOfFriction) {
   const double tau = 0.6, stick = std::sqrt(1 - tau);
   const FrettingCycle cycle(material, bound, tau);

@@ -60,7 +60,7 @@ TEST(LeadingEdgeConstants, TheNextNodeSlipsByTheCompliance) {
   EXPECT_NEAR(slip / (-traction[n - 1] * compliance(material_of(Kernel(kernel)))), e0, 5e-3 * e0);
 }
 
-// Of the same long row: next to the edge the scheme does not give the square root itself.
+// In the same long row, the scheme does not give the square root itself next to the edge.
 TEST(LeadingEdgeConstants, LayersAreThoseOfALongRow) {
   for (const Basis& basis : {constant_basis(), linear_basis()}) {
     const auto edge = leading_edge_constants(basis);

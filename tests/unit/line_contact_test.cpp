@@ -64,7 +64,7 @@ struct Derived {
   double half_width, peak, force;
 };
 
-/// Of a scene under 0.36 of full sliding.
+/// Returns the derived quantities of a scene under 0.36 of full sliding.
 Derived derived(const std::string& material, const std::string& contact) {
   Scene scene = scene_of("problem steady\nmaterial { " + material + " }\ncontact { " + contact +
                          " }\nkernel { type plane\n length 1 m }\ngrid { elements 20 }\n"

@@ -55,7 +55,7 @@ TEST(PlaneStrain, ShortLengthsAreRefusedInTransients) {
             "way. Steady rolling takes any length");
 }
 
-// What is accepted resists, also where elements reach beyond the edges.
+// An accepted length makes the bodies resist, also where elements reach beyond the edges.
 TEST(PlaneStrain, AcceptedLengthsResist) {
   for (const AdvectionScheme& scheme : {AdvectionScheme(Remembered{}), AdvectionScheme(Direct{})}) {
     for (const Eigen::Index n : {3, 10, 31, 100}) {

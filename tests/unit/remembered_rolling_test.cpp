@@ -61,8 +61,8 @@ TEST(Remembered, TractionsDoNotDependOnTheStep) {
   }
 }
 
-// Of either sign and with reversals, force or creepage, strips and tables: the conditions of
-// contact, and energy that is not made.
+// Loads of either sign, with reversals, as force or creepage, on strips and under tables meet the
+// conditions of contact, and no energy is made.
 TEST(Remembered, AnySequenceOfStepsMeetsTheContactConditions) {
   VectorXd at(4), values(4);
   at << -1, -0.2, 0.5, 0.9;
@@ -101,8 +101,8 @@ TEST(Remembered, AnySequenceOfStepsMeetsTheContactConditions) {
       }
     }
   }
-  // Of the mean, at nodes next to the stick-slip point: a tenth of the distance of the next to the
-  // bound.
+  // The mean exceeds the bound at nodes next to the stick-slip point, by a tenth of the distance of
+  // the next node to the bound.
   EXPECT_LT(excess, 0.12);
 }
 

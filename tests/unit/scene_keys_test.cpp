@@ -82,7 +82,7 @@ const std::map<std::string, Settings> scenes = {
 
 Scene scene_with(const Settings& settings);
 
-/// Of the transient, before it rolls.
+/// Returns the saved state of the transient before it rolls.
 std::string saved_state() {
   Scene scene = scene_with(with(transient, {"start.type=rest"}));
   return TransientRolling(read_transient(scene).problem).save();
@@ -141,7 +141,7 @@ const std::string hertzian = unlike +
                              "chebyshev target_error standard known_edge trimmed " +
                              transients + cylinders;
 
-/// Of a choice between keys, the one that is not in a scene is refused with the others' names.
+/// In a choice between keys, the key that is not in a scene is refused with the others' names.
 const std::vector<Role> roles = {
     {"problem", "", all},
     {"material.shear_modulus", "1", half_spaces},
@@ -267,7 +267,7 @@ TEST(KeysOfScenes, HaveARoleOrAreRefused) {
   }
 }
 
-/// Of the scenes where the key has a role, those that reject a value of it; others have reasons of
+/// Counts the scenes that reject a value of a key, where the key has a role; others have reasons of
 /// their own besides, as a scheme that takes no offsets.
 std::size_t rejecting(const Key& key, double value) {
   const auto role = std::ranges::find(roles, std::string(key.name), &Role::key);

@@ -225,12 +225,12 @@ TEST(Scene, NamesAllMissingKeys) {
   const std::string contact =
       "problem transient\nmaterial { shear_modulus 1 poisson_ratio 0 }\n"
       "contact { half_width 1 peak_traction 1 }\n";
-  // What comes behind a word depends on it.
+  // A word decides which keys come behind it.
   EXPECT_EQ(missing(contact), "missing key 'kernel.type'");
   EXPECT_EQ(missing(contact + "kernel { type strip }"),
             "missing keys 'kernel.width', 'grid.elements', 'load.creepage' or 'load.force' or "
             "'load.force_ratio' or 'load.stick_ratio' or 'load.file', 'step.ratio', 'start.type'");
-  // Of two ways the one that wants fewer keys besides those that are given.
+  // If there are two ways, the message names the one that wants fewer further keys.
   const std::string steel = "problem steady\nmaterial { shear_modulus 1 poisson_ratio 0 }\n";
   EXPECT_EQ(missing(steel + "contact { radius_1 1 friction 0.3 }"),
             "missing keys 'contact.half_width' or 'contact.normal_load', 'kernel.type'");

@@ -76,9 +76,9 @@ double integral(const auto& function, double from, double to) {
   return sum;
 }
 
-// Of a force that begins to act at once, the creepage follows an Abel equation in the time domain:
-// the integral of c(t) sqrt((2 - v)/v), v = q - t, from v = 0 to 2, is arccos(1 - q), pi from q = 2
-// on.
+// After a force that begins to act at once, the creepage follows an Abel equation in the time
+// domain: the integral of c(t) sqrt((2 - v)/v), v = q - t, from v = 0 to 2, is arccos(1 - q), pi
+// from q = 2 on.
 TEST(SmallMotion, CreepageMeetsTheAbelEquation) {
   for (const double q : {0.3, 1.2, 1.9}) {
     // v = q sin^2, with all of the square root.

@@ -94,7 +94,7 @@ TEST(SymbolKernel, OfAStripIsThatOfTheStrip) {
   EXPECT_LT(fine, coarse / 8);
 }
 
-/// What a table means, by its definition: kappa S is linear between rows.
+/// A table by its definition: wave number times symbol is linear between rows.
 struct Meant {
   VectorXd wave_numbers, symbols;
 

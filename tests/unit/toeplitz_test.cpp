@@ -97,7 +97,7 @@ TEST(Toeplitz, MayBeCutShiftedAndScaled) {
   EXPECT_EQ(matrix.times(2).dense(), 2 * matrix.dense());
 }
 
-// What structured solvers rely on, exactly.
+// Structured solvers rely on this symmetry, exactly.
 TEST(Toeplitz, InfluenceOfEvenFunctionsIsSymmetric) {
   for (const Basis& basis : {constant_basis(), linear_basis()}) {
     EXPECT_TRUE(influence_over(strip, basis, 50, 0).is_symmetric());

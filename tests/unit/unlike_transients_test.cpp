@@ -119,7 +119,8 @@ double dense_force(double ratio, double creepage, double distance, int n) {
   return force;
 }
 
-// Of first order: its error is about as large as what twice the elements change.
+// The dense scheme is of first order: its error is about as large as the change by twice the
+// elements.
 TEST(UnlikeTransients, AgreeWithADenseScheme) {
   struct Run {
     double ratio, creepage, distance;
@@ -146,8 +147,8 @@ TEST(UnlikeTransients, AreSymmetric) {
   }
 }
 
-// What is dissipated in the end is what slip dissipates in steady rolling, although without a force
-// there is no work of it.
+// The dissipation becomes the dissipation by slip in steady rolling, although without a force the
+// force does no work.
 TEST(UnlikeTransients, DissipateTheWorkOfThePressure) {
   for (const double ratio : {2.87667, 10.0, 30.0}) {
     const SteadySolution expected = steady(ratio, force_of(0));
@@ -235,7 +236,7 @@ double last_creepage(const std::vector<std::string>& settings) {
 TEST(UnlikeTransients, AreReadFromScenes) {
   const TransientRolling expected = rolled(2, 50, PrescribedForce{0.4}, 3 - 1e-9, 1);
   EXPECT_NEAR(last_creepage({}), expected.state().creepage, 1e-9);
-  // Of like bodies to the bit: beta is 0, or across the rolling.
+  // The creepage of like bodies follows to the bit if beta is 0, or across the rolling.
   const double alike = last_creepage({"material.dundurs_beta=", "contact.friction="});
   EXPECT_EQ(last_creepage({"material.dundurs_beta=0", "contact.friction="}), alike);
   EXPECT_EQ(last_creepage({"material.dundurs_beta=0.2", "contact.friction=", "direction=lateral"}),

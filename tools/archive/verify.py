@@ -11,7 +11,7 @@ from pathlib import Path
 
 
 class Damaged(Exception):
-    """What is wrong with an archive, in one line."""
+    """Says what is wrong with an archive, in one line."""
 
 
 def unpack(archive, work):

@@ -271,7 +271,7 @@ def figures_of(text):
 
 
 def keys_of(text):
-    """What stands in \\n{...}, as TeX reads it, each once."""
+    """Returns what stands in \\n{...}, as TeX reads it, each once."""
     keys = (" ".join(key.split()) for key in re.findall(r"\\n\{([^{}]*)\}", without_comments(text)))
     return list(dict.fromkeys(keys))
 

@@ -87,7 +87,7 @@ std::string difference_of_rounding(const Table& table, const Table& reference) {
   return "";
 }
 
-/// What differs besides cells; empty if nothing does.
+/// Describes what differs besides cells; empty if nothing does.
 std::string difference_of_heads(const WrittenTable& table, const WrittenTable& reference) {
   if (table.parameters != reference.parameters) {
     const auto [here, there] =

@@ -61,7 +61,7 @@ def in_the_dark(rgb):
 
 
 def text_style(group):
-    """Of a group of texts; in the light their colour is the attribute `fill`."""
+    """Returns the colours of a group of texts; in the light their colour is the attribute `fill`."""
     rgb = rgb_of(group.get("fill", ""))
     if rgb is None or max(rgb) == min(rgb) or group.find(SVG + "text") is None:
         return ""

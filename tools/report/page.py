@@ -135,7 +135,7 @@ def not_judged(study):
 
 
 def values(claim):
-    """Of the thesis, measured, and the tolerance."""
+    """Returns the value of the thesis, the measured value, and the tolerance."""
     tolerance = "" if math.isnan(claim.tolerance) else "±" + number(claim.tolerance)
     rounding = 0 < claim.rounding >= abs(claim.measured_value)
     measured = "below " + number(claim.rounding) if rounding else number(claim.measured_value)

@@ -14,7 +14,7 @@ CLAIM_COLUMNS = ("claim", "section", "thesis_value", "measured_value", "unit", "
 
 
 class ReportError(Exception):
-    """What is wrong, and what is expected, in one line."""
+    """Says what is wrong, and what is expected, in one line."""
 
 
 def read_text(path):

@@ -92,7 +92,7 @@ bool is_constant(const ShapeFunction& shape) {
   });
 }
 
-/// What a layer feels of a function.
+/// Returns the function that a layer feels in the place of a basis function.
 ShapeFunction felt(const ShapeFunction& shape) {
   return is_constant(shape) ? linear_shape() : shape;
 }

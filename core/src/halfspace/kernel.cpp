@@ -99,10 +99,10 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Sizes relative to S below which a layer or half-space behind a table is rounding.
+/// Sizes relative to the symbol below which a layer or half-space behind a table is rounding.
 constexpr double rounding = 1e-12;
 
-/// By how much the exponent of S in the last two rows may be below the exponent of a half-space, or above
+/// By how much the exponent of the symbol in the last two rows may be below the exponent of a half-space, or above
 /// the exponent of springs.
 constexpr double steepest = 0.5;
 

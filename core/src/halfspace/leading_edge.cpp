@@ -24,7 +24,7 @@ double sinc_less_one(double x) { return x == 0 ? 0 : -x_minus_sine(x) / x; }
 /// (1 + y)^n - 1
 double power_less_one(double y, int n) { return std::expm1(n * std::log1p(y)); }
 
-// b(theta) - 1. At small theta the term m = 0 of the lattice sum is 1 to second order, and the
+// V(theta) - 1. At small theta the term m = 0 of the lattice sum is 1 to second order, and the
 // other terms vanish to the same order. These other terms are tri- and tetragamma functions of z =
 // theta/(2 pi).
 
@@ -59,12 +59,12 @@ double mean_over(double softness, const Integrand& integrand) {
   return (sum + gauss<double, 15>::integrate(integrand, 0.0, end)) / pi;
 }
 
-/// 2 lambda sin(theta/2) / b
+/// 2 softness sin(theta/2) / V
 double layer_over(double softness, double theta, double b) {
   return 2 * softness * std::sin(theta / 2) / b;
 }
 
-/// What a layer adds to the offset: 1/pi times the integral over theta > 0 of ln(1 + lambda theta) /
+/// A layer adds this to the offset: 1/pi times the integral over theta > 0 of ln(1 + softness theta) /
 /// theta^2, less that up to pi of ln(1 + layer_over) / (2 sin(theta/2))^2. Close to 0, where either
 /// is infinite, their difference is formed.
 double offset_by_layer(const std::function<double(double)>& b_less_one, double softness) {

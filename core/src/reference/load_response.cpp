@@ -15,7 +15,7 @@ std::complex<double> force_by_normal_load(double wave, double stick_ratio, doubl
   const double kappa = wave * stick_ratio;
   const double j0 = boost::math::cyl_bessel_j(0, kappa);
   const double j1 = boost::math::cyl_bessel_j(1, kappa);
-  // Z is infinite where J0 is zero, so numerator and denominator are multiplied by J0.
+  // 1/Q is infinite where J0 is zero, so numerator and denominator are multiplied by J0.
   const std::complex<double> z = std::complex<double>(0, kappa) * std::complex<double>(j0, j1);
   const double whole = std::log(2 * length);
   const double stuck = std::log(2 * length / stick_ratio);

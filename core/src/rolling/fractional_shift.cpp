@@ -37,7 +37,7 @@ VectorXd linear_predictor(const VectorXd& t) {
   return q;
 }
 
-/// det(t + C), for an odd number of elements; the determinant is zero if -t is an eigenvalue.
+/// det(t + M), for an odd number of elements; the determinant is zero if -t is an eigenvalue.
 double determinant(const VectorXd& outflow, double t) {
   const Index last = outflow.size() - 1;
   double homogeneous = 1;
@@ -55,7 +55,7 @@ bool has_negative_eigenvalue(const VectorXd& outflow) {
   return false;
 }
 
-/// C p
+/// M p
 VectorXd shifted(const VectorXd& outflow, const VectorXd& p) {
   const Index n = p.size();
   VectorXd moved = p[0] * outflow;
@@ -63,7 +63,7 @@ VectorXd shifted(const VectorXd& outflow, const VectorXd& p) {
   return moved;
 }
 
-/// The integrand of (C^c - I) b at t = exp(-y), for r = (C - I) b.
+/// The integrand of (M^c - I) b at t = exp(-y), for r = (M - I) b.
 class PowerIntegrand {
  public:
   PowerIntegrand(const VectorXd& outflow, const VectorXd& r, double power)
@@ -83,7 +83,7 @@ class PowerIntegrand {
   }
 
  private:
-  /// (t + C) x = r: from the first unknown up, which is stable for t <= 1.
+  /// (t + M) x = r: from the first unknown up, which is stable for t <= 1.
   void solve_low(double t) {
     const Index last = r_.size() - 1;
     inner_[0] = 0;
@@ -97,7 +97,7 @@ class PowerIntegrand {
     ++solves_;
   }
 
-  /// (1 + t C) x = r: from the last unknown down, stable for t <= 1.
+  /// (1 + t M) x = r: from the last unknown down, stable for t <= 1.
   void solve_high(double t) {
     const Index last = r_.size() - 1;
     inner_[last] = r_[last];
@@ -178,8 +178,8 @@ FractionalShift::Moved FractionalShift::move(const VectorXd& traction, double st
   for (double k = 0; k < whole; ++k) moved = shifted(outflow_, moved);
   if (power == 0) return {moved, 0};
 
-  // C^c - I = sin(pi c)/pi (C - I) times the integral over t > 0 of t^c/(1 + t) (t + C)^-1. For t >
-  // 1 the variable is 1/t, and the integral's value for C = 0, 1/(1 - c), is subtracted. On both
+  // M^c - I = sin(pi c)/pi (M - I) times the integral over t > 0 of t^c/(1 + t) (t + M)^-1. For t >
+  // 1 the variable is 1/t, and the integral's value for M = 0, 1/(1 - c), is subtracted. On both
   // intervals t = exp(-y).
   const VectorXd r = shifted(outflow_, moved) - moved;
   if (r.isZero(0)) return {moved, 0};

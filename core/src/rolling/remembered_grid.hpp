@@ -19,7 +19,7 @@
 namespace microslip {
 
 /// A grid whose nodes stand in the contact, with constant functions. The material remembers the
-/// displacement with which it came: s = W + A p - m, where m is the displacement that the material
+/// displacement with which it came: s = S + A p - U, where U is the displacement that the material
 /// would have without slip, cubic between points one element apart.
 ///
 /// - Both edges of the contact lie where the scheme feels them: the leading edge

@@ -44,7 +44,7 @@ class SidedBound {
 /// The bound on one side of a stick zone, where the bodies slip, and the integrals over it that
 /// invert the finite Hilbert transform on the zone. The outward distance from the end of the zone,
 /// over half its length, is the versine v = cosh(theta) - 1. In terms of theta, the inversion has
-/// no square root at the end of the zone.
+/// no square root at the end of the zone. This theta is psi in docs/theory.md.
 ///
 /// A table's pieces are integrated in closed form if the place of evaluation is near them. A smooth
 /// bound has a square root at the edge of the contact: the last panel of its quadrature uses r with

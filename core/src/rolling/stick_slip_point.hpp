@@ -69,7 +69,7 @@ class StickSlipPoint {
   struct Response {
     bool known = false;
     Eigen::VectorXd traction;
-    Eigen::VectorXd slip;  ///< W + A p; n
+    Eigen::VectorXd slip;  ///< S + A p; n
     double creepage = 0;
     double force = 0;  ///< [N/mm]
 

@@ -34,8 +34,8 @@ std::string next_line(std::istream& in, int& line_number) {
   return "";
 }
 
-/// What separates the cells of a table, by its line of names: a comma or a semicolon if there is
-/// one, as in CSV; otherwise blanks and tabs.
+/// Returns what separates the cells of a table, by its line of names: a comma or a semicolon if
+/// there is one, as in CSV; otherwise blanks and tabs.
 char separator_of(const std::string& names) {
   for (const char separator : {',', ';'}) {
     if (names.find(separator) != std::string::npos) return separator;

@@ -19,34 +19,34 @@ namespace microslip {
 void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, double value,
                   const std::string& instead);
 
-/// Of difference schemes on coarse grids under a force near full sliding: their stick zone is then
-/// shorter than some elements, and the creepage is wrong by more than 10 %.
+/// Warns if a difference scheme on a coarse grid is loaded near full sliding: its stick zone is
+/// then shorter than some elements, and the creepage is wrong by more than 10 %.
 /// \param instead  what is safe for any value
 void warn_near_full_sliding(Scene& scene, const Load& load, const TractionBound& bound,
                             Eigen::Index elements, const std::string& instead);
 
-/// Of a last step that the distance cuts shorter than the scheme is safe with, under a force: the
-/// summary has its creepage. Steps that are all unsafe are warned of by themselves.
+/// Warns if the distance cuts the last step shorter than the scheme is safe with, under a force:
+/// the summary has its creepage. Steps that are all unsafe are warned of by themselves.
 void warn_of_short_end(Scene& scene, const TransientScene& read);
 
-/// Of creepages that are nothing but rounding, under a force.
+/// Warns if the creepages under a force are nothing but rounding.
 void warn_of_noise(Scene& scene, Eigen::Index elements, double step_ratio);
 
-/// Of steps that are longer than rows: a step knows the contact at its ends only.
+/// Warns if steps are longer than rows: a step knows the contact at its ends only.
 /// \param spacing  of the elements  [mm]
 void warn_of_missed_rows(Scene& scene, const LoadHistory& loads,
                          const std::vector<double>& step_ratios, double spacing);
 
-/// Of a cylinder that is none of the two bodies of Hertz's contact.
+/// Warns if the cylinder is none of the two bodies of Hertz's contact.
 void warn_of_other_radius(Scene& scene, double radius);
 
-/// Of a radius that is no radius of a body with this contact: less than ten half-widths.
+/// Warns if a radius cannot belong to a body with this contact: it is below ten half-widths.
 void warn_of_small_radius(Scene& scene, const std::string& key, double radius, double half_width);
 
-/// Of the largest creepage in the rows of load.file, see warn_of_large_creepage().
+/// Warns of the largest creepage in the rows of load.file, see warn_of_large_creepage().
 void warn_of_large_creepages(Scene& scene, const LoadHistory& loads, const TractionBound& bound);
 
-/// Of a force that is there at once where the contact starts without tractions.
+/// Warns if a force is there at once where the contact starts without tractions.
 /// \param first_step  its length  [mm]
 void warn_of_sudden_force(Scene& scene, const LoadHistory& loads, double first_step);
 

@@ -150,7 +150,7 @@ std::vector<std::string> tabulated(const TractionBound& bound, const Grid& grid)
 
 std::string number(double value) { return fmt::format("{:.5g}", value); }
 
-/// What a kernel other than a half-space's says about the bodies.
+/// The consequences of a kernel other than a half-space's, and what it does not model.
 struct OfKernel {
   double half_width;
   std::vector<std::string> consequences = {};

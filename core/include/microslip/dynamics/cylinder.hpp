@@ -64,7 +64,7 @@ void require_tolerance(double tolerance);
 
 /// A cylinder that starts from rest, or from free rolling. A step lasts c dx / v, but no longer
 /// than the fraction c dx/a of two times. The first is the period in which the body swings on a
-/// sticking contact, 2 pi sqrt(m'/k), with 1/m' = 1/m + R^2/I and k the stiffness of the contact.
+/// sticking contact, 2 pi sqrt(m_r/stiffness), with 1/m_r = 1/m + R^2/I.
 /// The second is the time in which F_cm moves the body by a from rest. The fraction is limited to
 /// 1/8 of the period and to 1 of the second time. It is proportional to dx, because the motion
 /// would otherwise be of lower order.

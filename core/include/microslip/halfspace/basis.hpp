@@ -54,12 +54,12 @@ Basis quadratic_basis();
 Basis quadratic_basis_as_printed();
 
 /// Hat functions; the last one is zero beyond the leading edge: thesis Fig. 10.2.
-/// \param leading_offset  beta, distance of the edge from the last node in elements, in (0, 1]
+/// \param leading_offset  distance of the edge from the last node in elements, in (0, 1]
 Basis trimmed_linear_basis(double leading_offset);
 
 /// Constant functions; the last element also has the antisymmetric function of thesis (C.1). The
 /// thesis gives no equation for its coefficient. Here the traction vanishes at the leading edge, so
-/// that both functions of the last element form one that falls linearly to zero (for beta = 1/2).
+/// that both functions of the last element form one that falls linearly to zero (for an offset of 1/2).
 Basis edge_constant_basis();
 
 /// Names of the bases for scenes, the default first.

@@ -16,8 +16,8 @@ class Grid {
   struct Parameters {
     double half_width;             ///< a, in (0, inf)  [mm]
     Eigen::Index elements;         ///< N, in [1, 4e6]
-    double leading_offset = 0.5;   ///< beta, in [0, 1]
-    double trailing_offset = 0.5;  ///< alpha, in [0, 1]
+    double leading_offset = 0.5;   ///< last node to leading edge, in [0, 1]  [dx]
+    double trailing_offset = 0.5;  ///< trailing edge to first node, in [0, 1]  [dx]
   };
 
   /// More elements would take several GB, even by FFT.

@@ -118,27 +118,27 @@ class LayeredKernel {
   double compliance_;
 };
 
-/// A kernel by its symbol S, the displacement over the traction of a wave p cos(kappa x); the symbol
-/// of a kernel K is \f$ S(\kappa)=\int K(z)\cos(\kappa z)\,dz \f$. Plane strain has \f$ \pi k/\kappa
+/// A kernel by its symbol K^, the displacement over the traction of a wave p cos(kappa x); the symbol
+/// of a kernel K is \f$ \hat K(\kappa)=\int K(z)\cos(\kappa z)\,dz \f$. Plane strain has \f$ \pi k/\kappa
 /// \f$ with k = 2 (1 - nu)/(pi G), and a Winkler layer adds C.
 ///
-/// Between the rows of a table, kappa S is linear, so that these two and their sum are exact. From
+/// Between the rows of a table, kappa K^ is linear, so that these two and their sum are exact. From
 /// the last row on, it goes on as between the last two: a half-space and a layer, pi k + C kappa; as
-/// a half-space alone where kappa S falls there, and as a layer alone where S rises.
-/// Before the first row S keeps its first value, so that K vanishes far away: the bodies are of
-/// finite thickness. With \f$ E(t)=\sin t/t-\mathrm{Ci}(t) \f$ and the changes of slope of kappa S
-/// at the rows as its factors, the kernel has a closed form,
-/// \f[ K(z)=C\,\delta(z)+\sum_i k_i\,E(\kappa_i z), \quad \sum_i k_i=k . \f]
+/// a half-space alone where kappa K^ falls there, and as a layer alone where K^ rises.
+/// Before the first row K^ keeps its first value, so that K vanishes far away: the bodies are of
+/// finite thickness. With \f$ \Psi(\theta)=\sin\theta/\theta-\mathrm{Ci}(\theta) \f$ and the changes of
+/// slope of kappa K^ at the rows as its factors, the kernel has a closed form,
+/// \f[ u=C\,p+\int K\,p\,d\xi,\quad K(z)=\sum_n k_n\,\Psi(\kappa_n z), \quad \sum_n k_n=k . \f]
 /// A half-space from kappa_1 on is therefore, at distances z << 1/kappa_1, plane strain with L0 =
 /// exp(1 - 0.5772)/kappa_1, except for terms of the order of (kappa_1 z)^2.
 ///
-/// S > 0 is all that makes a kernel positive definite, on any interval.
+/// K^ > 0 is all that makes a kernel positive definite, on any interval.
 class SymbolKernel {
  public:
   static constexpr Eigen::Index most_rows = 1000;
 
   /// \param wave_numbers  kappa, > 0, rising, 2 to most_rows  [1/mm]
-  /// \param symbol        S there, > 0; in the last two rows it falls no faster than kappa^-1.5, and
+  /// \param symbol        K^ there, > 0; in the last two rows it falls no faster than kappa^-1.5, and
   ///                      rises no faster than kappa^0.5  [mm^3/N]
   /// \throws std::invalid_argument for others
   SymbolKernel(const Eigen::VectorXd& wave_numbers, const Eigen::VectorXd& symbol);
@@ -158,7 +158,7 @@ class SymbolKernel {
 
  private:
   Eigen::VectorXd wave_numbers_, symbol_;
-  Eigen::ArrayXd bends_;    ///< the wave numbers where kappa S changes its slope  [1/mm]
+  Eigen::ArrayXd bends_;    ///< the wave numbers where kappa K^ changes its slope  [1/mm]
   Eigen::ArrayXd factors_;  ///< k_i of these  [mm^2/N]
   double log_factor_ = 0, compliance_ = 0;
 };

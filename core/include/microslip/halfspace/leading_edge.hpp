@@ -10,19 +10,19 @@ namespace microslip {
 
 /// How a strain that is a difference over one element feels the leading edge of the contact: two
 /// constants of the Wiener-Hopf factors of its symbol, which is 2 (1 - nu)/G dx times
-/// 2 |sin(theta/2)| b(theta) for the displacement of a whole element's tractions. The kernel's
+/// 2 |sin(theta/2)| V(theta) for the displacement of a whole element's tractions. The kernel's
 /// logarithm alone determines them, so they hold for strips and plane strain.
 ///
 /// With a Winkler layer in series tractions vanish linearly close to the edge, and like a square
-/// root far from it. The symbol is then b + 2 lambda |sin(theta/2)|; the exact kernel has 1 +
-/// lambda |theta|. lambda is the softness(); of springs alone, which is infinite, the edge is felt
+/// root far from it. The symbol is then V + 2 softness |sin(theta/2)|; the exact kernel has 1 +
+/// softness |theta|. The softness() is C/C_e; of springs alone, which is infinite, the edge is felt
 /// where it is, one element beyond the last node.
 struct LeadingEdgeConstants {
-  /// beta*: to second order, the tractions belong to a contact whose leading edge lies so many
+  /// delta: to second order, the tractions belong to a contact whose leading edge lies so many
   /// elements beyond the last node, whatever the offset of the grid  [1]
   double offset;
 
-  /// e0: the slip displacement of the next node while the edge passes over an element, over
+  /// C_0/C_e: the slip displacement of the next node while the edge passes over an element, over
   /// 2 (1 - nu)/G dx + C times the traction that the scheme gives it in adhesion at the end; C is
   /// the layer's compliance  [1]
   double compliance;
@@ -42,18 +42,18 @@ struct LeadingEdgeConstants {
   double value(Eigen::Index j, double fraction) const;
 };
 
-/// The compliance C of a layer over the compliance of an element of the half-space, lambda = C/(pi k dx);
+/// The compliance C of a layer over the compliance of an element of the half-space, C_e = pi k dx;
 /// infinite without a half-space.
 /// \param spacing  dx  [mm]
 double softness(const Kernel& kernel, double spacing);
 
-/// offset = 3/4 - 1/(4 pi) int_0^pi ln b / sin^2(theta/2) dtheta,
-/// compliance = exp(1/pi int_0^pi ln b dtheta),
-/// b = 2 sin(theta/2) sum over all m of shape^(theta + 2 pi m) / |theta + 2 pi m|.
-/// With a layer b + 2 lambda sin(theta/2) takes the place of b, and to the offset
-/// 1/pi int_0^inf ln(1 + lambda theta) / theta^2 dtheta is added, which is the exact kernel's.
+/// offset = 3/4 - 1/(4 pi) int_0^pi ln V / sin^2(theta/2) dtheta,
+/// compliance = exp(1/pi int_0^pi ln V dtheta),
+/// V = 2 sin(theta/2) sum over all n of shape^(theta + 2 pi n) / |theta + 2 pi n|.
+/// With a layer V + 2 softness sin(theta/2) takes the place of V, and to the offset
+/// 1/pi int_0^inf ln(1 + softness theta) / theta^2 dtheta is added, which is the exact kernel's.
 /// \param basis     constant or linear
-/// \param softness  lambda, in [0, inf]
+/// \param softness  C/C_e, in [0, inf]
 /// \throws std::invalid_argument for others
 /// Accuracy: 1e-15 without a layer, tests/digits/spectrum_test.cpp; 1e-12 with one
 LeadingEdgeConstants leading_edge_constants(const Basis& basis, double softness = 0);

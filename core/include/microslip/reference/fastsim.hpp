@@ -4,13 +4,13 @@
 namespace microslip {
 
 /// Steady rolling of a strip by Kalker's simplified theory, as his program FASTSIM has it (Vehicle
-/// System Dynamics 11, 1982, 1-13): the displacement is L times the traction at the same place, so
-/// that a traction grows by |w|/L a length from the leading edge on, up to a parabola of the same
+/// System Dynamics 11, 1982, 1-13): the displacement is C times the traction at the same place, so
+/// that a traction grows by |w|/C a length from the leading edge on, up to a parabola of the same
 /// width and force as the bound. In two dimensions the sum of its slices has a closed form,
-/// \f[ \frac{|F|}{F_{\max}} = 3\xi - 3\xi^2 + \xi^3, \quad
-///     \xi = \min\Bigl(1, \frac{2a^2|w|}{3L\,F_{\max}}\Bigr) . \f]
-/// The flexibility L comes from Kalker's linear theory: without slip the force is 2 a^2 w/L, so
-/// that L = 2 a^2/|dF/dw|. In plane strain that is 4 a (1 - nu)/(pi G).
+/// \f[ \frac{|F|}{F_{\max}} = 1 - \Bigl(1-\frac{|w|}{w_{\max}}\Bigr)^3, \quad
+///     w_{\max} = \frac{3C\,F_{\max}}{2a^2}, \quad |w| \le w_{\max} . \f]
+/// The flexibility C comes from Kalker's linear theory: without slip the force is 2 a^2 w/C, so
+/// that C = 2 a^2/|dF/dw|. In plane strain that is 4 a (1 - nu)/(pi G).
 class Fastsim {
  public:
   /// \param half_width  a, in (0, inf)  [mm]
@@ -19,7 +19,7 @@ class Fastsim {
   /// \throws std::invalid_argument outside the ranges
   Fastsim(double half_width, double most, double slope);
 
-  double flexibility() const;  ///< L  [mm^3/N]
+  double flexibility() const;  ///< C  [mm^3/N]
 
   /// The least creepage at which all slides, 3 F_max/|dF/dw|  [1]
   double full_sliding_creepage() const { return 3 * most_ / slope_; }

@@ -30,7 +30,7 @@ class InvertedSolution {
   double force() const;        ///< F  [N/mm]
   double dissipation() const;  ///< -w F, the energy lost per mm rolled and mm width  [N/mm]
   double stick_edge() const;   ///< b; a in full sliding  [mm]
-  double stick_end() const;    ///< c  [mm]
+  double stick_end() const;    ///< f  [mm]
   bool sticks(double x) const;
   double traction(double x) const;  ///< p(x), zero outside the contact  [N/mm^2]
   double slip(double x) const;      ///< s(x) inside the contact  [1]
@@ -59,10 +59,10 @@ class InvertedSolution {
   int evaluations_;
 };
 
-/// Steady rolling with one stick zone [b, c], by the inversion of the finite Hilbert transform on
+/// Steady rolling with one stick zone [b, f], by the inversion of the finite Hilbert transform on
 /// the zone: the tractions there follow from the bound in the slip zones alone. The bodies slip
 /// behind the stick zone. Under a tabulated bound that falls to zero they slip ahead of it, too;
-/// otherwise c = a. The kernel of a strip adds a smooth strain, which is inverted with Chebyshev
+/// otherwise f = a. The kernel of a strip adds a smooth strain, which is inverted with Chebyshev
 /// polynomials. docs/theory.md has the formulas.
 ///
 /// Accuracy: 1e-10 of force, creepage, traction and slip for any load and any bound that leads to

@@ -17,15 +17,15 @@
 namespace microslip {
 
 /// The difference scheme of the thesis: collocation at the nodes, (3.5)-(3.8),
-/// \f[ s_I = w + \frac{((A-A')\,p)_I}{c\,\Delta x} \f]
+/// \f[ s_j = w + \frac{((A-A')\,p)_j}{c\,\Delta x} \f]
 /// If the displacement u_LE at the leading edge is known, the last equation is
-/// s_N = w + ((A p)_N - u_LE) / (beta dx).
+/// s_N = w + ((A p)_N - u_LE) / (leading_offset dx).
 /// Accuracy: the force is first order in dx for offsets 1/2, because A' feels the leading edge
 /// about 0.825 dx beyond the last node (constant functions, c = 1); 3/2 with u_LE known
 /// (tests/order/carter_order_test.cpp).
 struct Differences {
   double step_ratio = 1;  ///< c = dq/dx of the difference for du/dx, >= min_step_ratio  [1]
-  /// u_LE, (10.6); needs beta > 0  [mm]
+  /// u_LE, (10.6); needs a leading offset > 0  [mm]
   std::optional<double> edge_displacement = std::nullopt;
   /// Bounds are means over the elements, the outermost of which extend to the edges, so that they
   /// sum up to full sliding; or else values at the nodes.
@@ -118,7 +118,7 @@ double answer_of(const Load& load, const SteadySolution& solution);
 
 /// Cost: O(N^2) memory; time as the method.
 /// \throws std::invalid_argument for a step ratio or load outside its range, for a known u_LE at
-///                               beta = 0, for fewer than 11 elements where these must replace the
+///                               a leading offset of 0, for fewer than 11 elements where these must replace the
 ///                               inversion, and as the method
 /// \throws NotConverged          as ActiveSet::solve or the method
 SteadySolution solve_steady(const SteadyProblem& problem);

@@ -19,8 +19,8 @@ struct BasisConvergenceParameters {
   double length;  ///< L0 of the plane kernel  [mm]
   HertzBound bound;
   std::vector<Eigen::Index> sizes;  ///< N, odd, ascending, at least two
-  double leading_offset;            ///< beta, in (0, 1]
-  double trailing_offset;           ///< alpha, in [0, 1]
+  double leading_offset;            ///< last node to leading edge, in (0, 1]  [dx]
+  double trailing_offset;           ///< trailing edge to first node, in [0, 1]  [dx]
   double step_ratio;                ///< c  [1]
   double stick_ratio;               ///< a', in (0, 1)
 };

@@ -52,7 +52,7 @@ struct ExtremesParameters {
     std::vector<double> loads;    ///< forces over full sliding of both  [1]
   } kernels;
 
-  std::vector<double> offsets;  ///< alpha and beta  [dx]
+  std::vector<double> offsets;  ///< of either edge from its node  [dx]
 
   struct {
     std::vector<double> ratios;  ///< c  [1]

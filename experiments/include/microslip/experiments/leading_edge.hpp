@@ -19,12 +19,12 @@ struct LeadingEdgeParameters {
   double length;  ///< L0 of the plane kernel  [mm]
   HertzBound bound;
   std::vector<Eigen::Index> sizes;       ///< N, each twice its predecessor, at least two
-  std::vector<double> leading_offsets;   ///< beta (the thesis's alpha), each in (0, 1]
-  std::vector<double> trailing_offsets;  ///< alpha, each in [0, 1]
+  std::vector<double> leading_offsets;   ///< the thesis's alpha, each in (0, 1]  [dx]
+  std::vector<double> trailing_offsets;  ///< each in [0, 1]  [dx]
   std::vector<double> stick_ratios;      ///< a', each in (0, 1)
   Eigen::Index profile_elements;         ///< N of the tractions shown
   double profile_stick_ratio;            ///< a' of the tractions shown, and of the thesis's numbers
-  double profile_offset;                 ///< beta of the trimmed hat shown, thesis Fig. 10.3
+  double profile_offset;  ///< leading offset of the trimmed hat shown, thesis Fig. 10.3
 };
 
 /// The keys that `leading_edge --print-keys` lists, each checked against its listed range.

@@ -15,8 +15,8 @@ struct WorkLimit {
   double operations;  ///< of a run, see microslip/support/work.hpp
 };
 
-/// What is the cost of a given accuracy, for each scheme, basis, edge treatment, step ratio and
-/// solver? All of them are measured for the same list of N.
+/// Measures the cost of a given accuracy for each scheme, basis, edge treatment, step ratio and
+/// solver, all with the same list of N.
 struct SpeedAccuracyParameters {
   PolynomialBound bound;  ///< of steady rolling; not Hertzian, because calibration is exact for the
                           ///< Hertzian bound

@@ -18,14 +18,14 @@ struct VaryingLoadParameters {
   Material material;
   HertzBound bound;                  ///< under the mean load P0
   double length;                     ///< L0  [mm]
-  std::vector<double> stick_ratios;  ///< a'/a of Carter's solution under the mean load
+  std::vector<double> stick_ratios;  ///< a' of Carter's solution under the mean load
   std::vector<double> wavelengths;   ///< L/a, at which small waves are rolled, rising
   double amplitude;                  ///< of small waves
   int alignments;                    ///< of the stick-slip point in an element, 1 to 20
   std::vector<Eigen::Index> sizes;   ///< N, rising
   std::vector<double> step_ratios;   ///< c; the first is 1
   double large_amplitude;            ///< of large waves, below 1
-  double large_stick_ratio;          ///< a'/a of the mean state of large waves
+  double large_stick_ratio;          ///< a' of the mean state of large waves
   std::vector<double> shown;         ///< L/a of the large waves whose force is shown
   double shortest, longest;          ///< of curves, L/a
   int points;                        ///< of curves

@@ -48,7 +48,7 @@ class Symbol {
 };
 
 /// Amplification of the traction exp(i k theta) in adhesion by a step of the direct scheme, the
-/// factor \f$ 1-c\,\Delta x\,\hat S(\theta)/\hat A(\theta) \f$, the symbol of A^-1 A',
+/// factor \f$ 1-c\,\Delta x\,\hat\varepsilon/\hat A \f$, the symbol of A^-1 A',
 /// from the symbols of strain and influence. The exact factor is \f$ e^{ic\theta} \f$, a
 /// translation by c towards the trailing edge.
 class Amplification {
