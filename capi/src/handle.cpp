@@ -49,9 +49,11 @@ const Load& require_step(const microslip_rolling& handle, double dq) {
   const double larger = std::max(now, handle.contact->contact().half_width);
   const double spacing = handle.spacing * (larger > 0 ? larger : 1);
   const double elements = dq / spacing;
-  require(elements >= min_step_ratio && elements <= most_elements, "dq", dq, [&] {
-    return fmt::format("from {} to {} elements, one of which is {}", format_short(min_step_ratio),
-                       format_short(most_elements), format_short(spacing));
+  require(dq == 0 || (elements >= min_step_ratio && elements <= most_elements), "dq", dq, [&] {
+    return fmt::format("0, or from {} to {} elements, one of which is {}{}",
+                       format_short(min_step_ratio), format_short(most_elements),
+                       format_short(spacing),
+                       dq < 0 ? "; rolling backwards is not in this version" : "");
   });
   if (!handle.load) throw std::invalid_argument("load: expected a creepage or a force to be set");
   const auto* force = std::get_if<PrescribedForce>(&*handle.load);

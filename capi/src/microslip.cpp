@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 
@@ -217,9 +218,9 @@ microslip_status microslip_get_full_sliding(microslip_rolling* rolling, double* 
 }
 
 size_t microslip_size(microslip_rolling* rolling) {
-  return rolling == nullptr || !rolling->contact
-             ? 0
-             : static_cast<std::size_t>(rolling->contact->x().size());
+  if (rolling == nullptr) return 0;
+  const std::lock_guard lock(rolling->mutex);
+  return rolling->contact ? static_cast<std::size_t>(rolling->contact->x().size()) : 0;
 }
 
 microslip_status microslip_get_nodes(microslip_rolling* rolling, double* values, size_t length) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contacts of scenes: what rolls step by step, and steady rolling under many loads.
+#include <mutex>
+
 #include "error.hpp"
 #include "handle.hpp"
 #include "interface.hpp"
@@ -8,6 +10,7 @@
 #include "microslip/support/require.hpp"
 #include "scene.hpp"
 #include "steady.hpp"
+#include "text_file.hpp"
 
 using namespace microslip;
 using namespace microslip::python;
@@ -19,13 +22,25 @@ microslip_rolling* microslip_py_rolling(const microslip_py_scene* scene) {
 const char* microslip_py_save(microslip_rolling* rolling) {
   static thread_local std::string text;
   return or_null([&] {
+    const std::lock_guard lock(rolling->mutex);
     text = rolling->contact->save();
     return text.c_str();
   });
 }
 
 int microslip_py_restore(microslip_rolling* rolling, const char* text) {
-  return python::status_of([&] { rolling->contact->restore({text}); });
+  return python::status_of([&] {
+    const std::lock_guard lock(rolling->mutex);
+    rolling->contact->restore({text});
+  });
+}
+
+const char* microslip_py_writable_target(const char* path) {
+  static thread_local std::string text;
+  return or_null([&] {
+    text = capi::target_of(path).string();
+    return text.c_str();
+  });
 }
 
 struct microslip_py_steady {
