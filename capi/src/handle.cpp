@@ -11,6 +11,7 @@
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
+#include "zero.hpp"
 
 namespace microslip::capi {
 
@@ -62,11 +63,11 @@ const Load& require_step(const microslip_rolling& handle, double dq) {
 }
 
 microslip_state in_c(const TransientState& state) {
-  return {.distance = state.distance,
-          .force = state.force,
-          .mean_force = state.mean_force,
-          .creepage = state.creepage,
-          .dissipation = state.dissipation,
+  return {.distance = without_sign_of_zero(state.distance),
+          .force = without_sign_of_zero(state.force),
+          .mean_force = without_sign_of_zero(state.mean_force),
+          .creepage = without_sign_of_zero(state.creepage),
+          .dissipation = without_sign_of_zero(state.dissipation),
           .residual = state.evidence.residual,
           .violation = state.evidence.violation(),
           .adhesion_elements = static_cast<int>(state.adhesion_elements),

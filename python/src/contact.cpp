@@ -11,6 +11,7 @@
 #include "scene.hpp"
 #include "steady.hpp"
 #include "text_file.hpp"
+#include "zero.hpp"
 
 using namespace microslip;
 using namespace microslip::python;
@@ -74,7 +75,8 @@ int microslip_py_fastsim(const microslip_py_steady* steady, double slope, const 
       reject("beside", "fastsim", "None for bodies of different material");
     }
     const Fastsim fastsim(half_width_of(bound), full_sliding_force(bound), slope);
-    for (std::size_t i = 0; i < count; ++i) forces[i] = fastsim.force(creepages[i]);
+    for (std::size_t i = 0; i < count; ++i)
+      forces[i] = capi::without_sign_of_zero(fastsim.force(creepages[i]));
   });
 }
 
