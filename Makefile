@@ -36,7 +36,7 @@ help:
 	@echo 'make accuracy     the orders that the tests measure, into docs/accuracy.md'
 	@echo 'make coverage     the lines of core that the tests run; at least 95 %'
 	@echo 'make mutants      which test fails for each change of tests/mutants.tsv; MUTANTS="NAME ..." for some'
-	@echo 'make sanitize     the tests of units and of the C interface, and the corpus, under the address and undefined-behaviour sanitizers'
+	@echo 'make sanitize     the tests of units and of the C interface, and the corpus, under the address and undefined-behaviour sanitizers; those of threads under the thread sanitizer'
 	@echo 'make fuzz         libFuzzer on every reader of input, FUZZ_SECONDS=$(FUZZ_SECONDS) each, with both sanitizers'
 	@echo 'make keep-corpus  what it found that reaches new code, into fuzz/corpus'
 	@echo 'make build        only build the programs, into $(BUILD)/bin'
@@ -181,6 +181,8 @@ sanitize: deps
 	ctest --preset debug -L 'capi|corpus' -j $(JOBS)
 	seq 0 $$(($(JOBS) - 1)) | GTEST_TOTAL_SHARDS=$(JOBS) xargs -P $(JOBS) -I {} env GTEST_SHARD_INDEX={} \
 	  build/debug/bin/unit_tests --gtest_brief=1 --gtest_filter='-$(LONG_RUNS)'
+	@$(call cmake_build,threads,--target capi_tests)
+	build/threads/bin/capi_tests --gtest_brief=1 --gtest_filter='CThreads.*:*DifferentThreads*'
 
 # Input that ends a reader is written to build/fuzz/findings; new input stays in build/fuzz/corpus.
 fuzz:

@@ -11,9 +11,15 @@
  * memory loses its contact. No C++ exception leaves the library. Numbers must be finite; a null
  * pointer is a bad input where its description does not allow it.
  *
- * Threads: different handles may be used at once; one handle, by one thread at a time. FFTW, which
- * the library uses, makes plans in one thread at a time: the library takes care of its own plans. A
- * program that makes plans elsewhere at the same time must call fftw_make_planner_thread_safe(). */
+ * Threads: all functions may be called by several threads at once. Calls with different handles,
+ * and calls without a handle, run side by side. Calls with one handle take turns, in any order: each
+ * is made as a whole. Two calls that belong together, such as microslip_set_force() and
+ * microslip_advance(), or a call and the text of its microslip_message(), need a lock of the
+ * caller's if another thread uses the same handle. No other call with a handle may be under way
+ * when microslip_destroy() frees it. If several threads save to one file, the file of one of them
+ * remains. FFTW, which the library uses, makes plans in one thread at a time: the library takes care
+ * of its own plans. A program that makes plans elsewhere at the same time must call
+ * fftw_make_planner_thread_safe(). */
 #ifndef MICROSLIP_H
 #define MICROSLIP_H
 
@@ -161,7 +167,8 @@ MICROSLIP_API enum microslip_status microslip_copy(microslip_rolling* rolling,
 
 /** Writes the state of a contact to a file: everything on which the next calls depend, a step that
  * was attempted included, but not the load. The scheme must be MICROSLIP_REMEMBERED. The file is
- * written as a whole or not at all, and replaces a file of the same name. */
+ * written as a whole or not at all, and replaces a file of the same name, or the file to which a
+ * link of this name leads. A device, a pipe, a socket and a folder are refused. */
 MICROSLIP_API enum microslip_status microslip_save(microslip_rolling* rolling, const char* path);
 
 /** Takes the state from a file of microslip_save() or of `microslip --save`, which must have the
@@ -230,8 +237,14 @@ MICROSLIP_API enum microslip_status microslip_shift_by_distance(microslip_rollin
                                                                 double distance,
                                                                 struct microslip_shift* shift);
 
-/** Rolls on by dq, from 1e-15 to 1e6 elements of the larger contact of the step  [mm]. Under a
- * force, rounding is more than 1 % of the creepage below 1e-13 N elements. */
+/** Rolls on by dq, 0 or from 1e-15 to 1e6 elements of the larger contact of the step  [mm]. Under a
+ * force, rounding is more than 1 % of the creepage below 1e-13 N elements.
+ *
+ * Nothing happens in a step of dq = 0: state and energies stay, and the next step is to the bit what
+ * it would have been. A creepage may be set meanwhile, as it shifts nothing over no length. Another
+ * force or another contact than that now is refused: microslip_shift_to_force() changes the force
+ * without rolling, and microslip_shift_by_distance() by 0 the contact. Rolling backwards, dq < 0, is
+ * not in this version. */
 MICROSLIP_API enum microslip_status microslip_advance(microslip_rolling* rolling, double dq);
 
 /** The steps of one call are arrays of `count` numbers each. */
@@ -261,8 +274,8 @@ MICROSLIP_API enum microslip_status microslip_attempt(microslip_rolling* rolling
                                                       struct microslip_state* state);
 
 /** Gives the same state and the derivatives of the step, by which an implicit integrator finds its
- * load with Newton's method: examples/c/wheel_drive.c. The scheme must be MICROSLIP_REMEMBERED. It
- * costs two more solves than microslip_attempt() for each element that is travelled. */
+ * load with Newton's method: examples/c/wheel_drive.c. The scheme must be MICROSLIP_REMEMBERED, and
+ * dq above 0. It costs two more solves than microslip_attempt() for each element that is travelled. */
 MICROSLIP_API enum microslip_status microslip_attempt_with_jacobian(
     microslip_rolling* rolling, double dq, struct microslip_state* state,
     struct microslip_jacobian* jacobian);

@@ -11,6 +11,7 @@
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
+#include "zero.hpp"
 
 namespace microslip::capi {
 
@@ -49,9 +50,11 @@ const Load& require_step(const microslip_rolling& handle, double dq) {
   const double larger = std::max(now, handle.contact->contact().half_width);
   const double spacing = handle.spacing * (larger > 0 ? larger : 1);
   const double elements = dq / spacing;
-  require(elements >= min_step_ratio && elements <= most_elements, "dq", dq, [&] {
-    return fmt::format("from {} to {} elements, one of which is {}", format_short(min_step_ratio),
-                       format_short(most_elements), format_short(spacing));
+  require(dq == 0 || (elements >= min_step_ratio && elements <= most_elements), "dq", dq, [&] {
+    return fmt::format("0, or from {} to {} elements, one of which is {}{}",
+                       format_short(min_step_ratio), format_short(most_elements),
+                       format_short(spacing),
+                       dq < 0 ? "; rolling backwards is not in this version" : "");
   });
   if (!handle.load) throw std::invalid_argument("load: expected a creepage or a force to be set");
   const auto* force = std::get_if<PrescribedForce>(&*handle.load);
@@ -60,11 +63,11 @@ const Load& require_step(const microslip_rolling& handle, double dq) {
 }
 
 microslip_state in_c(const TransientState& state) {
-  return {.distance = state.distance,
-          .force = state.force,
-          .mean_force = state.mean_force,
-          .creepage = state.creepage,
-          .dissipation = state.dissipation,
+  return {.distance = without_sign_of_zero(state.distance),
+          .force = without_sign_of_zero(state.force),
+          .mean_force = without_sign_of_zero(state.mean_force),
+          .creepage = without_sign_of_zero(state.creepage),
+          .dissipation = without_sign_of_zero(state.dissipation),
           .residual = state.evidence.residual,
           .violation = state.evidence.violation(),
           .adhesion_elements = static_cast<int>(state.adhesion_elements),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -34,16 +35,16 @@ struct microslip_rolling {
   double full_sliding;                                   ///< as the elements have it  [N/mm]
   double strain;                                         ///< mean bound over shear modulus  [1]
   std::optional<microslip::Load> load;
-  char message[512] = "";  ///< of the last call that failed
-  char warning[512] = "";  ///< of the last call that set a load
+  char message[512] = "";    ///< of the last call that failed
+  char warning[512] = "";    ///< of the last call that set a load
+  mutable std::mutex mutex;  ///< held by each call, so that calls of several threads take turns
 };
 
 namespace microslip::capi {
 
-/// Does the work with what a handle stands for.
+/// Does the work with what a handle stands for, whose mutex the caller holds.
 template <class Work>
-microslip_status with(microslip_rolling* handle, const Work& work) noexcept {
-  if (handle == nullptr) return MICROSLIP_BAD_INPUT;
+microslip_status with_locked(microslip_rolling* handle, const Work& work) noexcept {
   const Message message{handle->message, sizeof handle->message};
   if (!handle->contact) {
     message.say("out of memory in an earlier step: expected no more than to be destroyed");
@@ -52,13 +53,31 @@ microslip_status with(microslip_rolling* handle, const Work& work) noexcept {
   return guarded(message, [&] { work(*handle); });
 }
 
+/// Does the work with what a handle stands for, while no other thread does.
+template <class Work>
+microslip_status with(microslip_rolling* handle, const Work& work) noexcept {
+  if (handle == nullptr) return MICROSLIP_BAD_INPUT;
+  const std::lock_guard lock(handle->mutex);
+  return with_locked(handle, work);
+}
+
 /// The same for work that changes the contact. Where memory runs out in between, the contact is
 /// lost, and leaks: see TransientRolling.
+/// \param failed  called without arguments if the work fails; throws nothing
+template <class Work, class Failed>
+microslip_status roll_with(microslip_rolling* handle, const Work& work,
+                           const Failed& failed) noexcept {
+  if (handle == nullptr) return MICROSLIP_BAD_INPUT;
+  const std::lock_guard lock(handle->mutex);
+  const microslip_status status = with_locked(handle, work);
+  if (status == MICROSLIP_OUT_OF_MEMORY) static_cast<void>(handle->contact.release());
+  if (status != MICROSLIP_OK) failed();
+  return status;
+}
+
 template <class Work>
 microslip_status roll_with(microslip_rolling* handle, const Work& work) noexcept {
-  const microslip_status status = with(handle, work);
-  if (status == MICROSLIP_OUT_OF_MEMORY) static_cast<void>(handle->contact.release());
-  return status;
+  return roll_with(handle, work, [] {});
 }
 
 /// The largest force that the bound allows, of the contact that is set  [N/mm]

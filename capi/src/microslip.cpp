@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 
@@ -14,16 +15,17 @@
 #include "problem.hpp"
 #include "text_file.hpp"
 #include "version.hpp"
+#include "zero.hpp"
 
 using namespace microslip::capi;
 
 namespace {
 
 microslip_slopes in_c(const microslip::StepSlopes& slopes) {
-  return {.force = slopes.force,
-          .mean_force = slopes.mean_force,
-          .creepage = slopes.creepage,
-          .dissipation = slopes.dissipation};
+  return {.force = without_sign_of_zero(slopes.force),
+          .mean_force = without_sign_of_zero(slopes.mean_force),
+          .creepage = without_sign_of_zero(slopes.creepage),
+          .dissipation = without_sign_of_zero(slopes.dissipation)};
 }
 
 microslip_status shift_with(microslip_rolling* handle, const microslip::ShiftLoad& load,
@@ -37,10 +39,10 @@ microslip_status shift_with(microslip_rolling* handle, const microslip::ShiftLoa
     }
     const microslip::Shift shift = of.contact->shift(load);
     if (out == nullptr) return;
-    *out = {.distance = shift.distance,
-            .force = of.contact->state().force,
-            .dissipation = shift.dissipation,
-            .work = shift.work};
+    *out = {.distance = without_sign_of_zero(shift.distance),
+            .force = without_sign_of_zero(of.contact->state().force),
+            .dissipation = without_sign_of_zero(shift.dissipation),
+            .work = without_sign_of_zero(shift.work)};
   });
 }
 
@@ -54,8 +56,9 @@ microslip_status copy_values(microslip_rolling* handle, Value* to, std::size_t l
     microslip::require(length >= size, "length", static_cast<double>(length),
                        [&] { return fmt::format("at least {}", size); });
     const auto from = values(*of.contact);
-    std::transform(from.begin(), from.end(), to,
-                   [](auto value) { return static_cast<Value>(value); });
+    std::transform(from.begin(), from.end(), to, [](auto value) {
+      return static_cast<Value>(without_sign_of_zero(static_cast<double>(value)));
+    });
   });
 }
 
@@ -160,7 +163,7 @@ microslip_status microslip_start_from_shift(microslip_rolling* rolling, double f
   return roll_with(rolling, [&](microslip_rolling& of) {
     require_force(of, force);
     const double found = of.contact->start_from_shift({force});
-    if (shift != nullptr) *shift = found;
+    if (shift != nullptr) *shift = without_sign_of_zero(found);
   });
 }
 
@@ -217,9 +220,9 @@ microslip_status microslip_get_full_sliding(microslip_rolling* rolling, double* 
 }
 
 size_t microslip_size(microslip_rolling* rolling) {
-  return rolling == nullptr || !rolling->contact
-             ? 0
-             : static_cast<std::size_t>(rolling->contact->x().size());
+  if (rolling == nullptr) return 0;
+  const std::lock_guard lock(rolling->mutex);
+  return rolling->contact ? static_cast<std::size_t>(rolling->contact->x().size()) : 0;
 }
 
 microslip_status microslip_get_nodes(microslip_rolling* rolling, double* values, size_t length) {

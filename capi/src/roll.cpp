@@ -49,7 +49,7 @@ void name_step(microslip_rolling& of, std::size_t k) {
 microslip_status microslip_roll(microslip_rolling* rolling, const microslip_steps* steps,
                                 microslip_state* states) {
   std::optional<std::size_t> at;
-  const microslip_status status = roll_with(rolling, [&](microslip_rolling& of) {
+  const auto roll = [&](microslip_rolling& of) {
     const microslip_steps& all = require_pointer(steps, "steps");
     validate(all);
     microslip_rolling before(of);
@@ -67,7 +67,8 @@ microslip_status microslip_roll(microslip_rolling* rolling, const microslip_step
       of.load = before.load;
       throw;
     }
+  };
+  return roll_with(rolling, roll, [&] {
+    if (at) name_step(*rolling, *at);
   });
-  if (status != MICROSLIP_OK && at) name_step(*rolling, *at);
-  return status;
 }

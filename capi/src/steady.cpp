@@ -11,6 +11,7 @@
 #include "microslip/rolling/large_creepage.hpp"
 #include "microslip/support/require.hpp"
 #include "problem.hpp"
+#include "zero.hpp"
 
 namespace microslip::capi {
 
@@ -23,7 +24,7 @@ double* row_of(double* values, std::size_t row, std::size_t size) {
 }
 
 void put(double* to, const Eigen::VectorXd& values) {
-  if (to != nullptr) std::copy(values.begin(), values.end(), to);
+  if (to != nullptr) std::transform(values.begin(), values.end(), to, without_sign_of_zero);
 }
 
 void put_nan(const NodesOut& nodes, Eigen::Index size) {
@@ -34,9 +35,9 @@ void put_nan(const NodesOut& nodes, Eigen::Index size) {
 
 microslip_steady in_c(const SteadySolution& solution) {
   const bool inverted = solution.scheme == SteadyScheme::inversion;
-  return {.creepage = solution.creepage,
-          .force = solution.force,
-          .dissipation = solution.dissipation,
+  return {.creepage = without_sign_of_zero(solution.creepage),
+          .force = without_sign_of_zero(solution.force),
+          .dissipation = without_sign_of_zero(solution.dissipation),
           .stick_edge = solution.stick_edge.value_or(nan),
           .residual = solution.evidence.residual,
           .violation = solution.evidence.violation(),

@@ -4,13 +4,13 @@
 #include <fmt/core.h>
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <random>
 #include <stdexcept>
 
 #include "microslip/support/shown.hpp"
+#include "microslip/support/writable_target.hpp"
 
 namespace microslip::capi {
 
@@ -24,10 +24,16 @@ std::invalid_argument cannot_write(const std::string& path, const std::string& w
 
 }  // namespace
 
+fs::path target_of(const std::string& path) {
+  try {
+    return writable_target(path);
+  } catch (const NotWritable& error) {
+    throw cannot_write(path, error.reason());
+  }
+}
+
 void write_text(const std::string& path, const std::string& text) {
-  const fs::path target(path);
-  if (!target.has_filename()) throw cannot_write(path, "expected the name of a file");
-  if (fs::is_directory(target)) throw cannot_write(path, std::strerror(EISDIR));
+  const fs::path target = target_of(path);
   const fs::path part =
       target.parent_path() /
       fmt::format(".{}.{}.part", target.filename().string(), std::random_device{}());

@@ -3,10 +3,13 @@
 
 from __future__ import annotations
 
+import difflib
 import functools
 import html
 from typing import Dict, NamedTuple
 
+from ._arrays import shown
+from ._errors import InputError
 from ._library import text_of
 
 
@@ -58,10 +61,22 @@ def keys(part: str = "") -> Keys:
     part : str
         Only keys that have this text in their name.
 
+    Raises
+    ------
+    InputError
+        If there is no such key; the message has the nearest.
+
     >>> import microslip as ms
     >>> ms.keys("half_width")
     contact.half_width  mm         half-width a of the contact: > 0
     >>> ms.keys()["load.force"].unit
     'N/mm'
     """
-    return _all_keys() if not part else Keys((name, key) for name, key in _all_keys().items() if part in name)
+    found = Keys((name, key) for name, key in _all_keys().items() if part in name) if part else _all_keys()
+    if found:
+        return found
+    parts = sorted({one for name in _all_keys() for one in (name, *name.split("."))})
+    near = difflib.get_close_matches(part.strip(". ").lower(), parts, 1, 0.5)
+    hint = f" (did you mean '{near[0]}'?)" if near else ""
+    raise InputError(f"part = '{shown(part)}'{hint}: expected a part of the name of a key; microslip.keys() lists all",
+                     "part", part, "a part of the name of a key")

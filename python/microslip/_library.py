@@ -107,6 +107,7 @@ def _load() -> c.CDLL:
         "py_rolling": (handle, (scene,)),
         "py_save": (text, (handle,)),
         "py_restore": (c.c_int, (handle, text)),
+        "py_writable_target": (text, (text,)),
         "py_steady_read": (handle, (scene,)),
         "py_steady_destroy": (None, (handle,)),
         "py_steady_size": (size, (handle,)),

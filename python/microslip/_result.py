@@ -141,7 +141,7 @@ class Cases:
     def __init__(self, scene: Scene, overrides: Mapping[str, Any], is_swept: bool):
         self.arguments = SceneArguments(scene, overrides)
         self._handle = require(call("py_read", self.arguments.in_c(), is_swept))
-        weakref.finalize(self, call, "py_cases_destroy", self._handle)
+        weakref.finalize(self, call, "py_cases_destroy", self._handle).atexit = False  # a thread may still solve
 
     def __len__(self) -> int:
         return call("py_case_count", self._handle)

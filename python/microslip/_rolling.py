@@ -6,15 +6,18 @@ from __future__ import annotations
 import contextlib
 import copy as copying
 import ctypes as c
+import functools
 import os
+import threading
 import weakref
-from typing import Any, Dict, Iterator, Mapping, NamedTuple, Optional, Union
+from typing import Any, Callable, Dict, Iterator, Mapping, NamedTuple, Optional, TypeVar, Union, cast
 
 import numpy as np
 
 from . import _plot
-from ._arrays import Values, broadcast, numbers, record
+from ._arrays import Values, broadcast, number, numbers, record
 from ._errors import Error, InputError
+from ._files import as_path
 from ._library import (JACOBIAN, SHIFT, STATE, Steps, call, error_of, require, require_ok, text_of)
 from ._result import Progress, shown_progress, warn_of
 from ._scene import Scene, SceneArguments
@@ -25,6 +28,44 @@ _UNITS = {"distance": "mm", "force": "N/mm", "mean_force": "N/mm", "creepage": "
 
 # So that an interrupt is noticed: some ten milliseconds.
 _STEPS_AT_ONCE = 1000
+
+
+# Attributes of one contact that no copy shares.
+_OWN = ("_handle", "_finalizer", "_turns")
+
+_Method = TypeVar("_Method", bound=Callable[..., Any])
+
+
+class _Turns:
+    """Lets one thread at a time use a contact."""
+
+    def __init__(self) -> None:
+        self.lock = threading.RLock()
+        self.is_rolling = False  # an array of steps, the progress of which is being told
+
+
+def _in_turn(method: _Method) -> _Method:
+    """Makes a method wait until no other thread uses the contact."""
+
+    @functools.wraps(method)
+    def waiting(self: "Rolling", *arguments: Any, **named: Any) -> Any:
+        with self._turns.lock:
+            return method(self, *arguments, **named)
+
+    return cast(_Method, waiting)
+
+
+def _alone(method: _Method) -> _Method:
+    """The same for a method that changes the contact, which `progress` cannot do while it rolls."""
+
+    @functools.wraps(method)
+    def waiting(self: "Rolling", *arguments: Any, **named: Any) -> Any:
+        with self._turns.lock:
+            if self._turns.is_rolling:
+                raise Error("this contact is rolling: expected no change of it by `progress`")
+            return method(self, *arguments, **named)
+
+    return cast(_Method, waiting)
 
 
 class Load(NamedTuple):
@@ -49,7 +90,8 @@ class Rolling:
     Notes
     -----
     A contact begins without tractions, at the distance 0. A call that fails leaves it as it was.
-    Contacts may be used in several threads at once, each in one at a time. ``copy.copy`` and
+    Contacts may be used in several threads at once. Calls with one contact take turns: each is made as a
+    whole, so that ``attempt`` gives in any thread what it gives in one. ``copy.copy`` and
     ``copy.deepcopy`` make contacts of their own, and ``pickle`` keeps state and load (scheme remembered). In a
     ``with`` block it is closed at the end of the block, otherwise when it is no longer used.
 
@@ -80,11 +122,14 @@ class Rolling:
         self._own(require(call("py_rolling", self._scene.in_c())))
 
     def _own(self, handle: int) -> None:
+        vars(self).setdefault("_turns", _Turns())
         self._handle = handle
         self._finalizer = weakref.finalize(self, call, "destroy", handle)
+        self._finalizer.atexit = False  # a thread may still roll when the interpreter ends
 
     # Life
 
+    @_alone
     def close(self) -> None:
         """Frees the contact; only a second close() is accepted then."""
         self._finalizer()
@@ -95,14 +140,16 @@ class Rolling:
     def __exit__(self, *_: Any) -> None:
         self.close()
 
+    @_in_turn
     def copy(self) -> "Rolling":
         """Returns an independent contact that goes on like this one, to the bit; other attributes are shared."""
         return self._copy_with(vars(self))
 
     __copy__ = copy
 
+    @_in_turn
     def __deepcopy__(self, memo: Dict[int, Any]) -> "Rolling":
-        own = {name: value for name, value in vars(self).items() if name not in ("_handle", "_finalizer")}
+        own = {name: value for name, value in vars(self).items() if name not in _OWN}
         other = memo[id(self)] = self._copy_with({})
         vars(other).update(copying.deepcopy(own, memo))
         return other
@@ -111,12 +158,13 @@ class Rolling:
         handle = c.c_void_p()
         self._call("copy", c.byref(handle))
         other = type(self).__new__(type(self))
-        vars(other).update(attributes)
+        vars(other).update({name: value for name, value in attributes.items() if name not in _OWN})
         other._own(handle.value)  # type: ignore[arg-type]
         return other
 
+    @_in_turn
     def __getstate__(self) -> Dict[str, Any]:
-        own = {name: value for name, value in vars(self).items() if name not in ("_handle", "_finalizer")}
+        own = {name: value for name, value in vars(self).items() if name not in _OWN}
         return {**own, "_saved": require(call("py_save", self._open()))}
 
     def __setstate__(self, state: Dict[str, Any]) -> None:
@@ -128,16 +176,23 @@ class Rolling:
         if self._load is not None:
             self._set_load(**{self._load.kind: self._load.value})
 
+    @_in_turn
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes the state to a file, but not the load: for restore(), or a scene's start.state."""
-        self._call("save", os.fsencode(path))
+        """Writes the state to a file, but not the load: for restore(), or a scene's start.state.
 
+        The file is written as a whole or not at all. A link stays, and its file is replaced; what is no regular file,
+        such as a device or a pipe, is refused.
+        """
+        self._call("save", as_path(path))
+
+    @_alone
     def restore(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Takes the state from the file of an equal contact, and goes on to the bit; the load stays as it was set."""
-        self._call("restore", os.fsencode(path))
+        self._call("restore", as_path(path))
 
     # Steps
 
+    @_alone
     def roll(self, dq: Values, *, creepage: Values = None, force: Values = None, half_width_factor: Values = None,
              bound_factor: Values = None, progress: Progress = None) -> Any:
         """Rolls on, by one step or by many.
@@ -145,7 +200,9 @@ class Rolling:
         Parameters
         ----------
         dq : float or array
-            Lengths of the steps, from 1e-15 to 1e6 elements  [mm]. numpy broadcasts arrays and numbers.
+            Lengths of the steps, 0 or from 1e-15 to 1e6 elements  [mm]. numpy broadcasts arrays and numbers.
+            Nothing happens in a step of 0: its state is that before, and the next step is what it would have
+            been. Under a changed force or contact it is refused; shift() changes them without rolling.
         creepage : float or array, optional
             w of each step  [1].
         force : float or array, optional
@@ -166,20 +223,25 @@ class Rolling:
         InputError, NoSolution
             No step has been made then; the message names the first step that fails, counted from 0.
         """
-        given = {"dq": numbers("dq", dq), "creepage": creepage, "force": force, "half_width_factor": half_width_factor,
+        given = {"dq": dq, "creepage": creepage, "force": force, "half_width_factor": half_width_factor,
                  "bound_factor": bound_factor}
         self._require_load(creepage, force)
         if (half_width_factor is None) != (bound_factor is None):
             given["half_width_factor"] = self._contact[0] if half_width_factor is None else half_width_factor
             given["bound_factor"] = self._contact[1] if bound_factor is None else bound_factor
-        columns = broadcast(given)
+        columns = broadcast({**given, "dq": numbers("dq", dq)})
         if columns["dq"].ndim == 0:
             self._roll_once(**{name: float(value) for name, value in columns.items()})
             self._remember(columns)
             self._tell_once(text_of("warning", self._handle))
             return self.state
         states = np.zeros(columns["dq"].shape, STATE)
-        self._tell_once(self._roll_all(columns, states, shown_progress(progress)))
+        self._turns.is_rolling = True
+        try:
+            doubt = self._roll_all(columns, states, shown_progress(progress))
+        finally:
+            self._turns.is_rolling = False
+        self._tell_once(doubt)
         return states
 
     def _roll_once(self, dq: float, creepage: Optional[float] = None, force: Optional[float] = None,
@@ -235,6 +297,7 @@ class Rolling:
         if "bound_factor" in columns:
             self._contact = (float(columns["half_width_factor"].flat[-1]), float(columns["bound_factor"].flat[-1]))
 
+    @_alone
     def attempt(self, dq: float, *, creepage: Optional[float] = None, force: Optional[float] = None,
                 jacobian: bool = False) -> Any:
         """Returns the state to which a step would lead; the contact stays as it is, and the load is set.
@@ -246,7 +309,7 @@ class Rolling:
         dq, creepage, force : float
             As of roll().
         jacobian : bool
-            Whether derivatives of the step are wanted, for the scheme remembered.
+            Whether derivatives of the step are wanted, for the scheme remembered and dq above 0.
 
         Returns
         -------
@@ -256,21 +319,22 @@ class Rolling:
             and dissipation; derivatives by the creepage or force, and by dq.
         """
         self._require_load(creepage, force)
+        length = number("dq", dq)
         state, slopes = np.zeros((), STATE), np.zeros((), JACOBIAN)
         with self._settings_kept():
             self._set_load(creepage, force)
             if jacobian:
-                self._call("attempt_with_jacobian", float(dq), state.ctypes.data, slopes.ctypes.data)
+                self._call("attempt_with_jacobian", length, state.ctypes.data, slopes.ctypes.data)
             else:
-                self._call("attempt", float(dq), state.ctypes.data)
+                self._call("attempt", length, state.ctypes.data)
         self._tell_once(text_of("warning", self._handle))
         return (record(state), record(slopes)) if jacobian else record(state)
 
     def _tell_once(self, doubt: str) -> None:
-        """Warns the user who called, two frames above; once, as steps are many."""
+        """Warns the user who called, three frames above; once, as steps are many."""
         if doubt and not self._warned:
             self._warned = True
-            warn_of([doubt], depth=4)
+            warn_of([doubt], depth=5)
 
     def _require_load(self, creepage: Any, force: Any) -> None:
         if creepage is not None and force is not None:
@@ -282,14 +346,17 @@ class Rolling:
     def _set_load(self, creepage: Optional[float] = None, force: Optional[float] = None) -> None:
         for kind, value in (("creepage", creepage), ("force", force)):
             if value is not None:
-                self._call(f"set_{kind}", float(value))
-                self._load = Load(kind, float(value))
+                load = number(kind, value)
+                self._call(f"set_{kind}", load)
+                self._load = Load(kind, load)
 
     @property
+    @_in_turn
     def load(self) -> Optional[Load]:
         """The load of the next step, if no other load is given; None before the first step."""
         return self._load
 
+    @_alone
     def set_contact(self, half_width_factor: float, bound_factor: float) -> None:
         """Sets the contact at the end of the next step or shift; it changes linearly on the way.
 
@@ -300,9 +367,11 @@ class Rolling:
             another normal load by Hertz's theory, and another friction coefficient changes the bound alone.
             With 0, bodies do not touch. The scheme must be remembered.
         """
-        self._call("set_contact", float(half_width_factor), float(bound_factor))
-        self._contact = (float(half_width_factor), float(bound_factor))
+        contact = (number("half_width_factor", half_width_factor), number("bound_factor", bound_factor))
+        self._call("set_contact", *contact)
+        self._contact = contact
 
+    @_alone
     def start_from_shift(self, force: float) -> float:
         """Shifts bodies without tractions until they carry a force, and does not roll: Cattaneo's problem.
 
@@ -312,9 +381,10 @@ class Rolling:
             The rigid shift  [mm].
         """
         shift = np.zeros(())
-        self._call("start_from_shift", float(force), shift.ctypes.data)
+        self._call("start_from_shift", number("force", force), shift.ctypes.data)
         return float(shift)
 
+    @_alone
     def shift(self, *, force: Optional[float] = None, distance: Optional[float] = None) -> Any:
         """Shifts the bodies without rolling, from the present tractions, to a force or by a rigid shift.
 
@@ -334,8 +404,10 @@ class Rolling:
             raise InputError("force: expected either a force or a distance", "force", str(force),
                              "either a force or a distance")
         shift = np.zeros((), SHIFT)
-        name, value = ("shift_to_force", force) if force is not None else ("shift_by_distance", distance)
-        self._call(name, float(value), shift.ctypes.data)  # type: ignore[arg-type]
+        if force is not None:
+            self._call("shift_to_force", number("force", force), shift.ctypes.data)
+        else:
+            self._call("shift_by_distance", number("distance", distance), shift.ctypes.data)
         return record(shift)
 
     # The present state
@@ -358,6 +430,7 @@ class Rolling:
         return self._number("get_full_sliding")
 
     @property
+    @_in_turn
     def method(self) -> str:
         """The scheme, as scenes name it."""
         return text_of("method", self._open())
@@ -392,6 +465,7 @@ class Rolling:
         """0 at nodes in adhesion, else the sign of the traction that slips; no meaning where the bound is 0."""
         return self._values("zones", np.intc)
 
+    @_in_turn
     def __len__(self) -> int:
         """The number of nodes."""
         return call("size", self._open())
@@ -399,10 +473,12 @@ class Rolling:
     def __bool__(self) -> bool:
         return True
 
+    @_in_turn
     def plot(self, axes: Any = None) -> Any:
         """Draws tractions within their bound; returns the axes of matplotlib."""
         return _plot.plot_traction(self.x, self.bound, self.traction, axes)
 
+    @_in_turn
     def __repr__(self) -> str:
         if not self._finalizer.alive:
             return f"<microslip.{type(self).__name__}, closed>"
@@ -433,6 +509,7 @@ class Rolling:
             message = f"step {int(number) + before}: {rest}"
         raise error_of(status, message)
 
+    @_in_turn
     def _call(self, name: str, *arguments: Any) -> None:
         self._check(call(name, self._open(), *arguments))
 
@@ -441,6 +518,7 @@ class Rolling:
         self._call(name, number.ctypes.data)
         return float(number)
 
+    @_in_turn
     def _values(self, name: str, kind: Any = float) -> np.ndarray:
         values = np.empty(len(self), kind)
         self._call(f"get_{name}", values.ctypes.data, values.size)

@@ -10,6 +10,8 @@ from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
 
 import numpy as np
 
+from ._arrays import NotNumber, is_number, shown, text_of_number
+from ._columns import NAMES_KEY, is_table, names_text, table_text
 from ._errors import InputError
 from ._keys import keys
 from ._library import SceneText
@@ -18,18 +20,19 @@ from ._table import Table
 #: A file's name, a scene's text, or a dictionary of its keys.
 Scene = Union[str, "os.PathLike[str]", Mapping[str, Any], None]
 
-# Columns of a table that is given as arrays without names.
-_COLUMNS = {"contact.bound_file": ("x", "bound"), "start.file": ("x", "traction")}
 
 
 def _bad(key: str, value: Any, expected: str) -> InputError:
-    shown = value if isinstance(value, str) else repr(value)
-    shown = shown if len(shown) <= 60 else shown[:57] + "..."
-    return InputError(f"{key} = '{shown}': expected {expected}", key, shown, expected)
+    text = shown(value)
+    return InputError(f"{key} = '{text}': expected {expected}", key, text, expected)
 
 
-def _number(value: Any) -> str:
-    return repr(float(value)) if isinstance(value, (float, np.floating)) else str(value)
+def _number(key: str, value: Any) -> str:
+    try:
+        return text_of_number(value)
+    except NotNumber as error:
+        raise InputError(f"{key} = {error.value}: expected {error.expected}", key.partition("[")[0], error.value,
+                         error.expected) from None
 
 
 def _sections() -> set:
@@ -45,12 +48,12 @@ def _key_of(name: str) -> str:
 
 
 def _items(given: Mapping[str, Any], section: str = "") -> Iterator[Tuple[str, Any]]:
-    """Yields keys with their values, from nested sections; tables are not taken apart."""
+    """Yields keys with their values, from nested sections; tables and names of columns are not taken apart."""
     for name, value in given.items():
         if not isinstance(name, str):
             raise _bad(section + str(name), value, "a text as the name of a key")
         key = section + name if section else _key_of(name)
-        if isinstance(value, Mapping) and not _names_file(key):
+        if isinstance(value, Mapping) and not _names_file(key) and key != NAMES_KEY:
             yield from _items(value, key + ".")
         else:
             yield key, value
@@ -68,8 +71,9 @@ class SceneArguments:
         self._assignments: List[bytes] = []
         self._files: Dict[str, bytes] = {}
         text, name, folder = "", "scene", ""
+        given: List[Tuple[str, Any]] = []
         if isinstance(scene, Mapping):
-            self._assign_all(scene)
+            given += _items(scene)
         elif isinstance(scene, str) and ("\n" in scene or "{" in scene):
             text = scene
         elif isinstance(scene, (str, os.PathLike)):
@@ -80,11 +84,15 @@ class SceneArguments:
             raise _bad("scene", scene, "a file's name, a text or a dictionary")
         if "\0" in text:
             raise InputError(f"{name}: expected a text, not NUL bytes", "scene", "", "a text")
-        self._assign_all(overrides)
+        given += _items(overrides)
+        self._assign_all(given)
         self._texts = [text.encode(), name.encode(), folder.encode()]
 
-    def _assign_all(self, given: Mapping[str, Any]) -> None:
-        for key, value in _items(given):
+    def _assign_all(self, given: List[Tuple[str, Any]]) -> None:
+        last = dict(given)
+        names = last.get(NAMES_KEY)
+        self._names = names if isinstance(names, Mapping) and is_table(last.get("load.file")) else {}
+        for key, value in given:
             text = self._text_of(key, value)
             if "=" in key or not key or "\0" in key + text:
                 raise _bad(key, text, "a key of scenes, see microslip.keys(), and a text without NUL")
@@ -98,29 +106,41 @@ class SceneArguments:
             raise _bad(key, value, "a number, a text, or an array of numbers")
         if isinstance(value, str):
             return value
+        if key == NAMES_KEY and isinstance(value, Mapping):
+            # What is in memory has its names before the library reads it.
+            return "" if self._names else names_text(value)
         if _names_file(key):
             return self._file_of(key, value)
-        if isinstance(value, (int, float, np.integer, np.floating)):
-            return _number(value)
+        if is_number(value):
+            return _number(key, value)
+        return self._text_of_list(key, value)
+
+    def _text_of_list(self, key: str, value: Any) -> str:
         try:
             values = list(value)
         except TypeError:
             raise _bad(key, value, "a number, a text, or an array of numbers") from None
+        if isinstance(value, (bytes, bytearray, memoryview)):
+            raise _bad(key, value, "a number, a text, or an array of numbers, not bytes")
         if key.startswith("sweep."):
             return " | ".join(self._text_of(key[len("sweep."):], one) for one in values)
         if not values:
             raise _bad(key, value, "at least one number")
-        return " ".join(one if isinstance(one, str) else _number(one) for one in values)
+        if isinstance(value, (set, frozenset)):
+            raise _bad(key, value, "numbers in an order")
+        return " ".join(one if isinstance(one, str) else _number(f"{key}[{place}]", one)
+                        for place, one in enumerate(values))
 
     def _file_of(self, key: str, value: Any) -> str:
         """Returns the name of a file in memory, for arrays or the bytes of a state; a path stays as it is."""
         if isinstance(value, os.PathLike):
             return os.fspath(value)
         name = f"<{key}>"
-        if isinstance(value, Table):
+        names = self._names if key == "load.file" else {}
+        if isinstance(value, Table) and not names:
             self._files[name] = value.text.encode()
         else:
-            self._files[name] = value if isinstance(value, bytes) else _columns_text(key, value)
+            self._files[name] = value if isinstance(value, bytes) else table_text(key, value, names)
         return name
 
     def in_c(self) -> SceneText:
@@ -140,37 +160,3 @@ def _text_of_file(name: str) -> str:
     except (OSError, UnicodeDecodeError) as error:
         why = error.strerror if isinstance(error, OSError) else "expected UTF-8"
         raise InputError(f"scene '{name}': cannot read it: {why}", "scene", name, "a file that can be read") from None
-
-
-def _columns_text(key: str, value: Any) -> bytes:
-    """Writes arrays as the text of a table: a dictionary, a structured array, or columns in their order."""
-    names, arrays = _columns_of(key, value)
-    columns = [np.asarray(array) for array in arrays]
-    sizes = {column.shape for column in columns}
-    if len(sizes) != 1 or any(column.ndim != 1 for column in columns):
-        raise _bad(key, "arrays of shapes " + ", ".join(str(one.shape) for one in columns),
-                   "columns of the same length")
-    rows = zip(*(map(_number, column.tolist()) for column in columns))
-    return "\n".join(["\t".join(names), *("\t".join(row) for row in rows), ""]).encode()
-
-
-def _with_unit(name: str, units: Mapping[str, str]) -> str:
-    return f"{name} [{units[name]}]" if name in units else name
-
-
-def _columns_of(key: str, value: Any) -> Tuple[List[str], List[Any]]:
-    named: Optional[Mapping[str, Any]] = value if isinstance(value, Mapping) else None
-    fields = getattr(getattr(value, "dtype", None), "names", None)
-    if fields:
-        named = {name: value[name] for name in fields}
-    elif hasattr(value, "to_dict") and hasattr(value, "columns"):  # a frame of pandas
-        units = value.attrs.get("units", {})
-        named = {_with_unit(str(name), units): value[name] for name in value.columns}
-    if named is not None:
-        return list(named), list(named.values())
-    names = _COLUMNS.get(key)
-    columns = list(value.T) if isinstance(value, np.ndarray) and value.ndim == 2 else value
-    if names is None or not isinstance(columns, (list, tuple)) or len(columns) != len(names):
-        wanted = "a file, or a dictionary of columns"
-        raise _bad(key, value, wanted + (f", or the arrays ({', '.join(names)})" if names else ""))
-    return list(names), list(columns)

@@ -88,7 +88,7 @@ class _Contact:
 
     def __init__(self, scene: Scene, overrides: Any):
         self.handle = require(call("py_steady_read", SceneArguments(scene, overrides).in_c()))
-        weakref.finalize(self, call, "py_steady_destroy", self.handle)
+        weakref.finalize(self, call, "py_steady_destroy", self.handle).atexit = False  # a thread may still solve
         self.nodes = call("py_steady_size", self.handle)
         self.full_sliding = call("py_full_sliding", self.handle)
 
@@ -231,7 +231,7 @@ def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, b
     >>> curve = ms.creep_curve(material={"shear_modulus": 82000, "poisson_ratio": 0.28},
     ...                        contact={"half_width": 5, "peak_traction": 300},
     ...                        kernel={"type": "strip", "width": 10}, grid={"elements": 50}, points=9)
-    >>> (curve.force / curve.full_sliding).round(2) + 0
+    >>> (curve.force / curve.full_sliding).round(2)
     array([ 0.  , -0.31, -0.55, -0.75, -0.89, -0.97, -1.  , -1.  , -1.  ])
     """
     if not isinstance(points, (int, np.integer)) or points < 5:

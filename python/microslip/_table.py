@@ -13,6 +13,7 @@ from typing import Any, Dict, List, NamedTuple, Tuple, Union
 import numpy as np
 
 from ._errors import InputError
+from ._files import write_text
 
 
 class Column(NamedTuple):
@@ -73,8 +74,12 @@ class Table:
         return to_pandas(self.data, self.units)
 
     def write(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes the text of the table as it was read, to the byte."""
-        pathlib.Path(path).write_text(self.text, encoding="utf-8", newline="\n")
+        """Writes the text of the table as it was read, to the byte.
+
+        The file is written as a whole or not at all. A link stays, and its file is replaced; what is no regular file,
+        such as a device or a pipe, is refused.
+        """
+        write_text(path, self.text)
 
 
 def _split(name: str, text: str) -> Tuple[List[str], str]:

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contacts of scenes: what rolls step by step, and steady rolling under many loads.
+#include <mutex>
+
 #include "error.hpp"
 #include "handle.hpp"
 #include "interface.hpp"
@@ -8,6 +10,8 @@
 #include "microslip/support/require.hpp"
 #include "scene.hpp"
 #include "steady.hpp"
+#include "text_file.hpp"
+#include "zero.hpp"
 
 using namespace microslip;
 using namespace microslip::python;
@@ -19,13 +23,25 @@ microslip_rolling* microslip_py_rolling(const microslip_py_scene* scene) {
 const char* microslip_py_save(microslip_rolling* rolling) {
   static thread_local std::string text;
   return or_null([&] {
+    const std::lock_guard lock(rolling->mutex);
     text = rolling->contact->save();
     return text.c_str();
   });
 }
 
 int microslip_py_restore(microslip_rolling* rolling, const char* text) {
-  return python::status_of([&] { rolling->contact->restore({text}); });
+  return python::status_of([&] {
+    const std::lock_guard lock(rolling->mutex);
+    rolling->contact->restore({text});
+  });
+}
+
+const char* microslip_py_writable_target(const char* path) {
+  static thread_local std::string text;
+  return or_null([&] {
+    text = capi::target_of(path).string();
+    return text.c_str();
+  });
 }
 
 struct microslip_py_steady {
@@ -59,7 +75,8 @@ int microslip_py_fastsim(const microslip_py_steady* steady, double slope, const 
       reject("beside", "fastsim", "None for bodies of different material");
     }
     const Fastsim fastsim(half_width_of(bound), full_sliding_force(bound), slope);
-    for (std::size_t i = 0; i < count; ++i) forces[i] = fastsim.force(creepages[i]);
+    for (std::size_t i = 0; i < count; ++i)
+      forces[i] = capi::without_sign_of_zero(fastsim.force(creepages[i]));
   });
 }
 

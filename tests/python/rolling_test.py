@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A contact that rolls: alone, copied, kept, over arrays of steps."""
+import concurrent.futures
 import contextlib
 import copy
 import gc
+import os
 import pickle
+import stat
 import subprocess
 import sys
 import threading
@@ -134,8 +137,8 @@ def test_energy_is_balanced(scene, random):
 
 
 @pytest.mark.parametrize("given, message", [
-    ({"dq": [0.1, -1, 0.1], "creepage": 0}, r"^step 1: dq = -1: expected from 1e-15"),
-    ({"dq": np.r_[np.full(1500, 0.1), np.nan], "creepage": 0}, r"^step 1500: dq = nan: expected from"),
+    ({"dq": [0.1, -1, 0.1], "creepage": 0}, r"^step 1: dq = -1: expected 0, or from 1e-15"),
+    ({"dq": np.r_[np.full(1500, 0.1), np.nan], "creepage": 0}, r"^step 1500: dq = nan: expected 0, or from"),
     ({"dq": 0.1, "force": 12345}, r"^force = 12345: expected an absolute value below full sliding"),
     ({"dq": [0.1, 0.2], "creepage": [1, 2, 3]}, r"^dq: expected arrays of one length, not of dq 2, creepage 3"),
     ({"dq": 0.1, "creepage": 1, "force": 2}, r"^force: expected a creepage or a force, not both"),
@@ -291,3 +294,158 @@ def test_large_creepages_are_warned_of_once(scene):
             act(one)
             act(one)
         assert len(told) == 1 and told[0].filename == __file__
+
+
+def test_nothing_happens_over_no_length(scene, random):
+    count = 300
+    dq = np.where(random.uniform(size=count) < 0.3, 0, random.uniform(0.01, 0.6, count))
+    creepage = random.uniform(-3e-3, 3e-3, count)
+    moving = dq > 0
+    for options in ({}, {"step_scheme": "direct"}):
+        contact, twin, one_by_one = (ms.Rolling(scene, **options) for _ in range(3))
+        states, expected = contact.roll(dq, creepage=creepage), twin.roll(dq[moving], creepage=creepage[moving])
+        for length, load in zip(dq, creepage):
+            one_by_one.attempt(0, creepage=-load)
+            one_by_one.roll(length, creepage=load)
+        assert np.array_equal(states[moving], expected)
+        before = np.maximum(np.cumsum(moving) - 1, 0)
+        standing = ~moving & (np.cumsum(moving) > 0)
+        assert np.array_equal(states[standing], expected[before[standing]])
+        assert everything(contact)[:2] == everything(twin)[:2] == everything(one_by_one)[:2]
+        force = contact.state.force
+        for act in (contact.roll, contact.attempt):
+            assert act(0, force=force).force == force
+            with pytest.raises(ms.InputError, match="^force = 50: expected .* a shift changes it without rolling"):
+                act(0, force=50)
+            with pytest.raises(ms.InputError, match="^dq = -1: .*; rolling backwards is not in this version"):
+                act(-1, creepage=0)
+    with pytest.raises(ms.InputError, match="^step 1: bound_factor = 0.5: expected .* a shift changes it"):
+        twin = ms.Rolling(scene)
+        twin.roll([0.1, 0], creepage=0, bound_factor=[1, 0.5])
+    assert twin.state.distance == 0
+
+
+def test_zeros_have_no_sign(scene, plane):
+    contact = ms.Rolling(scene)
+    results = [contact.state, contact.roll(0.1, creepage=-0.0), contact.roll([0.1], force=-0.0)[0], contact.shift(force=-0.0),
+               contact.attempt(0.1, creepage=0, jacobian=True)[1].by_length, *ms.steady(scene, creepage=[0, -0.0]).states,
+               *ms.steady(plane, force=[0, -0.0]).states]
+    for result in results:
+        assert not any(np.signbit(value) for name, value in zip(result.dtype.names, result.item())
+                       if value == 0), (result.dtype.names, result)
+    curve = ms.creep_curve(plane, points=6, beside="fastsim")
+    for values in (curve.force, curve.creepage, curve.traction, curve.slip, curve.displacement, curve.fastsim_force,
+                   contact.slip, contact.traction, contact.displacement, np.array(contact.start_from_shift(-0.0))):
+        assert not np.signbit(values[values == 0]).any()
+
+
+def test_attempts_in_threads_are_those_of_one(scene, random):
+    contact = started(scene)
+    tries = [(float(dq), float(load)) for dq, load in zip(random.uniform(0.01, 0.6, 40), random.uniform(-3e-3, 3e-3, 40))]
+
+    def attempt(one):
+        state, slopes = contact.attempt(one[0], creepage=one[1], jacobian=True)
+        return state.item(), slopes.item(), contact.attempt(one[0], force=1e5 * one[1]).item()
+
+    expected = list(map(attempt, tries))
+    for _ in range(5):
+        with concurrent.futures.ThreadPoolExecutor(4) as pool:
+            found = list(pool.map(attempt, tries))
+        for one, other in zip(found, expected):  # attempts leave rounding, in whatever order they are made
+            assert np.allclose(np.hstack(one[0]), np.hstack(other[0]), rtol=1e-9, atol=1e-9)
+            assert np.allclose(np.hstack(one[1]), np.hstack(other[1]), rtol=1e-6, atol=1e-6)
+            assert np.allclose(np.hstack(one[2]), np.hstack(other[2]), rtol=1e-9, atol=1e-9)
+
+
+ABUSE = """
+import pickle, sys, threading
+import numpy as np
+import microslip as ms
+contact = ms.Rolling(material={"shear_modulus": 82000, "poisson_ratio": 0.28},
+                     contact={"half_width": 5, "peak_traction": 300},
+                     kernel={"type": "strip", "width": 10}, grid={"elements": 60})
+contact.roll(0.1, creepage=0.001)
+works = [lambda: contact.roll(np.full(20, 0.01), creepage=0.001), lambda: contact.roll(0.01, creepage=0.001),
+         lambda: contact.attempt(0.1, creepage=0.002, jacobian=True), lambda: contact.copy().roll(0.1),
+         lambda: (contact.traction, contact.state, contact.elastic_energy, contact.displacement, repr(contact)),
+         lambda: pickle.loads(pickle.dumps(contact)), lambda: contact.set_contact(1, 1)]
+failed = []
+
+def use(first):
+    for k in range(12):
+        try:
+            works[(first + k) % len(works)]()
+        except Exception as error:
+            failed.append(error)
+
+threads = [threading.Thread(target=use, args=(k,)) for k in range(7)]
+for one in threads: one.start()
+for one in threads: one.join()
+assert not failed, failed
+rolls = sum(0.2 if (first + k) % 7 == 0 else 0.01 if (first + k) % 7 == 1 else 0 for first in range(7) for k in range(12))
+assert abs(contact.state.distance - 0.1 - rolls) < 1e-9, (contact.state.distance, rolls)
+
+def end():
+    while True:
+        contact.roll(np.full(2000, 0.01), creepage=0.001)
+
+threading.Thread(target=end, daemon=True).start()
+other = threading.Thread(target=contact.attempt, args=(0.1,), kwargs={"creepage": 0.1})
+other.start()
+print("done")
+"""
+
+
+def test_threads_that_share_a_contact_take_turns():
+    """A process of its own, as it used to end; also while a thread still rolls at the end of the interpreter."""
+    for _ in range(5):
+        done = subprocess.run([sys.executable, "-c", ABUSE], capture_output=True, text=True, check=False)
+        assert (done.returncode, done.stdout) == (0, "done\n"), done.stderr
+
+
+def test_progress_does_not_change_the_contact_that_rolls(scene):
+    contact = started(scene)
+    before = everything(contact)
+    for change in (lambda: contact.roll(0.1), lambda: contact.attempt(0.1), contact.close, lambda: contact.shift(force=0),
+                   lambda: contact.set_contact(1, 1), lambda: contact.start_from_shift(0)):
+        with pytest.raises(ms.Error, match="is rolling: expected no change of it by `progress`"):
+            contact.roll([0.1, 0.1], progress=lambda *_, act=change: act())
+        assert everything(contact) == before
+    seen = []
+    contact.roll([0.1, 0.1], progress=lambda *_: seen.append((contact.state.distance, contact.copy().roll(0.1).distance)))
+    assert seen == [(pytest.approx(0.1), pytest.approx(0.2))] and contact.state.distance == pytest.approx(0.3)
+
+
+def test_states_and_tables_replace_regular_files_only(scene, tmp_path):
+    contact, table = started(scene), ms.solve(scene, problem="steady", load_force=-500).tables["traction"]
+    os.mkfifo(tmp_path / "pipe")
+    (tmp_path / "deep").mkdir()
+    refused = ["pipe", "deep"]
+    with contextlib.suppress(PermissionError):  # only root makes devices: the null device by another name
+        os.mknod(tmp_path / "device", stat.S_IFCHR | 0o600, os.makedev(1, 3))
+        refused.append("device")
+    for name in refused:
+        (tmp_path / f"to-{name}").symlink_to(name)
+        for path in (tmp_path / name, tmp_path / f"to-{name}"):
+            before = path.stat()
+            for write in (contact.save, table.write):
+                with pytest.raises(ms.InputError, match=f"^path = '{path}': cannot write it: ") as caught:
+                    write(path)
+                assert caught.value.key == "path" and path.stat() == before
+    (tmp_path / "deep/old").write_text("old")
+    (tmp_path / "link").symlink_to("deep/old")
+    (tmp_path / "chain").symlink_to(tmp_path / "link")
+    (tmp_path / "new").symlink_to("deep/new")
+    for link, file in (("chain", "old"), ("new", "new")):
+        for write in (contact.save, table.write):
+            write(tmp_path / link)
+            assert (tmp_path / link).is_symlink()
+        assert ms.read_table(tmp_path / "deep" / file).data.tolist() == table.data.tolist()
+        contact.save(os.fsencode(tmp_path / link))
+        ms.Rolling(scene).restore(tmp_path / "deep" / file)
+    assert sorted(os.listdir(tmp_path / "deep")) == ["new", "old"]
+    for write in (contact.save, table.write):
+        with pytest.raises(ms.InputError, match="expected a path without NUL"):
+            write(str(tmp_path / "a\0b"))
+    with pytest.raises(FileNotFoundError):
+        table.write(tmp_path / "none" / "a.tsv")

@@ -199,5 +199,14 @@ def test_keys_are_all_with_units():
     assert "load.force" in repr(keys) and "<table>" in keys._repr_html_()
 
 
+def test_keys_that_are_not_there_name_the_nearest():
+    for part, near in (("lod", "load"), ("contact.halfwidth", "contact.half_width"), ("Grid", "grid"),
+                       ("kernal.", "kernel"), ("creepag3", "creepage")):
+        with pytest.raises(ms.InputError, match=rf"^part = '{part}' \(did you mean '{near}'\?\)"):
+            ms.keys(part)
+    with pytest.raises(ms.InputError, match="^part = 'xyzzy': expected a part of the name of a key"):
+        ms.keys("xyzzy")
+
+
 def test_what_is_installed_is_typed():
     assert (pathlib.Path(ms.__file__).parent / "py.typed").exists()

@@ -255,7 +255,9 @@ TEST_F(BadScenes, Transients) {
   expect_rejected(good_transient, "--set load.force= --set load.creepage=0.1",
                   "missing key 'start.force'");
   expect_rejected(good_transient, "--set step.ratio=", "missing key 'step.ratio'");
-  expect_rejected(good_transient, "--set step.ratio='1 0'", "step.ratio = 0: expected numbers");
+  expect_rejected(good_transient, "--set step.ratio='0 0'",
+                  "step.ratio = 0: expected at least one");
+  expect_rejected(good_transient, "--set step.ratio='1 -1'", "step.ratio = -1: expected numbers");
   expect_rejected(good_transient, "--set step.scheme=exact", "step.scheme = 'exact': expected");
   expect_rejected(good_transient, "--set step.relaxation=1",
                   "key 'step.relaxation' has no role here");

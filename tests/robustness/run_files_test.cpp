@@ -201,7 +201,7 @@ TEST_F(RunFiles, OfContactsThatAreWrongAreRefused) {
 }
 
 TEST_F(RunFiles, ThatAreWrongAreRefusedWithRowAndColumn) {
-  expect_refused("q creepage\n0 0.1\n2 0.2\n1 0.1\n", "row 3: q = 1: expected more than 2");
+  expect_refused("q creepage\n0 0.1\n2 0.2\n1 0.1\n", "row 3: q = 1: expected at least 2");
   expect_refused("q creepage\n0 0.1\n1 nan\n", "line 3: column 'creepage': 'nan' is not a finite");
   expect_refused("q creepage\n0 0.1\n", "number of rows = 1: expected at least 2");
   expect_refused("q [kg] creepage\n0 0.1\n1 0\n", "column 'q': unit 'kg': expected mm or another");
@@ -211,7 +211,9 @@ TEST_F(RunFiles, ThatAreWrongAreRefusedWithRowAndColumn) {
   expect_refused("q creepage force\n0 0 0\n1 0 0\n", "expected one of creepage, force and omega");
   expect_refused("q v\n0 1\n1 1\n", "expected one of creepage, force and omega");
   expect_refused("t creepage\n0 1\n1 1\n", "expected v where there is t, and only there");
-  expect_refused("t v creepage\n0 1 0\n1 0 0\n", "row 2: v = 0: expected a velocity above 0");
+  expect_refused("t v creepage\n0 1 0\n1 -1 0\n",
+                 "row 2: v = -1: expected a number >= 0; rolling backwards is not in this version");
+  expect_refused("t v force\n0 1 0\n1 0 0\n2 0 0.1\n", "row 3: force = 0.1: expected 0 of the row");
   expect_refused("t v omega\n0 1 1\n1 1 1\n", "missing key 'load.radius'");
   expect_refused("t v omega\n0 1 1\n1 1 1\n", "load.radius = 0: expected", "--set load.radius=0");
   const std::string good = "q creepage\n0 0.1\n2 0.2\n";
@@ -219,7 +221,39 @@ TEST_F(RunFiles, ThatAreWrongAreRefusedWithRowAndColumn) {
   expect_refused(good, "expected only one of", "--set load.creepage=0.1");
   expect_refused(good, "motion.distance = 3: expected at most the distance of load.file, 2",
                  "--set motion.distance=3");
-  expect_refused(good, "step.ratio = 0: expected", "--set step.ratio=0");
+  expect_refused(good, "step.ratio = 0: expected at least one number > 0", "--set step.ratio=0");
+  expect_refused(good, "step.ratio = -1: expected numbers >= 1e-15 or 0; rolling backwards is not",
+                 "--set 'step.ratio=1 -1'");
+}
+
+// A time loop, a logger and a list of steps meet steps of length 0.
+TEST_F(RunFiles, DoNotFeelAStandstill) {
+  const auto history = [&](const std::string& table, const std::string& options = "") {
+    write(table);
+    const Outcome outcome = run(scene(), options);
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    std::istringstream lines(text_of(out() / "history.tsv"));
+    std::string rows;
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with("#")) rows += line + '\n';
+    }
+    return rows;
+  };
+  const std::string moving = history("q creepage\n0 0.1\n0.2 0.3\n0.5 -0.1\n");
+  EXPECT_EQ(history("q creepage\n0 0.1\n0 0.1\n0.2 0.3\n0.2 0.3\n0.2 0.3\n0.5 -0.1\n0.5 -0.1\n"),
+            moving);
+  const std::string same = "q creepage\n0 0.1\n0.2 0.3\n0.5 -0.1\n";
+  EXPECT_EQ(history(same, "--set 'step.ratio=0 0.3 0 0 0.7 0'"),
+            history(same, "--set 'step.ratio=0.3 0.7'"));
+  EXPECT_EQ(history("q force half_width\n0 0 1\n0.2 0.5 1.1\n0.2 0.5 1.1\n0.5 -0.1 1\n",
+                    "--set contact.half_width=1 --set step.tolerance=1e-2"),
+            history("q force half_width\n0 0 1\n0.2 0.5 1.1\n0.5 -0.1 1\n",
+                    "--set contact.half_width=1 --set step.tolerance=1e-2"));
+  // It starts, stops, waits, and starts again.
+  const std::string stops =
+      history("t v creepage\n0 0 0.1\n1 0.4 0.3\n2 0 0.2\n9 0 0.7\n10 1 0.7\n");
+  EXPECT_EQ(std::count(stops.begin(), stops.end(), '\n'), 1 + 4);  // the start, and three steps
+  EXPECT_EQ(stops.find("nan"), std::string::npos);
 }
 
 }  // namespace

@@ -273,7 +273,8 @@ TEST(Transient, RejectsStepsOutsideTheRange) {
   EXPECT_THROW(relaxed.step(0.6 * 2 / 41, PrescribedCreepage{0.1}), std::invalid_argument);
   EXPECT_THROW(relaxed.step((0.5 + 1e-9) * 2 / 41, PrescribedCreepage{0.1}), std::invalid_argument);
   EXPECT_NO_THROW(relaxed.step((0.5 + 1e-15) * 2 / 41, PrescribedCreepage{0.1}));  // rounding
-  EXPECT_THROW(relaxed.step(0, PrescribedCreepage{0.1}), std::invalid_argument);
+  EXPECT_THROW(relaxed.step(-0.01, PrescribedCreepage{0.1}), std::invalid_argument);
+  EXPECT_THROW(relaxed.step(0, PrescribedForce{0.1}), std::invalid_argument);
   EXPECT_THROW(TransientRolling(problem(Fractional{}, 40)), std::invalid_argument);
   TransientProblem quadratic = problem(Fractional{});
   quadratic.basis = quadratic_basis();

@@ -32,11 +32,54 @@ void require_finite(const VectorXd& column, Index rows, const std::string& name)
   }
 }
 
-void require_ascending(const VectorXd& column, const std::string& name) {
+void require_times(const VectorXd& column) {
   for (Index i = 1; i < column.size(); ++i) {
     if (column[i] > column[i - 1]) continue;
-    require(false, named(i, name), column[i],
+    require(false, named(i, "t"), column[i],
             fmt::format("more than {} of the row before", format_short(column[i - 1])));
+  }
+}
+
+constexpr const char* not_backwards = "rolling backwards is not in this version";
+
+void require_distances(const VectorXd& column) {
+  for (Index i = 1; i < column.size(); ++i) {
+    if (column[i] >= column[i - 1]) continue;
+    require(false, named(i, "q"), column[i],
+            fmt::format("at least {} of the row before; {}", format_short(column[i - 1]),
+                        not_backwards));
+  }
+}
+
+void require_velocities(const RunRows& rows) {
+  const VectorXd& velocity = *rows.velocity;
+  for (Index i = 0; i < velocity.size(); ++i) {
+    if (velocity[i] < 0) {
+      require(false, named(i, "v"), velocity[i], fmt::format("a number >= 0; {}", not_backwards));
+    }
+    if (velocity[i] > 0 || !rows.angular_velocity || (*rows.angular_velocity)[i] == 0) continue;
+    require(false, named(i, "omega"), (*rows.angular_velocity)[i],
+            "0 where v is 0; a shift, without rolling, is not in runs of this version");
+  }
+}
+
+/// What a printed number may differ by, over the largest of its column.
+constexpr double printed = 1e-9;
+
+/// Rejects a column that changes from a row to the next one where nothing is rolled.
+/// \param distances  of the rows  [mm]
+void require_kept_at_standstill(const std::optional<VectorXd>& column, const std::string& name,
+                                const std::vector<double>& distances) {
+  if (!column) return;
+  const double most = printed * column->lpNorm<Eigen::Infinity>();
+  for (Index i = 1; i < column->size(); ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    const double before = (*column)[i - 1];
+    if (distances[row] > distances[row - 1] || std::abs((*column)[i] - before) <= most) continue;
+    require(false, named(i, name), (*column)[i],
+            fmt::format("{} of the row before, as nothing is rolled between them; a shift, which "
+                        "changes the load without rolling, is not in runs of this version",
+                        format_short(before)));
   }
 }
 
@@ -58,11 +101,11 @@ void require_columns(const RunRows& rows) {
   }
 }
 
-/// The slopes of linear functions from row to row.
+/// The slopes of linear functions from row to row; 0 between rows at one place.
 std::vector<double> slopes(const std::vector<double>& values, const std::vector<double>& lengths) {
   std::vector<double> found;
   for (std::size_t i = 0; i < lengths.size(); ++i) {
-    found.push_back((values[i + 1] - values[i]) / lengths[i]);
+    found.push_back(lengths[i] > 0 ? (values[i + 1] - values[i]) / lengths[i] : 0);
   }
   return found;
 }
@@ -90,15 +133,17 @@ LoadHistory::LoadHistory(const RunRows& rows) {
   const Index n = along.size();
   require(n >= 2, "number of rows", static_cast<double>(n), "at least 2");
   require_finite(along, n, name);
-  require_ascending(along, name);
+  if (rows.time) {
+    require_times(along);
+  } else {
+    require_distances(along);
+  }
   for (Index i = 1; i < n; ++i) lengths_.push_back(along[i] - along[i - 1]);
   speed_.assign(static_cast<std::size_t>(n), 1);
   if (rows.velocity) {
     require_finite(*rows.velocity, n, "v");
-    for (Index i = 0; i < n; ++i) {
-      const double v = (*rows.velocity)[i];
-      if (!(v > 0)) require(false, named(i, "v"), v, "a velocity above 0: bodies that roll on");
-    }
+    if (rows.angular_velocity) require_finite(*rows.angular_velocity, n, "omega");
+    require_velocities(rows);
     speed_ = in_std(*rows.velocity);
     times_ = in_std(*rows.time);
   }
@@ -107,9 +152,14 @@ LoadHistory::LoadHistory(const RunRows& rows) {
     distances_.push_back(distances_[i] + lengths_[i] * (speed_[i] + speed_[i + 1]) / 2);
   }
 
+  require_positive("distance of the rows", distances_.back());
+  const auto last = std::lower_bound(distances_.begin(), distances_.end(), distances_.back());
+  last_row_ = static_cast<std::size_t>(last - distances_.begin()) - 1;
+
   take_contact(rows);
   if (rows.force) {
     require_finite(*rows.force, n, "force");
+    require_kept_at_standstill(rows.force, "force", distances_);
     force_ = in_std(*rows.force);
     return;
   }
@@ -125,7 +175,6 @@ LoadHistory::LoadHistory(const RunRows& rows) {
     }
     return;
   }
-  require_finite(*rows.angular_velocity, n, "omega");
   require_positive("radius", rows.radius);
   const std::vector<double> slip = in_std(*rows.velocity - rows.radius * *rows.angular_velocity);
   const std::vector<double> change = slopes(slip, lengths_);
@@ -146,21 +195,28 @@ void LoadHistory::take_contact(const RunRows& rows) {
   size_ = sizes(rows.half_width, n, "half_width", reference.half_width);
   bound_ = rows.friction ? sizes(rows.friction, n, "friction", reference.friction)
                          : sizes(rows.peak_traction, n, "peak_traction", reference.peak_traction);
+  require_kept_at_standstill(rows.normal_load, "normal_load", distances_);
+  require_kept_at_standstill(rows.half_width, "half_width", distances_);
+  require_kept_at_standstill(rows.peak_traction, "peak_traction", distances_);
+  require_kept_at_standstill(rows.friction, "friction", distances_);
 }
 
 double LoadHistory::distance() const {
   return constant_ ? std::numeric_limits<double>::infinity() : distances_.back();
 }
 
-/// Finds the place of a distance. Within a row the distance is quadratic in time.
+/// Finds the place of a distance, in a row that rolls. Within a row the distance is quadratic in
+/// time.
 LoadHistory::Place LoadHistory::place_of(double distance) const {
-  const auto next = std::upper_bound(distances_.begin() + 1, distances_.end() - 1, distance);
+  const auto last = distances_.begin() + static_cast<std::ptrdiff_t>(last_row_) + 1;
+  const auto next = std::upper_bound(distances_.begin() + 1, last, distance);
   const auto row = static_cast<std::size_t>(next - distances_.begin()) - 1;
   const double speed = speed_[row];
   const double acceleration = (speed_[row + 1] - speed) / lengths_[row];
   const double rolled = distance - distances_[row];
   const double speed_there = std::sqrt(std::max(0.0, speed * speed + 2 * acceleration * rolled));
-  return {row, std::min(lengths_[row], 2 * rolled / (speed + speed_there))};
+  const double twice_mean = speed + speed_there;
+  return {row, twice_mean > 0 ? std::min(lengths_[row], 2 * rolled / twice_mean) : 0};
 }
 
 /// The rigid shift between two places within a row  [mm]
@@ -192,7 +248,12 @@ Load LoadHistory::at(double distance) const {
   const Place there = place_of(distance);
   const Array3d& rate = shift_rate_[there.row];
   const double speed = between_rows(speed_, there);
-  return PrescribedCreepage{(rate[0] + there.since * (rate[1] + there.since * rate[2])) / speed};
+  if (speed > 0) {
+    return PrescribedCreepage{(rate[0] + there.since * (rate[1] + there.since * rate[2])) / speed};
+  }
+  // Next to a standstill both are 0: the ratio of their slopes in time.
+  const double acceleration = (speed_[there.row + 1] - speed_[there.row]) / lengths_[there.row];
+  return PrescribedCreepage{(rate[1] + 2 * there.since * rate[2]) / acceleration};
 }
 
 std::optional<double> LoadHistory::time_at(double distance) const {

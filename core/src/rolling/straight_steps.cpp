@@ -135,7 +135,7 @@ std::optional<std::vector<double>> straight_steps(const LoadHistory& loads,
   Sample before = path.start();
   Steps steps(before, longest, most);
   for (const double distance : loads.distances()) {
-    if (distance == 0) continue;
+    if (distance <= before.distance) continue;
     const Sample next = path.after(before, distance);
     sample(path, before, next, longest, 0, steps);
     if (steps.are_too_many()) return std::nullopt;

@@ -25,6 +25,10 @@ constexpr double printed = 1e-3;
 /// A shift to a force that differs from that now by so little, over full sliding, is none.
 constexpr double same_force = 1e-13;
 
+/// A step of length 0 does not change the force; one that was printed differs from it by so little,
+/// over full sliding.
+constexpr double kept_force = 1e-9;
+
 /// A remainder below this part of a step is rounding of the distance.
 constexpr double negligible = 1e-9;
 
@@ -243,17 +247,39 @@ bool TransientRolling::is_solved(double length, const Load& load) const {
   return std::visit(value, solved_->second) == std::visit(value, load);
 }
 
+void TransientRolling::require_standstill(const Load& load) const {
+  const auto require_kept = [](const char* name, double value, double now, double most_change) {
+    require(std::abs(value - now) <= most_change, name, value, [&] {
+      return fmt::format("{} as before in a step of length 0; a shift changes it without rolling",
+                         format_short(now));
+    });
+  };
+  const auto& [half_width, bound] = state_.scale;
+  require_kept("half_width_factor", contact().half_width, half_width, 0);
+  require_kept("bound_factor", contact().bound, bound, 0);
+  const auto* force = std::get_if<PrescribedForce>(&load);
+  if (force == nullptr) return;  // a creepage shifts nothing over no length
+  const double full = grid_->weights().dot(grid_->bound());
+  require_kept("force", force->value, state_.force, kept_force * full);
+}
+
 TransientState TransientRolling::attempt(double length, const Load& load) {
+  if (length == 0) {
+    require_standstill(load);
+    return state_;
+  }
   solve_step(length, load, nullptr);
   return next_;
 }
 
 TransientState TransientRolling::attempt(double length, const Load& load, StepJacobian& jacobian) {
+  require(length != 0, "length", length, "a number > 0, because a step of length 0 has no slopes");
   solve_step(length, load, &jacobian);
   return next_;
 }
 
 void TransientRolling::step(double length, const Load& load) {
+  if (length == 0) return require_standstill(load);
   if (!is_solved(length, load)) solve_step(length, load, nullptr);
   solved_.reset();
   std::swap(state_, next_);

@@ -104,11 +104,24 @@ std::vector<double> read_straight_steps(Scene& scene, const TransientProblem& pr
   return ratios;
 }
 
+/// Leaves out steps of length 0, in which nothing happens.
+std::vector<double> read_step_ratios(Scene& scene) {
+  std::vector<double> ratios = scene.numbers("step.ratio");
+  for (const double ratio : ratios) {
+    require(ratio == 0 || ratio >= min_step_ratio, "step.ratio", ratio,
+            ratio < 0 ? "numbers >= 1e-15 or 0; rolling backwards is not in this version"
+                      : "numbers >= 1e-15 or 0");
+  }
+  std::erase(ratios, 0);
+  require(!ratios.empty(), "step.ratio", 0, "at least one number > 0");
+  return ratios;
+}
+
 /// \return dq/dx; of load.file without step.ratio from row to row
 std::vector<double> read_steps(Scene& scene, const TransientProblem& problem,
                                const LoadHistory& loads) {
   if (has_step_tolerance(scene, problem)) return read_straight_steps(scene, problem, loads);
-  if (scene.has("step.ratio") || loads.distances().empty()) return scene.numbers("step.ratio");
+  if (scene.has("step.ratio") || loads.distances().empty()) return read_step_ratios(scene);
   return row_ratios(loads, problem.grid.spacing());
 }
 

@@ -118,7 +118,7 @@ std::vector<double> row_ratios(const LoadHistory& loads, double spacing) {
   std::vector<double> ratios;
   const std::vector<double>& rows = loads.distances();
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    ratios.push_back((rows[i] - rows[i - 1]) / spacing);
+    if (rows[i] > rows[i - 1]) ratios.push_back((rows[i] - rows[i - 1]) / spacing);
   }
   return ratios;
 }

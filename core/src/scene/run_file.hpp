@@ -16,7 +16,7 @@ namespace microslip {
 /// \throws std::invalid_argument with a message that names the file, and the line or row and column
 LoadHistory read_run(Scene& scene, const TransientProblem& problem);
 
-/// The steps from row to row, dq/dx  [1]
+/// The steps from row to row, dq/dx; without those of length 0, in which nothing happens  [1]
 /// \param spacing  dx  [mm]
 std::vector<double> row_ratios(const LoadHistory& loads, double spacing);
 

@@ -14,9 +14,9 @@ namespace microslip {
 /// Rows of a measured or computed run; all given columns have the same number of entries. There is
 /// either a distance or a time, and one of creepage, force and angular velocity.
 struct RunRows {
-  std::optional<Eigen::VectorXd> distance;          ///< q, ascending  [mm]
+  std::optional<Eigen::VectorXd> distance;          ///< q, not descending  [mm]
   std::optional<Eigen::VectorXd> time;              ///< t, ascending  [s]
-  std::optional<Eigen::VectorXd> velocity;          ///< v > 0, with times  [mm/s]
+  std::optional<Eigen::VectorXd> velocity;          ///< v >= 0, with times  [mm/s]
   std::optional<Eigen::VectorXd> creepage;          ///< w  [1]
   std::optional<Eigen::VectorXd> force;             ///< F  [N/mm]
   std::optional<Eigen::VectorXd> angular_velocity;  ///< omega, with v and a radius  [rad/s]
@@ -39,7 +39,9 @@ struct RunRows {
   } of_problem = {};
 };
 
-/// A load that changes on the way. Velocities, creepage, force and the contact's columns are linear
+/// A load that changes on the way. Nothing happens between rows at one distance, or with v = 0 in
+/// both: force and contact must be the same there, and omega 0 where v is. A creepage may jump.
+/// Velocities, creepage, force and the contact's columns are linear
 /// between rows, in distance or in time, whichever the rows have. With omega the creepage is w = (v
 /// - omega R)/v.
 class LoadHistory {
@@ -49,7 +51,8 @@ class LoadHistory {
   LoadHistory(const OneLoad& constant) : constant_(constant) {}
 
   /// \throws std::invalid_argument for fewer than two rows, columns that exclude each other or
-  ///         differ in length, numbers that are not finite, rows that do not ascend, and v <= 0.
+  ///         differ in length, numbers that are not finite, times that do not ascend, rows that roll
+  ///         backwards or not at all, and for a load that changes while nothing is rolled.
   ///         The message names the row, from 1, and the column
   explicit LoadHistory(const RunRows& rows);
 
@@ -92,6 +95,7 @@ class LoadHistory {
 
   std::optional<Load> constant_;
   std::vector<double> distances_;  ///< of the rows
+  std::size_t last_row_ = 0;       ///< the last one after which anything is rolled
   std::vector<double> times_;      ///< of the rows, if they have times
   std::vector<double> lengths_;    ///< from a row to the next, in distance or time
   std::vector<double> speed_;      ///< of the distance: v, or 1

@@ -99,17 +99,18 @@ class TransientRolling {
   /// \throws std::invalid_argument for a shift that is not finite, and as ActiveSet::solve
   Shift shift(const ShiftLoad& load);
 
-  /// Rolls one step.
-  /// \param length  dq; dq/dx in the range of Advection::advect, or >= min_step_ratio with
+  /// Rolls one step. A step of length 0 changes nothing, neither this state nor the next one.
+  /// \param length  dq; 0, or dq/dx in the range of Advection::advect, or >= min_step_ratio with
   ///                Remembered  [mm]
-  /// \throws std::invalid_argument outside the range, and as ActiveSet::solve
+  /// \throws std::invalid_argument outside the range, with length 0 for a force or a contact that
+  ///                               differs from the present one, and as ActiveSet::solve
   void step(double length, const Load& load);
 
   /// The state after a step, without making the step. If the same step is made next, it costs
   /// nothing.
   TransientState attempt(double length, const Load& load);
 
-  /// The same with derivatives of the step, for the scheme Remembered. Cost: two more solves for
+  /// The same with derivatives of the step, for the scheme Remembered and lengths above 0. Cost: two more solves for
   /// each travelled element.
   /// \param jacobian  out
   /// \throws std::invalid_argument for another scheme, and as step
@@ -151,6 +152,7 @@ class TransientRolling {
   void archive(Archive& archive);
   void read(const SavedState& saved);
   void solve_step(double length, const Load& load, StepJacobian* jacobian);
+  void require_standstill(const Load& load) const;
   bool is_solved(double length, const Load& load) const;
 
   TransientProblem problem_;
