@@ -207,8 +207,9 @@ MICROSLIP_API enum microslip_status microslip_set_force(microslip_rolling* rolli
  * MICROSLIP_REMEMBERED.
  *
  * If one of them is 0, the bodies do not touch, or slide without friction: there are no tractions
- * at the end of the step, a force must be 0, and nothing is remembered. A contact that returns
- * begins at the end of its step, at rest, or with the force that is set.
+ * at the end of the step, a force must be 0, and nothing is remembered. A contact that returns under
+ * a creepage begins at the start of its step, without tractions, and grows on the way. Under a force
+ * it begins at the end of the step, with the force.
  *
  * half_width_factor  >= 0; in plane strain less than 2 L0 over the half-width  [1]
  * bound_factor       of the bound at the same place over the half-width, >= 0  [1] */

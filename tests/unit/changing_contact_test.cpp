@@ -140,7 +140,7 @@ TEST(ChangingContact, MeetsMindlinAndDeresiewicz) {
               0.01);
 }
 
-TEST(ChangingContact, ThatIsLostCarriesNothingAndReturnsAtRest) {
+TEST(ChangingContact, ThatIsLostCarriesNothingAndReturnsUnstrained) {
   TransientRolling rolling(problem_with(plane, 30));
   rolling.roll(1, {0.1}, PrescribedCreepage{0.3}, [](const TransientState&) {});
   const TransientState before = rolling.state();
@@ -157,14 +157,15 @@ TEST(ChangingContact, ThatIsLostCarriesNothingAndReturnsAtRest) {
   rolling.step(5, PrescribedForce{0});
   EXPECT_THROW(rolling.step(0.1, PrescribedForce{-0.1}), std::invalid_argument);
 
+  // It grows over the step, as a tiny contact at rest does.
   rolling.set_contact({0.8, 0.8});
-  rolling.step(0.1, PrescribedCreepage{0.3});
-  EXPECT_EQ(rolling.state().force, 0);
-  TransientRolling rest(problem_with(plane, 30, 0.8, 0.8));
-  for (int i = 0; i < 5; ++i) {
+  TransientRolling rest(problem_with(plane, 30, 0.8e-9, 0.8e-9));
+  rest.set_contact({1e9, 1e9});
+  for (int i = 0; i < 6; ++i) {
     rolling.step(0.1, PrescribedCreepage{0.3});
     rest.step(0.1, PrescribedCreepage{0.3});
-    EXPECT_NEAR(rolling.state().force, rest.state().force, 1e-13);
+    EXPECT_LT(rolling.state().force, 0);
+    EXPECT_NEAR(rolling.state().force / rest.state().force, 1, 1e-6);
   }
   rolling.set_contact({0.8, 0});  // no friction
   rolling.step(0.1, PrescribedCreepage{0.3});

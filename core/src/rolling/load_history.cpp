@@ -195,6 +195,9 @@ void LoadHistory::take_contact(const RunRows& rows) {
   size_ = sizes(rows.half_width, n, "half_width", reference.half_width);
   bound_ = rows.friction ? sizes(rows.friction, n, "friction", reference.friction)
                          : sizes(rows.peak_traction, n, "peak_traction", reference.peak_traction);
+  for (const double distance : distances_) {
+    if (changes_contact() && !contact_at(distance).carries()) lost_.push_back(distance);
+  }
   require_kept_at_standstill(rows.normal_load, "normal_load", distances_);
   require_kept_at_standstill(rows.half_width, "half_width", distances_);
   require_kept_at_standstill(rows.peak_traction, "peak_traction", distances_);
@@ -240,6 +243,12 @@ ContactScale LoadHistory::contact_at(double distance) const {
   const double bound = bound_.empty() ? 1 : between_rows(bound_, at);
   if (!load_.empty()) return hertz_scale(between_rows(load_, at), bound);
   return {.half_width = size_.empty() ? 1 : between_rows(size_, at), .bound = bound};
+}
+
+std::optional<double> LoadHistory::lost_between(double from, double to) const {
+  const auto next = std::ranges::upper_bound(lost_, from);
+  if (next == lost_.end() || *next >= to) return std::nullopt;
+  return *next;
 }
 
 Load LoadHistory::at(double distance) const {

@@ -142,6 +142,7 @@ class RememberedGrid final : public RollingGrid {
   void roll(const Way& way);
   void roll_substep_to(const Way& way, double begin, double length, double end,
                        const NextSubstep& next);
+  void begin_lost_contact();
   void change_contact(const Way& way);
   void roll_substep(const Substep& substep);
   void recall(Step& step, const Substep& substep) const;

@@ -26,6 +26,7 @@ double rounding_of(const RememberedState& state) {
 
 void RememberedGrid::solve_step(const TransientState&, double length, const Load& load,
                                 TransientState& after, StepJacobian* jacobian) {
+  if (length > 0 && std::holds_alternative<PrescribedCreepage>(load)) begin_lost_contact();
   begin_step(jacobian != nullptr);
   roll({.length = length, .load = load});
   const RememberedState& state = next_.state;
@@ -116,6 +117,21 @@ void RememberedGrid::roll_substep_to(const Way& way, double begin, double length
   SubstepEnd substep = next_.state.end_of_substep(nodes_, length, end, scale);
   substep.is_whole = substep.is_whole || next.is_whole;
   roll_substep({substep, length, load, slopes, is_last});
+}
+
+/// Begins a contact that was lost and returns within the step where it returns: as a tiny one, which
+/// grows on the way. Its material is unstrained.
+void RememberedGrid::begin_lost_contact() {
+  constexpr double tiny = 1e-9;
+  if (state_.scale.carries() || !target_.carries()) return;
+  ContactScale first = state_.scale;
+  if (!(first.half_width > 0)) first.half_width = tiny * target_.half_width;
+  if (!(first.bound > 0)) first.bound = tiny * target_.bound;
+  const double distance = state_.distance;
+  set_response(first.half_width);
+  set_bound(first);
+  state_ = start_of(VectorXd::Zero(nodes_.size), first);
+  state_.distance = state_.origin = distance;
 }
 
 /// Loses the contact; or begins a contact at the end of the way, at rest or with the force.

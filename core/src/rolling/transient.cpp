@@ -302,12 +302,26 @@ void TransientRolling::roll_on(double origin, double start, double distance,
                                const std::vector<double>& lengths, const LoadHistory& loads,
                                const std::function<void(const TransientState&)>& after_step) {
   const Schedule schedule(distance, lengths, start);
-  for (std::size_t k = schedule.first();; ++k) {
-    if (loads.changes_contact()) set_contact(loads.contact_at(schedule.end(k)));
-    step(schedule.length(k), loads.between(schedule.begin(k), schedule.end(k)));
-    state_.distance = origin + schedule.end(k);  // the same place, with fewer rounding errors
+  const auto roll_between = [&](double from, double to, double length) {
+    if (loads.changes_contact()) set_contact(loads.contact_at(to));
+    step(length, loads.between(from, to));
+    state_.distance = origin + to;  // the same place, with fewer rounding errors
     grid_->move_to(state_.distance);
     after_step(state_);
+  };
+  for (std::size_t k = schedule.first();; ++k) {
+    // Bodies that part forget: a step ends where contact is lost, unless it ends there but for rounding.
+    constexpr double rounding = 1e-9;
+    double from = schedule.begin(k);
+    const double to = schedule.end(k);
+    const double margin = rounding * (to - from);
+    bool is_whole = true;
+    while (const auto lost = loads.lost_between(from + margin, to - margin)) {
+      roll_between(from, *lost, *lost - from);
+      from = *lost;
+      is_whole = false;
+    }
+    roll_between(from, to, is_whole ? schedule.length(k) : to - from);
     if (schedule.is_last(k)) return;
   }
 }

@@ -91,14 +91,22 @@ std::vector<std::string> shifted(const TransientScene& scene) {
 std::vector<std::string> changed(const TransientScene& scene) {
   if (!scene.loads.changes_contact()) return {};
   double least = std::numeric_limits<double>::infinity(), most = 0;
+  int lost = 0;
   for (const double distance : scene.loads.distances()) {
     const double ratio = scene.loads.contact_at(distance).half_width;
     least = std::min(least, ratio);
     most = std::max(most, ratio);
+    lost += scene.loads.contact_at(distance).carries() ? 0 : 1;
   }
   const double a = scene.problem.grid.half_width();
+  const std::string loses =
+      lost == 0 ? ""
+                : fmt::format(
+                      "; in {} row{} of load.file contact or friction is lost, and the "
+                      "bodies forget",
+                      lost, lost == 1 ? "" : "s");
   return {fmt::format("the contact changes: its half-width is from {:.5g} to {:.5g} mm{}",
-                      least * a, most * a, least == 0 ? "; at 0 the bodies do not touch" : "")};
+                      least * a, most * a, loses)};
 }
 
 const std::string normal_changes =

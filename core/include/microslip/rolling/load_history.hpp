@@ -72,6 +72,11 @@ class LoadHistory {
   /// The contact at a distance within the rows; the problem's contact if the rows have none.
   ContactScale contact_at(double distance) const;
 
+  /// The first row between two distances in which nothing is carried, because contact or friction is
+  /// lost there.
+  /// \return its distance, in (from, to); none if there is no such row  [mm]
+  std::optional<double> lost_between(double from, double to) const;
+
   /// The time at a distance, if the rows have times  [s]
   std::optional<double> time_at(double distance) const;
 
@@ -96,6 +101,7 @@ class LoadHistory {
   std::optional<Load> constant_;
   std::vector<double> distances_;  ///< of the rows
   std::size_t last_row_ = 0;       ///< the last one after which anything is rolled
+  std::vector<double> lost_;       ///< distances of the rows in which nothing is carried
   std::vector<double> times_;      ///< of the rows, if they have times
   std::vector<double> lengths_;    ///< from a row to the next, in distance or time
   std::vector<double> speed_;      ///< of the distance: v, or 1
