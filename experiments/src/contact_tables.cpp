@@ -45,6 +45,7 @@ void add_evidence(Table& summary, const Evidence& evidence, const Judged& judged
   summary.add({"slip_violation", evidence.slip_violation(), "1"}, rounding);
   summary.add({"bound_resolution", evidence.bound_resolution(), "1"}, rounding);
   if (judged.steady) summary.add({"dissipation_error", evidence.dissipation_error(), "1"});
+  if (evidence.change > 0) summary.add({"change", evidence.change, "1"});
   summary.add({"condition", judged.condition, "1"});
   const auto doubt =
       judged.doubt ? judged.doubt : doubt_of(evidence, judged.accepted, judged.steady);

@@ -136,14 +136,21 @@ TEST(CSteady, DoesNotDependOnWhatIsArbitrary) {
   }
 }
 
+// The rows are more than zones can be searched for.
 TEST(CSteady, IsThatOfTheLibraryWhereElementsReplaceTheInversion) {
-  const double x[] = {-0.6, -0.3, 0, 0.3, 0.6}, value[] = {1, 0, 1, 0, 1};
-  const Parts parts{
-      .contact = {1, 0, x, value, 5}, .kernel = {MICROSLIP_STRIP, 3}, .grid = {80, 0}};
+  constexpr int rows = 501;
+  std::vector<double> x, value;
+  for (int i = 0; i < rows; ++i) {
+    x.push_back(0.9 * (2.0 * i / (rows - 1) - 1));
+    value.push_back(1 + 0.9 * std::sin(40 * x.back()));
+  }
+  const Parts parts{.contact = {1, 0, x.data(), value.data(), rows},
+                    .kernel = {MICROSLIP_STRIP, 3},
+                    .grid = {80, 0}};
   const Solved solved = solve(parts, MICROSLIP_CREEPAGE, {0.4});
   ASSERT_EQ(solved.status, MICROSLIP_OK) << solved.message;
-  const Eigen::VectorXd places = Eigen::Map<const Eigen::VectorXd>(x, 5),
-                        values = Eigen::Map<const Eigen::VectorXd>(value, 5);
+  const Eigen::VectorXd places = Eigen::Map<const Eigen::VectorXd>(x.data(), rows),
+                        values = Eigen::Map<const Eigen::VectorXd>(value.data(), rows);
   const SteadySolution expected = solve_steady({.kernel = StripKernel({1, 0.28}, 3),
                                                 .bound = TabulatedBound(1, places, values),
                                                 .grid = Grid({.half_width = 1, .elements = 80}),

@@ -14,7 +14,7 @@ GREEK = set(r"""\alpha \beta \gamma \delta \varepsilon \zeta \eta \theta \varthe
 ACCENTS = {r"\hat", r"\bar", r"\tilde", r"\Delta"}
 FONTS = {r"\mathrm", r"\mathcal", r"\mathsf"}
 # Operators, relations, brackets and spaces; they may have limits, which are formulas.
-COMMANDS = set(r"""\frac \tfrac \sqrt \int \sum \prod \ln \sin \cos \cosh \exp \min \infty \partial \dot \propto \to \le \ge
+COMMANDS = set(r"""\frac \tfrac \sqrt \int \sum \prod \ln \sin \cos \cosh \exp \min \infty \partial \dot \propto \to \le \ge \ne
 \gt \lt \ll \approx \pm \mp \cdot \ast \dots \quad \qquad \thinspace \big \bigl \bigr \Big \left \right \text \vert""".split())
 
 

@@ -77,7 +77,9 @@ TEST(GeneratedKernels, EstimatesOfErrorsHold) {
     const Index n = found.solution.x.size();
     const SteadySolution finer = solve_steady(problem_of(contact, 8 * n + 1, Calibrated{}));
     const double error = std::abs(found.solution.creepage / finer.creepage - 1);
-    held += error <= found.error ? 1 : 0;
+    // A closed form is better than these elements, which have an error of their own.
+    const bool is_closed = found.solution.scheme == SteadyScheme::closed_form;
+    held += error <= (is_closed ? target : found.error) ? 1 : 0;
     EXPECT_LE(error, 3 * target) << i << " " << kind << " " << name_of(contact.kernel);
   }
   EXPECT_GE(held, count - 1);

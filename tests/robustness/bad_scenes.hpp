@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 
 #include "robustness/executables.hpp"
@@ -15,13 +14,6 @@ class BadScenes : public Executables {
   Outcome run(const std::string& scene, const std::string& options,
               const std::string& program = "microslip") const {
     return run_program(program, "", scene, options);
-  }
-
-  double summary_value(const std::string& quantity) const {
-    const std::string text = text_of(out() / "summary.tsv");
-    const auto at = text.find("\n" + quantity + "\t");
-    if (at == std::string::npos) throw std::runtime_error("no " + quantity + " in the summary");
-    return std::stod(text.substr(at + quantity.size() + 2));
   }
 
   void expect_rejected(const std::string& scene, const std::string& options,

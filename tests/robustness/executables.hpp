@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 
 #include "good_scene.hpp"
@@ -62,6 +63,13 @@ class Executables : public testing::Test {
     std::ofstream(scene_file()) << scene;
     return run_command(std::string(MICROSLIP_BIN) + "/" + program + " " + before + " --scene '" +
                        scene_file().string() + "' --out '" + out().string() + "' " + options);
+  }
+
+  double summary_value(const std::string& quantity) const {
+    const std::string text = text_of(out() / "summary.tsv");
+    const auto at = text.find("\n" + quantity + "\t");
+    if (at == std::string::npos) throw std::runtime_error("no " + quantity + " in the summary");
+    return std::stod(text.substr(at + quantity.size() + 2));
   }
 
   fs::path scene_file() const { return folder_ / "scene.info"; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes that are solved with a line on stderr, which is in the tables, too.
 #include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <string>
 
 #include "robustness/executables.hpp"
@@ -82,6 +84,40 @@ TEST_F(Warnings, OfASweepAreCounted) {
                 "microslip: warning: 3 of 6 cases, the first is case 1 of 6 (grid.elements = 4, "
                 "step.ratio = 0.1): grid.elements = 4: this scheme is safe from 11 on; " +
                 safe);
+}
+
+// A bound that jumps: elements are a tenth wrong, and inversion is right.
+TEST_F(Warnings, TellOfElementsThatDoNotResolveATable) {
+  std::ofstream(scene_file().parent_path() / "jump.tsv")
+      << "x\tbound\n-5\t0\n0\t300\n0.01\t30\n5\t0\n";
+  const std::string contact = R"(
+material { shear_modulus 82 GPa
+           poisson_ratio 0.28 }
+contact  { half_width 5
+           bound_file jump.tsv }
+kernel   { type strip
+           width 10 }
+grid     { elements 100 }
+load     { force -801.705 }
+)";
+  const auto creepage = [&] { return summary_value("creepage"); };
+  EXPECT_EQ(run("problem steady\n" + contact, "").error, "");
+  EXPECT_NEAR(creepage(), 5.385039345e-3, 1e-11);
+  const Outcome elements = run("problem steady\n" + contact, "--set leading_edge=calibrated");
+  EXPECT_NE(elements.error.find("the change of the result from elements that are twice as long is"),
+            std::string::npos)
+      << elements.error;
+  EXPECT_GT(std::abs(creepage() / 5.385039345e-3 - 1), 0.1);
+  const std::string transient = "problem transient\n" + contact +
+                                "step { ratio 1 }\nmotion { distance 1 }\n"
+                                "start { type cattaneo }\n";
+  const Outcome rolled = run(transient, "");
+  EXPECT_NE(rolled.error.find("grid.elements = 100: they do not resolve the table of the bound: in "
+                              "steady rolling under the largest load of the run their creepage is "
+                              "off by -18 %"),
+            std::string::npos)
+      << rolled.error;
+  EXPECT_EQ(run(transient, "--set load.force=-80").error, "");
 }
 
 }  // namespace

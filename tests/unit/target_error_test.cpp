@@ -96,12 +96,14 @@ TEST(TargetError, PicksInversionWhereItMayAndElementsWhereItMayNot) {
   const PolynomialBound dented(5, 1500, Eigen::Vector3d(0.05, 0, 1));
   EXPECT_EQ(picked(hertz, StripKernel(material, 10)), SteadyScheme::inversion);
   EXPECT_EQ(picked(table, PlaneKernel(material, 10)), SteadyScheme::inversion);
-  EXPECT_EQ(picked(dented, PlaneKernel(material, 10)), SteadyScheme::calibrated);
+  EXPECT_EQ(picked(dented, PlaneKernel(material, 10)), SteadyScheme::inversion);
+  EXPECT_EQ(picked(dented, LayeredKernel(PlaneKernel(material, 10), 1e-6)),
+            SteadyScheme::calibrated);
 }
 
-// Several stick zones, and a target between.
+// A hard layer, which has no inversion; several stick zones, and a target between.
 TEST(TargetError, ReachesItsTargetWithSeveralStickZones) {
-  const SteadyContact contact{PlaneKernel(material, 10),
+  const SteadyContact contact{LayeredKernel(PlaneKernel(material, 10), 1e-6),
                               PolynomialBound(5, 300, Eigen::Vector3d(0.05, 0, 1)),
                               PrescribedForce{-0.075 * std::numbers::pi * 5 * 300}};
   const EstimatedSteady coarse = solve_steady_to(contact, 1e-2);

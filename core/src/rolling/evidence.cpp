@@ -25,6 +25,7 @@ constexpr double doubtful = 0.1;
 constexpr double doubtful_dissipation = 0.25;
 constexpr double doubtful_resolution = 0.02;
 constexpr double doubtful_zones = 0.15;
+constexpr double doubtful_change = 0.03;
 
 /// Number of samples in each interval of the contact, and in a slip zone.
 constexpr Index samples_of_part = 5;
@@ -49,7 +50,8 @@ Evidence worst_of(const Evidence& a, const Evidence& b) {
           .load = std::max(a.load, b.load),
           .power = std::max(a.power, b.power),
           .full_sliding = std::max(a.full_sliding, b.full_sliding),
-          .one_element = std::max(a.one_element, b.one_element)};
+          .one_element = std::max(a.one_element, b.one_element),
+          .change = std::max(a.change, b.change)};
 }
 
 Evidence evidence_by_elements(const ElementValues& values, double force, double creepage) {
@@ -152,6 +154,11 @@ std::optional<std::string> doubt_of(const Evidence& evidence, const Acceptance& 
         "sliding,",
         evidence.one_element,
         "the creepage may be wrong by as much; take more elements, or the scheme inversion");
+  }
+  if (evidence.change > doubtful_change) {
+    return above(
+        "the change of the result from elements that are twice as long", evidence.change,
+        "the elements do not resolve the bound; take more of them, or the scheme inversion");
   }
   if (steady && evidence.dissipated > (1 + doubtful_dissipation) * evidence.power) {
     return above("dissipation_error", evidence.dissipation_error(),

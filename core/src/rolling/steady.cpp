@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "brush_rolling.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/halfspace/leading_edge.hpp"
 #include "microslip/rolling/chebyshev_rolling.hpp"
@@ -13,7 +14,9 @@
 #include "microslip/rolling/inverted_rolling.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
+#include "resolved_elements.hpp"
 #include "unlike_rolling.hpp"
+#include "zoned_rolling.hpp"
 
 namespace microslip {
 
@@ -248,6 +251,9 @@ SteadySolution over_whole_contact(const SteadyProblem& problem, const std::strin
 constexpr Index fewest_elements = 11;
 
 SteadySolution instead_of_inversion(const SteadyProblem& problem, const std::string& why) {
+  if (std::holds_alternative<TabulatedBound>(problem.bound)) {
+    return solve_on_resolved_elements(problem, why);
+  }
   require(problem.grid.size() >= fewest_elements, "elements",
           static_cast<double>(problem.grid.size()), "at least 11, as " + why);
   return over_whole_contact(problem, why);
@@ -265,25 +271,32 @@ SteadySolution unlike_zones(const SteadyProblem& problem) {
   return instead_of_inversion(problem, differ + ", and the inversion finds no zones");
 }
 
+/// The inversion on one stick zone, which serves most bounds and costs least; none if the solution has
+/// other zones.
+std::optional<SteadySolution> on_one_zone(const SteadyProblem& problem) {
+  const InvertedRolling rolling(problem.kernel, problem.bound);
+  if (rolling.obstacle()) return std::nullopt;
+  try {
+    const InvertedSolution solution = rolling.solve(problem.load);
+    if (!solution.keeps_conditions()) return std::nullopt;
+    SteadySolution found = sampled(problem, solution, SteadyScheme::inversion);
+    found.iterations = 0;
+    return found;
+  } catch (const NotConverged&) {
+    return std::nullopt;  // no single stick zone carries the load
+  }
+}
+
 SteadySolution by_inversion(const SteadyProblem& problem) {
   if (problem.has_unlike_bodies()) return unlike_zones(problem);
+  if (auto found = solve_by_inversion(problem)) return *found;
   if (!is_half_space(problem.kernel)) {
     return instead_of_inversion(
         problem, fmt::format("the kernel is {}, not a half-space", name_of(problem.kernel)));
   }
-  const InvertedRolling rolling(problem.kernel, problem.bound);
-  if (const auto why = rolling.obstacle()) return instead_of_inversion(problem, *why);
-  try {
-    const InvertedSolution solution = rolling.solve(problem.load);
-    if (solution.keeps_conditions()) {
-      SteadySolution found = sampled(problem, solution, SteadyScheme::inversion);
-      found.iterations = 0;
-      return found;
-    }
-  } catch (const NotConverged&) {
-    return instead_of_inversion(problem, "no single stick zone carries the load");
-  }
-  return instead_of_inversion(problem, "there is more than one zone of stick or of slip");
+  const auto why = InvertedRolling(problem.kernel, problem.bound).obstacle();
+  return instead_of_inversion(problem,
+                              why.value_or("the inversion finds no zones of stick and slip"));
 }
 
 }  // namespace
@@ -296,6 +309,10 @@ std::string name_of(SteadyScheme scheme) {
       return "calibrated";
     case SteadyScheme::chebyshev:
       return "chebyshev";
+    case SteadyScheme::graded:
+      return "graded elements";
+    case SteadyScheme::closed_form:
+      return "closed form";
     default:
       return "differences";
   }
@@ -318,6 +335,14 @@ void validate(const SteadyProblem& problem) {
     reject("leading_edge", "known_edge",
            "inversion, calibrated, standard or trimmed for bodies of different material");
   }
+}
+
+std::optional<SteadySolution> solve_by_inversion(const SteadyProblem& problem) {
+  if (problem.has_unlike_bodies()) return std::nullopt;
+  if (std::holds_alternative<WinklerKernel>(problem.kernel)) return solve_brush(problem);
+  if (!is_half_space(problem.kernel)) return std::nullopt;
+  if (auto found = on_one_zone(problem)) return found;
+  return solve_by_zones(problem);
 }
 
 SteadyProblem whole_contact(const SteadyProblem& problem) {

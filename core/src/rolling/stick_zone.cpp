@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
+#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -209,19 +210,23 @@ double StickZone::slip(double x) const {
   return slip + added_creepage_ - pi * log_factor_ * strain - regular_strain(x);
 }
 
-bool StickZone::keeps_conditions_at(double x) const {
-  constexpr double rounding = 1e-9;
-  if (x < begin_ || x > end_) return slip(x) >= -rounding * creepage_;
+/// What is left to a violation, over its scale: the bound less the traction, or the slip. Below zero there
+/// is a violation.
+double StickZone::margin(double x) const {
+  if (x < begin_ || x > end_) return slip(x) / creepage_;
   const double bound = contact_->bound_at(x);
-  return traction(x) <= bound + rounding * (bound + force_ / contact_->half_width());
+  return (bound - traction(x)) / (bound + force_ / contact_->half_width());
 }
 
-bool StickZone::keeps_conditions() const {
-  constexpr Index parts = 12;
+/// Places at which the conditions are looked at, ascending: in each piece of a table, in equal parts of
+/// the contact under a smooth bound, and close to the ends of the zone.
+std::vector<double> StickZone::places() const {
+  constexpr Index parts = 100;
   constexpr Index many_rows = 100;
   constexpr std::size_t few_places = 3;
   constexpr std::size_t most_looked_at = 2000;
-  constexpr double places[] = {0.5, 1e-2, 0.99, 1e-3, 0.999, 0.25, 0.75, 0.05, 0.95, 1e-5, 0.99999};
+  constexpr double in_piece[] = {0.5,  1e-2, 0.99, 1e-3, 0.999,  0.25,
+                                 0.75, 0.05, 0.95, 1e-5, 0.99999};
   const auto* table = std::get_if<TabulatedBound>(&contact_->bound);
   const double a = contact_->half_width();
   const VectorXd rows = table != nullptr ? table->x() : VectorXd::LinSpaced(parts + 1, -a, a);
@@ -230,14 +235,37 @@ bool StickZone::keeps_conditions() const {
   ends.insert(ends.end(), {begin_, end_});
   std::sort(ends.begin(), ends.end());
   const std::size_t stride = 1 + ends.size() / most_looked_at;
-  const std::size_t count = rows.size() > many_rows ? few_places : std::size(places);
-  for (std::size_t k = 0; k < count; ++k) {
-    const double place = places[k];
-    for (std::size_t i = 0; i + 1 < ends.size(); i += stride) {
-      const double x = ends[i] + place * (ends[i + 1] - ends[i]);
-      const bool known = x - ends[i] > rounding && ends[i + 1] - x > rounding;
-      if (known && !keeps_conditions_at(x)) return false;
+  const std::size_t count = rows.size() > many_rows + 1 ? few_places : std::size(in_piece);
+  std::vector<double> places;
+  for (std::size_t i = 0; i + 1 < ends.size(); i += stride) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const double x = ends[i] + in_piece[k] * (ends[i + 1] - ends[i]);
+      if (x - ends[i] > rounding && ends[i + 1] - x > rounding) places.push_back(x);
     }
+  }
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+bool StickZone::keeps_conditions() const {
+  constexpr double rounding = 1e-9;
+  constexpr int bits = 20;
+  constexpr double near_zero = 0.5;  // a least margin above this cannot be a violation in between
+  const auto sticks = [this](double x) { return x >= begin_ && x <= end_; };
+  const std::vector<double> x = places();
+  std::vector<double> margins;
+  for (const double place : x) {
+    margins.push_back(margin(place));
+    if (margins.back() < -rounding) return false;
+  }
+  // A bound may come close to the traction between places, as in a narrow valley.
+  for (std::size_t i = 1; i + 1 < x.size(); ++i) {
+    if (margins[i] > std::min(margins[i - 1], margins[i + 1]) || margins[i] > near_zero) continue;
+    if (sticks(x[i - 1]) != sticks(x[i + 1])) continue;
+    std::uintmax_t most = 40;
+    const auto least = boost::math::tools::brent_find_minima(
+        [this](double place) { return margin(place); }, x[i - 1], x[i + 1], bits, most);
+    if (least.second < -rounding) return false;
   }
   return true;
 }

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "microslip/friction/sliding_field.hpp"
 #include "microslip/friction/traction_bound.hpp"
@@ -79,7 +80,8 @@ class StickZone {
   void complete();
 
  private:
-  bool keeps_conditions_at(double x) const;
+  double margin(double x) const;
+  std::vector<double> places() const;
   double transform(double x) const;
   double behind(double x) const;
   double before(double x) const;

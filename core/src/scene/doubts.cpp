@@ -10,6 +10,7 @@
 #include "microslip/scene/model.hpp"
 #include "microslip/scene/units.hpp"
 #include "microslip/support/format.hpp"
+#include "microslip/support/not_converged.hpp"
 #include "run_file.hpp"
 
 namespace microslip {
@@ -109,6 +110,55 @@ void warn_of_large_creepages(Scene& scene, const LoadHistory& loads, const Tract
     }
   }
   warn_of_large_creepage(scene, "creepage of load.file", largest, bound);
+}
+
+namespace {
+
+/// The largest load of a run; a force is kept below full sliding, so that a steady state carries it.
+Load largest_load(const LoadHistory& loads, double full_sliding) {
+  constexpr double most = 0.9999;
+  Load largest = loads.at(0);
+  const auto size = [](const Load& load) {
+    return std::visit([](const auto& of) { return std::abs(of.value); }, load);
+  };
+  for (const double distance : loads.distances()) {
+    const Load load = loads.at(distance);
+    if (size(load) > size(largest)) largest = load;
+  }
+  if (auto* force = std::get_if<PrescribedForce>(&largest)) {
+    force->value = std::clamp(force->value, -most * full_sliding, most * full_sliding);
+  }
+  return largest;
+}
+
+}  // namespace
+
+void warn_of_unresolved_table(Scene& scene, const TransientProblem& problem,
+                              const LoadHistory& loads) {
+  constexpr double doubtful = 0.01;
+  constexpr Eigen::Index most_rows = 400;
+  const auto* table = std::get_if<TabulatedBound>(&problem.bound);
+  if (table == nullptr || table->x().size() > most_rows) return;
+  SteadyProblem steady{.kernel = problem.kernel,
+                       .bound = problem.bound,
+                       .grid = problem.grid,
+                       .load = largest_load(loads, full_sliding_force(problem.bound))};
+  if (std::visit([](const auto& of) { return of.value == 0; }, steady.load)) return;
+  double change = 0;
+  try {
+    const std::optional<SteadySolution> exact = solve_by_inversion(steady);
+    if (!exact) return;
+    steady.method = Calibrated{};
+    change = answer_of(steady.load, solve_steady(steady)) / answer_of(steady.load, *exact) - 1;
+  } catch (const NotConverged&) {
+    return;  // the run itself reports what it cannot solve
+  }
+  if (std::abs(change) <= doubtful) return;
+  const bool by_force = std::holds_alternative<PrescribedForce>(steady.load);
+  scene.warn("grid.elements", static_cast<double>(problem.grid.size()),
+             fmt::format("they do not resolve the table of the bound: in steady rolling under the "
+                         "largest load of the run their {} is off by {:.2g} %; take more of them",
+                         by_force ? "creepage" : "force", 100 * change));
 }
 
 void warn_of_sudden_force(Scene& scene, const LoadHistory& loads, double first_step) {

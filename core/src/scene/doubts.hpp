@@ -43,6 +43,11 @@ void warn_of_other_radius(Scene& scene, double radius);
 /// Warns if a radius cannot belong to a body with this contact: it is below ten half-widths.
 void warn_of_small_radius(Scene& scene, const std::string& key, double radius, double half_width);
 
+/// Warns if the elements of a transient do not resolve a table of the bound: the steady state under the
+/// largest load of the run is solved on them, and by inversion.
+void warn_of_unresolved_table(Scene& scene, const TransientProblem& problem,
+                              const LoadHistory& loads);
+
 /// Warns of the largest creepage in the rows of load.file, see warn_of_large_creepage().
 void warn_of_large_creepages(Scene& scene, const LoadHistory& loads, const TractionBound& bound);
 

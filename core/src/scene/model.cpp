@@ -321,6 +321,7 @@ TransientScene read_transient(Scene& scene) {
                            "step.scheme remembered");
   }
   warn_of_missed_rows(scene, loads, step_ratios, problem.grid.spacing());
+  if (problem.pressure_strain == 0) warn_of_unresolved_table(scene, problem, loads);
   const Load load = loads.at(0);
   const Beginning beginning = read_beginning(scene, problem, load, loads.contact_at(0));
   warn_of_sudden_force(scene, loads, step_ratios.front() * problem.grid.spacing());

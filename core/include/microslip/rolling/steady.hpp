@@ -35,8 +35,10 @@ struct Differences {
 /// Differences over one element, with the edges where the scheme feels them: whole_contact().
 struct Calibrated {};
 
-/// InvertedRolling, sampled at the nodes: ten digits, for any bound with one stick zone; else
-/// Calibrated. SteadySolution::scheme says which one made the solution.
+/// Inversion, sampled at the nodes: ten digits for one stick zone, eight for several, and the closed form
+/// of a brush. Elements that are graded towards steep places of a table, and towards the ends of zones,
+/// replace it for other kernels, for tables of more than 400 rows, and where it finds no zones; under
+/// smooth bounds Calibrated elements do. SteadySolution::scheme says which one made the solution.
 struct Inversion {};
 
 /// ChebyshevRolling, sampled at the nodes: ten digits. For smooth bounds and one stick zone.
@@ -82,8 +84,9 @@ void validate(const SteadyProblem& problem);
 /// \return the problem with that grid and method
 SteadyProblem whole_contact(const SteadyProblem& problem);
 
-/// How a solution was made.
-enum class SteadyScheme { differences, calibrated, inversion, chebyshev };
+/// How a solution was made: by elements over the difference scheme of a grid, over the whole contact, or
+/// graded; by inversion or collocation; or in the closed form of a brush.
+enum class SteadyScheme { differences, calibrated, inversion, chebyshev, graded, closed_form };
 std::string name_of(SteadyScheme scheme);
 
 /// Values at the N nodes, and what follows from them. A positive creepage gives negative tractions.
@@ -122,5 +125,10 @@ double answer_of(const Load& load, const SteadySolution& solution);
 ///                               inversion, and as the method
 /// \throws NotConverged          as ActiveSet::solve or the method
 SteadySolution solve_steady(const SteadyProblem& problem);
+
+/// The solution by inversion, or the closed form of a brush.
+/// \return none where elements have to replace it, and for bodies of different material
+/// \throws std::invalid_argument as solve_steady
+std::optional<SteadySolution> solve_by_inversion(const SteadyProblem& problem);
 
 }  // namespace microslip

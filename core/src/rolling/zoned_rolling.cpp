@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "zoned_rolling.hpp"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "graded_elements.hpp"
+#include "microslip/support/not_converged.hpp"
+#include "stick_zones_search.hpp"
+#include "zoned_field.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr std::size_t most_rows = 400;
+constexpr std::size_t most_zones = 10;  // more take seconds, and are not always found
+
+/// Elements over the contact to begin with, one number after the other until zones are found.
+constexpr Index first_elements[] = {40, 57, 81};
+constexpr Index most_elements = 800;
+
+/// Tables of more rows are tried once: each try takes tenths of a second, and others rarely help.
+constexpr std::size_t many_rows = 150;
+
+/// The stick zones that elements show, where the bound is above zero.
+/// \param fewest  number of elements in a zone; shorter ones are joined with their neighbours
+std::vector<ZoneEnds> zones_of(const GradedState& found, const BoundRows& rows,
+                               std::size_t fewest) {
+  const auto sticks = [&](std::size_t i) {
+    const double middle = (found.ends[i] + found.ends[i + 1]) / 2;
+    return found.state.zones[i] == Zone::adhesion && rows.bound(rows.place_of(middle)) > 0;
+  };
+  struct Run {
+    bool sticks;
+    std::size_t begin, end;
+  };
+  std::vector<Run> runs;
+  const std::size_t n = found.state.zones.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (runs.empty() || runs.back().sticks != sticks(i)) runs.push_back({sticks(i), i, i});
+    runs.back().end = i + 1;
+  }
+  std::vector<Run> kept;
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    Run run = runs[k];
+    const bool inner = k > 0 && k + 1 < runs.size();
+    if (inner && run.end - run.begin < fewest) run.sticks = !run.sticks;
+    if (!kept.empty() && kept.back().sticks == run.sticks) {
+      kept.back().end = run.end;
+    } else {
+      kept.push_back(run);
+    }
+  }
+  std::vector<ZoneEnds> zones;
+  for (const Run& run : kept) {
+    if (run.sticks)
+      zones.push_back({rows.place_of(found.ends[run.begin]), rows.place_of(found.ends[run.end])});
+  }
+  return zones;
+}
+
+/// The smooth strain of a strip's kernel over the contact, as values at Chebyshev points.
+class StripStrain {
+ public:
+  explicit StripStrain(const ZonedContact& contact)
+      : half_width_(contact.rows.half_width()),
+        terms_(6 + static_cast<std::size_t>(22 / std::asinh(contact.clear / half_width_))) {}
+
+  std::size_t terms() const { return terms_; }
+
+  VectorXd places() const {
+    return VectorXd::NullaryExpr(static_cast<Index>(terms_) + 1, [&](Index i) {
+      return half_width_ *
+             std::cos(M_PI * (static_cast<double>(i) + 0.5) / static_cast<double>(terms_ + 1));
+    });
+  }
+
+  template <class Function>
+  VectorXd values(const Function& strain) const {
+    return places().unaryExpr(strain);
+  }
+
+  /// Interpolates between the values, by the barycentric formula.
+  std::shared_ptr<const ChebyshevSeries> series(const VectorXd& values) const {
+    const VectorXd x = places();
+    const auto at = [&](double place) {
+      double above = 0, below = 0;
+      for (Index i = 0; i < x.size(); ++i) {
+        const double away = place - x[i];
+        if (std::abs(away) < 1e-14 * half_width_) return values[i];
+        const double sign = i % 2 == 0 ? 1 : -1;
+        const double angle = M_PI * (static_cast<double>(i) + 0.5) / static_cast<double>(x.size());
+        const double weight = sign * std::sin(angle) / away;
+        above += weight * values[i];
+        below += weight;
+      }
+      return above / below;
+    };
+    return std::make_shared<ChebyshevSeries>(at, -half_width_, half_width_, terms_);
+  }
+
+ private:
+  double half_width_;
+  std::size_t terms_;
+};
+
+/// Anderson's acceleration of a fixed point x = g(x).
+class Anderson {
+ public:
+  VectorXd next(const VectorXd& x, const VectorXd& image) {
+    constexpr std::size_t depth = 6;
+    const VectorXd left = image - x;
+    if (!images_.empty()) {
+      image_changes_.push_back(image - images_.back());
+      left_changes_.push_back(left - lefts_.back());
+    }
+    images_.push_back(image);
+    lefts_.push_back(left);
+    if (image_changes_.size() > depth) {
+      image_changes_.erase(image_changes_.begin());
+      left_changes_.erase(left_changes_.begin());
+    }
+    if (left_changes_.empty()) return image;
+    const auto count = static_cast<Index>(left_changes_.size());
+    MatrixXd changes(left.size(), count), moves(left.size(), count);
+    for (Index k = 0; k < count; ++k) {
+      changes.col(k) = left_changes_[static_cast<std::size_t>(k)];
+      moves.col(k) = image_changes_[static_cast<std::size_t>(k)];
+    }
+    return image - moves * changes.colPivHouseholderQr().solve(left);
+  }
+
+ private:
+  std::vector<VectorXd> images_, lefts_, image_changes_, left_changes_;
+};
+
+ZonedField field_of(const StickZones& zones, const ZonesLoad& load) {
+  return {zones, zones.size() == 0 ? *load.level : zones.level(0)};
+}
+
+std::optional<ZonedField> plane_field(const std::shared_ptr<const ZonedContact>& contact,
+                                      const ZonesLoad& load, const std::vector<ZoneEnds>& guess) {
+  const auto found = find_stick_zones(contact, load, guess);
+  if (!found) return std::nullopt;
+  return field_of(*found, load);
+}
+
+/// The smooth strain by the tractions of elements.
+double strain_by_elements(const ZonedContact& contact, const GradedState& elements, double x) {
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < elements.ends.size(); ++i) {
+    const double middle = (elements.ends[i] + elements.ends[i + 1]) / 2;
+    sum += (elements.ends[i + 1] - elements.ends[i]) *
+           std::abs(elements.state.traction[static_cast<Index>(i)]) *
+           visit_half_space([&](const auto& k) { return k.regular_decay(x - middle); },
+                            contact.kernel);
+  }
+  return sum / contact.log_factor;
+}
+
+/// Finds zones with the strain that follows from them.
+std::optional<ZonedField> strip_field(const std::shared_ptr<const ZonedContact>& contact,
+                                      const ZonesLoad& load, const GradedState& elements,
+                                      std::vector<ZoneEnds> guess) {
+  constexpr int most = 30;
+  constexpr double enough = 1e-12, settled = 1e-10;
+  const StripStrain strip(*contact);
+  VectorXd values =
+      strip.values([&](double x) { return strain_by_elements(*contact, elements, x); });
+  Anderson anderson;
+  double before = HUGE_VAL;
+  for (int i = 0; i < most; ++i) {
+    const AddedStrain strain{strip.series(values), strip.terms()};
+    if (!move_ends(contact, load, strain, guess)) return std::nullopt;
+    const ZonedField field =
+        field_of(zones_with(contact, guess, strain, StickZones::for_strain), load);
+    const VectorXd image = strip.values([&](double x) { return field.regular_strain(x); });
+    const double change = (image - values).lpNorm<Eigen::Infinity>();
+    const double scale = std::max(image.lpNorm<Eigen::Infinity>(), field.level());
+    if (change <= enough * scale || (change <= settled * scale && change > before / 2)) {
+      const ZonedField found =
+          field_of(zones_with(contact, guess, strain, StickZones::for_places), load);
+      const auto repaired = found.repaired();
+      if (!repaired) return found;
+      guess = *repaired;
+    }
+    before = change;
+    values = anderson.next(values, image);
+  }
+  return std::nullopt;
+}
+
+SteadySolution sampled(const SteadyProblem& problem, const ZonedField& field, double direction) {
+  const VectorXd x = problem.grid.nodes();
+  const ZonedField::Sums sums = field.sums();
+  const bool by_force = std::holds_alternative<PrescribedForce>(problem.load);
+  const double value = std::visit([](const auto& l) { return l.value; }, problem.load);
+  const double force = by_force ? value : -direction * field.zones().force();
+  const double creepage = by_force ? direction * field.creepage() : value;
+  SteadySolution found{
+      .x = x,
+      .bound = bound_at(problem.bound, x),
+      .traction = x.unaryExpr([&](double at) { return -direction * field.traction(at); }),
+      .slip = x.unaryExpr([&](double at) { return direction * field.slip(at); }),
+      .displacement = -direction * field.displacement(x),
+      .zones = {},
+      .force = force,
+      .creepage = creepage,
+      .dissipation = -creepage * force,
+      .iterations = 0,
+      .evidence = {.excess = sums.excess,
+                   .backward = sums.backward,
+                   .dissipated = sums.dissipated,
+                   .load = std::abs(force),
+                   .power = std::abs(creepage * force),
+                   .full_sliding = full_sliding_force(problem.bound)},
+      .condition = 1,
+      .scheme = SteadyScheme::inversion};
+  const auto& zones = field.zones().zones();
+  if (zones.size() == 1) found.stick_edge = field.zones().position({1, 0});
+  if (zones.empty()) found.stick_edge = half_width_of(problem.bound);
+  const Zone slipping = direction < 0 ? Zone::slip_positive : Zone::slip_negative;
+  for (const double at : x) {
+    found.zones.push_back(field.zones().zone_of(at) ? Zone::adhesion : slipping);
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<SteadySolution> solve_by_zones(const SteadyProblem& problem) {
+  const auto* table = std::get_if<TabulatedBound>(&problem.bound);
+  const double value = std::visit([](const auto& l) { return l.value; }, problem.load);
+  if (!is_half_space(problem.kernel) || problem.has_unlike_bodies() || value == 0 ||
+      (table != nullptr && table->x().size() > static_cast<Index>(most_rows))) {
+    return std::nullopt;
+  }
+  const auto contact = std::make_shared<ZonedContact>(problem.kernel, problem.bound);
+  const bool by_force = std::holds_alternative<PrescribedForce>(problem.load);
+  const double direction = (value < 0) == by_force ? 1 : -1;
+  ZonesLoad load;
+  (by_force ? load.force : load.level) =
+      by_force ? std::abs(value) : std::abs(value) / contact->log_factor;
+  for (const Index elements : first_elements) {
+    try {
+      const GradedState graded =
+          solve_graded(problem, graded_elements(problem.bound, elements), most_elements);
+      std::size_t tried = 0;  // number of zones
+      for (const std::size_t fewest : {std::size_t{1}, std::size_t{3}}) {
+        const std::vector<ZoneEnds> guess = zones_of(graded, contact->rows, fewest);
+        if (guess.size() > most_zones || (guess.empty() && by_force)) continue;
+        if (fewest > 1 && guess.size() == tried) continue;
+        tried = guess.size();
+        const auto field = std::isfinite(contact->clear) ? strip_field(contact, load, graded, guess)
+                                                         : plane_field(contact, load, guess);
+        if (field) return sampled(problem, *field, direction);
+      }
+    } catch (const NotConverged&) {
+      continue;  // other elements may find a partition
+    }
+    if (contact->rows.size() > many_rows) break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace microslip
