@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "campaign.hpp"
@@ -17,6 +18,7 @@
 #include "microslip/support/format.hpp"
 #include "microslip/support/interpolation.hpp"
 #include "microslip/support/require.hpp"
+#include "microslip/support/work.hpp"
 #include "study_keys.hpp"
 
 namespace microslip::experiments {
@@ -299,16 +301,65 @@ ConvergeScene read_converge(Scene& scene) {
   return read;
 }
 
+namespace {
+
+/// Tells the progress in percent of the expected operations, also within a run.
+class ExpectedWork {
+ public:
+  /// \param runs  for each number of elements
+  ExpectedWork(const ConvergeScene& converge, std::size_t runs, const Progress& progress)
+      : reference_(work_needed(reference_model(converge))), progress_(progress) {
+    const Contestant scheme = second_order(converge.steady);
+    for (const Index n : converge.elements) {
+      of_run_[n] = work_needed(model_of(converge, scheme, n));
+      total_ += static_cast<double>(runs) * of_run_[n];
+    }
+    total_ += reference_;
+  }
+
+  template <class Action>
+  auto reference(Action action) {
+    return part(reference_, action);
+  }
+
+  template <class Action>
+  auto run(Index elements, Action action) {
+    return part(of_run_.at(elements), action);
+  }
+
+  void end() const { progress_(percent, percent); }
+
+ private:
+  static constexpr std::size_t percent = 100;
+
+  template <class Action>
+  auto part(double expected, Action action) {
+    const double before = done_;
+    done_ += expected;
+    const WorkWatch watch([=, this](double operations) {
+      const double part = (before + std::min(operations, expected)) / total_;
+      progress_(std::min(percent - 1, static_cast<std::size_t>(percent * part)), percent);
+    });
+    return action();
+  }
+
+  double reference_;
+  const Progress& progress_;
+  std::map<Index, double> of_run_;
+  double total_ = 0;
+  double done_ = 0;
+};
+
+}  // namespace
+
 std::vector<Table> converge_tables(const ConvergeScene& converge, const Progress& progress) {
   const std::vector<Contestant> all = contestants_for(converge.steady);
-  const std::size_t total = 1 + all.size() * converge.elements.size();
-  std::size_t done = 0;
+  ExpectedWork expected(converge, all.size(), progress);
 
-  const Reference reference = reference_of(converge);
+  const Reference reference = expected.reference([&] { return reference_of(converge); });
   if (reference.outcome.answer.isZero(0)) {
     throw std::invalid_argument("converge: expected a load that is not zero");
   }
-  progress(++done, total);
   Table table = converge_table(converge.under_force), timing = timing_table();
   std::vector<Candidate> candidates;
   for (const Contestant& contestant : all) {
@@ -316,18 +367,18 @@ std::vector<Table> converge_tables(const ConvergeScene& converge, const Progress
     Runs runs({.operations = most_operations, .repeats = repeats});
     double last_error = not_given, last_size = not_given;
     for (const Index n : converge.elements) {
-      ++done;
       if (!contestant.by_elements && n != converge.elements.back()) continue;
       const auto size = static_cast<double>(n);
       Outcome outcome;
       double longest = not_given;
       std::optional<Model> read;
-      const Attempt attempt = runs.run(size, [&] {
-        if (!read) read = model_of(converge, contestant, n);
-        outcome = solved(*read);
-        longest = std::fmin(longest, outcome.longest_step);
+      const Attempt attempt = expected.run(n, [&] {
+        return runs.run(size, [&] {
+          if (!read) read = model_of(converge, contestant, n);
+          outcome = solved(*read);
+          longest = std::fmin(longest, outcome.longest_step);
+        });
       });
-      progress(done, total);
       if (attempt.status != Status::ok) {
         const std::string why = attempt.message.empty() ? "" : ": " + attempt.message;
         table.add({contestant.name, size, not_given, not_given, not_given, not_given, not_given,
@@ -346,6 +397,7 @@ std::vector<Table> converge_tables(const ConvergeScene& converge, const Progress
       last_size = size;
     }
   }
+  expected.end();
   Table summary = empty_summary("the reference that errors are measured against");
   summary.add({"reference", reference.name, "1"});
   summary.add({"reference_elements", reference.elements, "1"});

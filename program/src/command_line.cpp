@@ -3,10 +3,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstring>
 #include <iostream>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "microslip/program/memory.hpp"
 #include "microslip/scene/text.hpp"
@@ -28,6 +30,23 @@ Scene parse_text(const std::string& text, const std::string& name) {
   return Scene::parse(in, name);
 }
 
+/// Whether a line consists of numbers and the word MODULE, or of names of control digits, as input
+/// files of CONTACT have them.
+bool is_of_contact(std::string_view text) {
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::size_t end = std::min(rest.size(), rest.find('\n'));
+    const std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(rest.size(), end + 1));
+    if (line.find("P-B-T-N-F-S") != std::string_view::npos) return true;
+    const std::size_t word = line.find_first_not_of(" \t0123456789");
+    if (word != std::string_view::npos && line.find_first_of("0123456789") < word &&
+        line.substr(word).starts_with("MODULE")) {
+      return true;
+    }
+  }
+  return false;
+}
+
 Scene parse_file(const std::string& path) {
   const std::string text = [&] {
     try {
@@ -36,6 +55,12 @@ Scene parse_file(const std::string& path) {
       throw std::invalid_argument(fmt::format("--scene {}: {}", shown(path), error.what()));
     }
   }();
+  if (is_of_contact(text)) {
+    throw std::invalid_argument(
+        fmt::format("--scene {}: expected a scene of microslip, found an input file of CONTACT; "
+                    "'microslip init steady' writes a scene to start from",
+                    shown(path)));
+  }
   std::istringstream in(text);
   return Scene::parse(in, path, path.substr(0, path.find_last_of('/') + 1));
 }
@@ -56,7 +81,8 @@ void add_scene_options(Options& options, const Program& program) {
 
 void add_common_options(Options& options, const std::string& default_out) {
   options.add_options()("out", options::value<std::string>()->default_value(default_out),
-                        "folder for the tables")("quiet", "no progress")(
+                        "folder for the tables")("quiet",
+                                                 "no progress, and no line about the result")(
       "version", "print version and revision")("help", "print this");
 }
 

@@ -22,11 +22,20 @@ std::string list_of(const std::string& name, const std::vector<Command>& command
   return text;
 }
 
+/// `help` and `help COMMAND`, as --help behind them.
+int help(const Program& program, const std::vector<Command>& commands, int argc,
+         const char* const* argv) {
+  const char* option = "--help";
+  const char* words[] = {argv[0], argc > 2 ? argv[2] : option, option};
+  return dispatch(program, commands, argc > 2 ? 3 : 2, words);
+}
+
 }  // namespace
 
 int dispatch(const Program& program, const std::vector<Command>& commands, int argc,
              const char* const* argv) {
   const std::string word = argc > 1 ? argv[1] : "";
+  if (word == "help") return help(program, commands, argc, argv);
   const auto found = std::ranges::find(commands, word, &Command::name);
   if (found != commands.end()) return found->run(argc, argv);
   std::error_code unreadable;

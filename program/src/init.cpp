@@ -2,9 +2,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
+#include <string_view>
 
 #include "command_line.hpp"
 #include "microslip/program/commands.hpp"
@@ -29,6 +31,18 @@ const Template& chosen(const std::vector<Template>& templates, const Given& give
   if (found != templates.end()) return *found;
   throw std::invalid_argument(
       fmt::format("no scene '{}'{}{}", shown(kind), suggestion(nearest(kind, names)), known));
+}
+
+/// A name as a shell takes it: in quotes if it has more than letters, digits and -._/.
+std::string in_shell(const std::string& name) {
+  const auto is_plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("-._/").find(c) != std::string_view::npos;
+  };
+  if (!name.starts_with('-') && std::ranges::all_of(name, is_plain)) return name;
+  std::string quoted = name.starts_with('-') ? "'./" : "'";
+  for (const char c : name) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
 }
 
 }  // namespace
@@ -64,7 +78,8 @@ int init(const std::string& name, const std::vector<Template>& templates, int ar
     const std::string command = scene.name == "sweep" ? name + " sweep " : name + " ";
     const std::string table =
         scene.table.empty() ? "" : " and " + (parent / files[1].name).string();
-    std::cout << "wrote " << out << table << "; solve it with: " << command << out << '\n';
+    std::cout << "wrote " << out << table << "; solve it with: " << command << in_shell(out)
+              << '\n';
     return 0;
   });
 }

@@ -75,7 +75,8 @@ void print_markdown(const KeyList& keys) {
   std::cout << "| key | meaning | unit | accepted, [default] |" << (have_roles ? " for |" : "")
             << "\n|---|---|---|---|" << (have_roles ? "---|" : "") << '\n';
   for (const auto& [key, value] : keys) {
-    const bool is_text = key.type == Key::Type::word || key.type == Key::Type::file;
+    const bool is_text =
+        key.type == Key::Type::word || key.type == Key::Type::file || key.type == Key::Type::text;
     std::cout << "| `" << key.name << "` | " << typeset(key.meaning, names) << " | "
               << (is_text ? "" : typeset(key.unit, names) + ' ') << "| "
               << typeset(accepted_by(key, value, "`"), names) << " |";

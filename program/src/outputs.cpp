@@ -17,6 +17,7 @@
 #include "folder_lock.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/shown.hpp"
+#include "microslip/support/writable_target.hpp"
 
 namespace microslip::program {
 
@@ -48,18 +49,20 @@ void write_part(const fs::path& target, const std::string& content) {
 constexpr const char* provenance_name = "provenance.txt";
 constexpr const char* tables_line = "tables:";
 
-/// Tables of the previous run in a folder that the new run does not write.
-std::vector<fs::path> outdated(const fs::path& folder, const std::vector<fs::path>& targets) {
+/// Tables of the previous run in a folder that the new run does not write. What stands in their
+/// place and is no file, such as a device, is none.
+std::vector<fs::path> outdated(const fs::path& folder, const std::vector<OutputFile>& files) {
   std::vector<fs::path> tables;
-  if (targets.empty() || targets.back().filename() != provenance_name) return tables;
+  if (files.empty() || files.back().name != provenance_name) return tables;
   std::ifstream in(folder / provenance_name);
   for (std::string line; std::getline(in, line);) {
     if (!line.starts_with(tables_line)) continue;
     std::istringstream names(line.substr(std::strlen(tables_line)));
     for (std::string name; names >> name;) {
       const fs::path table = folder / fs::path(name).filename();
-      if (std::find(targets.begin(), targets.end(), table) == targets.end())
-        tables.push_back(table);
+      const bool is_written =
+          std::ranges::find(files, table.filename().string(), &OutputFile::name) != files.end();
+      if (!is_written && fs::is_regular_file(fs::symlink_status(table))) tables.push_back(table);
     }
   }
   return tables;
@@ -189,13 +192,13 @@ void require_writable(const fs::path& folder) {
 
 void write_files(const fs::path& folder, const std::vector<OutputFile>& files) {
   std::vector<fs::path> targets;
-  for (const OutputFile& file : files) targets.push_back(folder / file.name);
+  for (const OutputFile& file : files) targets.push_back(writable_target(folder / file.name));
   try {
     const Folder made(folder);
     const FolderLock lock(folder);
     try {
       for (std::size_t i = 0; i < files.size(); ++i) write_part(targets[i], files[i].content);
-      put_in_place(targets, outdated(folder, targets));
+      put_in_place(targets, outdated(folder, files));
     } catch (const std::exception&) {
       std::error_code ignored;
       for (const fs::path& target : targets) fs::remove(part_of(target), ignored);

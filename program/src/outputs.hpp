@@ -30,11 +30,12 @@ OutputFile provenance_of(const std::string& text, const std::vector<OutputFile>&
 void require_writable(const std::filesystem::path& folder);
 
 /// Writes all files under temporary names, which are this process's own, then renames them; on a
-/// failure it removes what it wrote, and what was there before stays. Makes the folder if needed.
-/// Writes files into a folder. Processes that share a folder write one after the other. If
+/// failure it removes what it wrote, and what was there before stays. A name that is a link to a
+/// file stays a link; one of a device, a pipe or a folder is an error. Makes the folder if needed.
+/// Processes that share a folder write one after the other. If
 /// provenance.txt is the last of the files, tables are removed that the previous provenance.txt
 /// names and the new one does not: the folder holds one run.
-/// \throws std::runtime_error that names the file
+/// \throws std::exception that names the file
 void write_files(const std::filesystem::path& folder, const std::vector<OutputFile>& files);
 
 /// Writes a folder with all files or not at all. A folder of the same name is replaced.

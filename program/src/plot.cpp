@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <csignal>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -18,6 +12,7 @@
 
 #include "command_line.hpp"
 #include "drawing.hpp"
+#include "figure_file.hpp"
 #include "interrupts.hpp"
 #include "microslip/program/commands.hpp"
 #include "microslip/scene/units.hpp"
@@ -26,8 +21,6 @@
 #include "microslip/support/shown.hpp"
 #include "process.hpp"
 #include "provenance.hpp"
-
-extern char** environ;
 
 namespace microslip::program {
 
@@ -107,37 +100,6 @@ std::vector<Figure> figures_of_study(const fs::path& plots, const std::string& s
   return figures;
 }
 
-/// Runs a program of this machine, which takes the signals that this one holds back. Returns its
-/// exit status, 127 if it cannot be started.
-int run_tool(std::vector<std::string> words) {
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  sigset_t none;
-  sigemptyset(&none);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK);
-  pid_t child = 0;
-  const int error =
-      posix_spawnp(&child, arguments[0], nullptr, &attributes, arguments.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  if (error != 0) return 127;
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-}
-
-/// \param settings  commands of gnuplot, before the commands of the script
-void draw(const fs::path& script, const fs::path& tables, const fs::path& figure,
-          const std::string& settings = "") {
-  if (run_tool({script.parent_path() / "draw.sh", script, tables, figure, settings}) != 0) {
-    throw std::runtime_error("cannot draw " + shown(figure.string()));
-  }
-  std::cout << "drew " << figure.string() << '\n';
-}
-
 /// Options that only some results take.
 void reject_options_of(const Given& given, const std::vector<const char*>& names,
                        const std::string& kinds) {
@@ -173,30 +135,6 @@ std::string axis_of(const char* option, const Given& given, const Extent& extent
   return fmt::format("[{}:{}]", from.empty() ? "*" : format_full(*least),
                      to.empty() ? "*" : format_full(*most));
 }
-
-/// A folder for tables that are drawn, which goes with it.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = fs::temp_directory_path() / "microslip_XXXXXX";
-    if (mkdtemp(name.data()) == nullptr) {
-      throw std::runtime_error(
-          fmt::format("cannot write {}: {}", shown(name), std::strerror(errno)));
-    }
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 /// The figures of a result, or the one of them that is asked for.
 std::vector<Figure> chosen(const std::vector<Figure>& figures, const Given& given) {

@@ -16,9 +16,11 @@
 #include "key_list.hpp"
 #include "microslip/program/run_joined.hpp"
 #include "microslip/support/shown.hpp"
+#include "microslip/support/writable_target.hpp"
 #include "outputs.hpp"
 #include "process.hpp"
 #include "provenance.hpp"
+#include "result_line.hpp"
 
 namespace microslip::program {
 
@@ -63,12 +65,26 @@ std::optional<std::string> warning_of(const Table& table) {
   return std::nullopt;
 }
 
-/// Prints the advice in a result, if there is any.
-void print_advice(const Table& table) {
-  if (table.columns().front().name != "advice") return;
+/// The advice in a result; empty if there is none.
+std::string advice_in(const Table& table) {
+  std::string lines;
+  if (table.columns().front().name != "advice") return lines;
   for (std::size_t i = 0; i < table.rows(); ++i) {
-    std::cout << std::get<std::string>(table.at(i, "advice")) << '\n';
+    lines += std::get<std::string>(table.at(i, "advice")) + '\n';
   }
+  return lines;
+}
+
+/// Prints the advice in a result, or one line about it. The tables are written: nobody who reads the
+/// line is no error.
+void print_result(const Program& program, const std::vector<Table>& tables, const std::string& out,
+                  bool quiet) {
+  std::string advice;
+  for (const Table& table : tables) advice += advice_in(table);
+  std::cout << advice << std::flush;
+  if (!advice.empty() || quiet) return;
+  std::cout << result_line(program.name, tables, out) << std::endl;
+  std::cout.clear();
 }
 
 /// Where --save writes: an absolute path, which is no table of the run.
@@ -87,8 +103,9 @@ fs::path place_to_save(const std::string& name) {
     throw std::invalid_argument(
         fmt::format("--save '{}': expected a folder that is there", shown(name)));
   }
-  require_writable(file.parent_path());
-  return file;
+  const fs::path target = writable_target(file);
+  require_writable(target.parent_path());
+  return target;
 }
 
 /// Whether --format asks for CSV, too.
@@ -131,7 +148,7 @@ void run_scene(const Program& program, bool joins, Scene& scene, const Given& gi
       provenance(program.name, argc, argv, std::chrono::steady_clock::now() - start), files));
   if (saves) files.insert(files.begin(), {saved, state});
   interrupts.last([&] { write_files(out, files); });
-  for (const Table& table : tables) print_advice(table);
+  print_result(program, tables, out, given.count("quiet") != 0);
   const auto warn = [&](const std::string& place, const std::string& line) {
     std::cerr << program.name << ": " << place << "warning: " << line << '\n';
   };

@@ -17,7 +17,7 @@ class Key(NamedTuple):
     """A key of scenes."""
 
     name: str
-    type: str  #: word, number, whole, list, wholes or file
+    type: str  #: word, number, whole, list, wholes, file or text
     unit: str  #: of a number without one; "1" if it has none
     meaning: str
     accepted: str

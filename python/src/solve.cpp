@@ -155,7 +155,7 @@ const char* microslip_py_table_text(const microslip_py_tables* tables, std::size
 
 const char* microslip_py_keys(void) {
   static const std::string lines = [] {
-    constexpr const char* types[] = {"word", "number", "whole", "list", "wholes", "file"};
+    constexpr const char* types[] = {"word", "number", "whole", "list", "wholes", "file", "text"};
     std::string text;
     for (const Key& key : keys_of_scenes()) {
       text += fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\n", key.name,

@@ -33,6 +33,7 @@ for scene in "$source"/studies/*/study.info; do
     [ -f "$prefix/share/microslip/plots/$(basename "$script")" ] || fail "not installed: $script"
   done
 done
+cmp "$source/studies/sweep.sbatch" "$prefix/share/microslip/sweep.sbatch" || fail "no sweep.sbatch"
 microslip-carter --quick
 [ -s results/carter/traction.tsv ] || fail "carter wrote nothing"
 

@@ -191,7 +191,7 @@ TEST_F(BadScenes, BoundFiles) {
     expect_rejected(scene, "", "contact.bound_file = 'bound.tsv': " + named);
   };
   rejected("x\tbound\n0\t1\n0\t2\n", "x = 0: expected ascending positions");
-  rejected("x\tbound\n2\t1\n", "x = 2: expected positions from -half_width to half_width");
+  rejected("x\tbound\n2\t1\n", "x = 2: expected positions from -1 to 1, the half-width");
   rejected("x\tbound\n0\t-1\n", "bound = -1: expected a number >= 0");
   rejected("x\tbound\n0\t0\n", "bound = 0: expected a bound that is not");
   rejected("x\tbound\n0\t1e300\n", "largest of bound = 1e+300: expected a number from 1e-50");

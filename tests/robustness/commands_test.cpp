@@ -112,7 +112,11 @@ TEST_F(Commands, ProgressHasRateAndRemainingTime) {
                        elements + "' /dev/null")
         .output;
   };
-  EXPECT_EQ(on_terminal("21"), "");
+  EXPECT_EQ(on_terminal("21 --quiet"), "");
+  const std::string line = on_terminal("21");
+  EXPECT_TRUE(line.starts_with("microslip: force -1500 N/mm, -0.63662 of full sliding, creepage "))
+      << line;
+  EXPECT_TRUE(line.ends_with(", by remembered; tables in out\r\n")) << line;
   const std::string slow = on_terminal("20001");
   EXPECT_TRUE(std::regex_search(
       slow, std::regex("\rmicroslip: [0-9]+ of 40002, [0-9.]+ a second, [0-9]+ min [0-9]+ s left")))

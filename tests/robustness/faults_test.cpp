@@ -247,7 +247,7 @@ TEST_F(Faults, ADiskThatIsFull) {
       "cannot write " + (out() / "new" / "exact.tsv").string() + ": No space left on device");
   EXPECT_EQ(study.output, "");
   const Outcome again = run_mounted(
-      "size=32k", solve() + "&& cp -r '" + out().string() + "' '" + folder_.string() +
+      "size=32k", solve() + " --quiet && cp -r '" + out().string() + "' '" + folder_.string() +
                       "/kept' && { " + carter_bin + " --out '" + out().string() + "'; diff -r '" +
                       out().string() + "' '" + folder_.string() + "/kept'; }");
   EXPECT_EQ(again.status, 0) << again.output;

@@ -152,10 +152,7 @@ TEST(Columns, MayBeSeparatedByCommasOrSemicolons) {
     EXPECT_EQ(std::get<PrescribedCreepage>(loads.at(5)).value, 0.002) << table;
     EXPECT_TRUE(scene.warnings().empty()) << table;
   }
-  EXPECT_EQ(
-      message([] { warnings(run, "q;creepage;_\n0;0,1;0\n1;0,2;0\n"); }),
-      "test:7: load.file = 'run.tsv': line 2: column 'creepage': '0,1' is not a finite number "
-      "with a decimal point");
+  EXPECT_EQ(message([] { warnings(run, "q;creepage;_\n0;0,1;0\n1;0,2;0\n"); }), "");
   EXPECT_EQ(message([] { warnings(run, "q,creepage\n0,1,2\n1,2\n"); }),
             "test:7: load.file = 'run.tsv': line 2: expected 2 values, found 3");
 }

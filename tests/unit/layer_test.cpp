@@ -381,8 +381,7 @@ TEST(Layer, IsSolvedByElementsInsteadOfInversion) {
   EXPECT_EQ(solution.fallback, "the kernel is plane with a layer, not a half-space");
   EXPECT_EQ(
       message_of([] {
-        solve_steady(
-            contact(layer_on_plane(0.3), hertz, 10, PrescribedCreepage{0.1}, Inversion{}));
+        solve_steady(contact(layer_on_plane(0.3), hertz, 10, PrescribedCreepage{0.1}, Inversion{}));
       }),
       "elements = 10: expected at least 11, as the kernel is plane with a layer, not a half-space");
 }

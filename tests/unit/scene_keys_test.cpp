@@ -185,6 +185,7 @@ const std::vector<Role> roles = {
     {"load.force_ratio", "-0.5", with_target + transients},
     {"load.stick_ratio", "0.6", with_target + transients},
     {"load.file", "run", transients},
+    {"load.columns", "t = t", "run"},
     {"load.radius", "460", "run"},
     {"start.type", "rest", transients},
     {"start.force", "-1", "remembered direct relaxed relaxed_traction fractional creepage"},

@@ -59,7 +59,10 @@ TEST(TabulatedBound, TakesRowsNextToTheEdgesAsAtThem) {
     EXPECT_EQ(bound(-half_width), 2);
     EXPECT_NEAR(bound.total(), 6 * 7.62, 1e-13);
   }
-  EXPECT_THROW(TabulatedBound(7.62, Eigen::Vector2d(0, 7.62 * (1 + 1e-14)), Eigen::Vector2d(2, 4)),
+  // A printed edge has seven digits.
+  const TabulatedBound printed(7.62, Eigen::Vector2d(0, 7.62 * (1 + 9e-7)), Eigen::Vector2d(2, 4));
+  EXPECT_EQ(printed(7.62), 4);
+  EXPECT_THROW(TabulatedBound(7.62, Eigen::Vector2d(0, 7.62 * (1 + 2e-6)), Eigen::Vector2d(2, 4)),
                std::invalid_argument);
 }
 

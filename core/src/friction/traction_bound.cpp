@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/friction/traction_bound.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 
+#include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 #include "microslip/support/sine.hpp"
 
@@ -123,11 +126,13 @@ std::optional<ChebyshevTraction> chebyshev_traction(const TractionBound& bound) 
 namespace {
 
 /// Moves a position to the edge if it differs by rounding only: positions and half-widths may have
-/// been converted from other units, each with its own rounding error.
+/// been converted from other units, each with its own rounding error. Beyond the edge there is
+/// nothing but it, so that a position there may also have been printed with seven digits.
 double at_edge_if_near(double x, double half_width) {
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-  return std::abs(std::abs(x) - half_width) <= rounding * half_width ? std::copysign(half_width, x)
-                                                                     : x;
+  constexpr double printed = 1e-6;
+  const double beyond = std::abs(x) / half_width - 1;
+  return beyond >= -rounding && beyond <= printed ? std::copysign(half_width, x) : x;
 }
 
 }  // namespace
@@ -137,9 +142,12 @@ TabulatedBound::TabulatedBound(double half_width, const VectorXd& x, const Vecto
   require_positive("half_width", half_width);
   if (x.size() == 0) throw std::invalid_argument("0 rows: expected at least one");
   for (Index i = 0; i < x.size(); ++i) {
-    require(std::abs(at_edge_if_near(x[i], half_width)) <= half_width, "x", x[i],
-            "positions from -half_width to half_width");
+    require(std::abs(at_edge_if_near(x[i], half_width)) <= half_width, "x", x[i], [&] {
+      return fmt::format("positions from -{0} to {0}, the half-width", format_short(half_width));
+    });
     require(i == 0 || x[i] > x[i - 1], "x", x[i], "ascending positions");
+    require(i == 0 || std::min(x[i], half_width) > std::max(x[i - 1], -half_width), "x", x[i],
+            "one row at an edge");
     require(values[i] >= 0, "bound", values[i], "a number >= 0");
   }
   require(values.maxCoeff() > 0, "bound", 0, "a bound that is not zero everywhere");

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <iosfwd>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "microslip/scene/scene.hpp"
@@ -21,9 +21,22 @@ struct ReadColumns {
   std::vector<std::string> unused = {};
 };
 
+/// Reads a table as TableText has it. A unit stands behind its name, in brackets or parentheses.
 /// \throws std::invalid_argument in one line, with the line's number; also for a column whose name
 ///         is nearly the name of an optional column
-ReadColumns read_columns(std::istream& in, const std::vector<FileColumn>& wanted);
+ReadColumns read_columns(std::string_view text, const std::vector<FileColumn>& wanted);
+
+/// The names of all columns, without units. \throws std::invalid_argument as read_columns
+std::vector<std::string> column_names(std::string_view text);
+
+/// A name and its unit, as "t [s]", "t[s]" and "t (s)" have it: empty if there is none, and 1 for -.
+struct NamedUnit {
+  std::string name;
+  std::string unit = "";
+};
+
+/// \param text  of which parentheses belong to the name if there is no unit in them
+NamedUnit name_with_unit(const std::string& text);
 
 /// A column whose cells may be words.
 struct TextColumn {
@@ -32,9 +45,8 @@ struct TextColumn {
   std::vector<std::string> cells;
 };
 
-/// All columns, each with at least one cell. Cells are separated by tabs if the names are, and may
-/// then have blanks; else by blanks or tabs.
-/// \throws std::invalid_argument as read_columns
-std::vector<TextColumn> read_text_columns(std::istream& in);
+/// All columns, each with at least one cell. Numbers have a decimal point, also if the table has
+/// decimal commas. \throws std::invalid_argument as read_columns
+std::vector<TextColumn> read_text_columns(std::string_view text);
 
 }  // namespace microslip

@@ -73,10 +73,14 @@ constexpr auto keys = std::to_array<Key>({
      "normal load of two cylinders, from which half-width and peak follow by Hertz", above_zero,
      "instead of contact.half_width, contact.peak_traction, contact.bound_polynomial and "
      "contact.bound_file"},
-    {"contact.radius_1", number, "mm", "radius of the one body", above_zero, "", with_load},
+    {"contact.radius_1", number, "mm",
+     "radius of the one body in the plane of rolling: of a wheel, its rolling radius", above_zero,
+     "", with_load},
     {.name = "contact.radius_2",
      .unit = "mm",
-     .meaning = "radius of the other body; a plane if it is not given",
+     .meaning =
+         "radius of the other body in the same plane, as of a roller with a parallel axis; not "
+         "the crown radius of a rail, which is a plane along the rolling: then not given",
      .note = "> 0, or negative for a concave body, then larger in size than contact.radius_1",
      .role = with_load},
     {"contact.friction", number, "1", "friction coefficient mu", range_above(0, 10), "",
@@ -194,6 +198,11 @@ constexpr auto keys = std::to_array<Key>({
                 "behind them, t [s]",
      .note = "a file; instead of load.creepage",
      .role = "problem transient"},
+    {.name = "load.columns",
+     .type = Key::Type::text,
+     .meaning = "names of columns of load.file: t = Time, v = Speed [km/h], creepage = Slip",
+     .note = "NAME = NAME IN THE FILE, with commas between them; the names of load.file without it",
+     .role = "load.file"},
     {"load.radius", number, "mm", "R of the creepage (v - omega R)/v", above_zero, "",
      "load.file with a column omega"},
     {.name = "start.type",

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "doubts.hpp"
+#include "few_steps.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/straight_steps.hpp"
@@ -54,18 +55,19 @@ ContactModel read_contact(Scene& scene, const Material& material, const Material
                 : Grid({.half_width = a, .elements = scene.whole("grid.elements")})};
 }
 
-/// A history of more rows would take more than 300 MB.
-constexpr double most_steps = 1e6;
-
 AdvectionScheme read_scheme(Scene& scene) {
   const AdvectionEntry& entry = advection_scheme(scene.word("step.scheme"));
   return entry.scheme(entry.takes_relaxation ? scene.number("step.relaxation") : 1);
 }
 
-void require_few_steps(double distance, double from, double length) {
+/// \param instead  ways out, behind the message
+template <class Instead>
+void require_few_steps(double distance, double from, double length, const Instead& instead) {
   const double steps = std::ceil((distance - from) / length);
-  require(steps <= most_steps, "motion.distance", distance,
-          fmt::format("at most {} steps, not {}", format_short(most_steps), format_short(steps)));
+  require(steps <= most_steps, "motion.distance", distance, [&] {
+    return fmt::format("at most {} steps, not {}{}", format_short(most_steps), format_short(steps),
+                       instead());
+  });
 }
 
 LoadHistory read_loads(Scene& scene, const TransientProblem& problem) {
@@ -92,13 +94,12 @@ std::vector<double> read_straight_steps(Scene& scene, const TransientProblem& pr
     require(ratio >= min_step_ratio, "step.ratio", ratio, "a number >= 1e-15");
     longest = ratio * spacing;
   }
-  const double force = tolerance * full_sliding_force(problem.bound);
-  const LoadTolerance of_load{
-      .shift = force / stiffness(problem), .force = force, .contact = tolerance};
-  const auto lengths =
-      straight_steps(loads, of_load, longest, static_cast<std::size_t>(most_steps));
-  require(lengths.has_value(), "step.tolerance", tolerance,
-          [] { return fmt::format("one that takes at most {} steps", format_short(most_steps)); });
+  const auto lengths = straight_steps(loads, tolerance_of_load(problem, tolerance), longest,
+                                      static_cast<std::size_t>(most_steps));
+  require(lengths.has_value(), "step.tolerance", tolerance, [&] {
+    return fmt::format("one that takes at most {} steps{}", format_short(most_steps),
+                       instead_of_many_steps(problem, loads, true));
+  });
   std::vector<double> ratios = *lengths;
   for (double& ratio : ratios) ratio /= spacing;
   return ratios;
@@ -120,6 +121,7 @@ std::vector<double> read_step_ratios(Scene& scene) {
 /// \return dq/dx; of load.file without step.ratio from row to row
 std::vector<double> read_steps(Scene& scene, const TransientProblem& problem,
                                const LoadHistory& loads) {
+  require_few_rows(scene, problem, loads);
   if (has_step_tolerance(scene, problem)) return read_straight_steps(scene, problem, loads);
   if (scene.has("step.ratio") || loads.distances().empty()) return read_step_ratios(scene);
   return row_ratios(loads, problem.grid.spacing());
@@ -135,10 +137,11 @@ std::vector<double> judged_steps(const Scene& scene, const std::vector<double>& 
 double read_distance(Scene& scene, const LoadHistory& loads) {
   if (loads.distances().empty()) return scene.positive("motion.distance");
   const double distance = scene.number("motion.distance", loads.distance());
+  constexpr double printed = 1e-6;  // the file's distance may be a rounded one
   require_positive("motion.distance", distance);
-  require(distance <= loads.distance(), "motion.distance", distance,
+  require(distance <= (1 + printed) * loads.distance(), "motion.distance", distance,
           [&] { return "at most the distance of load.file, " + format_short(loads.distance()); });
-  return distance;
+  return std::min(distance, loads.distance());
 }
 
 /// \param from  where the run starts
@@ -328,7 +331,9 @@ TransientScene read_transient(Scene& scene) {
   const double distance = read_distance(scene, loads, beginning.distance);
   const double mean = std::accumulate(step_ratios.begin(), step_ratios.end(), 0.0) /
                       static_cast<double>(step_ratios.size());
-  require_few_steps(distance, beginning.distance, mean * problem.grid.spacing());
+  require_few_steps(distance, beginning.distance, mean * problem.grid.spacing(), [&] {
+    return instead_of_many_steps(problem, loads, has_step_tolerance(scene, problem));
+  });
   TransientScene read{.problem = problem,
                       .start = beginning.start,
                       .shifts = beginning.shifts,
@@ -370,7 +375,8 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
   require_positive("motion.distance", cylinder.distance);
   require(cylinder.step_ratio >= min_step_ratio, "step.ratio", cylinder.step_ratio,
           "a number >= 1e-15");
-  require_few_steps(cylinder.distance, 0, cylinder.step_ratio * model.grid.spacing());
+  require_few_steps(cylinder.distance, 0, cylinder.step_ratio * model.grid.spacing(),
+                    [] { return ""; });
   warn_outside(scene, entry_of(scheme).safe_steps, "step.ratio", cylinder.step_ratio,
                "step.scheme remembered");
   return cylinder;

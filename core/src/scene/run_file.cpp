@@ -13,6 +13,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
+#include "run_columns.hpp"
 
 namespace microslip {
 
@@ -75,17 +76,9 @@ void require_contacts(const LoadHistory& loads, const TransientProblem& problem)
 }  // namespace
 
 LoadHistory read_run(Scene& scene, const TransientProblem& problem) {
-  const std::vector<FileColumn> wanted = {{"q", "mm", false},
-                                          {"t", "s", false},
-                                          {"v", "mm/s", false},
-                                          {"creepage", "1", false},
-                                          {"force", "N/mm", false},
-                                          {"omega", "rad/s", false},
-                                          {"normal_load", "N/mm", false},
-                                          {"half_width", "mm", false},
-                                          {"peak_traction", "N/mm^2", false},
-                                          {"friction", "1", false}};
-  RunRows rows = scene.from_columns("load.file", wanted, [](const auto& columns) {
+  const std::vector<FileColumn> wanted = run_columns(scene);
+  RunRows rows = scene.from_columns("load.file", wanted, [&](const auto& columns) {
+    require_run(scene, wanted, columns);
     return RunRows{.distance = columns[0],
                    .time = columns[1],
                    .velocity = columns[2],

@@ -29,10 +29,34 @@ namespace {
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
+/// Whether a key is about three dimensions, as other programs have them.
+bool is_of_three_dimensions(const std::string& key) {
+  constexpr std::string_view words[] = {
+      "spin",          "spin_creepage", "creepage_x",       "creepage_y",
+      "force_x",       "force_y",       "force_z",          "moment",
+      "moment_z",      "half_width_y",  "half_length",      "semi_axis_a",
+      "semi_axis_b",   "elements_y",    "lateral_creepage", "creepage_lateral",
+      "lateral_force", "force_lateral"};
+  const std::string last = key.substr(key.rfind('.') + 1);
+  return std::ranges::find(words, last) != std::end(words);
+}
+
+/// Refuses the first key that is about three dimensions.
+void require_two_dimensions(const Scene& scene) {
+  for (const std::string& key : scene.keys()) {
+    if (scene.known(key) != nullptr || !is_of_three_dimensions(key)) continue;
+    throw BadParameter(
+        key, fmt::format("key '{}': three-dimensional: not in this version, which is about one "
+                         "creepage alone; 'direction lateral' is about the one across the rolling",
+                         shown(key)));
+  }
+}
+
 /// A key that nobody knows may be the missing one, misspelt.
 /// \param near  a given key of a similar name; may be empty
 [[noreturn]] void reject_missing(const Scene& scene, const std::vector<std::string>& names,
                                  const std::string& near) {
+  require_two_dimensions(scene);
   std::string misspelt = near, hint = suggestion(near);
   for (const std::string& key : scene.keys()) {
     if (!hint.empty() || scene.known(key) != nullptr || key.starts_with("sweep.")) continue;
@@ -242,8 +266,9 @@ double Scene::number(const std::string& key) {
   const auto value = quantity(text(key), unit);
   if (!value) {
     reject(key, text(key),
-           has_unit(text(key)) ? "a number in " + accepted_units(unit)
-                               : "a finite number" + advice(text(key)));
+           has_unit(text(key))
+               ? "a number in " + accepted_units(unit) + advice_on_width(text(key), unit)
+               : "a finite number" + advice(text(key)));
   }
   record(key, format_short(*value));
   hold_to_range(key, *value);
@@ -271,8 +296,8 @@ void Scene::expand_ranges(const std::string& key) {
 std::vector<double> Scene::numbers(const std::string& key) {
   expand_ranges(key);
   const std::string unit = unit_of(key);
-  const bool takes_units = unit != "1";
   std::vector<double> values;
+  bool has_units = false;
   std::istringstream words(text(key));
   for (std::string word; words >> word;) {
     if (const auto value = finite_number(word)) {
@@ -280,20 +305,22 @@ std::vector<double> Scene::numbers(const std::string& key) {
       continue;
     }
     const bool behind = !values.empty() && !converted<double>(word) &&  // it takes nan and inf, too
-                        std::isalpha(static_cast<unsigned char>(word[0])) != 0;
-    if (!takes_units || (!behind && !has_unit(word))) {
+                        (std::isalpha(static_cast<unsigned char>(word[0])) != 0 || is_unit(word));
+    const auto with_units = quantities(text(key), unit);
+    if ((!behind && !has_unit(word)) || (unit == "1" && !with_units)) {
       reject(key, text(key), fmt::format("finite numbers{}, separated by blanks", advice(word)));
     }
-    const auto with_units = quantities(text(key), unit);
     if (!with_units) {
       reject(key, text(key),
-             "numbers with a unit behind the last or behind each, " + accepted_units(unit));
+             "numbers with a unit behind the last or behind each, " + accepted_units(unit) +
+                 advice_on_width(text(key), unit));
     }
     values = *with_units;
+    has_units = true;
     break;
   }
   if (values.empty()) reject(key, text(key), "at least one number");
-  record(key, takes_units ? joined_numbers(values) : text(key));
+  record(key, has_units || unit != "1" ? joined_numbers(values) : text(key));
   for (const double value : values) hold_to_range(key, value);
   return values;
 }
@@ -322,8 +349,8 @@ std::vector<Eigen::Index> Scene::wholes(const std::string& key) {
 
 std::vector<std::optional<Eigen::VectorXd>> Scene::columns(const std::string& key,
                                                            const std::vector<FileColumn>& wanted) {
-  std::istringstream in(file(key));
-  ReadColumns read = read_columns(in, wanted);
+  const std::string table = file(key);
+  ReadColumns read = read_columns(table, wanted);
   if (!read.unused.empty()) {
     warn(
         key, shown(text(key)),
@@ -334,6 +361,11 @@ std::vector<std::optional<Eigen::VectorXd>> Scene::columns(const std::string& ke
   return read.wanted;
 }
 
+std::vector<std::string> Scene::column_names(const std::string& key) {
+  const std::string table = file(key);
+  return microslip::column_names(table);
+}
+
 std::string Scene::file(const std::string& key) {
   const Value& file = value(key);
   const std::string& path = file.text;
@@ -341,6 +373,11 @@ std::string Scene::file(const std::string& key) {
   std::string text = read_file_(path.starts_with('/') ? path : file.place.folder + path);
   record(key, path);
   return text;
+}
+
+std::string Scene::free_text(const std::string& key) {
+  record(key, text(key));
+  return text(key);
 }
 
 std::string Scene::word(const std::string& key) {
@@ -363,6 +400,7 @@ void Scene::record(const std::string& key, const std::string& value) {
 }
 
 void Scene::reject_unread() const {
+  require_two_dimensions(*this);
   std::vector<std::string> known;
   for (const auto& [key, text] : parameters_) {
     if (key.find(' ') == std::string::npos) known.push_back(key);  // others are derived

@@ -93,7 +93,8 @@ std::optional<std::vector<std::string>> range(const std::vector<std::string>& pa
 /// Whether values of the key are numbers.
 bool is_of_numbers(const std::string& name) {
   const Key* key = find_key(name);
-  return key != nullptr && key->type != Key::Type::word && key->type != Key::Type::file;
+  using enum Key::Type;
+  return key != nullptr && key->type != word && key->type != file && key->type != Key::Type::text;
 }
 
 /// In the unit of the key, so that columns of swept values are numbers, or lists of them.
@@ -161,9 +162,9 @@ std::vector<std::string> values_of(const TextColumn& column) {
 /// has, and for keys that are fixed.
 std::vector<SweptKey> columns_of(Scene scene) {
   return scene.with_file(table_name, [&] {
-    std::istringstream in(scene.file(table_name));
+    const std::string table = scene.file(table_name);
     std::vector<SweptKey> columns;
-    for (const TextColumn& column : read_text_columns(in)) {
+    for (const TextColumn& column : read_text_columns(table)) {
       if (column.name == "case") continue;
       if (scene.known(column.name) == nullptr) {
         throw std::invalid_argument(fmt::format("column '{}': expected the name of a key{}",

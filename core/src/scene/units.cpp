@@ -33,6 +33,7 @@ struct Unit {
 const std::map<std::string, Unit, std::less<>> symbols{
     {"1", {}},
     {"%", {1, -2, {}}},
+    {"\u2030", {1, -3, {}}},
     {"um", {1, -3, {1, 0, 0}}},
     {"mm", {1, 0, {1, 0, 0}}},
     {"cm", {1, 1, {1, 0, 0}}},
@@ -98,12 +99,13 @@ void multiply(Unit& by, const Unit& unit, int sign) {
 std::optional<Unit> unit_of(std::string_view text) {
   namespace algorithm = boost::algorithm;
   std::string plain(text);
-  const std::array<std::array<const char*, 2>, 6> written{{{"\u00b2", "^2"},
+  const std::array<std::array<const char*, 2>, 7> written{{{"\u00b2", "^2"},
                                                            {"\u00b3", "^3"},
                                                            {"\u00b7", " "},
                                                            {"*", " "},
                                                            {"\u00b5", "u"},
-                                                           {"\u03bc", "u"}}};
+                                                           {"\u03bc", "u"},
+                                                           {"\u00b0", "deg"}}};
   for (const auto& [from, to] : written) algorithm::replace_all(plain, from, to);
   std::vector<std::string> sides;
   algorithm::split(sides, plain, algorithm::is_any_of("/"));
@@ -198,6 +200,16 @@ bool has_unit(std::string_view text) {
   const bool is_word =
       std::string_view("+-.0123456789").find(rest.front()) == std::string_view::npos;
   return is_unit(rest) || (apart && is_word);
+}
+
+std::string advice_on_width(std::string_view text, std::string_view unit) {
+  constexpr std::string_view per_width[] = {"N/mm", "N s^2/mm^2", "N s^2"};
+  const auto from = unit_of(unit_behind(text));
+  if (!from || std::ranges::find(per_width, unit) == std::end(per_width)) return "";
+  Unit per_mm = *from;
+  multiply(per_mm, symbols.find("mm")->second, -1);
+  if (per_mm.powers != unit_of(unit)->powers) return "";
+  return ", per mm of width: divide by the width";
 }
 
 std::string accepted_units(const std::string& unit) {

@@ -52,7 +52,9 @@ fs::path writable_target(const fs::path& path) {
   try {
     const fs::path target = followed(path);
     if (!target.has_filename()) throw NotWritable(path, std::strerror(EISDIR));
-    if (is_there && !(fs::exists(target) && fs::equivalent(target, path))) {
+    // Another process may replace a file that is no link in the meantime.
+    const bool is_link = target != path;
+    if (is_link && is_there && !(fs::exists(target) && fs::equivalent(target, path))) {
       throw NotWritable(path, "its link leads to a file without a name");
     }
     return target;

@@ -84,7 +84,7 @@ class TransientRolling {
   /// there, and stays unchanged afterwards. The functions start_from...() use this contact, too.
   /// Only with the scheme Remembered; other schemes keep the contact of the problem. If the bodies
   /// do not touch at the end of a step, there are no tractions then, and nothing is remembered; a
-  /// returning contact begins at the end of its step, at rest or with the force. An edge that grows
+  /// returning contact begins at the start of its step, or at its end with a force. An edge that grows
   /// faster than the contact rolls, or shrinks, is resolved to half an element.
   /// \throws std::invalid_argument for numbers < 0, for another scheme, and as require_definite
   void set_contact(const ContactScale& scale);

@@ -37,7 +37,7 @@ inline constexpr Range inner_fraction = range_inside(0, 1);
 /// (tests/unit/scene_keys_test.cpp). Keys of studies are defined beside the code that reads them,
 /// and Scene enforces them (Scene::declare). tools/keys.py writes the documentation from the keys.
 struct Key {
-  enum class Type { word, number, whole, list, wholes, file };
+  enum class Type { word, number, whole, list, wholes, file, text };
 
   std::string_view name;
   Type type = Type::number;

@@ -57,6 +57,8 @@ struct FileColumn {
   std::string name;
   std::string unit;  ///< unit of the values that are returned, and of a column without a unit
   bool needed;
+  std::string in_file = "";       ///< its name in the file; empty if the name is the same there
+  std::string unit_without = "";  ///< unit of a column without one in the file; empty: `unit`
 };
 
 /// The input of a program: dotted keys with text values, read strictly. Every reader below converts
@@ -146,9 +148,10 @@ class Scene {
   void demand_in_range(const std::string& key, double value) const;
 
   /// Reads columns of numbers from the table file that the key names, and returns the result of
-  /// `use`. The file has a line of column names, with optional units, "q [mm]" or "q[mm]", then
-  /// rows. Cells are separated by blanks or tabs; lines that begin with # are comments. Other
-  /// columns may hold anything. Where a column is optional, the scene warns of others, unless their
+  /// `use`. The file has a line of column names, with optional units, "q [mm]", "q[mm]" or "q (mm)",
+  /// then rows. Cells are separated by commas, semicolons, tabs or blanks; lines that begin with #
+  /// are comments. Numbers have a decimal point or a decimal comma, all the same. Other columns may
+  /// hold anything. Where a column is optional, the scene warns of others, unless their
   /// names begin with _, and one of nearly the name of a wanted column is an error. Messages name
   /// key, file and, if there is one, line.
   ///
@@ -157,6 +160,9 @@ class Scene {
   auto from_columns(const std::string& key, const std::vector<FileColumn>& wanted, Use use) {
     return with_file(key, [&] { return use(columns(key, wanted)); });
   }
+
+  /// The names of all columns of the table file that the key names.
+  std::vector<std::string> column_names(const std::string& key);
 
   /// The text of the file that the key names.
   std::string file(const std::string& key);
@@ -170,6 +176,9 @@ class Scene {
       throw BadParameter(key, key + " = '" + shown(text(key)) + "': " + error.what());
     }
   }
+
+  /// The text of a key that may have any.
+  std::string free_text(const std::string& key);
 
   /// One of the words of a known key. A missing key gives the key's default.
   std::string word(const std::string& key);

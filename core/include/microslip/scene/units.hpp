@@ -10,7 +10,7 @@ namespace microslip {
 
 /// \file
 /// Units of numbers in scenes. A unit is a product of powers of
-///   um mm cm m km in, N kN MN, Pa kPa MPa GPa, g kg t, ms s min h, rad deg rev, rpm, %
+///   um mm cm m km in, N kN MN, Pa kPa MPa GPa, g kg t, ms s min h, rad deg rev, rpm, %, ‰
 /// with blanks, * or a centred dot between factors. Powers are mm2, mm^2 or a superscript. The
 /// factors after a single / are the denominator: "kN/m", "N s^2/mm^2". A pure number has no unit,
 /// or the unit 1.
@@ -46,6 +46,10 @@ bool is_unit(std::string_view text);
 
 /// Whether the text is a number followed by a unit, or by a word that may be meant as a unit.
 bool has_unit(std::string_view text);
+
+/// For messages, what is wrong with the unit of a text if the key is about a mm of width and the
+/// unit is not, as 80 kN for a key in N/mm; empty otherwise.
+std::string advice_on_width(std::string_view text, std::string_view unit);
 
 /// "mm or another unit of its kind (um, cm, m, in)", for messages; "no unit" for pure numbers.
 std::string accepted_units(const std::string& unit);
