@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "lost_energy.hpp"
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/scene_tables.hpp"
 #include "microslip/rolling/schemes.hpp"
@@ -128,14 +129,14 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   if (scene.from == 0) start.iterations = 0;  // the start is no step
   add(history, start, scene);
   double cumulative_creep = 0;
-  double dissipated = 0;
-  double before = start.distance;
+  LostEnergy lost(full_sliding_force(scene.problem.bound));
+  TransientState before = start;
   WorstOfSteps worst;
   rolling.roll_to(scene.distance, lengths, scene.loads, [&](const TransientState& state) {
     add(history, state, scene);
-    cumulative_creep += state.creepage * (state.distance - before);
-    dissipated += state.dissipation * (state.distance - before);
-    before = state.distance;
+    cumulative_creep += state.creepage * (state.distance - before.distance);
+    lost.add(before, state);
+    before = state;
     worst.include(state);
     count();
   });
@@ -154,18 +155,22 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   summary.add({"adhesion_elements", last.adhesion_elements, "1"});
   summary.add({"slip_elements", last.slip_elements, "1"});
   summary.add({"dissipation", last.dissipation, "N/mm"});
-  summary.add({"dissipated_energy", dissipated, "N"});
+  summary.add({"dissipated_energy", lost.sum(), "N"});
   if (!scene.shifts.empty()) {
     summary.add({"shifts", scene.shifts.size(), "1"});
     summary.add({"shift_sum", shifts.distance, "mm"});
     summary.add({"shift_dissipated_energy", shifts.dissipation, "N"});
   }
   summary.add({"method", name_of(scene.problem.scheme), "1"});
+  auto doubt = shift_doubt;
+  if (!doubt && !microslip::doubt_of(worst.evidence, scene.problem.accepted, false)) {
+    doubt = lost.doubt();
+  }
   add_evidence(summary, worst.evidence,
                {.condition = rolling.condition(),
                 .iterations = worst.iterations,
                 .accepted = scene.problem.accepted,
-                .doubt = shift_doubt});
+                .doubt = doubt});
   std::vector<Table> tables{
       traction_table("transient rolling, values at the nodes at the end",
                      {rolling.x(), rolling.bound_at_nodes(), rolling.traction_at_nodes(), last.slip,

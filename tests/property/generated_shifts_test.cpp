@@ -146,5 +146,51 @@ TEST(GeneratedShifts, AreRightWhereTheyTurn) {
             << "sliding\n";
 }
 
+/// The creepage under a force, after a shift to another one and 20 mm of rolling.
+double creepage_after_shift(const TransientProblem& problem, double shifted_to, double force,
+                            double step_ratio) {
+  TransientRolling rolling(problem, CattaneoShift{shifted_to});
+  rolling.roll(20, {step_ratio * problem.grid.spacing()}, PrescribedForce{force},
+               [&](const TransientState& state) {
+                 EXPECT_NEAR(state.force, force, 1e-9 * std::abs(force));
+               });
+  return rolling.state().creepage;
+}
+
+// A shift leaves traction at the entry, and the force after it may need all of the bound. The oracle
+// is inversion, which knows of no shift.
+TEST(GeneratedShifts, AreForgottenNextToFullSliding) {
+  std::mt19937 random(static_cast<unsigned>(seed_of_tests()));
+  const auto uniform = [&](double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(random);
+  };
+  double worst = 0;
+  for (int i = 0; i < 60; ++i) {
+    const TransientProblem problem{
+        .kernel = StripKernel({82000, 0.28}, 10),
+        .bound = HertzBound{half_width, 300},
+        .grid = Grid({.half_width = half_width,
+                      .elements = static_cast<Index>(15 * std::pow(10, uniform(0, 1)))}),
+        .basis = constant_basis(),
+        .scheme = Remembered{}};
+    const double sliding = full_sliding_force(problem.bound);
+    const double to = uniform(-0.99, 0.99) * sliding;
+    const double part = 1 - std::pow(10, uniform(-4, -0.5));
+    const double force = (i % 2 == 0 ? 1 : -1) * part * sliding;
+    const double creepage =
+        creepage_after_shift(problem, to, force, std::pow(10, uniform(-1.3, 0.2)));
+    const double steady = solve_steady({.kernel = problem.kernel,
+                                        .bound = problem.bound,
+                                        .grid = problem.grid,
+                                        .load = PrescribedForce{force}})
+                              .creepage;
+    const double error = std::abs(creepage / steady - 1);
+    const double zone = std::sqrt(1 - part) * static_cast<double>(problem.grid.size());
+    worst = std::max(worst, error * zone);
+    EXPECT_LT(error, 0.03 / zone) << i << ": " << part << ", N = " << problem.grid.size();
+  }
+  std::cout << "largest error times elements in adhesion: " << worst << '\n';
+}
+
 }  // namespace
 }  // namespace microslip

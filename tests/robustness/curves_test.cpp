@@ -86,6 +86,16 @@ TEST_F(Curves, AreCartersInPlaneStrainForEachHalfWidth) {
   }
 }
 
+// Without slip the force is that of Carter, whatever the bound.
+TEST_F(Curves, HaveASlopeWithoutCreepageThatNoTableChanges) {
+  std::ofstream(folder_ / "bound.tsv") << "x bound\n-5 0\n-1 300\n0 20\n0.01 250\n5 0\n";
+  const std::string set = " --set contact.peak_traction= --set contact.bound_file='" +
+                          (folder_ / "bound.tsv").string() + "'";
+  ASSERT_EQ(curve("--creepages '1e-6 1e-3'" + set).status, 0);
+  EXPECT_NEAR(quantity("slope_without_creepage") / (-std::numbers::pi * 5 * 82000 / (2 * 0.72)), 1,
+              1e-8);
+}
+
 TEST_F(Curves, BeginWithTheSlopeOfLinearTheory) {
   ASSERT_EQ(curve("--beside fastsim --points 2 --largest '0.5 %'").error, "");
   EXPECT_EQ(table_of("curve").rows(), 2U);

@@ -4,8 +4,11 @@
 #include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
+#include <stdexcept>
+#include <utility>
 
 #include "microslip/reference/carter.hpp"
 #include "microslip/rolling/steady.hpp"
@@ -158,37 +161,46 @@ TEST(Columns, MayBeSeparatedByCommasOrSemicolons) {
 }
 
 // The oracle is Carter's closed form. Where nothing is warned of, errors are those that docs/scenes.md promises.
-TEST(Doubts, DifferencesOnFewElementsNearFullSliding) {
+TEST(Doubts, DifferencesNearFullSliding) {
   std::mt19937 random(1);
   const auto uniform = [&](double from, double to) {
     return std::uniform_real_distribution(from, to)(random);
   };
+  const std::array bases{std::pair{"constant", 11}, std::pair{"linear", 21},
+                         std::pair{"quadratic", 51}};
   int warned = 0, wrong = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 600; ++i) {
     const double ratio = (i % 2 == 0 ? 1 : -1) * (1 - std::pow(10, uniform(-9, 0)));
-    const std::string basis = i % 3 == 0 ? "linear" : "constant";
+    const auto& [basis, least] = bases[static_cast<std::size_t>(i) % 3];
     Scene scene = scene_of(fmt::format(
         "problem steady\nmaterial {{ shear_modulus 1 poisson_ratio 0.28 }}\n"
         "contact {{ half_width 1 peak_traction 1 }}\nkernel {{ type plane length 200 }}\n"
-        "leading_edge {}\nbasis {}\nstep {{ ratio {} }}\ngrid {{ elements {} }}\n"
-        "load {{ force_ratio {} }}\n",
-        i % 5 == 0 ? "known_edge" : "standard", basis, uniform(0.7, 1.5),
-        static_cast<int>(uniform(11, 90)), ratio));
+        "leading_edge {}\nbasis {}\nstep {{ ratio {} }}\ngrid {{ elements {} leading_offset {} "
+        "trailing_offset {} }}\nload {{ force_ratio {} }}\n",
+        i % 4 == 0 ? "known_edge" : "standard", basis, uniform(0.7, 1.5),
+        static_cast<int>(least * std::pow(10, uniform(0, 1))) | 1, uniform(0.01, 1), uniform(0, 1),
+        ratio));
     const auto problem = std::get<SteadyProblem>(read_model(scene));
     const double exact =
         Carter::from_force(material_of(problem.kernel), std::get<HertzBound>(problem.bound),
                            std::get<PrescribedForce>(problem.load).value)
             .creepage();
-    const double error = std::abs(solve_steady(problem).creepage / exact - 1);
+    double error = 0;
+    try {
+      error = std::abs(solve_steady(problem).creepage / exact - 1);
+    } catch (const std::invalid_argument&) {
+      EXPECT_GT(std::abs(ratio), 0.9) << "the bound of the nodes is less than the force";
+      continue;
+    }
     if (scene.warnings().empty()) {
-      EXPECT_LT(error, 0.1) << basis << ' ' << ratio;
+      EXPECT_LT(error, 0.1) << basis << ' ' << problem.grid.size() << ' ' << ratio;
     } else {
       ++warned;
       if (error > 0.1) ++wrong;
     }
   }
   EXPECT_GT(wrong, 20);
-  EXPECT_LT(warned, 220);
+  EXPECT_LT(warned, 480);
 }
 
 TEST(Doubts, FewElementsInTransients) {

@@ -147,6 +147,8 @@ class RememberedGrid final : public RollingGrid {
   void roll_substep(const Substep& substep);
   void recall(Step& step, const Substep& substep) const;
   Load of_partition(const Load& load, const Step& step) const;
+  bool nodes_carry(const Load& load) const;
+  void end_fading(const Substep& substep);
   void fade_shift(const Substep& substep);
   void settle_lead(const Load& load);
   void search_partition(const Load& load);

@@ -192,6 +192,21 @@ Load RememberedGrid::of_partition(const Load& load, const Step& step) const {
   return PrescribedForce{std::get<PrescribedForce>(load).value - nodes_.spacing * step.entry};
 }
 
+/// Tells whether the nodes can carry what the element at the entry leaves of a force.
+bool RememberedGrid::nodes_carry(const Load& load) const {
+  const Load left = of_partition(load, next_);
+  const auto* force = std::get_if<PrescribedForce>(&left);
+  return force == nullptr || std::abs(force->value) < nodes_.spacing * next_.conditions.bound.sum();
+}
+
+/// Ends what the last shift left at the leading edge, where the force needs all of the nodes' bound.
+void RememberedGrid::end_fading(const Substep& substep) {
+  next_.entry = slopes_[1].entry = 0;
+  next_.state.relief.resize(0);
+  slopes_[1].conditions.bound.setZero(nodes_.size);
+  set_bound(substep.scale);
+}
+
 /// Reduces what the last shift left at the leading edge.
 void RememberedGrid::fade_shift(const Substep& substep) {
   RememberedState& state = next_.state;
@@ -271,6 +286,8 @@ void RememberedGrid::roll_substep(const Substep& substep) {
   set_bound(substep.scale);
   const bool all_stuck = before.relief.size() == 0;
   fade_shift(substep);
+  const bool fades = next_.entry != 0 || before.relief.size() > 0;
+  if (fades && !nodes_carry(substep.load)) end_fading(substep);
   recall(next_, substep);
   search_partition(substep.load);
   if (next_.entry != 0 && all_stuck && !sticks(next_.contact.zones, nodes_.size - 1)) {

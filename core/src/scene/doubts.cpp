@@ -28,16 +28,17 @@ void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, d
 
 void warn_near_full_sliding(Scene& scene, const Load& load, const TractionBound& bound,
                             Eigen::Index elements, const std::string& instead) {
-  constexpr double safe_ratio = 0.8;  // with any number that is safe otherwise
-  constexpr Eigen::Index safe_elements = 51;
+  constexpr double safe_zone = 6;  // elements in the stick zone
   const auto* force = std::get_if<PrescribedForce>(&load);
-  if (force == nullptr || elements >= safe_elements) return;
+  if (force == nullptr) return;
   const double ratio = std::abs(force->value) / full_sliding_force(bound);
-  if (ratio <= safe_ratio) return;
-  scene.warn("grid.elements", static_cast<double>(elements),
-             fmt::format("under a force above {} of full sliding, here {:.4g}, this scheme is safe "
-                         "from {} on; {} is safe for any",
-                         format_short(safe_ratio), ratio, safe_elements, instead));
+  const double zone = std::sqrt(std::max(0.0, 1 - ratio));  // by Carter, over the contact
+  const auto count = static_cast<double>(elements);
+  if (zone * count >= safe_zone) return;
+  scene.warn("grid.elements", count,
+             fmt::format("under a force of {:.6g} of full sliding the stick zone is some {} "
+                         "elements long, and this scheme is safe with {}; {} is safe for any",
+                         ratio, format_roughly(zone * count), safe_zone, instead));
 }
 
 void warn_of_short_end(Scene& scene, const TransientScene& read) {

@@ -19,8 +19,8 @@ namespace microslip {
 void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, double value,
                   const std::string& instead);
 
-/// Warns if a difference scheme on a coarse grid is loaded near full sliding: its stick zone is
-/// then shorter than some elements, and the creepage is wrong by more than 10 %.
+/// Warns if a difference scheme is loaded so near to full sliding that its stick zone is shorter than
+/// six elements: the creepage may then be wrong by more than 10 %, and by up to 40 %.
 /// \param instead  what is safe for any value
 void warn_near_full_sliding(Scene& scene, const Load& load, const TractionBound& bound,
                             Eigen::Index elements, const std::string& instead);

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "microslip/rolling/transient_problem.hpp"
+
+namespace microslip::experiments {
+
+/// The energy that a run loses, and how uncertain it is. Friction never gives energy back, so that a
+/// negative loss is an error of the energies of elements; the sum of negative ones is of the size of
+/// the error of the whole loss. A force that changes much in a step is in truth no linear function of
+/// the shift, as the work of the step has it; there, the loss by the tractions at the end of the step
+/// is another estimate.
+class LostEnergy {
+ public:
+  /// \param full_sliding  the largest force of the contact  [N/mm]
+  explicit LostEnergy(double full_sliding) : full_sliding_(full_sliding) {}
+
+  /// Adds a step.
+  /// \param before, after  states between which it lies
+  void add(const TransientState& before, const TransientState& after);
+
+  double sum() const { return lost_ - gained_; }  ///< per mm width  [N]
+
+  /// A sentence if more than a twentieth is uncertain, of the sum or of the largest rate.
+  std::optional<std::string> doubt() const;
+
+ private:
+  double full_sliding_;
+  double lost_ = 0, gained_ = 0;  ///< sums of the positive and negative losses  [N]
+  double sudden_ = 0;            ///< differences of the estimates where the force changes much  [N]
+  double most_ = 0, least_ = 0;  ///< of the losses per length  [N/mm]
+  double power_ = 0;             ///< the largest one of the force  [N/mm]
+};
+
+}  // namespace microslip::experiments
