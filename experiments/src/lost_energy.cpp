@@ -10,17 +10,19 @@
 
 namespace microslip::experiments {
 
-void LostEnergy::add(const TransientState& before, const TransientState& after) {
+void LostEnergy::add(const TransientState& state) {
   constexpr double much = 0.05;  // of full sliding
-  const double length = after.distance - before.distance;
-  const double rate = after.dissipation;
+  const double length = state.distance - distance_;
+  const double rate = state.dissipation;
   (rate < 0 ? gained_ : lost_) += std::abs(rate) * length;
   most_ = std::max(most_, rate);
   least_ = std::min(least_, rate);
-  power_ = std::max(power_, std::abs(after.mean_force * after.creepage));
-  if (std::abs(after.force - before.force) > much * full_sliding_) {
-    sudden_ += std::abs(after.end_dissipation - rate) * length;
+  power_ = std::max(power_, std::abs(state.mean_force * state.creepage));
+  if (std::abs(state.force - force_) > much * full_sliding_) {
+    sudden_ += std::abs(state.end_dissipation - rate) * length;
   }
+  distance_ = state.distance;
+  force_ = state.force;
 }
 
 std::optional<std::string> LostEnergy::doubt() const {

@@ -15,12 +15,13 @@ namespace microslip::experiments {
 /// is another estimate.
 class LostEnergy {
  public:
+  /// \param start         before the first step
   /// \param full_sliding  the largest force of the contact  [N/mm]
-  explicit LostEnergy(double full_sliding) : full_sliding_(full_sliding) {}
+  LostEnergy(const TransientState& start, double full_sliding)
+      : full_sliding_(full_sliding), distance_(start.distance), force_(start.force) {}
 
-  /// Adds a step.
-  /// \param before, after  states between which it lies
-  void add(const TransientState& before, const TransientState& after);
+  /// Adds the step from the last state to this one.
+  void add(const TransientState& state);
 
   double sum() const { return lost_ - gained_; }  ///< per mm width  [N]
 
@@ -29,6 +30,7 @@ class LostEnergy {
 
  private:
   double full_sliding_;
+  double distance_, force_;       ///< of the last state  [mm, N/mm]
   double lost_ = 0, gained_ = 0;  ///< sums of the positive and negative losses  [N]
   double sudden_ = 0;            ///< differences of the estimates where the force changes much  [N]
   double most_ = 0, least_ = 0;  ///< of the losses per length  [N/mm]

@@ -61,10 +61,6 @@ Table summary_of(const std::string& description, const SteadySolution& solution,
   return summary;
 }
 
-}  // namespace
-
-namespace {
-
 /// The solution; on equal elements under a table with the change from elements twice as long, which is
 /// about the error where a bound is steep.
 SteadySolution solve_with_change(const SteadyProblem& problem) {
@@ -79,9 +75,7 @@ SteadySolution solve_with_change(const SteadyProblem& problem) {
   SteadyProblem coarse = problem;
   coarse.grid = problem.grid.with_elements(elements / 2);
   try {
-    const double value = answer_of(problem.load, solution);
-    const double change = std::abs(answer_of(problem.load, solve_steady(coarse)) - value);
-    solution.evidence.change = change == 0 ? 0 : change / std::abs(value);
+    solution.evidence.change = change_of_answer(problem.load, solve_steady(coarse), solution);
   } catch (const NotConverged&) {
     solution.evidence.change = 1;
   }

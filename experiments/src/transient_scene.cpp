@@ -129,14 +129,14 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   if (scene.from == 0) start.iterations = 0;  // the start is no step
   add(history, start, scene);
   double cumulative_creep = 0;
-  LostEnergy lost(full_sliding_force(scene.problem.bound));
-  TransientState before = start;
+  LostEnergy lost(start, full_sliding_force(scene.problem.bound));
+  double before = start.distance;
   WorstOfSteps worst;
   rolling.roll_to(scene.distance, lengths, scene.loads, [&](const TransientState& state) {
     add(history, state, scene);
-    cumulative_creep += state.creepage * (state.distance - before.distance);
-    lost.add(before, state);
-    before = state;
+    cumulative_creep += state.creepage * (state.distance - before);
+    lost.add(state);
+    before = state.distance;
     worst.include(state);
     count();
   });

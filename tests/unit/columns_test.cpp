@@ -93,7 +93,7 @@ TEST(Columns, MayBeEmptyIfNobodyWantsThem) {
   EXPECT_EQ(refusal("x\tbound\n1\n"), "line 2: expected 2 values, found 1");
 }
 
-// What version 1.0 read: blanks where the names have tabs, quotes that are part of a word.
+// Version 1.0 read these tables: blanks where the names have tabs, quotes that are part of a word.
 TEST(Columns, SeparatedByBlanksOrTabsAreTheSame) {
   const std::vector<double> same{1, 2, 3, 4};
   EXPECT_EQ(numbers_in("x\tbound\n1 2\n3 4\n"), same);

@@ -45,7 +45,7 @@ class BoundRows {
 
   double bound(const RowPlace& place) const;
 
-  /// The row at or behind a place; and the row ahead of it.
+  /// Returns the row behind the piece that holds a place, or behind the nearest piece.
   std::size_t piece_of(const RowPlace& place) const;
 
   /// Whether the bound is zero in the piece ahead of a row.

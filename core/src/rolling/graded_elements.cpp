@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "bound_rows.hpp"
+#include "element_solution.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/work.hpp"
@@ -243,28 +244,11 @@ SteadySolution graded_solution(const SteadyProblem& problem, const GradedState& 
   const VectorXd x = middles(graded.ends), l = lengths(graded.ends);
   const SlipConditions conditions = conditions_of(problem, x, l);
   const ContactState& state = graded.state;
-  const double force = l.dot(state.traction);
-  Evidence evidence = evidence_by_elements(
-      {l, conditions.bound, conditions.bound, state.traction, state.slip}, force, state.creepage);
-  evidence.residual = state.residuals.equations;
-  if (problem.has_unlike_bodies()) {
-    evidence.load = l.dot(state.traction.cwiseAbs());
-    evidence.power = evidence.dissipated;
-  }
-  return {
-      .x = x,
-      .bound = conditions.bound,
-      .traction = state.traction,
-      .slip = state.slip,
-      .displacement = displacement(problem.kernel, x, l, state.traction),
-      .zones = state.zones,
-      .force = force,
-      .creepage = state.creepage,
-      .dissipation = problem.has_unlike_bodies() ? evidence.dissipated : -state.creepage * force,
-      .iterations = state.iterations,
-      .evidence = evidence,
-      .condition = 1,
-      .scheme = SteadyScheme::graded};
+  SteadySolution solution = element_solution(
+      problem, x, {l, conditions.bound, conditions.bound, state.traction, state.slip}, state);
+  solution.displacement = displacement(problem.kernel, x, l, state.traction);
+  solution.scheme = SteadyScheme::graded;
+  return solution;
 }
 
 }  // namespace microslip

@@ -24,13 +24,6 @@ bool has_cheap_matrix(const Kernel& kernel) {
   return is_half_space(kernel) || std::holds_alternative<LayeredKernel>(kernel);
 }
 
-double change_between(const SteadyProblem& problem, const SteadySolution& coarse,
-                      const SteadySolution& fine) {
-  const double value = answer_of(problem.load, fine);
-  const double change = std::abs(answer_of(problem.load, coarse) - value);
-  return change == 0 ? 0 : change / std::abs(value);
-}
-
 /// Values at the nodes of the problem, by the element that holds the node.
 /// \param ends  of the elements of `fine`, ascending
 SteadySolution sampled(const SteadyProblem& problem, const SteadySolution& fine,
@@ -62,7 +55,8 @@ SteadySolution on_graded(const SteadyProblem& problem) {
   const GradedState coarse =
       solve_graded(problem, graded_elements(problem.bound, fewest), most_graded);
   SteadySolution solution = graded_solution(problem, fine);
-  solution.evidence.change = change_between(problem, graded_solution(problem, coarse), solution);
+  solution.evidence.change =
+      change_of_answer(problem.load, graded_solution(problem, coarse), solution);
   return sampled(problem, solution, fine.ends);
 }
 
@@ -77,7 +71,7 @@ SteadySolution on_equal(const SteadyProblem& problem) {
   SteadySolution coarse = solve(elements / 2);
   for (;; elements *= 2) {
     SteadySolution fine = solve(elements);
-    fine.evidence.change = change_between(problem, coarse, fine);
+    fine.evidence.change = change_of_answer(problem.load, coarse, fine);
     if (fine.evidence.change > enough && 2 * elements <= most_equal) {
       coarse = std::move(fine);
       continue;

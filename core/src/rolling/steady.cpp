@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "brush_rolling.hpp"
+#include "element_solution.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/halfspace/leading_edge.hpp"
 #include "microslip/rolling/chebyshev_rolling.hpp"
@@ -188,31 +189,18 @@ SteadySolution by_differences(const SteadyProblem& problem, const Differences& d
   const ContactState state = contact_by(active_set, problem, differences);
   const VectorXd bound = bound_of(problem, differences);
   const VectorXd lengths = lengths_of(problem);
-  const double force = lengths.dot(state.traction);
-  Evidence evidence = evidence_by_elements(
-      {lengths, bound, mean_bound_of(problem), state.traction, state.slip}, force, state.creepage);
-  evidence.residual = state.residuals.equations;
+  SteadySolution solution = element_solution(
+      problem, x, {lengths, bound, mean_bound_of(problem), state.traction, state.slip}, state);
+  Evidence& evidence = solution.evidence;
   evidence.unresolved += force_in_gaps(problem, state);
   if (problem.has_unlike_bodies()) {
-    evidence.load = lengths.dot(state.traction.cwiseAbs());
-    evidence.power = evidence.dissipated;
-    evidence.one_element = one_element_zones(state, lengths, bound, force);
+    evidence.one_element = one_element_zones(state, lengths, bound, solution.force);
   }
-  return {
-      .x = x,
-      .bound = bound,
-      .traction = state.traction,
-      .slip = state.slip,
-      .displacement =
-          influence_operator(problem.kernel, problem.basis, grid.spacing(), n, problem.solver) *
-          state.traction,
-      .zones = state.zones,
-      .force = force,
-      .creepage = state.creepage,
-      .dissipation = problem.has_unlike_bodies() ? evidence.dissipated : -state.creepage * force,
-      .iterations = state.iterations,
-      .evidence = evidence,
-      .condition = active_set.condition()};
+  solution.displacement =
+      influence_operator(problem.kernel, problem.basis, grid.spacing(), n, problem.solver) *
+      state.traction;
+  solution.condition = active_set.condition();
+  return solution;
 }
 
 /// \param solution  as functions of x, with one stick zone
@@ -318,8 +306,39 @@ std::string name_of(SteadyScheme scheme) {
   }
 }
 
+SteadySolution element_solution(const SteadyProblem& problem, const VectorXd& x,
+                                const ElementValues& values, const ContactState& contact) {
+  const double force = values.lengths.dot(contact.traction);
+  Evidence evidence = evidence_by_elements(values, force, contact.creepage);
+  evidence.residual = contact.residuals.equations;
+  double dissipation = -contact.creepage * force;
+  if (problem.has_unlike_bodies()) {
+    evidence.load = values.lengths.dot(contact.traction.cwiseAbs());
+    evidence.power = dissipation = evidence.dissipated;
+  }
+  return {.x = x,
+          .bound = values.bound,
+          .traction = contact.traction,
+          .slip = contact.slip,
+          .displacement = {},
+          .zones = contact.zones,
+          .force = force,
+          .creepage = contact.creepage,
+          .dissipation = dissipation,
+          .iterations = contact.iterations,
+          .evidence = evidence,
+          .condition = 1};
+}
+
 double answer_of(const Load& load, const SteadySolution& solution) {
   return std::holds_alternative<PrescribedForce>(load) ? solution.creepage : solution.force;
+}
+
+double change_of_answer(const Load& load, const SteadySolution& coarse,
+                        const SteadySolution& fine) {
+  const double answer = answer_of(load, fine);
+  const double change = std::abs(answer_of(load, coarse) - answer);
+  return change == 0 ? 0 : change / std::abs(answer);
 }
 
 void validate(const SteadyProblem& problem) {

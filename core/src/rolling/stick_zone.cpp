@@ -210,8 +210,8 @@ double StickZone::slip(double x) const {
   return slip + added_creepage_ - pi * log_factor_ * strain - regular_strain(x);
 }
 
-/// What is left to a violation, over its scale: the bound less the traction, or the slip. Below zero there
-/// is a violation.
+/// Returns the distance from a violation, over its scale: the bound less the traction, or the slip.
+/// Below zero there is a violation.
 double StickZone::margin(double x) const {
   if (x < begin_ || x > end_) return slip(x) / creepage_;
   const double bound = contact_->bound_at(x);

@@ -169,7 +169,7 @@ std::optional<Found> find_in(const Header& header, const FileColumn& column, int
                             advice_on_width("1 " + unit, column.unit)));
 }
 
-/// What may be wrong with a cell that is no number.
+/// Says why a cell may be no number.
 std::string advice_on_cell(std::string_view cell) {
   if (is_unit(cell)) return "; a unit stands behind its name, as in t [s]";
   std::string digits(cell);

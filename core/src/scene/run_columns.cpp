@@ -152,7 +152,7 @@ std::vector<std::string> likely_columns(const std::vector<std::string>& names,
   return likely;
 }
 
-/// What the file has in place of what is expected.
+/// Fails with the names that the file has, and says which of them may be meant.
 [[noreturn]] void fail_with_names(Scene& scene, const std::vector<FileColumn>& wanted,
                                   const std::string& expected) {
   const std::vector<std::string> names = scene.column_names("load.file");

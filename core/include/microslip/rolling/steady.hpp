@@ -35,10 +35,11 @@ struct Differences {
 /// Differences over one element, with the edges where the scheme feels them: whole_contact().
 struct Calibrated {};
 
-/// Inversion, sampled at the nodes: ten digits for one stick zone, eight for several, and the closed form
-/// of a brush. Elements that are graded towards steep places of a table, and towards the ends of zones,
-/// replace it for other kernels, for tables of more than 400 rows, and where it finds no zones; under
-/// smooth bounds Calibrated elements do. SteadySolution::scheme says which one made the solution.
+/// Inversion, sampled at the nodes: ten digits for one stick zone, eight for several, and the closed
+/// form of a brush. Elements that are graded towards steep places of a table, and towards the ends
+/// of zones, replace it for other kernels, for tables of more than 400 rows, and where it finds no
+/// zones; under smooth bounds Calibrated elements do. SteadySolution::scheme says which one made the
+/// solution.
 struct Inversion {};
 
 /// ChebyshevRolling, sampled at the nodes: ten digits. For smooth bounds and one stick zone.
@@ -118,6 +119,9 @@ struct SteadySolution {
 
 /// The creepage under a force, the force under a creepage.
 double answer_of(const Load& load, const SteadySolution& solution);
+
+/// The change of answer_of() from a coarse solution to a fine one, over the fine one's  [1]
+double change_of_answer(const Load& load, const SteadySolution& coarse, const SteadySolution& fine);
 
 /// Cost: O(N^2) memory; time as the method.
 /// \throws std::invalid_argument for a step ratio or load outside its range, for a known u_LE at
