@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "graded_elements.hpp"
 #include "microslip/support/not_converged.hpp"
@@ -48,12 +49,20 @@ SteadySolution sampled(const SteadyProblem& problem, const SteadySolution& fine,
   return at_nodes;
 }
 
+ElementEnds halved(const ElementEnds& ends) {
+  ElementEnds finer;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    finer.insert(finer.end(), {ends[i], std::midpoint(ends[i], ends[i + 1])});
+  }
+  finer.push_back(ends.back());
+  return finer;
+}
+
 SteadySolution on_graded(const SteadyProblem& problem) {
   const Index fewest = std::clamp<Index>(problem.grid.size(), 60, 400);
-  const GradedState fine =
-      solve_graded(problem, graded_elements(problem.bound, 2 * fewest), most_graded);
-  const GradedState coarse =
-      solve_graded(problem, graded_elements(problem.bound, fewest), most_graded);
+  const ElementEnds long_elements = graded_elements(problem.bound, fewest);
+  const GradedState fine = solve_graded(problem, halved(long_elements), most_graded);
+  const GradedState coarse = solve_graded(problem, long_elements, most_graded);
   SteadySolution solution = graded_solution(problem, fine);
   solution.evidence.change =
       change_of_answer(problem.load, graded_solution(problem, coarse), solution);
