@@ -11,8 +11,7 @@
 #include "microslip/friction/rough_bound.hpp"
 #include "microslip/rolling/steady.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::stick_zones_test {
 
 using Eigen::VectorXd;
 
@@ -221,5 +220,4 @@ TEST(StickZones, OfRoughBoundsAreResolvedByAsManyElementsAsItTakes) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::stick_zones_test
