@@ -90,7 +90,7 @@ class CylinderTruth {
   std::map<double, double> velocities_;
 };
 
-Finding finding_of(const ExtremesParameters& p, const Scheme& scheme, double slope_ratio,
+Finding finding_of_motion(const ExtremesParameters& p, const Scheme& scheme, double slope_ratio,
                    double step_ratio, CylinderTruth& truth) {
   RollingCylinder body = body_on(p, scheme, p.elements, slope_ratio, step_ratio);
   const Roll rolled = roll(p, body);
@@ -117,7 +117,7 @@ Map cylinder_map(const ExtremesParameters& p) {
             {.scheme = scheme.name,
              .place = {slope_ratio, c},
              .size = static_cast<double>(p.elements) / c,
-             .solve = [=] { return finding_of(p, scheme, slope_ratio, c, *truth); }});
+             .solve = [=] { return finding_of_motion(p, scheme, slope_ratio, c, *truth); }});
       }
     }
   }

@@ -22,7 +22,7 @@ struct Scale {
 /// A result without units: tractions over the peak, and creepage times G over it.
 using Solve = std::function<VectorXd(const ExtremesParameters& p, const Scale& scale)>;
 
-struct Scheme {
+struct ScaledScheme {
   std::string name;
   Solve solve;
 };
@@ -55,7 +55,7 @@ VectorXd without_units(const Scaled& from, const VectorXd& traction, double cree
   return values;
 }
 
-Scheme steady(const std::string& name, const std::string& in_tables, bool strip,
+ScaledScheme steady(const std::string& name, const std::string& in_tables, bool strip,
               double step_ratio = 1) {
   return {in_tables, [=, method = steady_scheme(name).method(step_ratio)](
                          const ExtremesParameters& p, const Scale& scale) {
@@ -70,7 +70,7 @@ Scheme steady(const std::string& name, const std::string& in_tables, bool strip,
 }
 
 /// Rolls in steps that do not divide an element.
-Scheme transient(const std::string& name) {
+ScaledScheme transient(const std::string& name) {
   return {name, [=, scheme = advection_scheme(name).scheme(1)](const ExtremesParameters& p,
                                                                const Scale& scale) {
             const Scaled from = scaled(p, scale);
@@ -99,7 +99,7 @@ Table scales_table(const ExtremesParameters& p) {
         "of tractions over the peak and of creepage times G over it from those for a factor "
         "of 1; largest, relative to the largest",
         1e-12}});
-  const std::vector<Scheme> schemes{steady("standard", "standard", false),
+  const std::vector<ScaledScheme> schemes{steady("standard", "standard", false),
                                     steady("standard", "standard, c = 0.001", false, 1e-3),
                                     steady("inversion", "inversion", false),
                                     steady("inversion", "inversion strip", true),
@@ -107,7 +107,7 @@ Table scales_table(const ExtremesParameters& p) {
                                     transient("direct"),
                                     transient("fractional"),
                                     transient("remembered")};
-  for (const Scheme& scheme : schemes) {
+  for (const ScaledScheme& scheme : schemes) {
     const VectorXd ordinary = scheme.solve(p, {});
     const auto add = [&](const std::string& what, double factor, const Scale& scale) {
       const VectorXd found = scheme.solve(p, scale);

@@ -20,7 +20,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// A scheme with a basis.
-struct Scheme {
+struct SteadyChoice {
   std::string name;
   const SteadyEntry* entry;
   Basis basis;
@@ -28,8 +28,8 @@ struct Scheme {
 
 /// Lists the catalogue without the named schemes: first differences, then the others by their
 /// order. The standard scheme takes part with all bases, each other scheme with one.
-std::vector<Scheme> schemes_except(const std::vector<std::string>& names) {
-  std::vector<Scheme> all;
+std::vector<SteadyChoice> schemes_except(const std::vector<std::string>& names) {
+  std::vector<SteadyChoice> all;
   const auto add = [&](const SteadyEntry& entry, const Basis& basis, const std::string& name) {
     const bool left_out = std::ranges::find(names, name) != names.end();
     if (!left_out) all.push_back({name, &entry, basis});
@@ -43,7 +43,7 @@ std::vector<Scheme> schemes_except(const std::vector<std::string>& names) {
       add(entry, make_basis(basis), fmt::format("{} {}", name, basis));
     }
   }
-  const auto rank = [](const Scheme& s) { return s.entry->safe_steps ? 0 : s.entry->order; };
+  const auto rank = [](const SteadyChoice& s) { return s.entry->safe_steps ? 0 : s.entry->order; };
   std::ranges::stable_sort(all, {}, rank);
   return all;
 }
@@ -78,7 +78,7 @@ double relative(double value, double exact, double scale) {
   return std::abs(value - exact) / (exact == 0 ? scale : std::abs(exact));
 }
 
-Finding solve(const Scheme& scheme, const Setting& setting, const Grid& grid, double step_ratio,
+Finding solve(const SteadyChoice& scheme, const Setting& setting, const Grid& grid, double step_ratio,
               const Load& load) {
   const SteadySolution found = solve_steady(solved_by(*scheme.entry,
                                                       {.kernel = setting.kernel,
@@ -98,7 +98,7 @@ Finding solve(const Scheme& scheme, const Setting& setting, const Grid& grid, do
 }
 
 /// Solves under the creepage and under the force; the finding is the worst of both.
-Case case_of(const Scheme& scheme, const Setting& setting, const Grid::Parameters& grid,
+Case case_of(const SteadyChoice& scheme, const Setting& setting, const Grid::Parameters& grid,
              double step_ratio, std::vector<double> place) {
   return {.scheme = scheme.name,
           .place = std::move(place),
@@ -156,24 +156,24 @@ Map steps_map(const ExtremesParameters& p) {
           {1, static_cast<double>(p.elements)},
           {}};
   const Setting setting = carter_setting(p, 1 - p.stick_ratio);
-  const auto add = [&](const Scheme& scheme, double c, const std::vector<Index>& sizes) {
+  const auto add = [&](const SteadyChoice& scheme, double c, const std::vector<Index>& sizes) {
     for (const Index n : sizes) {
       map.cases.push_back(case_of(scheme, setting, grid_of(p, n), c, {c, static_cast<double>(n)}));
       map.cases.back().goes_on = n != sizes.front();
     }
   };
-  const auto add_large = [&](const Scheme& scheme, double c) {
+  const auto add_large = [&](const SteadyChoice& scheme, double c) {
     for (const Index n : p.steps.large) add(scheme, c, {n});
   };
-  for (const Scheme& scheme : schemes_except({})) {
+  for (const SteadyChoice& scheme : schemes_except({})) {
     if (!scheme.entry->safe_steps) continue;
     for (const double c : p.steps.ratios) add(scheme, c, p.steps.sizes);
   }
-  for (const Scheme& scheme : schemes_except({"standard quadratic", "known_edge", "trimmed"})) {
+  for (const SteadyChoice& scheme : schemes_except({"standard quadratic", "known_edge", "trimmed"})) {
     if (!scheme.entry->safe_steps) continue;
     for (const double c : p.steps.ratios_of_large) add_large(scheme, c);
   }
-  for (const Scheme& scheme : schemes_except({})) {
+  for (const SteadyChoice& scheme : schemes_except({})) {
     if (scheme.entry->safe_steps) continue;
     add(scheme, 1, p.steps.sizes);
     add_large(scheme, 1);
@@ -192,7 +192,7 @@ Map widths_map(const ExtremesParameters& p) {
     for (const double width : p.widths.ratios) {
       const Kernel kernel = StripKernel({p.material.shear_modulus, nu}, width * dx);
       const Setting setting{kernel, p.bound, strip_truth(kernel, p.bound, p)};
-      for (const Scheme& scheme : schemes_except({"standard quadratic", "known_edge", "trimmed"})) {
+      for (const SteadyChoice& scheme : schemes_except({"standard quadratic", "known_edge", "trimmed"})) {
         map.cases.push_back(case_of(scheme, setting, grid_of(p, p.elements), 1, {width, nu}));
       }
     }
@@ -208,7 +208,7 @@ Map loads_map(const ExtremesParameters& p) {
           {}};
   const auto add = [&](double stuck, double sliding) {
     const Setting setting = carter_setting(p, sliding);
-    for (const Scheme& scheme : schemes_except({"standard quadratic", "trimmed"})) {
+    for (const SteadyChoice& scheme : schemes_except({"standard quadratic", "trimmed"})) {
       map.cases.push_back(case_of(scheme, setting, grid_of(p, p.elements), 1, {stuck, sliding}));
     }
   };
@@ -233,7 +233,7 @@ Map offsets_map(const ExtremesParameters& p) {
           {0.5, 0.5},
           {}};
   const Setting setting = carter_setting(p, 1 - p.stick_ratio);
-  for (const Scheme& scheme : schemes_except({"calibrated", "chebyshev"})) {
+  for (const SteadyChoice& scheme : schemes_except({"calibrated", "chebyshev"})) {
     for (const double beta : p.offsets) {
       for (const double alpha : p.offsets) {
         Grid::Parameters grid = grid_of(p, p.elements);

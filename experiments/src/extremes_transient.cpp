@@ -19,7 +19,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 /// Sorts the catalogue by order.
-std::vector<AdvectionEntry> schemes() {
+std::vector<AdvectionEntry> schemes_by_order() {
   std::vector<AdvectionEntry> all(advection_schemes().begin(), advection_schemes().end());
   std::ranges::stable_sort(all, {}, &AdvectionEntry::order);
   return all;
@@ -96,7 +96,7 @@ Map transient_map(const ExtremesParameters& p) {
           {1, static_cast<double>(p.elements), not_given},
           {}};
   const auto truth = std::make_shared<TransientTruth>(p);
-  for (const AdvectionEntry& scheme : schemes()) {
+  for (const AdvectionEntry& scheme : schemes_by_order()) {
     for (const double c : p.transient.ratios) {
       for (const Index n : p.transient.sizes) {
         const double distance = std::max(
@@ -121,7 +121,7 @@ Map endurance_map(const ExtremesParameters& p) {
           {1, static_cast<double>(p.endurance.states.front()), not_given},
           {}};
   const auto truth = std::make_shared<TransientTruth>(p);
-  for (const AdvectionEntry& scheme : schemes()) {
+  for (const AdvectionEntry& scheme : schemes_by_order()) {
     for (const double c : p.endurance.ratios) {
       for (const Index steps : p.endurance.states) {
         const double distance = c * static_cast<double>(steps);

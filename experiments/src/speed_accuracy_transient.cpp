@@ -23,7 +23,7 @@ using Eigen::VectorXd;
 constexpr Index parts = 3;
 
 /// A transient scheme with its basis, step ratio and solver.
-struct Entrant {
+struct TransientEntrant {
   AdvectionScheme scheme;
   Basis basis;
   double step_ratio;
@@ -31,9 +31,9 @@ struct Entrant {
 };
 
 /// The reference, which is remembered with c = 1.
-Entrant finest() { return {Remembered{}, constant_basis(), 1, Solver::Type::automatic}; }
+TransientEntrant finest() { return {Remembered{}, constant_basis(), 1, Solver::Type::automatic}; }
 
-CattaneoToCarter start_of(const SpeedAccuracyParameters& p, Index elements, const Entrant& by) {
+CattaneoToCarter start_of(const SpeedAccuracyParameters& p, Index elements, const TransientEntrant& by) {
   const auto& motion = p.transient;
   return {.kernel = PlaneKernel(p.material, p.length),
           .bound = motion.bound,
@@ -43,7 +43,7 @@ CattaneoToCarter start_of(const SpeedAccuracyParameters& p, Index elements, cons
           .solver = {.type = by.type}};
 }
 
-Rolled roll_a_part(const SpeedAccuracyParameters& p, Index elements, const Entrant& by) {
+Rolled roll_a_part(const SpeedAccuracyParameters& p, Index elements, const TransientEntrant& by) {
   return roll(start_of(p, elements, by), by.scheme, by.step_ratio,
               static_cast<double>(elements / parts));
 }
@@ -56,7 +56,7 @@ struct Answer {
 };
 
 /// Rolls from the shift on under the creepage with which Carter's solution has the same force.
-Answer answer_to_creepage(const SpeedAccuracyParameters& p, Index elements, const Entrant& by) {
+Answer answer_to_creepage(const SpeedAccuracyParameters& p, Index elements, const TransientEntrant& by) {
   const CattaneoToCarter start = start_of(p, elements, by);
   TransientRolling rolling(start.problem(by.scheme), CattaneoShift{start.force});
   const double dx = start.grid.spacing();
@@ -148,7 +148,7 @@ std::vector<RunSeries> all_entrants(const SpeedAccuracyParameters& p, const std:
                          p.sizes,
                          p.transient.limit,
                          1,
-                         solve_by(Entrant{scheme, basis, c, type})});
+                         solve_by(TransientEntrant{scheme, basis, c, type})});
         }
       }
     }
@@ -161,7 +161,7 @@ std::vector<RunSeries> all_entrants(const SpeedAccuracyParameters& p, const std:
 std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p) {
   const auto reference =
       std::make_shared<const Rolled>(roll_a_part(p, p.transient.reference, finest()));
-  return all_entrants(p, "transient", [&](const Entrant& by) -> Solve {
+  return all_entrants(p, "transient", [&](const TransientEntrant& by) -> Solve {
     return [=](Index elements) {
       return [=, rolled = roll_a_part(p, elements, by)] { return judge(p, rolled, *reference); };
     };
@@ -171,7 +171,7 @@ std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p) {
 std::vector<RunSeries> creepage_contest(const SpeedAccuracyParameters& p) {
   const auto reference =
       std::make_shared<const Answer>(answer_to_creepage(p, p.transient.reference, finest()));
-  return all_entrants(p, "creepage", [&](const Entrant& by) -> Solve {
+  return all_entrants(p, "creepage", [&](const TransientEntrant& by) -> Solve {
     return [=](Index elements) {
       return
           [=, answer = answer_to_creepage(p, elements, by)] { return judge(answer, *reference); };

@@ -4,8 +4,7 @@
 #include "capi/handle.hpp"
 #include "counted_malloc.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::out_of_memory_test {
 
 Handle rolled(int elements) {
   Handle handle = created({.grid = {elements, MICROSLIP_REMEMBERED}});
@@ -75,5 +74,4 @@ TEST_P(OutOfMemory, ACopyThatFailsChangesNothing) {
   EXPECT_GT(fail_each(GetParam(), copy, unchanged), 20);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::out_of_memory_test

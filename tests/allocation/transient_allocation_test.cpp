@@ -12,8 +12,7 @@
 #include "microslip/rolling/transient.hpp"
 #include "stick_zones.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::transient_allocation_test {
 
 template <class Work>
 long allocations_in(const Work& work) {
@@ -94,5 +93,4 @@ INSTANTIATE_TEST_SUITE_P(Schemes, AllocationsOfAScheme,
                                          Case{"remembered, c = 0.1", Remembered{}, 0.1},
                                          Case{"remembered, c = 2.5", Remembered{}, 2.5}));
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::transient_allocation_test

@@ -10,8 +10,7 @@
 #include "microslip/reference/fretting_cycle.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::answers_test {
 
 constexpr Material material{1, 0.28};
 
@@ -316,5 +315,4 @@ TEST(CInterface, WorksFromC99) {
   EXPECT_EQ(force_after_a_step_in_c99(), rolling.state().force);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::answers_test

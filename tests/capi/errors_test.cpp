@@ -13,8 +13,7 @@
 #include "microslip/support/format.hpp"
 #include "status.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::errors_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -318,5 +317,4 @@ TEST(CErrors, OnlyRegularFilesAreReplacedAndLinksStay) {
   fs::remove_all(folder);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::errors_test

@@ -8,8 +8,7 @@
 #include "c99.h"
 #include "handle.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::roll_test {
 
 /// Steps of any lengths under loads that change, with contacts that do if they are asked for.
 struct Steps {
@@ -132,5 +131,4 @@ TEST(CRoll, WorksFromC99) {
   EXPECT_EQ(force_after_steps_in_c99(), state_of(handle).force);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::roll_test

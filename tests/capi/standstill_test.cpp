@@ -6,8 +6,7 @@
 
 #include "handle.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::standstill_test {
 
 class Standstill : public testing::TestWithParam<int> {
  protected:
@@ -155,5 +154,4 @@ TEST_P(Standstill, NeedsALoadAsAnyStepDoes) {
   expect_same(answers(handle), answers(created({.grid = {40, GetParam()}})));
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::standstill_test

@@ -12,8 +12,7 @@
 #include "handle.hpp"
 #include "microslip/reference/carter.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::steady_test {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -259,5 +258,4 @@ TEST(RollingInC, LargeCreepagesAreWarnedOf) {
   EXPECT_EQ(told(), "");
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::steady_test

@@ -10,8 +10,7 @@
 
 #include "handle.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::threads_test {
 
 void at_once(int threads, const std::function<void(int)>& work) {
   std::vector<std::thread> running;
@@ -149,5 +148,4 @@ TEST(CThreads, StatesAreSavedAndSteadyRollingIsSolvedSideBySide) {
   std::filesystem::remove_all(folder);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::threads_test

@@ -8,8 +8,7 @@
 #include "handle.hpp"
 #include "microslip/rolling/steady.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::unlike_test {
 
 microslip_status create(const Parts& parts, const microslip_unlike& unlike, Handle& handle,
                         std::string& why) {
@@ -85,5 +84,4 @@ TEST(UnlikeInC, SayWhatIsWrong) {
             MICROSLIP_BAD_INPUT);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::unlike_test

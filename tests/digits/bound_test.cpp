@@ -12,8 +12,7 @@
 #include "digits/worst_case.hpp"
 #include "microslip/friction/traction_bound.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::bound_test {
 
 using namespace test;
 
@@ -202,5 +201,4 @@ INSTANTIATE_TEST_SUITE_P(
                     BoundCase{{"table", 4e-16, "x_m0p7_width_1em15_a_1em12"}, 1e-15}),
     case_name);
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::bound_test

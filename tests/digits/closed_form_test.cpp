@@ -15,8 +15,7 @@
 #include "microslip/support/sine.hpp"
 #include "microslip/thesis/edge_displacement.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::closed_form_test {
 
 using namespace test;
 
@@ -338,5 +337,4 @@ INSTANTIATE_TEST_SUITE_P(Digits, SineDigits,
                          testing::Values(Single{{"x_minus_sine", 3e-16, "x_2p37837em6"}}),
                          case_name);
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::closed_form_test

@@ -14,8 +14,7 @@
 #include "microslip/friction/sliding_field.hpp"
 #include "microslip/halfspace/chebyshev_field.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::field_test {
 
 using namespace test;
 
@@ -123,5 +122,4 @@ INSTANTIATE_TEST_SUITE_P(
         FieldCase{{"displacement_strip", 8e-16, "x_m1e6_width_0p015"}, {0.015, 0.8, 1e8}, 2e-15}),
     case_name);
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::field_test

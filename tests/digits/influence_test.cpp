@@ -12,8 +12,7 @@
 #include "digits/reference_kernel.hpp"
 #include "microslip/halfspace/basis.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::influence_test {
 
 using namespace test;
 using Reference = ReferenceInfluence<Digits100>;
@@ -153,5 +152,4 @@ INSTANTIATE_TEST_SUITE_P(Digits, InfluenceDigits, testing::ValuesIn(cases(influe
 INSTANTIATE_TEST_SUITE_P(Digits, InfluenceDifferenceDigits, testing::ValuesIn(cases(differences)),
                          case_name);
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::influence_test

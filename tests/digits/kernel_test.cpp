@@ -9,8 +9,7 @@
 
 #include "digits/reference_kernel.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::kernel_test {
 
 using namespace test;
 using Reference = ReferenceKernel<Digits100>;
@@ -188,5 +187,4 @@ INSTANTIATE_TEST_SUITE_P(
                        of_integral<2>}),
     case_name);
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::kernel_test

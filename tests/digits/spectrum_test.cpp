@@ -19,8 +19,7 @@
 #include "microslip/thesis/fourier_inverse.hpp"
 #include "microslip/thesis/symbol.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::spectrum_test {
 
 using namespace test;
 
@@ -391,5 +390,4 @@ INSTANTIATE_TEST_SUITE_P(Digits, FourierInverseDigits,
                          testing::Values(InverseCase{{"column", 2e-16, "n_2_c_0p001_k_1"}}),
                          case_name);
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::spectrum_test

@@ -13,8 +13,7 @@
 #include "microslip/rolling/steady.hpp"
 #include "microslip/thesis/edge_displacement.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::carter_order_test {
 
 using std::numbers::pi;
 
@@ -145,5 +144,4 @@ TEST(CalibratedCreepage, IsFirstOrderWhereTheSlipZoneIsAsLongAsAnElement) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::carter_order_test

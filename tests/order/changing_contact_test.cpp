@@ -17,8 +17,7 @@
 #include "measured_order.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::changing_contact_test {
 
 using std::numbers::pi;
 using Complex = std::complex<double>;
@@ -93,5 +92,4 @@ TEST(ChangingContact, ResponseIsThatOfTheLinearTheory) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::changing_contact_test

@@ -13,8 +13,7 @@
 #include "microslip/rolling/inverted_rolling.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::frequency_response_test {
 
 using std::numbers::pi;
 using Complex = std::complex<double>;
@@ -71,5 +70,4 @@ TEST(FrequencyResponse, WithSlipOnBothSidesIsThatOfElements) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::frequency_response_test

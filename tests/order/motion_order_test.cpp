@@ -16,8 +16,7 @@
 #include "measured_order.hpp"
 #include "microslip/dynamics/cylinder.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::motion_order_test {
 
 using std::numbers::pi;
 
@@ -243,5 +242,4 @@ TEST(StepsByATolerance, HaveItsErrorAndAreFewerThanEqualOnes) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::motion_order_test

@@ -10,8 +10,7 @@
 #include "measured_order.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::shift_order_test {
 
 using Eigen::Index;
 
@@ -103,5 +102,4 @@ TEST(ShiftOrder, RollingGoesOnFromTheShift) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::shift_order_test

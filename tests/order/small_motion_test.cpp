@@ -22,8 +22,7 @@
 #include "microslip/rolling/inverted_rolling.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::small_motion_test {
 
 using std::numbers::pi;
 
@@ -237,5 +236,4 @@ TEST(Noise, IsBelowOneInTenThousandForAnyStep) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::small_motion_test

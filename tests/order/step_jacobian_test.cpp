@@ -14,8 +14,7 @@
 #include "microslip/reference/small_motion.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::step_jacobian_test {
 
 const Material material{1.44, 0.28};  // k = 1/pi
 constexpr double length = 10;
@@ -101,5 +100,4 @@ TEST(StepJacobianWithinAnElement, IsFirstOrder) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::step_jacobian_test

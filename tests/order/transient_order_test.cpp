@@ -12,8 +12,7 @@
 #include "microslip/reference/cattaneo.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::transient_order_test {
 
 const Material material{1.44, 0.28};  // 2 (1 - nu)/G mu p0 = 1
 constexpr double length = 200;
@@ -156,5 +155,4 @@ TEST(TransientOrder, CattaneoShiftOfASmallForceIsUpToATenThousandthTooSmall) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::transient_order_test

@@ -17,8 +17,7 @@
 #include "microslip/rolling/transient.hpp"
 #include "property/generated_contacts.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::generated_changes_test {
 
 constexpr double distance = 3 * half_width;
 
@@ -152,5 +151,4 @@ TEST(GeneratedChanges, OfTheContactAreRight) {
   std::cout << "largest relative error, N = 100: " << worst << '\n';
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::generated_changes_test

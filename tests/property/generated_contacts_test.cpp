@@ -16,8 +16,7 @@
 #include "microslip/support/not_converged.hpp"
 #include "property/table_closed_form.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::generated_contacts_test {
 
 using Eigen::Index;
 
@@ -52,7 +51,7 @@ struct Truth {
   }
 
   void extrapolate(const SteadyContact& contact) {
-    const auto of = [&](Index n) { return microslip::creepage(contact, n, Differences{}); };
+    const auto of = [&](Index n) { return generated_contacts_test::creepage(contact, n, Differences{}); };
     const double coarse = of(800), fine = of(1600);
     const double other = 2 * of(1893) - of(947);
     creepage = 2 * fine - coarse;
@@ -177,5 +176,4 @@ TEST(GeneratedContacts, EstimatesHold) {
   EXPECT_LE(total(counts, &Count::refused), 25);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::generated_contacts_test

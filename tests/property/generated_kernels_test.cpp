@@ -9,8 +9,7 @@
 #include "generated_contacts.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::generated_kernels_test {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -112,5 +111,4 @@ TEST(GeneratedKernels, RollingLeadsToTheSteadyState) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::generated_kernels_test

@@ -11,8 +11,7 @@
 #include "microslip/rolling/transient.hpp"
 #include "property/generated_contacts.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::generated_shifts_test {
 
 using Eigen::Index;
 
@@ -192,5 +191,4 @@ TEST(GeneratedShifts, AreForgottenNextToFullSliding) {
   std::cout << "largest error times elements in adhesion: " << worst << '\n';
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::generated_shifts_test

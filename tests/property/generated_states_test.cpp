@@ -13,8 +13,7 @@
 #include "microslip/support/not_converged.hpp"
 #include "property/generated_contacts.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::generated_states_test {
 
 using Eigen::Index;
 
@@ -198,5 +197,4 @@ TEST_P(GeneratedStates, GoOnToTheBit) {
   EXPECT_LT(errors, 20 * cases);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::generated_states_test

@@ -13,8 +13,7 @@
 #include "microslip/scene/text.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::generated_tables_test {
 
 struct Unit {
   std::string text;
@@ -232,5 +231,4 @@ TEST(GeneratedTables, AreReadAsTheirNumbersOrRefused) {
   EXPECT_GT(tables - refused, tables / 2);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::generated_tables_test

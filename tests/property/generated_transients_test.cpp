@@ -10,8 +10,7 @@
 #include "microslip/rolling/transient.hpp"
 #include "property/generated_contacts.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::generated_transients_test {
 
 using Eigen::Index;
 
@@ -98,5 +97,4 @@ TEST(GeneratedTransients, DoNotKnowTheBoundWhereItSticks) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::generated_transients_test

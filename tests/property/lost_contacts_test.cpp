@@ -10,8 +10,7 @@
 #include "microslip/rolling/load_history.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::lost_contacts_test {
 
 using Eigen::VectorXd;
 
@@ -104,5 +103,4 @@ TEST(LostContacts, AreForgottenWithinAStep) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::lost_contacts_test

@@ -10,8 +10,7 @@
 #include "microslip/friction/rough_bound.hpp"
 #include "microslip/rolling/target_error.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::rough_contacts_test {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -166,5 +165,4 @@ TEST(RoughContacts, LargeErrorsAreDoubted) {
   EXPECT_LE(needless, 4);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::rough_contacts_test

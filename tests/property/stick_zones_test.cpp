@@ -11,8 +11,7 @@
 #include "microslip/friction/rough_bound.hpp"
 #include "microslip/rolling/steady.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::stick_zones_test {
 
 using Eigen::VectorXd;
 
@@ -248,5 +247,4 @@ TEST(StickZones, ElementsInPiecesOfATableHaveEvidence) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::stick_zones_test

@@ -9,8 +9,7 @@
 #include "microslip/reference/carter.hpp"
 #include "microslip/rolling/steady.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::unlike_contacts_test {
 
 using Eigen::Index;
 
@@ -53,5 +52,4 @@ TEST(UnlikeContacts, LargeErrorsAreDoubted) {
   EXPECT_LE(doubted, 60);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::unlike_contacts_test

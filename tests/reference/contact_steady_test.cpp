@@ -9,8 +9,7 @@
 
 #include "microslip/rolling/steady.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::contact_steady_test {
 
 constexpr std::array<double, 25> contact_bound = {
     8.70084, 16.2836, 20.4944, 23.7094, 26.2518, 28.3061, 29.9728, 31.314, 32.37,
@@ -50,5 +49,4 @@ TEST(ContactReference, SteadyTractionAndSlipAgreeToItsPrintedDigits) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::contact_steady_test

@@ -10,8 +10,7 @@
 #include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::contact_transient_test {
 
 using Row = std::array<double, 50>;
 
@@ -127,5 +126,4 @@ TEST(ContactReference, TransientRolling) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::contact_transient_test

@@ -4,8 +4,7 @@
 
 #include "robustness/bad_scenes.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::bad_contacts_test {
 
 const std::string loaded_contact = R"(
 problem steady
@@ -121,5 +120,4 @@ TEST_F(BadScenes, LoadRatios) {
                   "load.stick_ratio = 0.5: expected Hertz's bound, as it is Carter's");
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::bad_contacts_test

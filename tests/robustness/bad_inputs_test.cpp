@@ -9,8 +9,7 @@
 
 #include "robustness/executables.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::bad_inputs_test {
 
 /// A bad input; each test decides what `text` is.
 struct BadInput {
@@ -388,5 +387,4 @@ TEST_F(BadInputs, TheLocaleHasNoRole) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::bad_inputs_test

@@ -10,8 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace microslip {
-namespace {
+namespace microslip::bad_scenes_test {
 
 TEST_F(BadScenes, TheGoodOneIsSolved) {
   const Outcome outcome = run(good_scene, "");
@@ -366,5 +365,4 @@ TEST_F(BadScenes, StudiesAnswerAlike) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::bad_scenes_test

@@ -17,8 +17,7 @@
 #include "microslip/support/format.hpp"
 #include "robustness/executables.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::commands_test {
 
 class Commands : public Executables {
  protected:
@@ -348,5 +347,4 @@ TEST_F(Commands, AllKeysOfRunsAreListed) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::commands_test

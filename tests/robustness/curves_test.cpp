@@ -12,8 +12,7 @@
 #include "microslip/scene/table.hpp"
 #include "robustness/executables.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::curves_test {
 
 const std::string plane_scene = R"(problem steady
 material { shear_modulus 82000
@@ -221,5 +220,4 @@ TEST_F(Curves, OfDifferentMaterialBeginBelowZero) {
   EXPECT_GT(std::abs(number(table, 2, "force")), 1);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::curves_test

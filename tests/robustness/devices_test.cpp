@@ -8,8 +8,7 @@
 
 #include "robustness/executables.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::devices_test {
 
 class Devices : public Executables {
  protected:
@@ -59,5 +58,4 @@ TEST_F(Devices, AreNotReplacedByTablesAndFigures) {
   EXPECT_TRUE(fs::is_fifo(folder_ / "figure.svg"));
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::devices_test

@@ -17,8 +17,7 @@
 #include "microslip/support/shown.hpp"
 #include "robustness/executables.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::faults_test {
 
 using namespace std::chrono_literals;
 using Files = std::map<std::string, std::string>;
@@ -404,5 +403,4 @@ TEST_F(Faults, SweepsIntoOneFolderAreOneSweep) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::faults_test

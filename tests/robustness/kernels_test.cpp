@@ -7,8 +7,7 @@
 
 #include "robustness/bad_scenes.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::kernels_test {
 
 const std::string brush = R"(
 problem steady
@@ -134,5 +133,4 @@ TEST_F(Kernels, SayWhatTheyLeaveOut) {
       << springs.output;
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::kernels_test

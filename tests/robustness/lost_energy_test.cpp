@@ -11,8 +11,7 @@
 
 #include "robustness/executables.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::lost_energy_test {
 
 constexpr double full_sliding = 2356.194490192345;  // pi/2 300 N/mm^2 5 mm
 
@@ -93,5 +92,4 @@ TEST_F(LostEnergy, IsNotWarnedOfWhereTheForceIsConstantOrChangesSlowly) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::lost_energy_test

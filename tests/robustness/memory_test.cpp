@@ -14,8 +14,7 @@
 #include "robustness/executables.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::memory_test {
 
 class Memory : public Executables {
  protected:
@@ -114,5 +113,4 @@ TEST_F(Memory, IsTakenAsForeseen) {
               [](Scene& scene) { return read_transient(scene); });
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::memory_test

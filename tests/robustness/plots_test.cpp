@@ -8,8 +8,7 @@
 
 #include "robustness/executables.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::plots_test {
 
 class Plots : public Executables {
  protected:
@@ -332,5 +331,4 @@ TEST_F(SweepPlots, NameWhatIsNotThere) {
   EXPECT_FALSE(fs::exists(folder_ / "many.svg"));
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::plots_test

@@ -10,8 +10,7 @@
 #include "microslip/scene/table.hpp"
 #include "robustness/bad_scenes.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::run_files_test {
 
 class RunFiles : public BadScenes {
  protected:
@@ -257,5 +256,4 @@ TEST_F(RunFiles, DoNotFeelAStandstill) {
   EXPECT_EQ(stops.find("nan"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::run_files_test

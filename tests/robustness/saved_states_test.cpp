@@ -6,8 +6,7 @@
 
 #include "robustness/bad_scenes.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::saved_states_test {
 
 class SavedStates : public BadScenes {
  protected:
@@ -136,5 +135,4 @@ TEST_F(SavedStates, StayWhereARunFails) {
   EXPECT_EQ(text_of(state()), "earlier");
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::saved_states_test

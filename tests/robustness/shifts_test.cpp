@@ -10,8 +10,7 @@
 #include "microslip/support/format.hpp"
 #include "robustness/executables.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::shifts_test {
 
 const Material material{1, 0.28};
 const HertzBound hertz(1, 1);
@@ -196,5 +195,4 @@ TEST_F(Shifts, AreExplained) {
   EXPECT_EQ(explained("force=1").find("without rolling before it"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::shifts_test

@@ -11,8 +11,7 @@
 #include "microslip/support/format.hpp"
 #include "robustness/executables.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::study_keys_test {
 
 /// A row that --print-keys=markdown has for a key of the study's own.
 struct Row {
@@ -201,5 +200,4 @@ TEST_F(Studies, TakeUnits) {
       << elements.error;
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::study_keys_test

@@ -14,8 +14,7 @@
 
 #include "robustness/executables.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::sweeps_test {
 
 using Files = std::map<std::string, std::string>;
 
@@ -381,5 +380,4 @@ TEST_F(Sweeps, AnUnwritableFolderLeavesNothing) {
   EXPECT_TRUE(fs::is_regular_file(out()));
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::sweeps_test

@@ -10,8 +10,7 @@
 #include "microslip/scene/table.hpp"
 #include "robustness/executables.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::verdicts_test {
 
 class Verdicts : public Executables {
  protected:
@@ -57,5 +56,4 @@ TEST_F(Verdicts, AreNotGivenForOthers) {
   expect_not_judged("--quick", "grid.elements");
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::verdicts_test

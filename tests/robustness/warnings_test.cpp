@@ -7,8 +7,7 @@
 
 #include "robustness/executables.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::warnings_test {
 
 class Warnings : public Executables {
  protected:
@@ -120,5 +119,4 @@ load     { force -801.705 }
   EXPECT_EQ(run(transient, "--set load.force=-80").error, "");
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::warnings_test

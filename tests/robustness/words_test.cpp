@@ -5,8 +5,7 @@
 
 #include "robustness/bad_scenes.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::words_test {
 
 class Words : public BadScenes {};
 
@@ -47,5 +46,4 @@ TEST_F(Words, SayWhatCameOut) {
   EXPECT_EQ(run(good_scene, "--quiet").output, "");
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::words_test

@@ -5,8 +5,7 @@
 
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::basis_convergence_test {
 
 const std::vector<Table>& tables() {
   static const std::vector<Table> found = basis_convergence({.material = {1, 0.28},
@@ -67,5 +66,4 @@ TEST(BasisConvergence, TakesAnyStickRatio) {
   }
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::basis_convergence_test

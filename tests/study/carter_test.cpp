@@ -7,8 +7,7 @@
 #include "scene_text.hpp"
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::carter_test {
 
 constexpr Material material{1, 0.28};
 
@@ -102,5 +101,4 @@ TEST(CarterStudy, RefusesContactsThatAreNotCarters) {
   }
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::carter_test

@@ -9,8 +9,7 @@
 
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::claims_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -132,5 +131,4 @@ TEST(Claims, OfARunWithOtherParametersAreNotJudged) {
             std::string::npos);
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::claims_test

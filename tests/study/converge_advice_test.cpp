@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::converge_advice_test {
 
 /// Errors 1/N and 1/N^2; the one takes half the time.
 const std::vector<Candidate> candidates = {
@@ -51,5 +50,4 @@ TEST(Advice, TakesTheMostAccurateWithinATime) {
   EXPECT_EQ(advised(0.01, 1e-4), "within 100 us a step: none of these");
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::converge_advice_test

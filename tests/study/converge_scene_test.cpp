@@ -10,8 +10,7 @@
 #include "good_scene.hpp"
 #include "scene_text.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::converge_scene_test {
 
 const std::string steady = good_contact + "problem steady\nload { force -0.5 }\n";
 const std::string transient = good_contact +
@@ -129,5 +128,4 @@ TEST(Converge, RefusesWhatItCannotCompare) {
                        "takes "));
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::converge_scene_test

@@ -12,8 +12,7 @@
 #include "microslip/support/format.hpp"
 #include "scene_text.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::curve_scene_test {
 
 void no_progress(std::size_t, std::size_t) {}
 
@@ -86,5 +85,4 @@ TEST(Curve, FastsimHasItsSlopeAndItsFullSliding) {
   EXPECT_NEAR(first / slope, 1, 0.01);
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::curve_scene_test

@@ -8,8 +8,7 @@
 #include "microslip/support/convergence.hpp"
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::energy_balance_test {
 
 const std::vector<Table>& tables() {
   static const std::vector<Table> all = energy_balance(
@@ -110,5 +109,4 @@ TEST(EnergyBalanceStudy, Verdicts) {
                                       "ours", "ours", "ours", "ours"}));
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::energy_balance_test

@@ -11,8 +11,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::extremes_test {
 
 /// Fewer places than in the study, but those on which the safe ranges rest.
 ExtremesParameters parameters() {
@@ -233,5 +232,4 @@ TEST_F(Extremes, ClaimsHold) {
   for (std::size_t i = 0; i < 2; ++i) EXPECT_EQ(text(claims, i, "verdict"), "reproduced");
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::extremes_test

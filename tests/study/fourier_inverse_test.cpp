@@ -6,8 +6,7 @@
 #include "microslip/support/convergence.hpp"
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::fourier_inverse_test {
 
 const std::vector<Table>& tables() {
   static const std::vector<Table> found = fourier_inverse({.kernel = PlaneKernel({1, 0.28}, 1),
@@ -51,5 +50,4 @@ TEST(FourierInverse, Verdicts) {
                                                           "corrected", "refuted"}));
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::fourier_inverse_test

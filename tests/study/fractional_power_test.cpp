@@ -7,8 +7,7 @@
 
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::fractional_power_test {
 
 constexpr Material material{1, 0.28};
 
@@ -90,5 +89,4 @@ TEST(FractionalPowerStudy, Verdicts) {
                                                           "refuted", "reproduced", "corrected"}));
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::fractional_power_test

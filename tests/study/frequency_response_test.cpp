@@ -11,8 +11,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::frequency_response_test {
 
 using Complex = std::complex<double>;
 using std::numbers::pi;
@@ -157,5 +156,4 @@ TEST(FrequencyResponseStudy, Verdicts) {
   EXPECT_EQ(verdicts(tables()), (std::vector<std::string>(5, "ours")));
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::frequency_response_test

@@ -11,8 +11,7 @@
 #include "microslip/rolling/transient.hpp"
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::fretting_test {
 
 const Material material{1.44, 0.28};  // 2 (1 - nu)/G = 1
 
@@ -158,5 +157,4 @@ TEST(SuperposedShift, FindsTheStickZoneOfElements) {
   EXPECT_GT(std::abs(zone.centre), 0.02);
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::fretting_test

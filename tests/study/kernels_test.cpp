@@ -8,8 +8,7 @@
 
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::kernels_test {
 
 const std::vector<Table>& tables() {
   static const std::vector<Table> all = kernels({.material = {3, 0.3},
@@ -89,5 +88,4 @@ TEST(KernelsStudy, ClaimsHold) {
   EXPECT_EQ(verdicts(tables()), std::vector<std::string>(7, "ours"));
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::kernels_test

@@ -5,8 +5,7 @@
 
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::leading_edge_test {
 
 // A part of the study's settings, with those that come nearest to the thesis's numbers.
 const std::vector<Table>& tables() {
@@ -48,5 +47,4 @@ TEST(LeadingEdge, TheEdgeFunctionIsUsedOnlyWhereItsElementEndsAtTheEdge) {
   EXPECT_EQ(table("summary").number(0, "settings"), 5.0 * 3 * 4);
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::leading_edge_test

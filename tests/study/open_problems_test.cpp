@@ -8,8 +8,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::open_problems_test {
 
 const std::vector<Table>& tables() {
   static const std::vector<Table> all = [] {
@@ -113,5 +112,4 @@ TEST(OpenProblemsStudy, Verdicts) {
             (std::vector<std::string>{"corrected", "reproduced", "corrected", "reproduced"}));
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::open_problems_test

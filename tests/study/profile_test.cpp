@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::profile_test {
 
 TEST(TurningPoints, CountsInteriorExtrema) {
   EXPECT_EQ(turning_points(Eigen::Vector4d(1, 2, 3, 4)), 0);
@@ -29,5 +28,4 @@ TEST(Peak, OfASmoothAndOfASharpOne) {
   EXPECT_DOUBLE_EQ(peak_of(Eigen::Vector3d(3, 2, 1)).position, 0);
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::profile_test

@@ -5,8 +5,7 @@
 
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::smoothing_test {
 
 constexpr Material material{1, 0.28};
 
@@ -69,5 +68,4 @@ TEST(SmoothingStudy, Verdicts) {
                                       "corrected", "reproduced", "reproduced", "reproduced"}));
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::smoothing_test

@@ -12,8 +12,7 @@
 #include "microslip/support/convergence.hpp"
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::speed_accuracy_test {
 
 constexpr double steady_limit = 2e7;
 
@@ -306,5 +305,4 @@ TEST(SpeedAccuracyStudy, Verdicts) {
   EXPECT_EQ(verdicts(tables()), (std::vector<std::string>{"reproduced", "reproduced"}));
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::speed_accuracy_test

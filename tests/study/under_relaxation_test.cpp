@@ -6,8 +6,7 @@
 #include "microslip/experiments/profile.hpp"
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::under_relaxation_test {
 
 constexpr Material material{1, 0.28};
 
@@ -84,5 +83,4 @@ TEST(UnderRelaxationStudy, Verdicts) {
                                       "corrected", "reproduced", "corrected"}));
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::under_relaxation_test

@@ -7,8 +7,7 @@
 
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::unlike_bodies_test {
 
 const std::vector<Table>& tables() {
   static const std::vector<Table> all = unlike_bodies({.material = {3, 0.3},
@@ -70,5 +69,4 @@ TEST(UnlikeBodiesStudy, ClaimsHold) {
   EXPECT_EQ(verdicts(tables()), std::vector<std::string>(6, "ours"));
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::unlike_bodies_test

@@ -11,8 +11,7 @@
 #include "microslip/reference/carter.hpp"
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::varying_load_test {
 
 const Material material{1.44, 0.28};  // 2 (1 - nu)/G = 1
 
@@ -95,5 +94,4 @@ TEST(VaryingLoadStudy, BristlesAnswerSmallWavesAsTheClosedFormDoes) {
   EXPECT_NEAR(bristles.force_by_normal_load(1e6).real() / slope, 1, 0.01);
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::varying_load_test

@@ -5,8 +5,7 @@
 
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::wiggle_spectrum_test {
 
 constexpr Material material{1, 0.28};
 
@@ -86,5 +85,4 @@ TEST(WiggleSpectrum, Verdicts) {
                                       "reproduced", "reproduced", "corrected", "reproduced"}));
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::wiggle_spectrum_test

@@ -12,8 +12,7 @@
 #include "microslip/halfspace/influence.hpp"
 #include "study_tables.hpp"
 
-namespace microslip::experiments {
-namespace {
+namespace microslip::experiments::world_fixed_test {
 
 using Eigen::VectorXd;
 
@@ -201,5 +200,4 @@ TEST(WorldFixedStudy, Verdicts) {
             (std::vector<std::string>{"reproduced", "reproduced", "corrected", "corrected"}));
 }
 
-}  // namespace
-}  // namespace microslip::experiments
+}  // namespace microslip::experiments::world_fixed_test

@@ -17,8 +17,7 @@
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/support/not_converged.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::active_set_test {
 
 constexpr Material material{1, 0.28};
 
@@ -332,5 +331,4 @@ TEST(ActiveSet, ElementsWithoutABoundAreLeftAlone) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::active_set_test

@@ -6,8 +6,7 @@
 #include <functional>
 #include <stdexcept>
 
-namespace microslip {
-namespace {
+namespace microslip::basis_test {
 
 TEST(ShapeFunction, ValuesOfTheHat) {
   const ShapeFunction hat = linear_shape();
@@ -80,5 +79,4 @@ TEST(ShapeFunction, ShortIntegralsKeepTheirDigits) {
 
 TEST(Basis, RejectsAnUnknownName) { EXPECT_THROW(make_basis("cubic"), std::invalid_argument); }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::basis_test

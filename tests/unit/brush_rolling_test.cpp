@@ -9,8 +9,7 @@
 #include "microslip/reference/brush.hpp"
 #include "microslip/rolling/steady.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::brush_rolling_test {
 
 using Eigen::VectorXd;
 
@@ -107,5 +106,4 @@ TEST(BrushRolling, RefusesForcesOfFullSliding) {
   EXPECT_EQ(solve(hertz, PrescribedForce{0}).creepage, 0);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::brush_rolling_test

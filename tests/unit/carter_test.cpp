@@ -8,8 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace microslip {
-namespace {
+namespace microslip::carter_test {
 
 constexpr Material material{2, 0.28};
 
@@ -77,5 +76,4 @@ TEST(Carter, RejectsAForceAboveFullSliding) {
   EXPECT_THROW(Carter::from_force(material, bound, 1.01 * bound.total()), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::carter_test

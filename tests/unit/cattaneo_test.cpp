@@ -9,8 +9,7 @@
 
 #include "microslip/support/quadrature.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::cattaneo_test {
 
 TEST(Cattaneo, CarriesItsForceWithinTheBound) {
   const HertzBound bound(3, 7);
@@ -45,5 +44,4 @@ TEST(Cattaneo, Limits) {
   EXPECT_THROW(Cattaneo({1, 0.28}, bound, 1.01 * bound.total()), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::cattaneo_test

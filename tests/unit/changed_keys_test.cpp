@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip {
-namespace {
+namespace microslip::changed_keys_test {
 
 using Keys = std::vector<std::string>;
 
@@ -25,5 +24,4 @@ TEST(ChangedKeys, AreNoneForAnotherOrderOrAnotherWayToWriteAValue) {
   EXPECT_EQ(changed_keys({{"a", "1 0.5 1e-3"}}, {{"a", "1.0\t+.5  0.001"}}), Keys{});
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::changed_keys_test

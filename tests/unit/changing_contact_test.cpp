@@ -11,8 +11,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::changing_contact_test {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -255,5 +254,4 @@ TEST(ChangingContact, IsRefusedWhereItIsNone) {
   EXPECT_THROW(hertz_scale(-1), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::changing_contact_test

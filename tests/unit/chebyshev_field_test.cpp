@@ -9,8 +9,7 @@
 #include "microslip/friction/sliding_field.hpp"
 #include "microslip/support/quadrature.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::chebyshev_field_test {
 
 const Material material{1.3, 0.28};
 
@@ -77,5 +76,4 @@ TEST(ChebyshevField, RefusesNarrowStrips) {
   EXPECT_THROW(ChebyshevField(StripKernel(material, 0.01), some_traction()), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::chebyshev_field_test

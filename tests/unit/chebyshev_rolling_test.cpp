@@ -9,8 +9,7 @@
 #include "microslip/support/not_converged.hpp"
 #include "microslip/thesis/edge_displacement.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::chebyshev_rolling_test {
 
 const Material material{1.44, 0.28};  // compliance 1
 
@@ -161,5 +160,4 @@ TEST(ChebyshevRolling, RefusesWhatItIsNotFor) {
   EXPECT_THROW(ChebyshevRolling(StripKernel(material, 0.2), some_bound()), NotConverged);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::chebyshev_rolling_test

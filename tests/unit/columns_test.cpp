@@ -9,8 +9,7 @@
 #include "microslip/scene/text.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::columns_test {
 
 const std::vector<FileColumn> wanted = {{"x", "mm"}, {"bound", "N/mm^2"}};
 
@@ -192,5 +191,4 @@ TEST(RunColumns, ThatAreForcesArePerWidth) {
       << text;
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::columns_test

@@ -7,8 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace microslip {
-namespace {
+namespace microslip::convergence_test {
 
 TEST(FittedOrder, IsTheExponent) {
   const std::vector<double> sizes = {10, 30, 70};
@@ -25,5 +24,4 @@ TEST(FittedOrder, RejectsWhatHasNoSlope) {
   EXPECT_THROW(fitted_order(V{10, 20}, V{1, 0}), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::convergence_test

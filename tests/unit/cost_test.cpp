@@ -11,8 +11,7 @@
 #include "microslip/support/work.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::cost_test {
 
 /// Counted operations that a model takes.
 double work_of(const Model& model) {
@@ -178,5 +177,4 @@ TEST(Explanation, SaysWhatIsNotModelled) {
   EXPECT_EQ(explanation.consequences[1], "20 elements of 0.1 mm");
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::cost_test

@@ -12,8 +12,7 @@
 #include "hertz_cylinder.hpp"
 #include "microslip/support/not_converged.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::cylinder_test {
 
 constexpr Cylinder cylinder{.mass = 1, .inertia = 5000, .radius = 100, .slope_force = 0.3};
 
@@ -241,5 +240,4 @@ TEST(RollingCylinder, RejectsConstantsOutsideTheRange) {
   EXPECT_THROW(rolling(Integrator::verlet, Direct{}, 0), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::cylinder_test

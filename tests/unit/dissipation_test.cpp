@@ -8,8 +8,7 @@
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::dissipation_test {
 
 struct Case {
   AdvectionScheme scheme;
@@ -90,5 +89,4 @@ TEST(Dissipation, MeanTractionsBalanceAnyStepAndThoseAtItsEndDoNot) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::dissipation_test

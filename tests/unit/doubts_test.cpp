@@ -15,8 +15,7 @@
 #include "microslip/scene/model.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::doubts_test {
 
 const std::string steel =
     "material { shear_modulus 82 GPa poisson_ratio 0.28 }\n"
@@ -222,5 +221,4 @@ TEST(Doubts, FewElementsInTransients) {
   EXPECT_EQ(of("remembered", "4"), "");
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::doubts_test

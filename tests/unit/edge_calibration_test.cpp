@@ -7,8 +7,7 @@
 
 #include "microslip/halfspace/leading_edge.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::edge_calibration_test {
 
 // The limits are those of Wiener-Hopf theory.
 TEST(CalibratedOffset, TendsToThatOfTheUnboundedGrid) {
@@ -28,5 +27,4 @@ TEST(CalibratedOffset, IsTheSameByFactors) {
               calibrated_offset(constant_basis(), 150, fft), 1e-11);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::edge_calibration_test

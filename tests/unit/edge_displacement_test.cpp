@@ -8,8 +8,7 @@
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/quadrature.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::edge_displacement_test {
 
 constexpr Material material{3, 0.28};
 
@@ -25,5 +24,4 @@ TEST(Quadrature, SaysWhereItFails) {
   EXPECT_THROW(integrate([](double x) { return 1 / x; }, 0, 1, 1e-12), NotConverged);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::edge_displacement_test

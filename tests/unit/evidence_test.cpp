@@ -14,8 +14,7 @@
 #include "microslip/rolling/transient.hpp"
 #include "microslip/support/not_converged.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::evidence_test {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -197,5 +196,4 @@ TEST(Evidence, OfWhichSomeIsDoubtful) {
   EXPECT_EQ(doubt(&Evidence::dissipated, 0.1), "none");  // a slip zone shorter than an element
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::evidence_test

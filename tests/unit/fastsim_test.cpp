@@ -10,8 +10,7 @@
 #include "microslip/reference/carter.hpp"
 #include "microslip/support/require.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::fastsim_test {
 
 /// Kalker's own algorithm: from slice to slice the traction grows by the rigid slip over L, and is
 /// cut off where it exceeds the parabola.
@@ -78,5 +77,4 @@ TEST(Fastsim, NamesWhatItRejects) {
   EXPECT_THROW(Fastsim(1, 1, NAN), BadParameter);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::fastsim_test

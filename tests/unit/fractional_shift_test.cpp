@@ -11,8 +11,7 @@
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/support/not_converged.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::fractional_shift_test {
 
 constexpr Material material{1, 0.28};
 
@@ -122,5 +121,4 @@ TEST(FractionalShift, ThrowsWhereTheInfluenceIsNotPositiveDefinite) {
                NotConverged);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::fractional_shift_test

@@ -12,8 +12,7 @@
 #include "microslip/rolling/inverted_rolling.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::frequency_response_test {
 
 using Complex = std::complex<double>;
 using std::numbers::pi;
@@ -192,5 +191,4 @@ TEST(FrequencyResponse, RefusesWhatItCannot) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::frequency_response_test

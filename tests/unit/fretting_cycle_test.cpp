@@ -9,8 +9,7 @@
 
 #include "microslip/support/quadrature.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::fretting_cycle_test {
 
 const Material material{1.44, 0.28};              // 2 (1 - nu)/G = 1
 const HertzBound bound(1, 2 / std::numbers::pi);  // full sliding at 1
@@ -94,5 +93,4 @@ TEST(FrettingCycle, TurnsCattaneosTractionsRound) {
   EXPECT_THROW(FrettingCycle(material, bound, 1.01), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::fretting_cycle_test

@@ -5,13 +5,11 @@
 
 #include "microslip/friction/sliding_field.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::full_sliding_test {
 
 TEST(SlidingField, RefusesTables) {
   const TabulatedBound table(1, Eigen::Vector2d(-1, 1), Eigen::Vector2d(1, 1));
   EXPECT_THROW(SlidingField(PlaneKernel({1, 0.28}, 10), table), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::full_sliding_test

@@ -8,8 +8,7 @@
 
 #include "microslip/linalg/toeplitz.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::grid_test {
 
 TEST(Grid, HalfOffsetsGiveElementCentres) {
   const Grid grid({.half_width = 2, .elements = 4});
@@ -50,5 +49,4 @@ TEST(Toeplitz, RejectsColumnsAndRowsThatDisagree) {
   EXPECT_THROW(Toeplitz(Eigen::Vector2d(1, 2), Eigen::Vector3d(1, 2, 2)), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::grid_test

@@ -14,8 +14,7 @@
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/quadrature.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::gsl_test {
 
 using Eigen::VectorXd;
 
@@ -81,5 +80,4 @@ TEST_F(Gsl, TheHandlerComesBackAlsoFromSeveralThreads) {
   errors_seen = 0;
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::gsl_test

@@ -10,8 +10,7 @@
 
 #include "microslip/halfspace/basis.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::influence_test {
 
 TEST(Influence, AgreesWithQuadratureOfKernelTimesShape) {
   boost::math::quadrature::tanh_sinh<double> integrator;
@@ -86,5 +85,4 @@ TEST(InfluenceMatrix, RejectsAStepThatIsNotPositive) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::influence_test

@@ -3,8 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace microslip {
-namespace {
+namespace microslip::interpolation_test {
 
 TEST(Interpolation, IsLinearBetweenAndConstantBeyondPositions) {
   const Eigen::Vector3d positions(-1, 0, 3);
@@ -20,5 +19,4 @@ TEST(Interpolation, IsLinearBetweenAndConstantBeyondPositions) {
             Eigen::VectorXd::Constant(2, 7));
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::interpolation_test

@@ -13,8 +13,7 @@
 #include "microslip/thesis/edge_displacement.hpp"
 #include "stick_zones.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::inverted_rolling_test {
 
 using Eigen::VectorXd;
 
@@ -313,5 +312,4 @@ TEST(Inversion, NeedsFewEvaluations) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::inverted_rolling_test

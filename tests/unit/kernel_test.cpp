@@ -6,8 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace microslip {
-namespace {
+namespace microslip::kernel_test {
 
 constexpr Material material{3, 0.28};
 
@@ -49,5 +48,4 @@ TEST(Kernel, RejectsWhatIsOutsideItsRange) {
   EXPECT_THROW(PlaneKernel({1, 0.28}, INFINITY), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::kernel_test

@@ -15,8 +15,7 @@
 #include "microslip/scene/model.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::lateral_test {
 
 using std::numbers::pi;
 
@@ -126,5 +125,4 @@ TEST(Lateral, IsRefusedForACylinderAndForOtherWords) {
   EXPECT_THROW(validate(Material{1, -0.1}), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::lateral_test

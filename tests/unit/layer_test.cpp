@@ -20,8 +20,7 @@
 #include "microslip/rolling/step_jacobian.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::layer_test {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -445,5 +444,4 @@ TEST(Brush, RollsOnAsItsBoundChanges) {
   EXPECT_NEAR(contact.state().force, Brush(0.6, half).force(2), 1e-3 * full_sliding_force(half));
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::layer_test

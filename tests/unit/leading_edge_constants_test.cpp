@@ -9,8 +9,7 @@
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/halfspace/leading_edge.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::leading_edge_constants_test {
 
 // The integrals by tanh-sinh quadrature in 60 digits, with Hurwitz' zeta functions in b.
 TEST(LeadingEdgeConstants, AgreeWithKnownFigures) {
@@ -142,5 +141,4 @@ TEST(LeadingEdgeConstants, WantConstantOrLinearFunctions) {
   EXPECT_THROW(leading_edge_constants(quadratic_basis()), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::leading_edge_constants_test

@@ -12,8 +12,7 @@
 #include "microslip/support/format.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::line_contact_test {
 
 using std::numbers::pi;
 
@@ -175,5 +174,4 @@ TEST(LoadRatios, GiveTheZoneAndTheForce) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::line_contact_test

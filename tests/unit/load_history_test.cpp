@@ -10,8 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace microslip {
-namespace {
+namespace microslip::load_history_test {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -321,5 +320,4 @@ TEST(LoadHistory, NamesTheShiftWhereALoadChangesAtAStandstill) {
                  "runs of this version");
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::load_history_test

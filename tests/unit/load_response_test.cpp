@@ -7,8 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace microslip {
-namespace {
+namespace microslip::load_response_test {
 
 using Complex = std::complex<double>;
 using std::numbers::pi;
@@ -40,5 +39,4 @@ TEST(LoadResponse, RefusesWhatIsNone) {
   EXPECT_THROW(force_by_normal_load(1, 0.5, 0.5), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::load_response_test

@@ -10,8 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace microslip {
-namespace {
+namespace microslip::parallel_test {
 
 TEST(ForEachCase, DoesEachOnce) {
   EXPECT_GE(available_cores(), 1);
@@ -54,5 +53,4 @@ TEST(ForEachCase, PassesOnTheFirstExceptionAndBeginsNoOther) {
   EXPECT_THROW(for_each_case(1, 0, [](std::size_t) {}), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::parallel_test

@@ -11,8 +11,7 @@
 #include "microslip/rolling/steady.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::plane_strain_test {
 
 const Material steel{82000, 0.28};
 
@@ -83,5 +82,4 @@ TEST(PlaneStrain, SteadyRollingTakesAnyLength) {
   EXPECT_NEAR(force(0.1), force(100), 1e-9);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::plane_strain_test

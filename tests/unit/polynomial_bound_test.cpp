@@ -5,8 +5,7 @@
 
 #include "microslip/friction/traction_bound.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::polynomial_bound_test {
 
 Eigen::VectorXd coefficients(std::initializer_list<double> values) {
   return Eigen::Map<const Eigen::VectorXd>(values.begin(),
@@ -54,5 +53,4 @@ TEST(PolynomialBound, RefusesAShortDipBelowZeroButNotADoubleZero) {
   EXPECT_THROW(PolynomialBound(1, 1, coefficients({-1e-9, 0, 1})), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::polynomial_bound_test

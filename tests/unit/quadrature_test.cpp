@@ -8,8 +8,7 @@
 
 #include "microslip/support/not_converged.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::quadrature_test {
 
 TEST(Quadrature, TakesSingularEnds) {
   EXPECT_NEAR(integrate([](double x) { return 1 / std::sqrt(x); }, 0, 4, 1e-13), 4, 1e-12);
@@ -26,5 +25,4 @@ TEST(Quadrature, SaysWhereItFails) {
   EXPECT_THROW(integrate(cancelling, 0, 2 * std::numbers::pi, 1e-13), NotConverged);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::quadrature_test

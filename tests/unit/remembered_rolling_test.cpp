@@ -11,8 +11,7 @@
 
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::remembered_rolling_test {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -239,5 +238,4 @@ TEST(Remembered, ForceFromRestIsThatOfTheStrainThatEnters) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::remembered_rolling_test

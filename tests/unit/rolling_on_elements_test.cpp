@@ -6,8 +6,7 @@
 
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::rolling_on_elements_test {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -80,5 +79,4 @@ TEST(RollingOnElements, ManyStepsOfWholeElementsStayWhole) {
   EXPECT_EQ(rolling.state().iterations, 1);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::rolling_on_elements_test

@@ -8,8 +8,7 @@
 
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::rough_bound_test {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -83,5 +82,4 @@ TEST(RoughBound, RefusesWhatIsNoProfile) {
             "rows = 8: expected a whole number in [9, 1000001]");
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::rough_bound_test

@@ -13,8 +13,7 @@
 #include "microslip/support/checksum.hpp"
 #include "microslip/support/not_converged.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::saved_state_test {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -217,5 +216,4 @@ TEST(SavedState, BetweenStepsGoesOnToTheNextEnd) {
   EXPECT_THROW(number_of_steps(1, {0.5}, 1), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::saved_state_test

@@ -19,8 +19,7 @@
 #include "microslip/support/nearest.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::scene_keys_test {
 
 using Settings = std::vector<std::string>;
 
@@ -347,5 +346,4 @@ TEST(KeysOfScenes, SayWhereTheyHaveARole) {
                        "known_edge or trimmed, or problem transient or cylinder; known to"));
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::scene_keys_test

@@ -7,8 +7,7 @@
 #include "microslip/scene/sweep.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::scene_places_test {
 
 std::string said(const Scene& scene, const std::function<void(Scene&)>& read) {
   Scene copy = scene;
@@ -172,5 +171,4 @@ TEST(ScenePlaces, AUnitNeedsNoQuotes) {
   EXPECT_EQ(scene.keys().size(), values.size());
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::scene_places_test

@@ -11,8 +11,7 @@
 #include "microslip/scene/table.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::scene_test {
 
 TEST(Scene, ReadsNestedKeys) {
   Scene scene = scene_of("problem steady\ngrid { elements 12 ; comment\n}\nlist \"1 2.5 1e-3\"");
@@ -238,5 +237,4 @@ TEST(Scene, NamesAllMissingKeys) {
             missing(contact + "kernel { type strip }") + " (did you mean 'kernel.widht'?)");
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::scene_test

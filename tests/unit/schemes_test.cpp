@@ -8,8 +8,7 @@
 #include <iterator>
 #include <stdexcept>
 
-namespace microslip {
-namespace {
+namespace microslip::schemes_test {
 
 const Material material{1, 0.28};
 
@@ -94,5 +93,4 @@ TEST(SchemeCatalogue, EachBasisOfScenesHasASafeNumberOfElements) {
   EXPECT_THROW(safe_elements(unmeasured), std::logic_error);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::schemes_test

@@ -15,8 +15,7 @@
 #include "microslip/rolling/transient.hpp"
 #include "microslip/support/convergence.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::shift_test {
 
 using Eigen::Index;
 
@@ -256,5 +255,4 @@ TEST(Shift, CyclesAreClosed) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::shift_test

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-namespace microslip {
-namespace {
+namespace microslip::sine_test {
 
 TEST(XMinusSine, KeepsItsDigits) {
   for (const double x : {1e-9, 1e-4, 1e-2}) {
@@ -19,5 +18,4 @@ TEST(XMinusSine, KeepsItsDigits) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::sine_test

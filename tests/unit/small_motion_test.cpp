@@ -13,8 +13,7 @@
 
 #include "microslip/rolling/frequency_response.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::small_motion_test {
 
 using std::numbers::pi;
 using Values = std::array<std::pair<double, double>, 9>;
@@ -150,5 +149,4 @@ TEST(SmallMotion, Limits) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::small_motion_test

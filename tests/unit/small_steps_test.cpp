@@ -9,8 +9,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::small_steps_test {
 
 /// Largest less smallest creepage of 40 equal steps, which are next to nothing, over their sum.
 double noise(const AdvectionScheme& scheme, Eigen::Index n, double force, double step_ratio) {
@@ -44,5 +43,4 @@ TEST(SmallSteps, OfTheLeastLengthLeaveAPercentOfTheCreepage) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::small_steps_test

@@ -9,8 +9,7 @@
 #include "microslip/thesis/fourier_inverse.hpp"
 #include "microslip/thesis/symbol.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::spectrum_test {
 
 constexpr Material material{1, 0.28};
 
@@ -130,5 +129,4 @@ TEST(FourierInverse, TheToeplitzMatrixHasItsMiddleColumn) {
   EXPECT_EQ(matrix(0, 7), 0);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::spectrum_test

@@ -9,8 +9,7 @@
 #include "microslip/support/format.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::start_file_test {
 
 using Eigen::VectorXd;
 
@@ -89,5 +88,4 @@ TEST(StartFile, ThatLeavesPartOfTheContactOutIsRefused) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::start_file_test

@@ -7,8 +7,7 @@
 
 #include "microslip/halfspace/influence.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::steady_test {
 
 constexpr Material material{1, 0.28};
 
@@ -74,5 +73,4 @@ TEST(Steady, RejectsAStepThatIsNotPositive) {
   EXPECT_THROW(solve_steady(p), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::steady_test

@@ -11,8 +11,7 @@
 #include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::steep_bound_test {
 
 using Eigen::VectorXd;
 
@@ -83,5 +82,4 @@ TEST(KnownEdge, SlidesFullyUnderALargeCreepage) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::steep_bound_test

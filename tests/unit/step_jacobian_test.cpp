@@ -11,8 +11,7 @@
 #include "microslip/rolling/transient.hpp"
 #include "microslip/support/work.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::step_jacobian_test {
 
 using Eigen::VectorXd;
 
@@ -174,5 +173,4 @@ TEST(Attempt, IsTheStepIfItIsMadeNext) {
   EXPECT_NEAR(rolling.state().force, untried.state().force, 1e-13);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::step_jacobian_test

@@ -15,8 +15,7 @@
 #include "microslip/rolling/transient.hpp"
 #include "microslip/support/interpolation.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::straight_steps_test {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -213,5 +212,4 @@ TEST(StraightSteps, GiveTheResultsOfShortOnes) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::straight_steps_test

@@ -15,8 +15,7 @@
 #include "microslip/support/not_converged.hpp"
 #include "stick_zones.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::structured_contact_test {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -202,5 +201,4 @@ TEST(Solver, ResidualOfASingularSystemIsCarriedByTheException) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::structured_contact_test

@@ -8,8 +8,7 @@
 #include "microslip/scene/units.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::sweep_test {
 
 using Texts = std::vector<std::string>;
 
@@ -239,5 +238,4 @@ TEST(Sweep, NamesWhatItRejectsOfGroupsAndTables) {
             "sweep.table: expected one list of values of load.force, found more of them");
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::sweep_test

@@ -13,8 +13,7 @@
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::symbol_kernel_test {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -222,5 +221,4 @@ TEST(SymbolKernel, RefusesWavesMuchShorterThanElements) {
   EXPECT_THROW(influence(kernel, constant_shape(), 1, 1), std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::symbol_kernel_test

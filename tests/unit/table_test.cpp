@@ -7,8 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace microslip {
-namespace {
+namespace microslip::table_test {
 
 TEST(WrittenTable, IsReadBackAndWrittenAgainAsTheSameBytes) {
   Table table("t", "a table: of two rows", {{"x", "mm", "a [1]: b"}, {"word", "1", "text"}});
@@ -62,5 +61,4 @@ TEST(WrittenTable, APartOfOneIsRejectedUnlessItEndsWithALine) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::table_test

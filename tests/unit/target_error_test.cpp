@@ -16,8 +16,7 @@
 #include "microslip/rolling/inverted_rolling.hpp"
 #include "microslip/support/not_converged.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::target_error_test {
 
 constexpr Material material{82000, 0.28};
 
@@ -145,5 +144,4 @@ TEST(TargetError, IsZeroWithoutALoad) {
   EXPECT_LE(found.error, 1e-6);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::target_error_test

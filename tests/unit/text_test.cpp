@@ -6,8 +6,7 @@
 #include "microslip/support/shown.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::text_test {
 
 TEST(PlainText, HasOneKindOfLineEndAndNoMark) {
   EXPECT_EQ(plain_text("a\r\nb\n\r\n"), "a\nb\n\n");
@@ -48,5 +47,4 @@ TEST(Shown, ShortensBetweenCharacters) {
   EXPECT_EQ(shown("a\xC3\xA4\xC3\xA4", 2), "a\xC3\xA4... (5 characters)");
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::text_test

@@ -21,8 +21,7 @@
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/work.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::toeplitz_test {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -238,5 +237,4 @@ TEST(Gmres, LeavesNothingToDoForZero) {
   EXPECT_EQ(x, VectorXd::Zero(4));
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::toeplitz_test

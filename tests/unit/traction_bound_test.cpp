@@ -8,8 +8,7 @@
 
 #include "microslip/halfspace/grid.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::traction_bound_test {
 
 TEST(HertzBound, IsAnEllipseThatEndsAtTheEdges) {
   const HertzBound bound(2, 3);
@@ -74,5 +73,4 @@ TEST(TabulatedBound, KeepsWhatIsGivenAtTheEdges) {
   EXPECT_DOUBLE_EQ(bound.total(), 6);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::traction_bound_test

@@ -12,8 +12,7 @@
 #include "microslip/reference/cattaneo.hpp"
 #include "microslip/rolling/steady.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::transient_test {
 
 constexpr Material material{1, 0.28};
 const double full_sliding = HertzBound(1, 1).total();
@@ -281,5 +280,4 @@ TEST(Transient, RejectsStepsOutsideTheRange) {
   EXPECT_THROW(TransientRolling{quadratic}, std::invalid_argument);
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::transient_test

@@ -10,8 +10,7 @@
 #include "microslip/scene/sweep.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::units_test {
 
 TEST(Units, ConvertWithinAKind) {
   EXPECT_EQ(quantity("20", "mm"), 20);
@@ -128,5 +127,4 @@ TEST(Units, OfAnAngularVelocityNameTheAngle) {
       "of its kind (rad/min, deg/s, rev/s, rev/min, rpm)");
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::units_test

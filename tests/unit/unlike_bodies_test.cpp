@@ -13,8 +13,7 @@
 #include "microslip/scene/model.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::unlike_bodies_test {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -304,5 +303,4 @@ TEST(UnlikeBodies, AreRefusedWhereThereIsNoModel) {
   EXPECT_TRUE(refusal({"target_error=1e-3", "grid.elements="}).starts_with(no_role));
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::unlike_bodies_test

@@ -14,8 +14,7 @@
 #include "microslip/scene/model.hpp"
 #include "scene_text.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::unlike_transients_test {
 
 using Eigen::Index;
 using Eigen::VectorXd;
@@ -248,5 +247,4 @@ TEST(UnlikeTransients, WantFriction) {
             "missing key 'contact.friction'");
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::unlike_transients_test

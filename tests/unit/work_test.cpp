@@ -12,8 +12,7 @@
 #include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/transient.hpp"
 
-namespace microslip {
-namespace {
+namespace microslip::work_test {
 
 TEST(Work, CountsFromWhereItWasMade) {
   count_work(100);
@@ -101,5 +100,4 @@ double work_of_steps(double step_ratio) {
 // twice as many more.
 TEST(Work, OfStepsOfLargeContactsIsThatOfFewInversesByFft) { EXPECT_LT(work_of_steps(0.3), 1.5e8); }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::work_test

@@ -14,8 +14,7 @@
 #include <random>
 #include <string>
 
-namespace microslip {
-namespace {
+namespace microslip::writable_target_test {
 
 namespace fs = std::filesystem;
 
@@ -139,5 +138,4 @@ TEST_F(WritableTarget, IsTheFileThatTheSystemFinds) {
   }
 }
 
-}  // namespace
-}  // namespace microslip
+}  // namespace microslip::writable_target_test

@@ -47,14 +47,6 @@ double wrong_slip(Zone zone, double slip) { return static_cast<double>(zone) * s
 
 Zone slip_zone(double traction) { return traction > 0 ? Zone::slip_positive : Zone::slip_negative; }
 
-/// The solution of a partition, which is linear in bound, offset, reference and load.
-struct Response {
-  VectorXd traction;
-  VectorXd slip;  ///< zero in adhesion
-  double creepage = 0;
-  double residual = 0;
-};
-
 }  // namespace
 
 /// Searches for the partition that meets given conditions. Factors are kept from one search to the
@@ -87,6 +79,14 @@ class ContactSearch {
   }
 
  private:
+  /// The solution of a partition, which is linear in bound, offset, reference and load.
+  struct Response {
+    VectorXd traction;
+    VectorXd slip;  ///< zero in adhesion
+    double creepage = 0;
+    double residual = 0;
+  };
+
   void begin(const SlipConditions& conditions, const Load& load, const std::vector<Zone>& zones) {
     conditions_ = &conditions;
     prescribed_ = prescribed_value(load);

@@ -13,8 +13,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-std::size_t to_size(Index i) { return static_cast<std::size_t>(i); }
-
 /// Rejects a state that was read, unless the condition holds.
 void demand(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(std::string("state: expected ") + what);

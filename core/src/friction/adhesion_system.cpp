@@ -39,8 +39,6 @@ constexpr int most_refinements = 5;
 /// again each time.
 constexpr double gmres_tolerance = 1e-7;
 
-std::size_t to_size(Index i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 AdhesionSystem::AdhesionSystem(LinearOperator response, VectorXd weights, const Solver& solver)

@@ -13,6 +13,8 @@ namespace microslip {
 
 class Archive;
 
+inline std::size_t to_size(Eigen::Index i) { return static_cast<std::size_t>(i); }
+
 /// The linear equations of the elements in adhesion: response_HH d_H + w = ..., thesis (3.19). The
 /// creepage is one more unknown, and the prescribed force or creepage one more row.
 ///

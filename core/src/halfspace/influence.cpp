@@ -29,11 +29,11 @@ struct Reach {
 
 /// Length over which a kernel's decay has no more waves than 15 Gauss points integrate  [dx]
 template <class K>
-double longest_panel(const K&, double) {
+double longest_panel_of(const K&, double) {
   return std::numeric_limits<double>::infinity();
 }
 
-double longest_panel(const SymbolKernel& kernel, double spacing) {
+double longest_panel_of(const SymbolKernel& kernel, double spacing) {
   constexpr double shortest = 0.005;
   const double longest = kernel.longest_panel() / spacing;
   require(longest >= shortest, "wave_number",
@@ -54,7 +54,7 @@ double integrate_piece(const K& kernel, double spacing, double gap, double begin
   using boost::math::quadrature::gauss;
   const auto integrand = [&](double t) { return kernel.decay(spacing * (gap + t)) * weight(t); };
   const double clear = kernel.clear_distance() / spacing;
-  const double longest = longest_panel(kernel, spacing);
+  const double longest = longest_panel_of(kernel, spacing);
   const bool regular_at_zero = gap + begin == 0;
   double sum = 0;
   for (double t = begin; t < end;) {

@@ -100,7 +100,7 @@ namespace {
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Sizes relative to the symbol below which a layer or half-space behind a table is rounding.
-constexpr double rounding = 1e-12;
+constexpr double rounding_of_symbol = 1e-12;
 
 /// By how much the exponent of the symbol in the last two rows may be below the exponent of a half-space, or above
 /// the exponent of springs.
@@ -177,8 +177,8 @@ SymbolKernel::SymbolKernel(const VectorXd& wave_numbers, const VectorXd& symbol)
   require(compliance_ <= (1 + steepest) * last, "symbol", last,
           "one that rises no faster than wave_number^0.5 in the last two rows, which say how it "
           "goes on: as of a half-space and a layer");
-  if (compliance_ < rounding * last) compliance_ = 0;
-  if (compliance_ > (1 - rounding) * last) compliance_ = last;
+  if (compliance_ < rounding_of_symbol * last) compliance_ = 0;
+  if (compliance_ > (1 - rounding_of_symbol) * last) compliance_ = last;
   slopes[n] = compliance_;
   log_factor_ = (last - compliance_) * wave_numbers[n - 1] / std::numbers::pi;
   const VectorXd factors =

@@ -20,7 +20,7 @@ namespace {
 constexpr int most_iterations = 100;
 
 /// Residual at which GMRES ends; it is a rounding error.
-constexpr double enough = 1e-15;
+constexpr double smallest_residual = 1e-15;
 
 /// Columns with a larger residual give an inverse that refinement cannot repair.
 constexpr double acceptable = 1e-6;
@@ -45,7 +45,7 @@ ToeplitzInverse::ToeplitzInverse(const Toeplitz& matrix)
     const int iterations =
         gmres
             .solve([&](const VectorXd& p, VectorXd& y) { product.apply(p, y); },
-                   [&](const VectorXd& p, VectorXd& y) { circulant.apply(p, y); }, unit, enough, x)
+                   [&](const VectorXd& p, VectorXd& y) { circulant.apply(p, y); }, unit, smallest_residual, x)
             .iterations;
     product.apply(x, back);
     const double residual = (back - unit).norm();

@@ -10,12 +10,12 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr int most_iterations = 100;
+constexpr int most_gmres_iterations = 100;
 
 }  // namespace
 
 ToeplitzSubmatrix::ToeplitzSubmatrix(const Toeplitz& matrix, double tolerance)
-    : matrix_(matrix), tolerance_(tolerance), gmres_(most_iterations) {}
+    : matrix_(matrix), tolerance_(tolerance), gmres_(most_gmres_iterations) {}
 
 void ToeplitzSubmatrix::choose(const std::vector<Index>& indices) {
   const Index first = indices.front(), size = indices.back() - first + 1;

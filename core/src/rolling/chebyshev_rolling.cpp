@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "microslip/friction/sliding_field.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
@@ -30,20 +31,11 @@ constexpr double resolved = 1e-14;
 
 /// Largest violations of the contact conditions due to rounding errors, relative to the load, also
 /// for a bound with a double zero; and relative to full sliding.
-constexpr double tolerance = 1e-9;
-constexpr double rounding = 1e-13;
+constexpr double tolerated = 1e-9;
+constexpr double rounding_of_force = 1e-13;
 
 /// Largest truncation error of the coefficients for the stick zone of a load, relative to the load.
-constexpr double ten_digits = 1e-10;
-
-ChebyshevField field_of(const Kernel& kernel, const TractionBound& bound) {
-  const auto traction = chebyshev_traction(bound);
-  if (!traction) {
-    throw BadParameter(
-        "bound", "bound: expected no table, because Chebyshev collocation wants a smooth bound");
-  }
-  return ChebyshevField(kernel, *traction);
-}
+constexpr double wanted_digits = 1e-10;
 
 double tail_of(const VectorXd& coefficients) {
   return coefficients.tail(std::min<Index>(2, coefficients.size())).cwiseAbs().maxCoeff() /
@@ -93,7 +85,7 @@ Evidence ChebyshevSolution::evidence() const {
 }
 
 ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bound, Index unknowns)
-    : kernel_(kernel), sliding_(field_of(kernel, bound)), unknowns_(unknowns), fixed_(true) {
+    : kernel_(kernel), sliding_(sliding_field_of(kernel, bound)), unknowns_(unknowns), fixed_(true) {
   require(unknowns >= 1 && unknowns <= most_unknowns, "unknowns", static_cast<double>(unknowns),
           "1 to 64");
   tabulate();
@@ -203,7 +195,7 @@ ChebyshevSolution ChebyshevRolling::solve(const Load& load) const {
     const double truncated = pi * (a - edge) / 2 *
                              found.coefficients.tail(last_two).cwiseAbs().maxCoeff() /
                              full_sliding * amplified;
-    if (!fixed_ && truncated > ten_digits + amplified * rounding) {
+    if (!fixed_ && truncated > wanted_digits + amplified * rounding_of_force) {
       if (unknowns_ == most_unknowns) {
         throw NotConverged("Chebyshev collocation: 64 unknowns do not suffice for so small a load",
                            loaded.evaluations, truncated);
@@ -217,7 +209,7 @@ ChebyshevSolution ChebyshevRolling::solve(const Load& load) const {
   }
   ChebyshevSolution solution(loaded, sliding_, adhesion);
   const double violation = solution.evidence().violation();
-  if (violation > tolerance + amplified * rounding) {
+  if (violation > tolerated + amplified * rounding_of_force) {
     throw NotConverged("Chebyshev collocation: more than one stick zone", loaded.evaluations,
                        violation);
   }

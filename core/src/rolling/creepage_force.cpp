@@ -14,7 +14,7 @@ namespace microslip {
 namespace {
 
 /// Relative rounding error of a point of the curve.
-constexpr double rounding = 2e-15;
+constexpr double rounding_of_curve = 2e-15;
 
 /// A load as a positive number that grows along the curve.
 struct Target {
@@ -49,7 +49,7 @@ LoadedState meet_load(const CreepageForceCurve& curve, const Load& load) {
     // A difference below the rounding error counts as zero; otherwise the search would halve it
     // again and again.
     const double difference = target.reached_by(curve.at(b)) - target.size;
-    return std::abs(difference) <= rounding * target.size ? 0 : difference;
+    return std::abs(difference) <= rounding_of_curve * target.size ? 0 : difference;
   };
   if (!target.force && target.size >= curve.full_sliding_creepage) {
     return {{a, target.size, -curve.full_sliding_force}, 1, target.direction, 0};

@@ -18,12 +18,12 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr Material unit{.shear_modulus = 2, .poisson_ratio = 0};
+constexpr Material unit_material{.shear_modulus = 2, .poisson_ratio = 0};
 
 /// Differences of the strain of a function over elements 0 ... n, which begin with node -1.
 Toeplitz strain_of(const ShapeFunction& shape, Index n) {
-  return influence_difference_toeplitz(PlaneKernel(unit, 1), shape, 1, n + 1, 1)
-      .times(1 / compliance(unit));
+  return influence_difference_toeplitz(PlaneKernel(unit_material, 1), shape, 1, n + 1, 1)
+      .times(1 / compliance(unit_material));
 }
 
 /// n elements that make this strain, and a constant one, in n + 1 elements. Node -1 has no element:

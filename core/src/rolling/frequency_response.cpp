@@ -25,7 +25,7 @@ using Complex = std::complex<double>;
 
 namespace {
 
-constexpr double most_terms = 700;
+constexpr double most_terms_in_all = 700;
 constexpr double most_terms_of_strip = 500;
 constexpr double largest_kappa = 1e6;
 
@@ -132,9 +132,9 @@ FrequencyResponse::FrequencyResponse(const Kernel& kernel, double begin, double 
                        format_short(2 * half_length_ * std::sinh(22 / (most_terms_of_strip - 42))));
   });
   const double of_wave = terms_of_wave * 2 * pi * half_length_ / shortest;
-  require(of_strip + of_wave <= most_terms, "shortest", shortest, [&] {
+  require(of_strip + of_wave <= most_terms_in_all, "shortest", shortest, [&] {
     return fmt::format("at least {} with this strip and stick zone",
-                       format_short(of_wave * shortest / (most_terms - of_strip)));
+                       format_short(of_wave * shortest / (most_terms_in_all - of_strip)));
   });
   const double terms = of_strip + of_wave;
   series_.emplace_back(kernel, half_length_, static_cast<Index>(terms));

@@ -28,16 +28,16 @@ constexpr double largest_theta = 200;
 
 /// Least half-width of a strip, over the half-width of the contact; quadrature panels have to be as
 /// short as that.
-constexpr double narrowest = 0.01;
+constexpr double narrowest_strip = 0.01;
 
 /// Largest number of pieces of a table: the cost of evaluating all tractions grows with the square
 /// of this number.
-constexpr Index most_pieces = 20000;
+constexpr Index most_bound_pieces = 20000;
 constexpr double least_theta = 1e-140;
 
 /// Largest steps of the search for the logarithm of theta.
 constexpr double most_step = 0.25;
-constexpr double least_step = 1e-6;
+constexpr double least_search_step = 1e-6;
 
 /// Begin of a search: a logarithm of theta, and the first of growing steps.
 struct Guess {
@@ -198,7 +198,7 @@ class StickZoneSearch {
     const auto longer = leading_roots_.lower_bound(log_trailing);
     if (longer == leading_roots_.begin()) return leading_;
     const auto& [shorter, root] = *std::prev(longer);
-    return {root, std::clamp(log_trailing - shorter, least_step, most_step), most_step};
+    return {root, std::clamp(log_trailing - shorter, least_search_step, most_step), most_step};
   }
 
   static constexpr unsigned all_bits = 52;
@@ -240,11 +240,11 @@ InvertedRolling::InvertedRolling(const Kernel& kernel, const TractionBound& boun
 }
 
 std::optional<std::string> InvertedRolling::obstacle() const {
-  if (clear_distance(contact_->kernel) < narrowest * contact_->half_width()) {
+  if (clear_distance(contact_->kernel) < narrowest_strip * contact_->half_width()) {
     return "the strip is too narrow for the inversion";
   }
   const auto* table = std::get_if<TabulatedBound>(&contact_->bound);
-  if (table != nullptr && table->x().size() > most_pieces) {
+  if (table != nullptr && table->x().size() > most_bound_pieces) {
     return "the bound has too many pieces for the inversion";
   }
   return std::nullopt;

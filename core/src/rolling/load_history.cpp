@@ -64,14 +64,14 @@ void require_velocities(const RunRows& rows) {
 }
 
 /// What a printed number may differ by, over the largest of its column.
-constexpr double printed = 1e-9;
+constexpr double printed_number = 1e-9;
 
 /// Rejects a column that changes from a row to the next one where nothing is rolled.
 /// \param distances  of the rows  [mm]
 void require_kept_at_standstill(const std::optional<VectorXd>& column, const std::string& name,
                                 const std::vector<double>& distances) {
   if (!column) return;
-  const double most = printed * column->lpNorm<Eigen::Infinity>();
+  const double most = printed_number * column->lpNorm<Eigen::Infinity>();
   for (Index i = 1; i < column->size(); ++i) {
     const auto row = static_cast<std::size_t>(i);
     const double before = (*column)[i - 1];

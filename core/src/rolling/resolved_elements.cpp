@@ -15,11 +15,11 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr Index most_rows = 400;  // for graded elements
+constexpr Index most_graded_rows = 400;  // for graded elements
 constexpr Index most_graded = 1000;
 constexpr Index fewest_equal = 256;
 constexpr Index most_equal = 16384;
-constexpr double enough = 2e-3;  // change from elements twice as long
+constexpr double small_change = 2e-3;  // change from elements twice as long
 
 bool has_cheap_matrix(const Kernel& kernel) {
   return is_half_space(kernel) || std::holds_alternative<LayeredKernel>(kernel);
@@ -81,7 +81,7 @@ SteadySolution on_equal(const SteadyProblem& problem) {
   for (;; elements *= 2) {
     SteadySolution fine = solve(elements);
     fine.evidence.change = change_of_answer(problem.load, coarse, fine);
-    if (fine.evidence.change > enough && 2 * elements <= most_equal) {
+    if (fine.evidence.change > small_change && 2 * elements <= most_equal) {
       coarse = std::move(fine);
       continue;
     }
@@ -97,7 +97,7 @@ SteadySolution on_equal(const SteadyProblem& problem) {
 
 SteadySolution solve_on_resolved_elements(const SteadyProblem& problem, const std::string& why) {
   const auto& table = std::get<TabulatedBound>(problem.bound);
-  const bool graded = table.x().size() <= most_rows && has_cheap_matrix(problem.kernel);
+  const bool graded = table.x().size() <= most_graded_rows && has_cheap_matrix(problem.kernel);
   SteadySolution solution = graded ? on_graded(problem) : on_equal(problem);
   solution.scheme = graded ? SteadyScheme::graded : SteadyScheme::calibrated;
   solution.fallback = why;

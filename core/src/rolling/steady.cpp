@@ -236,13 +236,13 @@ SteadySolution over_whole_contact(const SteadyProblem& problem, const std::strin
 }
 
 /// Fewer elements may be wrong by more than a tenth: study extremes.
-constexpr Index fewest_elements = 11;
+constexpr Index fewest_calibrated = 11;
 
 SteadySolution instead_of_inversion(const SteadyProblem& problem, const std::string& why) {
   if (std::holds_alternative<TabulatedBound>(problem.bound)) {
     return solve_on_resolved_elements(problem, why);
   }
-  require(problem.grid.size() >= fewest_elements, "elements",
+  require(problem.grid.size() >= fewest_calibrated, "elements",
           static_cast<double>(problem.grid.size()), "at least 11, as " + why);
   return over_whole_contact(problem, why);
 }

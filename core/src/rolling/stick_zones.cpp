@@ -18,7 +18,7 @@ using std::numbers::pi;
 namespace {
 
 /// Ratio of the ends of a panel, from the end of a zone: 12 Gauss points leave 2e-14.
-constexpr double growth = 3;
+constexpr double panel_growth = 3;
 
 /// Calls with the positions in (0, 1) and the weights of a Gauss rule.
 template <unsigned points, class Take>
@@ -126,11 +126,11 @@ StickZones::Points StickZones::points_of(const std::vector<Interval>& intervals,
     };
     double begin = 0;
     const double first = std::min({half, beyond, row_ahead(), contact_->longest});
-    const double length = first * std::pow(growth, -refined);
+    const double length = first * std::pow(panel_growth, -refined);
     while (begin < half) {
       const double to_row = row_ahead();
       double end = std::min(
-          begin == 0 ? length : begin + std::min((growth - 1) * begin, contact_->longest), half);
+          begin == 0 ? length : begin + std::min((panel_growth - 1) * begin, contact_->longest), half);
       const bool at_row = end >= to_row;
       if (at_row) end = std::min(to_row, half);
       const auto take = [&](double d, double weight) {

@@ -18,7 +18,7 @@ namespace {
 constexpr int most_halvings = 40;
 
 /// Relative rounding error of lengths.
-constexpr double rounding = 1e-9;
+constexpr double rounding_of_length = 1e-9;
 
 /// The load at a distance: the shift so far or the force, half-width and bound, each over half its
 /// tolerance. The other half of the tolerance is left for the load between samples.
@@ -90,7 +90,7 @@ class Steps {
   bool reaches(const Sample& next) const {
     const double length = next.distance - begin_.distance;
     const Array3d slope = (next.load - begin_.load) / length;
-    return length <= (1 + rounding) * longest_ && (slope >= least_).all() && (slope <= most_).all();
+    return length <= (1 + rounding_of_length) * longest_ && (slope >= least_).all() && (slope <= most_).all();
   }
 
   void end() {
@@ -119,7 +119,7 @@ void sample(const LoadPath& path, const Sample& from, const Sample& to, double l
   const bool is_straight = bend_at(middle) <= 1 &&
                            bend_at(path.after(from, from.distance + length / 4)) <= 1 &&
                            bend_at(path.after(middle, from.distance + length * 3 / 4)) <= 1;
-  const bool is_short = length <= (1 + rounding) * longest;
+  const bool is_short = length <= (1 + rounding_of_length) * longest;
   const bool has_middle = from.distance < middle.distance && middle.distance < to.distance;
   if ((is_straight && is_short) || !has_middle || halvings == most_halvings) return steps.take(to);
   sample(path, from, middle, longest, halvings + 1, steps);

@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 namespace {
 
 /// A start file may have been printed with few digits.
-constexpr double printed = 1e-3;
+constexpr double printed_traction = 1e-3;
 
 /// A shift to a force that differs from that now by so little, over full sliding, is none.
 constexpr double same_force = 1e-13;
@@ -129,7 +129,7 @@ void require_definite(const Kernel& kernel, double reach) {
 }
 
 void require_within_bound(const VectorXd& x, const VectorXd& bound, const VectorXd& traction) {
-  const double tolerance = printed * bound.maxCoeff();
+  const double tolerance = printed_traction * bound.maxCoeff();
   for (Index i = 0; i < x.size(); ++i) {
     require(std::abs(traction[i]) <= bound[i] + tolerance, "traction", traction[i], [&] {
       return fmt::format("at most the bound, {}, at x = {}", format_short(bound[i]),

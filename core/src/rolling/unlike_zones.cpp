@@ -20,7 +20,7 @@ namespace {
 
 /// The least distance to an end of a zone, over the zone's width: at the end itself there would be
 /// 0/0.
-constexpr double nearest = 1e-30;
+constexpr double nearest_to_end = 1e-30;
 
 /// A Gauss point counts as at a place if their distance is below this fraction of the place's
 /// distance from the zone's end.
@@ -255,7 +255,7 @@ ZonePlace UnlikeZones::place_of(double x) const {
   const double to_end = 1 - x - between(zone + 1, last + 1);
   const double width = pattern_.widths[zone];
   const bool is_behind = x + 1 - begin < width / 2;
-  const double near = std::clamp(is_behind ? x + 1 - begin : to_end, nearest * width, width);
+  const double near = std::clamp(is_behind ? x + 1 - begin : to_end, nearest_to_end * width, width);
   return {zone, is_behind ? near : width - near, is_behind ? width - near : near};
 }
 

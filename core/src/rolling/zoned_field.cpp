@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 namespace {
 
 /// Violations below this part of the bound, and of the creepage, are rounding.
-constexpr double rounding = 1e-8;
+constexpr double rounding_of_field = 1e-8;
 
 double regular_decay(const Kernel& kernel, double z) {
   return visit_half_space([&](const auto& k) { return k.regular_decay(z); }, kernel);
@@ -148,7 +148,7 @@ std::optional<std::vector<ZoneEnds>> ZonedField::repaired() const {
       const auto k = static_cast<Index>(i);
       if (slip.bounds[k] <= 1e-12 * peak) return false;
       const double s = slip_over_k(slip.places[i]);
-      return s < -rounding * (level_ + peak * 1e-4);
+      return s < -rounding_of_field * (level_ + peak * 1e-4);
     };
     for (const Broken& run : runs_of(order, slips_wrongly)) {
       if (run.first == run.last && order.size() > 1) {
@@ -165,7 +165,7 @@ std::optional<std::vector<ZoneEnds>> ZonedField::repaired() const {
     const std::vector<std::size_t> inside = points_of(zones_, stick_, j);
     const auto above = [&](std::size_t i) {
       const auto k = static_cast<Index>(i);
-      return traction_[k] > stick_.bounds[k] + rounding * peak;
+      return traction_[k] > stick_.bounds[k] + rounding_of_field * peak;
     };
     ZoneEnds rest = zones_.zones()[j];
     for (const Broken& run : runs_of(inside, above)) {

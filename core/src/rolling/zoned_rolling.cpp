@@ -21,12 +21,12 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr std::size_t most_rows = 400;
+constexpr std::size_t most_zoned_rows = 400;
 constexpr std::size_t most_zones = 10;  // more take seconds, and are not always found
 
 /// Elements over the contact to begin with, one number after the other until zones are found.
 constexpr Index first_elements[] = {40, 57, 81};
-constexpr Index most_elements = 800;
+constexpr Index most_graded_elements = 800;
 
 /// Tables of more rows are tried once: each try takes tenths of a second, and others rarely help.
 constexpr std::size_t many_rows = 150;
@@ -241,7 +241,7 @@ std::optional<SteadySolution> solve_by_zones(const SteadyProblem& problem) {
   const auto* table = std::get_if<TabulatedBound>(&problem.bound);
   const double value = std::visit([](const auto& l) { return l.value; }, problem.load);
   if (!is_half_space(problem.kernel) || problem.has_unlike_bodies() || value == 0 ||
-      (table != nullptr && table->x().size() > static_cast<Index>(most_rows))) {
+      (table != nullptr && table->x().size() > static_cast<Index>(most_zoned_rows))) {
     return std::nullopt;
   }
   const auto contact = std::make_shared<ZonedContact>(problem.kernel, problem.bound);
@@ -253,7 +253,7 @@ std::optional<SteadySolution> solve_by_zones(const SteadyProblem& problem) {
   for (const Index elements : first_elements) {
     try {
       const GradedState graded =
-          solve_graded(problem, graded_elements(problem.bound, elements), most_elements);
+          solve_graded(problem, graded_elements(problem.bound, elements), most_graded_elements);
       std::size_t tried = 0;  // number of zones
       for (const std::size_t fewest : {std::size_t{1}, std::size_t{3}}) {
         const std::vector<ZoneEnds> guess = zones_of(graded, contact->rows, fewest);

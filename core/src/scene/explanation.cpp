@@ -156,7 +156,7 @@ std::vector<std::string> tabulated(const TractionBound& bound, const Grid& grid)
                   table->x().size(), row, grid.spacing() / row)};
 }
 
-std::string number(double value) { return fmt::format("{:.5g}", value); }
+std::string five_digits(double value) { return fmt::format("{:.5g}", value); }
 
 /// The consequences of a kernel other than a half-space's, and what it does not model.
 struct OfKernel {
@@ -170,7 +170,7 @@ struct OfKernel {
     consequences = {
         fmt::format("springs beside one another, {} mm^3/N: tractions grow in "
                     "proportion to the distance from the leading edge",
-                    number(winkler.compliance()))};
+                    five_digits(winkler.compliance()))};
     not_modelled = {
         "what a traction does beside itself: bodies are springs, as in FASTSIM, not half-spaces"};
   }
@@ -179,7 +179,7 @@ struct OfKernel {
     consequences = {fmt::format(
         "a layer of springs on the half-space, {} mm^3/N: as compliant as the half-space to waves "
         "of {} half-widths",
-        number(layered.compliance()), number(2 * layered.compliance() / half_space / half_width))};
+        five_digits(layered.compliance()), five_digits(2 * layered.compliance() / half_space / half_width))};
     not_modelled = {"the layer's own thickness, and shear from each of its springs to the next"};
   }
   void operator()(const SymbolKernel& symbol) {
@@ -189,13 +189,13 @@ struct OfKernel {
     consequences = {fmt::format(
         "a kernel by its symbol, from waves of {} to {} mm; shorter waves feel a half-space with "
         "2 (1 - nu)/G = {} mm^2/N and a layer of {} mm^3/N, as the last two rows say",
-        number(longest), number(shortest), number(std::numbers::pi * symbol.log_factor()),
-        number(symbol.compliance()))};
+        five_digits(longest), five_digits(shortest), five_digits(std::numbers::pi * symbol.log_factor()),
+        five_digits(symbol.compliance()))};
     not_modelled = {
         fmt::format("how bodies yield to waves longer than {} mm, {} half-widths: as to this wave, "
                     "so that they "
                     "do not move far from a load",
-                    number(longest), number(longest / half_width))};
+                    five_digits(longest), five_digits(longest / half_width))};
   }
 };
 

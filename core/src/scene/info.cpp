@@ -15,7 +15,7 @@ namespace microslip {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\v\f\r";
+constexpr std::string_view blank_characters = " \t\v\f\r";
 constexpr std::string_view blanks_and_comment = " \t\v\f\r;";
 
 constexpr std::string_view ends_words = "{}\";";
@@ -43,13 +43,13 @@ std::string unescaped(std::string_view raw) {
 }
 
 /// The unread rest of a line.
-class Rest {
+class RestOfLine {
  public:
-  explicit Rest(std::string_view line) : text_(line) {}
+  explicit RestOfLine(std::string_view line) : text_(line) {}
 
   /// The next character that is not blank; at the end, a semicolon.
   char next() {
-    text_.remove_prefix(std::min(text_.size(), text_.find_first_not_of(blanks)));
+    text_.remove_prefix(std::min(text_.size(), text_.find_first_not_of(blank_characters)));
     return text_.empty() ? ';' : text_.front();
   }
 
@@ -76,14 +76,14 @@ class Rest {
   std::string_view word_with_unit() {
     const std::string_view from = text_;
     if (!finite_number(word())) return from.substr(0, from.size() - text_.size());
-    Rest behind = *this;
-    std::vector<Rest> ends{*this};
+    RestOfLine behind = *this;
+    std::vector<RestOfLine> ends{*this};
     while (ends.size() <= most_words && ends_words.find(behind.next()) == std::string_view::npos) {
       behind.word();
       ends.push_back(behind);
     }
     next();
-    const auto unit_to = [&](const Rest& end) {
+    const auto unit_to = [&](const RestOfLine& end) {
       return text_.substr(0, text_.size() - end.text_.size());
     };
     std::size_t words = ends.size() - 1;
@@ -102,7 +102,7 @@ class InfoReader {
   std::vector<InfoEntry> read(std::string_view text) {
     for (line_ = 1; !text.empty(); ++line_) {
       const std::size_t end = std::min(text.size(), text.find('\n'));
-      read_line(Rest(text.substr(0, end)));
+      read_line(RestOfLine(text.substr(0, end)));
       text.remove_prefix(std::min(text.size(), end + 1));
     }
     if (!open_.empty()) {
@@ -122,7 +122,7 @@ class InfoReader {
     int line;
   };
 
-  void read_line(Rest rest) {
+  void read_line(RestOfLine rest) {
     if (rest.next() == '#') {
       fail(fmt::format("'{}': expected ; before comments, and no other files", shown(rest.all())));
     }
@@ -153,7 +153,7 @@ class InfoReader {
     may_open_ = wants_value_ = true;
   }
 
-  std::string value(Rest& rest) {
+  std::string value(RestOfLine& rest) {
     if (rest.next() != '"') return unescaped(rest.word_with_unit());
     const std::string text = unescaped(rest.quoted());
     goes_on_ = rest.next() == '\\';

@@ -20,7 +20,7 @@ namespace {
 
 /// Tolerance for positions, as a table may have been printed with few digits  [dx, or the distance
 /// of two rows]
-constexpr double printed = 1e-3;
+constexpr double printed_place = 1e-3;
 
 bool are_nodes(const VectorXd& x, const VectorXd& nodes, double tolerance) {
   return x.size() == nodes.size() && (x - nodes).lpNorm<Eigen::Infinity>() <= tolerance;
@@ -41,7 +41,7 @@ void require_within_bound_nearby(const VectorXd& x, const VectorXd& traction,
 /// \param beyond  distance from that row to the outermost node beyond it
 void require_reach(const VectorXd& x, Index row, Index neighbour, double beyond, double node) {
   const double distance = std::abs(x[row] - x[neighbour]);
-  require(beyond <= (1 + printed) * distance, "x", x[row], [&] {
+  require(beyond <= (1 + printed_place) * distance, "x", x[row], [&] {
     return fmt::format(
         "rows up to the edges: the node at {} is farther from this one than the next row, {} mm",
         format_short(node), format_short(distance));
@@ -68,7 +68,7 @@ VectorXd traction_at_nodes(const VectorXd& x, const VectorXd& traction,
   for (Index i = 1; i < x.size(); ++i) {
     require(x[i] > x[i - 1], "x", x[i], "ascending positions");
   }
-  if (are_nodes(x, nodes, printed * problem.grid.spacing())) {
+  if (are_nodes(x, nodes, printed_place * problem.grid.spacing())) {
     require_within_bound(nodes, bound_at(problem.bound, nodes), traction);
     return traction;
   }

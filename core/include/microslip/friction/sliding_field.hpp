@@ -8,12 +8,14 @@
 
 namespace microslip {
 
+/// The field of the bound as a traction. \throws BadParameter for a table, and as ChebyshevField
+ChebyshevField sliding_field_of(const Kernel& kernel, const TractionBound& bound);
+
 /// Strain and displacement of the half-space in full sliding, where the traction is the bound;
 /// exact to rounding.
 class SlidingField {
  public:
-  /// \throws std::invalid_argument for a tabulated bound, which is not smooth, and as
-  ///                               ChebyshevField
+  /// \throws as sliding_field_of
   SlidingField(const Kernel& kernel, const TractionBound& bound);
 
   double force() const { return force_; }  ///< [N/mm]
