@@ -228,18 +228,18 @@ Map loads_map(const ExtremesParameters& p) {
 Map offsets_map(const ExtremesParameters& p) {
   Map map{"offsets",
           "steady rolling in plane strain, with the edges anywhere within an element",
-          {{"leading_offset", "dx", "beta, from the last node to the leading edge"},
-           {"trailing_offset", "dx", "alpha, from the trailing edge to the first node"}},
+          {{"leading_offset", "dx", "from the last node to the leading edge"},
+           {"trailing_offset", "dx", "from the trailing edge to the first node"}},
           {0.5, 0.5},
           {}};
   const Setting setting = carter_setting(p, 1 - p.stick_ratio);
   for (const SteadyChoice& scheme : schemes_except({"calibrated", "chebyshev"})) {
-    for (const double beta : p.offsets) {
-      for (const double alpha : p.offsets) {
+    for (const double leading : p.offsets) {
+      for (const double trailing : p.offsets) {
         Grid::Parameters grid = grid_of(p, p.elements);
-        grid.leading_offset = beta;
-        grid.trailing_offset = alpha;
-        map.cases.push_back(case_of(scheme, setting, grid, 1, {beta, alpha}));
+        grid.leading_offset = leading;
+        grid.trailing_offset = trailing;
+        map.cases.push_back(case_of(scheme, setting, grid, 1, {leading, trailing}));
       }
     }
   }

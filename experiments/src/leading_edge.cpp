@@ -25,8 +25,8 @@ Table errors_table(const LeadingEdgeParameters& p, const std::vector<Series>& al
   Table table(
       "errors", "errors against Carter, c = 1",
       {{"scheme", "1", "treatment of the leading edge, and basis"},
-       {"leading_offset", "1", "beta: distance of the edge from the last node, in elements"},
-       {"trailing_offset", "1", "alpha: the same at the trailing edge"},
+       {"leading_offset", "1", "from the last node to the leading edge, in elements"},
+       {"trailing_offset", "1", "from the trailing edge to the first node, in elements"},
        {"stick_ratio", "1", "a'"},
        {"elements", "1", "N"},
        {"traction_error", "N/mm", "1-norm: dx times the sum of |p - exact| over the nodes"},
@@ -43,8 +43,8 @@ Table errors_table(const LeadingEdgeParameters& p, const std::vector<Series>& al
 Table reductions_table(const std::vector<Series>& all) {
   Table table("reductions", "factors by which doubling N reduces the errors, over all doublings",
               {{"scheme", "1", "treatment of the leading edge, and basis"},
-               {"leading_offset", "1", "beta"},
-               {"trailing_offset", "1", "alpha: the same at the trailing edge"},
+               {"leading_offset", "1", "from the last node to the leading edge, in elements"},
+               {"trailing_offset", "1", "from the trailing edge to the first node, in elements"},
                {"stick_ratio", "1", "a'"},
                {"traction_mean", "1", "mean factor of the traction's 1-norm"},
                {"traction_best", "1", "largest factor of the same"},
@@ -152,8 +152,8 @@ Table settings_table(const std::vector<Pair>& pairs) {
       "the settings that come nearest to the thesis's factors (10.3): at the stick ratio of "
       "its test case, and among all",
       {{"scheme", "1", "treatment of the leading edge, and basis"},
-       {"leading_offset", "1", "beta"},
-       {"trailing_offset", "1", "alpha: the same at the trailing edge"},
+       {"leading_offset", "1", "from the last node to the leading edge, in elements"},
+       {"trailing_offset", "1", "from the trailing edge to the first node, in elements"},
        {"stick_ratio", "1", "a'"},
        {"mean", "1", "mean factor of the traction's 1-norm per doubling"},
        {"best", "1", "largest of the factors"},
@@ -207,7 +207,7 @@ double geometric_mean(const std::vector<Gain>& gains) {
 }
 
 std::string described(const Series& s) {
-  return fmt::format("beta = {}, alpha = {}, a' = {}", format_short(s.offset),
+  return fmt::format("leading offset {}, trailing offset {}, a' = {}", format_short(s.offset),
                      format_short(s.trailing_offset), format_short(s.stick_ratio));
 }
 
@@ -229,7 +229,7 @@ double smallest_overestimate(const LeadingEdgeParameters& p) {
 Table profile_table(const LeadingEdgeParameters& p) {
   Table table("profile", "tractions with and without better leading edges, Figs. 10.1 and 10.3",
               {{"scheme", "1", "treatment of the leading edge, and basis"},
-               {"leading_offset", "1", "beta"},
+               {"leading_offset", "1", "from the last node to the leading edge, in elements"},
                {"x", "mm", "position"},
                {"traction", "N/mm^2", "tangential traction p"},
                {"exact", "N/mm^2", "Carter's traction at x"}});
@@ -260,7 +260,7 @@ Table exact_table(const LeadingEdgeParameters& p) {
 
 Table hats_table(double offset) {
   Table table("hats", "the general and the trimmed hat at the last node, Fig. 10.2",
-              {{"s", "dx", "distance from the last node; the edge lies at beta"},
+              {{"s", "dx", "distance from the last node; the edge lies at leading_offset"},
                {"general", "1", "hat (6.4)"},
                {"trimmed", "1", "zero beyond the edge"}});
   const ShapeFunction general = linear_shape();

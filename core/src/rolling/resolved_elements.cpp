@@ -76,13 +76,18 @@ SteadySolution on_equal(const SteadyProblem& problem) {
     by_elements.grid = Grid({.half_width = problem.grid.half_width(), .elements = elements});
     return solve_steady(by_elements);
   };
+  // Between elements that do not resolve a bound, the answer changes without a rule, and may by chance
+  // change little once: the larger one of the last two changes is the evidence.
   Index elements = std::max(fewest_equal, problem.grid.size());
   SteadySolution coarse = solve(elements / 2);
+  double former_change = change_of_answer(problem.load, solve(elements / 4), coarse);
   for (;; elements *= 2) {
     SteadySolution fine = solve(elements);
-    fine.evidence.change = change_of_answer(problem.load, coarse, fine);
+    const double change = change_of_answer(problem.load, coarse, fine);
+    fine.evidence.change = std::max(change, former_change);
     if (fine.evidence.change > small_change && 2 * elements <= most_equal) {
       coarse = std::move(fine);
+      former_change = change;
       continue;
     }
     const double step = fine.x.size() > 1 ? fine.x[1] - fine.x[0] : 2 * problem.grid.half_width();
