@@ -13,7 +13,7 @@ SAMPLE ?= carter wiggle_spectrum basis_convergence smoothing
 VERSION = $(shell sed -n 's/^project.microslip VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 READERS := $(patsubst fuzz/targets/%.cpp,%,$(wildcard fuzz/targets/*.cpp))
 STUDIES := $(patsubst studies/%/study.info,%,$(wildcard studies/*/study.info))
-SOURCES = $(shell find core thesis capi python experiments program apps studies bench examples tests tools fuzz \
+SOURCES = $(shell find core scene thesis capi python experiments program apps studies bench examples tests tools fuzz \
   -name '*.[ch]pp' -o -name '*.[ch]')
 
 .PHONY: help deps build install package docs figures report article claim claims archive verify-archive quick bench test verify references accuracy coverage mutants sanitize fuzz keep-corpus \
@@ -34,7 +34,7 @@ help:
 	@echo 'make verify       two clean builds: the same bytes; these, and other instructions and compilers: agreement with tests/reference_tables'
 	@echo 'make references   make the tables of this build those of tests/reference_tables'
 	@echo 'make accuracy     the orders that the tests measure, into docs/accuracy.md'
-	@echo 'make coverage     the lines of core that the tests run; at least 95 %'
+	@echo 'make coverage     the lines of core and scene that the tests run; at least 95 %'
 	@echo 'make mutants      which test fails for each change of tests/mutants.tsv; MUTANTS="NAME ..." for some'
 	@echo 'make sanitize     the tests of units and of the C interface, and the corpus, under the address and undefined-behaviour sanitizers; those of threads under the thread sanitizer'
 	@echo 'make fuzz         libFuzzer on every reader of input, FUZZ_SECONDS=$(FUZZ_SECONDS) each, with both sanitizers'
@@ -165,7 +165,7 @@ coverage:
 	@$(call cmake_build,coverage,--target unit_tests order_tests reference_tests robustness_tests programs)
 	find build/coverage -name '*.gcda' -delete
 	ctest --preset coverage -j $(JOBS)
-	gcovr --root . --filter core/ --exclude-throw-branches --fail-under-line 95 build/coverage
+	gcovr --root . --filter core/ --filter scene/ --exclude-throw-branches --fail-under-line 95 build/coverage
 
 # In a copy of the tree; no part of the tests, as each mutant takes ten to fifty seconds.
 mutants: deps

@@ -1,5 +1,5 @@
-# These files find the installed libraries: for CMake with the targets microslip::core and microslip::c,
-# and for pkg-config with the target of C. All can be moved together.
+# These files find the installed libraries: for CMake with the targets microslip::core, microslip::scene and
+# microslip::c, and for pkg-config with the target of C. All can be moved together.
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/microslip)
 foreach(component core c)

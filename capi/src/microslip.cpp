@@ -9,7 +9,7 @@
 #include <string>
 
 #include "handle.hpp"
-#include "microslip/scene/text.hpp"
+#include "microslip/support/text.hpp"
 #include "microslip/support/require.hpp"
 #include "microslip/support/shown.hpp"
 #include "problem.hpp"

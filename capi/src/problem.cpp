@@ -75,7 +75,7 @@ TransientProblem make_problem(const microslip_material& material, const microsli
   require(beta == 0 || kernel.type == MICROSLIP_PLANE, "kernel type", kernel.type,
           "1, plane strain, for bodies of different material");
   TransientProblem problem = make_problem(material, contact, kernel, grid);
-  problem.pressure_strain = pressure_strain({material_of(problem.kernel), beta}, friction);
+  problem.pressure_strain = pressure_strain({problem.kernel.material(), beta}, friction);
   problem.coupling = beta * friction;
   return problem;
 }

@@ -21,7 +21,7 @@ constexpr int exact_points = 1001;
 const std::string exact_only = "as errors are differences to Carter's solution";
 
 Carter exact_solution(const SteadyProblem& problem) {
-  const Material& material = material_of(problem.kernel);
+  const Material& material = problem.kernel.material();
   const auto& bound = std::get<HertzBound>(problem.bound);
   if (const auto* force = std::get_if<PrescribedForce>(&problem.load)) {
     return Carter::from_force(material, bound, force->value);
@@ -103,8 +103,8 @@ CarterParameters read_carter(Scene& scene) {
   }
   const std::vector<double> step_ratios = scene.numbers("step.ratios");
   const SteadyProblem problem = read_steady(scene, Differences{});
-  if (!std::holds_alternative<PlaneKernel>(problem.kernel)) {
-    reject("kernel.type", name_of(problem.kernel), "plane without a layer, " + exact_only);
+  if (!problem.kernel.is_plane()) {
+    reject("kernel.type", problem.kernel.name(), "plane without a layer, " + exact_only);
   }
   if (!std::holds_alternative<HertzBound>(problem.bound)) {
     throw BadParameter("contact.bound_polynomial",

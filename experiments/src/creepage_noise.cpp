@@ -119,7 +119,7 @@ double predicted_noise(const CattaneoToCarter& rolling, const Noise& measured, d
   const double a = rolling.bound.half_width();
   const double dx = rolling.grid.spacing();
   // A rigid strip carries a unit force: the displacement at a distance, relative to the strip.
-  const double yielding = compliance(material_of(rolling.kernel)) / std::numbers::pi *
+  const double yielding = compliance(rolling.kernel.material()) / std::numbers::pi *
                           std::acosh((2 - measured.adhesion) / measured.adhesion);
   const double force = std::sqrt(2 / a) * rolling.bound.peak() * dx * std::sqrt(dx);
   const auto excess = [&](double q) {

@@ -63,9 +63,10 @@ constexpr double springs_alone = 1e8;
 
 Creepage under_springs(const ExtremesParameters& p, const SteadyProblem& problem, double layer) {
   const double force = std::abs(std::get<PrescribedForce>(problem.load).value);
-  const double exact = layer >= springs_alone
-                           ? brush_creepage(Brush(layer_compliance(problem.kernel), p.bound), force)
-                           : by_fine_elements(problem);
+  const double exact =
+      layer >= springs_alone
+          ? brush_creepage(Brush(problem.kernel.layer_compliance(), p.bound), force)
+          : by_fine_elements(problem);
   return {exact, exact};
 }
 

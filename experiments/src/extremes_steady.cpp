@@ -78,8 +78,8 @@ double relative(double value, double exact, double scale) {
   return std::abs(value - exact) / (exact == 0 ? scale : std::abs(exact));
 }
 
-Finding solve(const SteadyChoice& scheme, const Setting& setting, const Grid& grid, double step_ratio,
-              const Load& load) {
+Finding solve(const SteadyChoice& scheme, const Setting& setting, const Grid& grid,
+              double step_ratio, const Load& load) {
   const SteadySolution found = solve_steady(solved_by(*scheme.entry,
                                                       {.kernel = setting.kernel,
                                                        .bound = setting.bound,
@@ -91,7 +91,7 @@ Finding solve(const SteadyChoice& scheme, const Setting& setting, const Grid& gr
   const bool by_force = std::holds_alternative<PrescribedForce>(load);
   Finding finding = finding_of(
       found, by_force ? relative(found.creepage, truth.creepage,
-                                 compliance(material_of(setting.kernel)) * setting.bound.peak())
+                                 compliance(setting.kernel.material()) * setting.bound.peak())
                       : relative(found.force, truth.force, setting.bound.total()));
   finding.wiggle = wiggle_of(found.traction - truth.at(found.x)) / setting.bound.peak();
   return finding;
@@ -169,7 +169,8 @@ Map steps_map(const ExtremesParameters& p) {
     if (!scheme.entry->safe_steps) continue;
     for (const double c : p.steps.ratios) add(scheme, c, p.steps.sizes);
   }
-  for (const SteadyChoice& scheme : schemes_except({"standard quadratic", "known_edge", "trimmed"})) {
+  for (const SteadyChoice& scheme :
+       schemes_except({"standard quadratic", "known_edge", "trimmed"})) {
     if (!scheme.entry->safe_steps) continue;
     for (const double c : p.steps.ratios_of_large) add_large(scheme, c);
   }
@@ -192,7 +193,8 @@ Map widths_map(const ExtremesParameters& p) {
     for (const double width : p.widths.ratios) {
       const Kernel kernel = StripKernel({p.material.shear_modulus, nu}, width * dx);
       const Setting setting{kernel, p.bound, strip_truth(kernel, p.bound, p)};
-      for (const SteadyChoice& scheme : schemes_except({"standard quadratic", "known_edge", "trimmed"})) {
+      for (const SteadyChoice& scheme :
+           schemes_except({"standard quadratic", "known_edge", "trimmed"})) {
         map.cases.push_back(case_of(scheme, setting, grid_of(p, p.elements), 1, {width, nu}));
       }
     }

@@ -96,7 +96,7 @@ class Motions {
 
  private:
   double tiny() const { return p_.adhesion_amplitude; }
-  double log_compliance() const { return log_factor(p_.plane); }
+  double log_compliance() const { return p_.plane.log_factor(); }
 
   const FrequencyResponseParameters& p_;
   double a_;

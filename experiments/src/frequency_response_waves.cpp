@@ -179,7 +179,7 @@ class Campaign {
 
  private:
   static std::string kernel_name(const Kernel& kernel) {
-    return std::holds_alternative<PlaneKernel>(kernel) ? "plane" : "strip";
+    return kernel.is_plane() ? "plane" : "strip";
   }
 
   double sliding() const { return compliance(p_.plane.material()) * p_.bound.peak(); }

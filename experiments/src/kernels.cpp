@@ -67,7 +67,7 @@ SteadySolution rolled(const Parameters& p, const Kernel& kernel, Index elements,
 /// |dF/dw| where next to nothing slips  [N/mm]
 double slope_of(const Parameters& p, const Kernel& kernel) {
   const double creepage =
-      1e-6 * (compliance(p.material) + layer_compliance(kernel) / p.bound.half_width()) *
+      1e-6 * (compliance(p.material) + kernel.layer_compliance() / p.bound.half_width()) *
       p.bound.peak();
   return -rolled(p, kernel, p.elements, PrescribedCreepage{creepage}).force / creepage;
 }
@@ -90,7 +90,7 @@ struct Curves {
 double exact_force_ratio(const Parameters& p, const Yielding& of, double creepage) {
   if (of.name == "layer") return not_given;
   const double force = of.name == "brush"
-                           ? Brush(layer_compliance(of.kernel), p.bound).force(creepage)
+                           ? Brush(of.kernel.layer_compliance(), p.bound).force(creepage)
                            : Carter::from_creepage(p.material, p.bound, creepage).force();
   return -force / sliding_force(p);
 }

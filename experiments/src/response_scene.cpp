@@ -56,8 +56,8 @@ std::optional<double> wavelength(Scene& scene, const std::string& key) {
 
 /// Refuses a narrow strip under a smooth bound in words that do not name other methods.
 InvertedRolling rolling_of(const SteadyContact& contact) {
-  if (!is_half_space(contact.kernel)) {
-    refuse(fmt::format("its kernel is {}, not a half-space", name_of(contact.kernel)));
+  if (!contact.kernel.is_half_space()) {
+    refuse(fmt::format("its kernel is {}, not a half-space", contact.kernel.name()));
   }
   try {
     return {contact.kernel, contact.bound};

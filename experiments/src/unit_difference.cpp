@@ -11,7 +11,7 @@ std::vector<NamedShape> uniform_shapes(const std::string& which) {
 }
 
 double difference_unit(const Kernel& kernel, double spacing) {
-  return compliance(material_of(kernel)) * spacing;
+  return compliance(kernel.material()) * spacing;
 }
 
 Toeplitz unit_difference(const Kernel& kernel, const ShapeFunction& shape, double spacing,

@@ -114,14 +114,13 @@ Table crossing_table(const Parameters& p) {
   for (const auto& [name, shape] : uniform_shapes()) {
     const auto add = [&, &name = name, &shape = shape](const std::string& kind,
                                                        const Kernel& kernel) {
-      const double width =
-          std::visit([&](const auto& k) { return 2 * k.clear_distance() / p.spacing; }, kernel);
+      const double width = 2 * kernel.clear_distance() / p.spacing;
       const double c = diagonal_crossing(kernel, shape, p.spacing);
       table.add({name, kind, width, c, diagonals(kernel, shape, p.spacing, c).main});
     };
     add("scene", p.kernel);
     for (const double width : p.strip_widths) {
-      add("strip", StripKernel(material_of(p.kernel), width * p.spacing));
+      add("strip", StripKernel(p.kernel.material(), width * p.spacing));
     }
   }
   return table;
@@ -170,7 +169,7 @@ std::pair<Table, Table> spectrum_tables(const Parameters& p, const Progress& pro
         values.add({name, c, value.real() / c, value.imag() / c});
       }
       const double least = least_magnitude(Symbol::of_strain(p.kernel, shape, p.spacing, c)) /
-                           compliance(material_of(p.kernel));
+                           compliance(p.kernel.material());
       spectrum.add({name, c, condition(b), condition(difference(p, shape, p.elements + 1, c)),
                     found.imag().cwiseAbs().sum() / found.real().cwiseAbs().sum(), least});
       progress(spectrum.rows(), 2 * steps.size());

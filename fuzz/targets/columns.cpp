@@ -4,7 +4,7 @@
 
 #include <sstream>
 
-#include "microslip/scene/text.hpp"
+#include "microslip/support/text.hpp"
 #include "models.hpp"
 
 namespace {

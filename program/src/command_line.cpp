@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "microslip/program/memory.hpp"
-#include "microslip/scene/text.hpp"
+#include "microslip/support/text.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/shown.hpp"
 #include "provenance.hpp"

@@ -10,7 +10,7 @@
 #include <map>
 #include <stdexcept>
 
-#include "microslip/scene/text.hpp"
+#include "microslip/support/text.hpp"
 #include "microslip/scene/units.hpp"
 #include "outputs.hpp"
 

@@ -13,13 +13,12 @@ namespace microslip::program {
 namespace {
 
 std::optional<Carter> carter(const SteadyContact& contact) {
-  const auto* plane = std::get_if<PlaneKernel>(&contact.kernel);
   const auto* hertz = std::get_if<HertzBound>(&contact.bound);
-  if (plane == nullptr || hertz == nullptr) return std::nullopt;
+  if (!contact.kernel.is_plane() || hertz == nullptr) return std::nullopt;
   if (const auto* force = std::get_if<PrescribedForce>(&contact.load)) {
-    return Carter::from_force(plane->material(), *hertz, force->value);
+    return Carter::from_force(contact.kernel.material(), *hertz, force->value);
   }
-  return Carter::from_creepage(plane->material(), *hertz,
+  return Carter::from_creepage(contact.kernel.material(), *hertz,
                                std::get<PrescribedCreepage>(contact.load).value);
 }
 

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "command_line.hpp"
-#include "microslip/scene/text.hpp"
+#include "microslip/support/text.hpp"
 #include "microslip/support/checksum.hpp"
 #include "sweep_plan.hpp"
 

@@ -10,7 +10,7 @@
 #include "command_line.hpp"
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/sweep.hpp"
-#include "microslip/scene/text.hpp"
+#include "microslip/support/text.hpp"
 #include "microslip/support/checksum.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/shown.hpp"

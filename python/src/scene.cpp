@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "microslip/scene/model.hpp"
-#include "microslip/scene/text.hpp"
+#include "microslip/support/text.hpp"
 
 namespace microslip::python {
 

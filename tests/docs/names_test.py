@@ -11,7 +11,7 @@ THEORY = ROOT / "docs/theory.md"
 FOLDERS = sorted(folder.name for folder in (ROOT / "tests").iterdir() if folder.is_dir())
 FILE = rf"\b(?:tests/)?(?!\w+/NAME_)((?:{'|'.join(FOLDERS)})/\w+_test)(\.cpp|\.py)?\b"
 NAME = r"`([A-Z]\w+)\.([A-Z]\w+)`"
-PLACES = ("", "core/include/microslip", "core/src", "docs", "tests", "experiments/include/microslip",
+PLACES = ("", "core/include/microslip", "core/src", "scene/include/microslip", "scene/src", "docs", "tests", "experiments/include/microslip",
           "experiments/src", "thesis/include/microslip", "capi/include")
 
 

@@ -26,11 +26,13 @@ double creepage(const SteadyContact& contact, Index elements, const SteadyMethod
 
 /// In closed form, for tables and plane strain with one zone of stick and of slip.
 std::optional<double> closed_form(const SteadyContact& contact) {
-  const auto* kernel = std::get_if<PlaneKernel>(&contact.kernel);
   const auto* table = std::get_if<TabulatedBound>(&contact.bound);
-  if (kernel == nullptr || table == nullptr) return std::nullopt;
+  const Kernel& kernel = contact.kernel;
+  if (!kernel.is_plane() || table == nullptr) return std::nullopt;
   const double force = std::get<PrescribedForce>(contact.load).value;
-  const auto solution = TableClosedForm(*kernel, *table).solve(std::abs(force));
+  const auto solution =
+      TableClosedForm(PlaneKernel(kernel.material(), *kernel.plane_length()), *table)
+          .solve(std::abs(force));
   if (!solution) return std::nullopt;
   return force < 0 ? solution->creepage : -solution->creepage;
 }
@@ -51,7 +53,9 @@ struct Truth {
   }
 
   void extrapolate(const SteadyContact& contact) {
-    const auto of = [&](Index n) { return generated_contacts_test::creepage(contact, n, Differences{}); };
+    const auto of = [&](Index n) {
+      return generated_contacts_test::creepage(contact, n, Differences{});
+    };
     const double coarse = of(800), fine = of(1600);
     const double other = 2 * of(1893) - of(947);
     creepage = 2 * fine - coarse;

@@ -79,7 +79,7 @@ TEST(GeneratedKernels, EstimatesOfErrorsHold) {
     // A closed form is better than these elements, which have an error of their own.
     const bool is_closed = found.solution.scheme == SteadyScheme::closed_form;
     held += error <= (is_closed ? target : found.error) ? 1 : 0;
-    EXPECT_LE(error, 3 * target) << i << " " << kind << " " << name_of(contact.kernel);
+    EXPECT_LE(error, 3 * target) << i << " " << kind << " " << contact.kernel.name();
   }
   EXPECT_GE(held, count - 1);
 }
@@ -106,7 +106,7 @@ TEST(GeneratedKernels, RollingLeadsToTheSteadyState) {
     while (rolling.state().distance < 10 * half_width) {
       rolling.step(dx * (0.2 + 2 * uniform(random)), PrescribedForce{force});
     }
-    EXPECT_NEAR(rolling.state().creepage / steady.creepage, 1, 3e-4) << i << " " << name_of(kernel);
+    EXPECT_NEAR(rolling.state().creepage / steady.creepage, 1, 3e-4) << i << " " << kernel.name();
     EXPECT_NEAR(rolling.state().dissipation / (-force * steady.creepage), 1, 3e-4) << i;
   }
 }

@@ -153,8 +153,7 @@ TEST_P(GeneratedStates, GoOnToTheBit) {
   int changes = 0, errors = 0;
   for (int i = 0; i < cases; ++i) {
     const auto [kind, contact] = generator.next();
-    const auto* plane = std::get_if<PlaneKernel>(&contact.kernel);
-    if (plane != nullptr && plane->length() < 2 * half_width) continue;
+    if (contact.kernel.plane_length().value_or(HUGE_VAL) < 2 * half_width) continue;
     const TransientProblem problem{.kernel = contact.kernel,
                                    .bound = contact.bound,
                                    .grid = Grid({.half_width = half_width, .elements = n}),

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "microslip/scene/text.hpp"
+#include "microslip/support/text.hpp"
 #include "scene_text.hpp"
 
 namespace microslip::generated_tables_test {

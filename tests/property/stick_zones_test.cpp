@@ -100,8 +100,8 @@ class GeneratedTable {
 /// formula with the inversion.
 Kernel with_hard_layer(const Kernel& kernel) {
   constexpr double hard = 1e-10;
-  if (const auto* strip = std::get_if<StripKernel>(&kernel)) return LayeredKernel(*strip, hard);
-  return LayeredKernel(std::get<PlaneKernel>(kernel), hard);
+  return visit_half_space([&](const auto& of) -> Kernel { return LayeredKernel(of, hard); },
+                          kernel);
 }
 
 /// Graded elements are the oracle. Equal ones are none: 8192 of them are 14 % off under some of these

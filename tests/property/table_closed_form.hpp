@@ -27,7 +27,7 @@ class TableClosedForm {
   };
 
   TableClosedForm(const PlaneKernel& kernel, const TabulatedBound& bound)
-      : k_(log_factor(Kernel(kernel))),
+      : k_(kernel.log_factor()),
         a_(bound.half_width()),
         t_(bound.x().array() + a_),
         g_(bound.values()) {}

@@ -19,10 +19,7 @@ ChebyshevTraction some_traction() {
 
 /// u by adaptive quadrature over both sides of x.
 double integrated_displacement(const Kernel& kernel, const ChebyshevTraction& p, double x) {
-  const auto integrand = [&](double y) {
-    return p(y) *
-           std::visit([&](const auto& k) { return k.displacement(std::abs(x - y)); }, kernel);
-  };
+  const auto integrand = [&](double y) { return p(y) * kernel.displacement(std::abs(x - y)); };
   if (x <= p.begin() || x >= p.end()) return integrate(integrand, p.begin(), p.end(), 1e-10);
   return integrate(integrand, p.begin(), x, 1e-10) + integrate(integrand, x, p.end(), 1e-10);
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "microslip/scene/model.hpp"
-#include "microslip/scene/text.hpp"
+#include "microslip/support/text.hpp"
 #include "scene_text.hpp"
 
 namespace microslip::columns_test {

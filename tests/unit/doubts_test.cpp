@@ -181,7 +181,7 @@ TEST(Doubts, DifferencesNearFullSliding) {
         ratio));
     const auto problem = std::get<SteadyProblem>(read_model(scene));
     const double exact =
-        Carter::from_force(material_of(problem.kernel), std::get<HertzBound>(problem.bound),
+        Carter::from_force(problem.kernel.material(), std::get<HertzBound>(problem.bound),
                            std::get<PrescribedForce>(problem.load).value)
             .creepage();
     double error = 0;

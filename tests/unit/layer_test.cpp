@@ -429,7 +429,7 @@ TEST(Layer, KeepsItsConditionsInShortSteps) {
       const double dx = 2 * hertz.half_width() / 50;
       for (double q = 0; q < 3 * hertz.half_width(); q += step * dx) {
         contact.step(step * dx, PrescribedForce{force});
-        EXPECT_LT(contact.state().evidence.violation(), 5e-3) << name_of(kernel) << " " << q;
+        EXPECT_LT(contact.state().evidence.violation(), 5e-3) << kernel.name() << " " << q;
       }
     }
   }

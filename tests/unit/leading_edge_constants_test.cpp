@@ -56,7 +56,7 @@ TEST(LeadingEdgeConstants, TheNextNodeSlipsByTheCompliance) {
   const Eigen::VectorXd traction = equations.lu().solve(Eigen::VectorXd::Constant(n, -1));
   const double slip = 1 + strain.row(n).head(n) * traction;
   const double e0 = leading_edge_constants(constant_basis()).compliance;
-  EXPECT_NEAR(slip / (-traction[n - 1] * compliance(material_of(Kernel(kernel)))), e0, 5e-3 * e0);
+  EXPECT_NEAR(slip / (-traction[n - 1] * compliance(kernel.material())), e0, 5e-3 * e0);
 }
 
 // In the same long row, the scheme does not give the square root itself next to the edge.

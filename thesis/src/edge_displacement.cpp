@@ -42,7 +42,7 @@ double under_ellipses(const StripKernel& kernel, double half_width, const Carter
 /// The integral of sin^2(t) ln(1 - cos(t)) over [0, pi] is (pi/2) (1/2 - ln 2).
 double under_ellipses(const PlaneKernel& kernel, double half_width, const Carter& carter) {
   const double stick = carter.stick_ratio();
-  const double factor = log_factor(kernel);
+  const double factor = kernel.log_factor();
   const double whole = kernel.displacement(half_width / 2) - factor / 2;
   const double removed = stick > 0 ? stick * stick * std::log1p(-carter.slip_ratio()) : 0;
   return half_width * half_width * pi / 2 *

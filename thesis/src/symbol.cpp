@@ -98,7 +98,7 @@ Symbol::Symbol(const Kernel& kernel, const ShapeFunction& shape, double spacing,
     return influence_difference(kernel, shape, spacing, k, step_ratio) / (step_ratio * spacing);
   };
   for (int k = 1 - first_; k < first_; ++k) near_.push_back(coefficient(k));
-  add_panels(clear_distance(kernel) / spacing, heights_, weights_);
+  add_panels(kernel.clear_distance() / spacing, heights_, weights_);
   ahead_.first = coefficient(first_);
   behind_.first = coefficient(-first_);
   for (const double y : heights_) {

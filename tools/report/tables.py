@@ -37,7 +37,7 @@ class Table:
 
 
 def read_table(path):
-    """A table as core/src/scene/table.cpp writes it."""
+    """A table as scene/src/table.cpp writes it."""
     def bad(expected):
         return ReportError(f"{path}: not a whole table: expected {expected}")
 

@@ -66,12 +66,12 @@ VectorXd chebyshev_values(double t, Index size) {
 }  // namespace
 
 ChebyshevField::ChebyshevField(const Kernel& kernel, const ChebyshevTraction& traction)
-    : kernel_(kernel), traction_(traction), log_strain_(log_factor(kernel) * std::numbers::pi) {
+    : kernel_(kernel), traction_(traction), log_strain_(kernel.log_factor() * std::numbers::pi) {
   require_half_space(kernel, "Chebyshev collocation");
-  const double clear = clear_distance(kernel) / traction.half_length();
+  const double clear = kernel.clear_distance() / traction.half_length();
   Index count = traction.coefficients().size();
   if (std::isfinite(clear)) {
-    require(2 * clear >= narrowest, "width", 2 * clear_distance(kernel),
+    require(2 * clear >= narrowest, "width", 2 * kernel.clear_distance(),
             "at least 0.02 half-widths of the contact, or the scheme standard");
     count += static_cast<Index>(20 + 20 / clear);
   }

@@ -28,20 +28,14 @@ struct Reach {
 };
 
 /// Length over which a kernel's decay has no more waves than 15 Gauss points integrate  [dx]
-template <class K>
-double longest_panel_of(const K&, double) {
-  return std::numeric_limits<double>::infinity();
-}
-
-double longest_panel_of(const SymbolKernel& kernel, double spacing) {
-  constexpr double shortest = 0.005;
-  const double longest = kernel.longest_panel() / spacing;
-  require(longest >= shortest, "wave_number",
-          kernel.wave_numbers()[kernel.wave_numbers().size() - 1], [&] {
-            return fmt::format("at most {} with elements of {} mm", format_short(1000 / spacing),
-                               format_short(spacing));
-          });
-  return longest;
+double longest_panel_of(double largest_wave_number, double spacing) {
+  constexpr double longest_phase = 5;
+  constexpr double most_waves = 1000;
+  require(largest_wave_number * spacing <= most_waves, "wave_number", largest_wave_number, [&] {
+    return fmt::format("at most {} with elements of {} mm", format_short(most_waves / spacing),
+                       format_short(spacing));
+  });
+  return longest_phase / (largest_wave_number * spacing);
 }
 
 /// Integral of decay(dx z) weight(t) over one polynomial piece of the weight; if the piece begins
@@ -54,7 +48,7 @@ double integrate_piece(const K& kernel, double spacing, double gap, double begin
   using boost::math::quadrature::gauss;
   const auto integrand = [&](double t) { return kernel.decay(spacing * (gap + t)) * weight(t); };
   const double clear = kernel.clear_distance() / spacing;
-  const double longest = longest_panel_of(kernel, spacing);
+  const double longest = longest_panel_of(kernel.largest_wave_number(), spacing);
   const bool regular_at_zero = gap + begin == 0;
   double sum = 0;
   for (double t = begin; t < end;) {
@@ -79,11 +73,7 @@ double integrate_decay(const Kernel& kernel, double spacing, Reach reach, const 
     }
     return sum;
   };
-  return std::visit(integrate, kernel);
-}
-
-double displacement(const Kernel& kernel, double distance) {
-  return std::visit([&](const auto& k) { return k.displacement(distance); }, kernel);
+  return kernel.visit(integrate);
 }
 
 bool is_constant(const ShapeFunction& shape) {
@@ -107,7 +97,7 @@ double felt_difference(const ShapeFunction& shape, double offset, double shift) 
 
 double spread_influence(const Kernel& kernel, const ShapeFunction& shape, double spacing,
                         double offset) {
-  if (std::holds_alternative<WinklerKernel>(kernel)) return 0;
+  if (!kernel.spreads()) return 0;
   // Integration by parts of K(|offset - s|) shape(s): the weight is the traction within a distance
   // z of the point, which at the farthest breakpoint is all of it. All shapes are reached from
   // either side by the same rule, so a point beyond the support is mirrored to its right.
@@ -116,7 +106,7 @@ double spread_influence(const Kernel& kernel, const ShapeFunction& shape, double
   const auto by_parts = [&](const Reach& reach, const auto& weight) {
     const double farthest =
         reach.gap + *std::max_element(reach.breakpoints.begin(), reach.breakpoints.end());
-    return spacing * (displacement(kernel, spacing * farthest) * shape.weight() +
+    return spacing * (kernel.displacement(spacing * farthest) * shape.weight() +
                       spacing * integrate_decay(kernel, spacing, reach, weight));
   };
   if (offset >= last) {
@@ -139,7 +129,7 @@ double spread_influence(const Kernel& kernel, const ShapeFunction& shape, double
 
 double spread_difference(const Kernel& kernel, const ShapeFunction& shape, double spacing,
                          double offset, double shift) {
-  if (std::holds_alternative<WinklerKernel>(kernel)) return 0;
+  if (!kernel.spreads()) return 0;
   // Integration by parts of both weights leaves the tractions that an interval of length `shift`
   // covers at a distance z on either side.
   const double first = shape.breakpoints().front();
@@ -185,14 +175,14 @@ double spread_difference(const Kernel& kernel, const ShapeFunction& shape, doubl
 
 double influence(const Kernel& kernel, const ShapeFunction& shape, double spacing, double offset) {
   const double spread = spread_influence(kernel, shape, spacing, offset);
-  const double compliance = layer_compliance(kernel);
+  const double compliance = kernel.layer_compliance();
   return compliance == 0 ? spread : spread + compliance * felt(shape).value(offset);
 }
 
 double influence_difference(const Kernel& kernel, const ShapeFunction& shape, double spacing,
                             double offset, double shift) {
   const double spread = spread_difference(kernel, shape, spacing, offset, shift);
-  const double compliance = layer_compliance(kernel);
+  const double compliance = kernel.layer_compliance();
   return compliance == 0 ? spread : spread + compliance * felt_difference(shape, offset, shift);
 }
 

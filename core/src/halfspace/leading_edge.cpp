@@ -153,8 +153,8 @@ double LeadingEdgeConstants::value(Eigen::Index j, double fraction) const {
 }
 
 double softness(const Kernel& kernel, double spacing) {
-  const double compliance = layer_compliance(kernel);
-  return compliance == 0 ? 0 : compliance / (pi * log_factor(kernel) * spacing);
+  const double compliance = kernel.layer_compliance();
+  return compliance == 0 ? 0 : compliance / (pi * kernel.log_factor() * spacing);
 }
 
 LeadingEdgeConstants leading_edge_constants(const Basis& basis, double softness) {

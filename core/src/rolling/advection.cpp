@@ -40,7 +40,7 @@ Advection::Advection(Kernel kernel, Basis basis, double spacing, Index elements,
   if (basis_.shapes().size() != 1) {
     reject("basis", basis_.name(), "equal functions at all nodes for fractional powers");
   }
-  if (std::holds_alternative<WinklerKernel>(kernel_)) {
+  if (!kernel_.spreads()) {
     reject("scheme", "fractional",
            "another scheme with kernel winkler, which knows nothing of the material between nodes");
   }

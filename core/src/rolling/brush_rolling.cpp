@@ -171,7 +171,7 @@ double growth_under(const RollingBrush& brush, double force, double half_width) 
 }  // namespace
 
 SteadySolution solve_brush(const SteadyProblem& problem) {
-  const double compliance = std::get<WinklerKernel>(problem.kernel).compliance();
+  const double compliance = problem.kernel.layer_compliance();
   const double a = half_width_of(problem.bound);
   const double full_sliding = full_sliding_force(problem.bound);
   const auto* prescribed = std::get_if<PrescribedForce>(&problem.load);

@@ -85,7 +85,10 @@ Evidence ChebyshevSolution::evidence() const {
 }
 
 ChebyshevRolling::ChebyshevRolling(const Kernel& kernel, const TractionBound& bound, Index unknowns)
-    : kernel_(kernel), sliding_(sliding_field_of(kernel, bound)), unknowns_(unknowns), fixed_(true) {
+    : kernel_(kernel),
+      sliding_(sliding_field_of(kernel, bound)),
+      unknowns_(unknowns),
+      fixed_(true) {
   require(unknowns >= 1 && unknowns <= most_unknowns, "unknowns", static_cast<double>(unknowns),
           "1 to 64");
   tabulate();
@@ -141,7 +144,7 @@ void ChebyshevRolling::tabulate() {
 
 ChebyshevRolling::Zone ChebyshevRolling::zone(double stick_edge) const {
   const Index n = unknowns_;
-  const double compliance = log_factor(kernel_) * pi;
+  const double compliance = kernel_.log_factor() * pi;
   const double end = sliding_.traction().end();
   const double centre = (stick_edge + end) / 2;
   const double half_length = (end - stick_edge) / 2;
@@ -149,7 +152,7 @@ ChebyshevRolling::Zone ChebyshevRolling::zone(double stick_edge) const {
   // The equations are divided by the compliance; the unknowns are the coefficients and creepage /
   // compliance.
   MatrixXd matrix = strains_;
-  if (std::isfinite(clear_distance(kernel_))) {
+  if (std::isfinite(kernel_.clear_distance())) {
     count_work(std::pow(n + 1, 2) * (kernel_work + 2 * static_cast<double>(n)));
     const auto decays = [&](const auto& kernel) -> MatrixXd {
       return MatrixXd::NullaryExpr(n + 1, n, [&](Index i, Index j) {

@@ -65,7 +65,7 @@ FrequencyResponse::Series::Series(const Kernel& kernel, double half_length, Inde
   for (Index j = 0; j < terms; ++j) {
     to_coefficients.row(j) /= j == 0 ? pi * std::log(2) : pi / static_cast<double>(j);
   }
-  const double k = log_factor(kernel);
+  const double k = kernel.log_factor();
   const double shift = std::log(half_length);
   MatrixXd regular(terms, terms);
   visit_half_space(
@@ -111,9 +111,9 @@ FrequencyResponse::FrequencyResponse(const Kernel& kernel, double begin, double 
   require_half_space(kernel, "the frequency response");
   require_positive("length of the stick zone", end - begin);
   require_positive("shortest", shortest);
-  const double most = definite_half_length(kernel);
-  if (const auto* plane = std::get_if<PlaneKernel>(&kernel)) {
-    require(half_length_ < most, "length", plane->length(), [&] {
+  const double most = kernel.definite_half_length();
+  if (kernel.is_plane()) {
+    require(half_length_ < most, "length", *kernel.plane_length(), [&] {
       return fmt::format(
           "more than {}, a quarter of the stick zone: with less, the bodies yield against their "
           "load",
@@ -125,7 +125,7 @@ FrequencyResponse::FrequencyResponse(const Kernel& kernel, double begin, double 
     });
     return;
   }
-  const double clear = clear_distance(kernel);
+  const double clear = kernel.clear_distance();
   const double of_strip = terms_of_strip(clear, half_length_);
   require(of_strip <= most_terms_of_strip, "width", 2 * clear, [&] {
     return fmt::format("at least {} with this stick zone",
@@ -146,10 +146,10 @@ Index FrequencyResponse::terms() const {
 }
 
 Complex FrequencyResponse::slope_of_wave(double wave_number) const {
-  const double scale = half_length_ / log_factor(kernel_);
+  const double scale = half_length_ / kernel_.log_factor();
   if (!series_.empty()) return scale * series_.back().slope(half_length_, wave_number);
   const double kappa = wave_number * half_length_;
-  const double lambda = std::log(2 * std::get<PlaneKernel>(kernel_).length() / half_length_);
+  const double lambda = std::log(2 * *kernel_.plane_length() / half_length_);
   return -scale / (adhesion_ratio(kappa) + Complex(0, kappa * lambda));
 }
 
@@ -166,7 +166,7 @@ double FrequencyResponse::estimated_error(double wavelength) const {
   const double wave_number = 2 * pi / wavelength;
   constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
   if (series_.empty()) return rounding * std::fmax(1, wave_number * half_length_);
-  const Complex scaled = exact * log_factor(kernel_) / half_length_;
+  const Complex scaled = exact * kernel_.log_factor() / half_length_;
   return std::abs(series_.front().slope(half_length_, wave_number) / scaled - 1.0);
 }
 

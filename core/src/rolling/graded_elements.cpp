@@ -71,13 +71,6 @@ void smooth(ElementEnds& ends) {
   }
 }
 
-/// The half-space of a kernel, without its layer.
-Kernel half_space_of(const Kernel& kernel) {
-  const auto* layered = std::get_if<LayeredKernel>(&kernel);
-  if (layered == nullptr) return kernel;
-  return std::visit([](const auto& of) -> Kernel { return of; }, layered->half_space());
-}
-
 /// Displacements at a place by unit tractions on each element of a half-space.
 VectorXd influences(const Kernel& half_space, double place, const VectorXd& x, const VectorXd& l) {
   count_work(2 * kernel_work * static_cast<double>(x.size()));
@@ -98,8 +91,8 @@ VectorXd influences(const Kernel& half_space, double place, const VectorXd& x, c
 MatrixXd strain_matrix(const Kernel& kernel, const VectorXd& x, const VectorXd& l) {
   const Index n = x.size();
   const VectorXd step = steps(x, l);
-  const Kernel half_space = half_space_of(kernel);
-  const double layer = layer_compliance(kernel);
+  const Kernel half_space = kernel.without_layer();
+  const double layer = kernel.layer_compliance();
   MatrixXd strain(n, n);
   VectorXd at = influences(half_space, x[0], x, l);
   for (Index i = 0; i < n; ++i) {
@@ -114,8 +107,8 @@ MatrixXd strain_matrix(const Kernel& kernel, const VectorXd& x, const VectorXd& 
 
 VectorXd displacement(const Kernel& kernel, const VectorXd& x, const VectorXd& l,
                       const VectorXd& traction) {
-  const Kernel half_space = half_space_of(kernel);
-  VectorXd u = layer_compliance(kernel) * traction;
+  const Kernel half_space = kernel.without_layer();
+  VectorXd u = kernel.layer_compliance() * traction;
   for (Index i = 0; i < x.size(); ++i) u[i] += influences(half_space, x[i], x, l).dot(traction);
   return u;
 }

@@ -230,9 +230,9 @@ const Kernel& half_space(const Kernel& kernel) {
 
 InvertedRolling::InvertedRolling(const Kernel& kernel, const TractionBound& bound, double fineness)
     : contact_(std::make_shared<InvertedContact>(half_space(kernel), bound, fineness)) {
-  if (std::holds_alternative<StripKernel>(kernel)) {
+  if (std::isfinite(kernel.clear_distance())) {
     constexpr double coarse = 0.4;
-    const PlaneKernel plane(material_of(kernel), 1);
+    const PlaneKernel plane(kernel.material(), 1);
     stages_.push_back({std::make_shared<InvertedContact>(plane, bound, 1), most_step});
     stages_.push_back({std::make_shared<InvertedContact>(kernel, bound, coarse), 0.1});
   }
@@ -240,7 +240,7 @@ InvertedRolling::InvertedRolling(const Kernel& kernel, const TractionBound& boun
 }
 
 std::optional<std::string> InvertedRolling::obstacle() const {
-  if (clear_distance(contact_->kernel) < narrowest_strip * contact_->half_width()) {
+  if (contact_->kernel.clear_distance() < narrowest_strip * contact_->half_width()) {
     return "the strip is too narrow for the inversion";
   }
   const auto* table = std::get_if<TabulatedBound>(&contact_->bound);

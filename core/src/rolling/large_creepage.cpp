@@ -14,10 +14,8 @@ double bound_strain(const TractionBound& bound, double shear_modulus) {
 }
 
 double bound_strain(const TractionBound& bound, const Kernel& kernel) {
-  const bool has_none =
-      std::holds_alternative<WinklerKernel>(kernel) || std::holds_alternative<SymbolKernel>(kernel);
-  return has_none ? std::numeric_limits<double>::infinity()
-                  : bound_strain(bound, material_of(kernel).shear_modulus);
+  return kernel.has_material() ? bound_strain(bound, kernel.material().shear_modulus)
+                               : std::numeric_limits<double>::infinity();
 }
 
 std::string doubt_of_creepage(double creepage, double bound_strain) {

@@ -74,10 +74,10 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
       problem_nodes_(problem.grid.nodes()),
       edge_(edge),
       kernel_(problem.kernel),
-      has_layer_(layer_compliance(problem.kernel) > 0),
+      has_layer_(problem.kernel.layer_compliance() > 0),
       solver_(problem.solver),
-      spring_{edge.compliance * (std::numbers::pi * log_factor(problem.kernel) * grid.spacing() +
-                                 layer_compliance(problem.kernel))},
+      spring_{edge.compliance * (std::numbers::pi * problem.kernel.log_factor() * grid.spacing() +
+                                 problem.kernel.layer_compliance())},
       exit_{0, spring_.of_mean(exit_share(edge))},
       stick_slip_point_(edge, exit_share(edge)) {
   require_filling(problem.grid, fewest_points, "where the material remembers its displacement");
@@ -105,12 +105,12 @@ std::unique_ptr<RollingGrid> RememberedGrid::clone() const {
 /// Sets the response on a contact of the given half-width (over the problem's) to tractions on the
 /// problem's contact: the kernel's lengths are divided by the half-width.
 void RememberedGrid::set_response(double half_width) {
-  if (std::holds_alternative<PlaneKernel>(kernel_)) {
-    const double common = -log_factor(kernel_) * std::log(half_width);
+  if (kernel_.is_plane()) {
+    const double common = -kernel_.log_factor() * std::log(half_width);
     next_.conditions.common = common;
     for (Step& slope : slopes_) slope.conditions.common = common;
   } else if (half_width != response_to_) {
-    const Kernel kernel = in_units_of(kernel_, half_width);
+    const Kernel kernel = kernel_.in_units_of(half_width);
     active_set_ = ActiveSet(
         influence_operator(kernel, constant_basis(), nodes_.spacing, nodes_.size, solver_),
         weights_, solver_);

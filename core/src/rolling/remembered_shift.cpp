@@ -45,8 +45,7 @@ RememberedGrid::StandingContact& RememberedGrid::standing() {
   VectorXd x(n);
   x << problem_x_, problem_x_[n - 2] + nodes_.spacing;
   const VectorXd lengths = VectorXd::Constant(n, nodes_.spacing);
-  const Kernel kernel =
-      std::holds_alternative<PlaneKernel>(kernel_) ? kernel_ : in_units_of(kernel_, response_to_);
+  const Kernel kernel = kernel_.is_plane() ? kernel_ : kernel_.in_units_of(response_to_);
   standing_ =
       StandingContact{.bound = element_means(traction_bound_, x, lengths),
                       .active_set = ActiveSet(

@@ -21,10 +21,6 @@ constexpr Index fewest_equal = 256;
 constexpr Index most_equal = 16384;
 constexpr double small_change = 2e-3;  // change from elements twice as long
 
-bool has_cheap_matrix(const Kernel& kernel) {
-  return is_half_space(kernel) || std::holds_alternative<LayeredKernel>(kernel);
-}
-
 /// Values at the nodes of the problem, by the element that holds the node.
 /// \param ends  of the elements of `fine`, ascending
 SteadySolution sampled(const SteadyProblem& problem, const SteadySolution& fine,
@@ -102,7 +98,7 @@ SteadySolution on_equal(const SteadyProblem& problem) {
 
 SteadySolution solve_on_resolved_elements(const SteadyProblem& problem, const std::string& why) {
   const auto& table = std::get<TabulatedBound>(problem.bound);
-  const bool graded = table.x().size() <= most_graded_rows && has_cheap_matrix(problem.kernel);
+  const bool graded = table.x().size() <= most_graded_rows && problem.kernel.has_material();
   SteadySolution solution = graded ? on_graded(problem) : on_equal(problem);
   solution.scheme = graded ? SteadyScheme::graded : SteadyScheme::calibrated;
   solution.fallback = why;

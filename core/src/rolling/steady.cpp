@@ -278,9 +278,9 @@ std::optional<SteadySolution> on_one_zone(const SteadyProblem& problem) {
 SteadySolution by_inversion(const SteadyProblem& problem) {
   if (problem.has_unlike_bodies()) return unlike_zones(problem);
   if (auto found = solve_by_inversion(problem)) return *found;
-  if (!is_half_space(problem.kernel)) {
+  if (!problem.kernel.is_half_space()) {
     return instead_of_inversion(
-        problem, fmt::format("the kernel is {}, not a half-space", name_of(problem.kernel)));
+        problem, fmt::format("the kernel is {}, not a half-space", problem.kernel.name()));
   }
   const auto why = InvertedRolling(problem.kernel, problem.bound).obstacle();
   return instead_of_inversion(problem,
@@ -343,8 +343,8 @@ double change_of_answer(const Load& load, const SteadySolution& coarse,
 
 void validate(const SteadyProblem& problem) {
   if (!problem.has_unlike_bodies()) return;
-  if (!std::holds_alternative<PlaneKernel>(problem.kernel)) {
-    reject("kernel", name_of(problem.kernel), "plane for bodies of different material");
+  if (!problem.kernel.is_plane()) {
+    reject("kernel", problem.kernel.name(), "plane for bodies of different material");
   }
   const auto* differences = std::get_if<Differences>(&problem.method);
   if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
@@ -358,8 +358,8 @@ void validate(const SteadyProblem& problem) {
 
 std::optional<SteadySolution> solve_by_inversion(const SteadyProblem& problem) {
   if (problem.has_unlike_bodies()) return std::nullopt;
-  if (std::holds_alternative<WinklerKernel>(problem.kernel)) return solve_brush(problem);
-  if (!is_half_space(problem.kernel)) return std::nullopt;
+  if (!problem.kernel.spreads()) return solve_brush(problem);
+  if (!problem.kernel.is_half_space()) return std::nullopt;
   if (auto found = on_one_zone(problem)) return found;
   return solve_by_zones(problem);
 }

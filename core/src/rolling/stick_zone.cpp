@@ -30,7 +30,7 @@ double terms_for(double clear, double half_length) { return 22 / std::asinh(clea
 constexpr double most_terms = 400;
 
 SlipSide::Panels panels_of(const InvertedContact& contact) {
-  return {.longest = clear_distance(contact.kernel), .fineness = contact.fineness};
+  return {.longest = contact.kernel.clear_distance(), .fineness = contact.fineness};
 }
 
 double one_norm(const MatrixXd& matrix) { return matrix.cwiseAbs().colwise().sum().maxCoeff(); }
@@ -59,7 +59,7 @@ StickZone::StickZone(std::shared_ptr<const InvertedContact> contact, double trai
       begin_(contact_->begin() + half_length_ * versine_of(trailing)),
       end_(contact_->end() - half_length_ * versine_of(leading)),
       trailing_(contact_->trailing, trailing, half_length_, panels_of(*contact_)),
-      log_factor_(log_factor(contact_->kernel)) {
+      log_factor_(contact_->kernel.log_factor()) {
   if (leading > 0) {
     leading_.emplace(contact_->leading, leading, half_length_, panels_of(*contact_));
   }
@@ -69,7 +69,7 @@ StickZone::StickZone(std::shared_ptr<const InvertedContact> contact, double trai
     creepage_ -= log_factor_ * leading_->load().sum();
     force_ += half_length_ * (leading_->load() * (1 + leading_->versine())).sum();
   }
-  if (std::isfinite(clear_distance(contact_->kernel))) add_regular_strain();
+  if (std::isfinite(contact_->kernel.clear_distance())) add_regular_strain();
 }
 
 /// Outward distance from b, or from c, over the half-length.
@@ -87,7 +87,7 @@ double StickZone::leading_root() const {
 /// cancel it there.
 void StickZone::add_regular_strain() {
   const double terms =
-      contact_->fineness * terms_for(clear_distance(contact_->kernel), half_length_);
+      contact_->fineness * terms_for(contact_->kernel.clear_distance(), half_length_);
   if (terms > most_terms) throw NotConverged("steady rolling: the strip is too narrow", 0, 1);
   const Index m = 6 + static_cast<Index>(terms);
   const double step = pi / static_cast<double>(m + 1);
@@ -163,7 +163,7 @@ void StickZone::add_regular_strain() {
 }
 
 void StickZone::complete() {
-  const double clear = clear_distance(contact_->kernel);
+  const double clear = contact_->kernel.clear_distance();
   if (!std::isfinite(clear)) return;
   condition_ = norm_ * one_norm(factors_->inverse());
   const double a = contact_->half_width();
@@ -289,7 +289,7 @@ double StickZone::displacement_at_end() const {
   };
   u += visit_half_space(regular, contact_->kernel);
   if (added_.size() > 0) {
-    const PlaneKernel plain(material_of(contact_->kernel), 1);
+    const PlaneKernel plain(contact_->kernel.material(), 1);
     u += ChebyshevField(plain, ChebyshevTraction(begin_, end_, added_)).displacement(end_);
   }
   return u;

@@ -37,8 +37,8 @@ ZonedContact::ZonedContact(const Kernel& of_kernel, const TractionBound& of_boun
     : kernel(of_kernel),
       bound(of_bound),
       rows(of_bound),
-      log_factor(microslip::log_factor(of_kernel)),
-      clear(clear_distance(of_kernel)),
+      log_factor(of_kernel.log_factor()),
+      clear(of_kernel.clear_distance()),
       longest(std::min(clear, rows.smooth() ? rows.half_width() / 40 : clear)) {}
 
 /// A stick or slip zone between two boundaries.
@@ -130,7 +130,8 @@ StickZones::Points StickZones::points_of(const std::vector<Interval>& intervals,
     while (begin < half) {
       const double to_row = row_ahead();
       double end = std::min(
-          begin == 0 ? length : begin + std::min((panel_growth - 1) * begin, contact_->longest), half);
+          begin == 0 ? length : begin + std::min((panel_growth - 1) * begin, contact_->longest),
+          half);
       const bool at_row = end >= to_row;
       if (at_row) end = std::min(to_row, half);
       const auto take = [&](double d, double weight) {

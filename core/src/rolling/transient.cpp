@@ -108,8 +108,8 @@ class Schedule {
 }  // namespace
 
 void validate(const TransientProblem& problem) {
-  if (problem.has_unlike_bodies() && !std::holds_alternative<PlaneKernel>(problem.kernel)) {
-    reject("kernel", name_of(problem.kernel), "plane for bodies of different material");
+  if (problem.has_unlike_bodies() && !problem.kernel.is_plane()) {
+    reject("kernel", problem.kernel.name(), "plane for bodies of different material");
   }
 }
 
@@ -118,7 +118,7 @@ void require_definite(const TransientProblem& problem) {
 }
 
 void require_definite(const Kernel& kernel, double reach) {
-  const double definite = definite_half_length(kernel);
+  const double definite = kernel.definite_half_length();
   if (definite > reach) return;
   require(false, "length", definite / 2, [&] {
     return fmt::format(

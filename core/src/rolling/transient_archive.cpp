@@ -57,37 +57,9 @@ std::string_view members_of(std::string_view text) {
   return text.substr(end + 1, last - end - 1);
 }
 
-struct ArchiveKernel {
-  Archive& archive;
-
-  void operator()(const StripKernel& strip) const {
-    archive.same("kernel.width", strip.width());
-    of_material(strip.material());
-  }
-  void operator()(const PlaneKernel& plane) const {
-    archive.same("kernel.length", plane.length());
-    of_material(plane.material());
-  }
-  void operator()(const WinklerKernel& winkler) const {
-    archive.same("kernel.compliance", winkler.compliance());
-  }
-  void operator()(const LayeredKernel& layered) const {
-    std::visit(*this, layered.half_space());
-    archive.same("kernel.compliance", layered.compliance());
-  }
-  void operator()(const SymbolKernel& symbol) const {
-    archive.same("wave_number", symbol.wave_numbers());
-    archive.same("symbol", symbol.symbols());
-  }
-  void of_material(const Material& material) const {
-    archive.same("material.shear_modulus", material.shear_modulus);
-    archive.same("material.poisson_ratio", material.poisson_ratio);
-  }
-};
-
 void archive_kernel(Archive& archive, const Kernel& kernel) {
-  archive.same("kernel.type", name_of(kernel));
-  std::visit(ArchiveKernel{archive}, kernel);
+  archive.same("kernel.type", kernel.name());
+  kernel.each_parameter([&](const char* name, const auto& value) { archive.same(name, value); });
 }
 
 /// The problem that a state belongs to.

@@ -28,7 +28,7 @@ class UnlikeSolution {
         zones_(std::move(zones)),
         a_(problem.grid.half_width()),
         peak_(std::get<HertzBound>(problem.bound).peak()),
-        strain_(compliance(material_of(problem.kernel)) * peak_) {}
+        strain_(compliance(problem.kernel.material()) * peak_) {}
 
   SteadySolution sampled() const {
     const VectorXd x = problem_.grid.nodes();
@@ -99,11 +99,10 @@ class UnlikeSolution {
     for (std::size_t i = 0; i < zones_.pattern().size(); ++i) {
       over(i, [&](const ZonePlace& place, double weight) {
         const double away = a_ * (1 - zones_.x_of(place));
-        sum += weight * zones_.traction(place) *
-               std::log(away / std::get<PlaneKernel>(problem_.kernel).length());
+        sum += weight * zones_.traction(place) * std::log(away / *problem_.kernel.plane_length());
       });
     }
-    return -log_factor(problem_.kernel) * peak_ * a_ * sum;
+    return -problem_.kernel.log_factor() * peak_ * a_ * sum;
   }
 
   /// The integral of slip between two places, which are over the half-width.
@@ -156,7 +155,7 @@ class UnlikeSolution {
 
 std::optional<SteadySolution> unlike_by_inversion(const SteadyProblem& problem) {
   const auto& bound = std::get<HertzBound>(problem.bound);
-  const double unit = compliance(material_of(problem.kernel));
+  const double unit = compliance(problem.kernel.material());
   ScaledLoad load{.force = std::nullopt, .ratio = problem.pressure_strain / unit};
   if (const auto* force = std::get_if<PrescribedForce>(&problem.load)) {
     load.force = force->value / (bound.peak() * bound.half_width());

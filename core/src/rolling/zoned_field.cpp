@@ -39,7 +39,7 @@ ZonedField::ZonedField(StickZones zones, double level)
   count_work(4 * static_cast<double>(n) * static_cast<double>(zones_.slip_points().weights.size()));
   const ZonedContact& contact = zones_.contact();
   if (contact.rows.smooth()) {
-    sliding_.emplace(PlaneKernel(material_of(contact.kernel), 1), contact.bound);
+    sliding_.emplace(PlaneKernel(contact.kernel.material(), 1), contact.bound);
   }
 }
 

@@ -240,7 +240,7 @@ SteadySolution sampled(const SteadyProblem& problem, const ZonedField& field, do
 std::optional<SteadySolution> solve_by_zones(const SteadyProblem& problem) {
   const auto* table = std::get_if<TabulatedBound>(&problem.bound);
   const double value = std::visit([](const auto& l) { return l.value; }, problem.load);
-  if (!is_half_space(problem.kernel) || problem.has_unlike_bodies() || value == 0 ||
+  if (!problem.kernel.is_half_space() || problem.has_unlike_bodies() || value == 0 ||
       (table != nullptr && table->x().size() > static_cast<Index>(most_zoned_rows))) {
     return std::nullopt;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/scene/text.hpp"
+#include "microslip/support/text.hpp"
 
 #include <fmt/core.h>
 

@@ -44,7 +44,7 @@ std::string method_of(const SteadyProblem& problem) {
   const auto* differences = std::get_if<Differences>(&problem.method);
   const double c = differences == nullptr ? 1 : differences->step_ratio;
   const bool by_elements =
-      std::holds_alternative<Inversion>(problem.method) && !is_half_space(problem.kernel);
+      std::holds_alternative<Inversion>(problem.method) && !problem.kernel.is_half_space();
   const SteadyEntry& entry = by_elements ? steady_scheme("calibrated") : entry_of(problem);
   return fmt::format(fmt::runtime(entry.text),
                      fmt::arg("functions", problem.basis.name() + " functions"),
@@ -137,7 +137,7 @@ std::string goodman(double coupling) {
 template <class Problem>
 std::vector<std::string> stretched(const Problem& problem) {
   if (!problem.has_unlike_bodies()) return {};
-  const double ratio = problem.pressure_strain / compliance(material_of(problem.kernel));
+  const double ratio = problem.pressure_strain / compliance(problem.kernel.material());
   return {
       fmt::format("bodies of different material, beta/mu = {:.5g}: the pressure stretches one "
                   "surface against the other",
@@ -170,7 +170,7 @@ struct OfKernel {
     consequences = {
         fmt::format("springs beside one another, {} mm^3/N: tractions grow in "
                     "proportion to the distance from the leading edge",
-                    five_digits(winkler.compliance()))};
+                    five_digits(winkler.layer_compliance()))};
     not_modelled = {
         "what a traction does beside itself: bodies are springs, as in FASTSIM, not half-spaces"};
   }
@@ -179,7 +179,8 @@ struct OfKernel {
     consequences = {fmt::format(
         "a layer of springs on the half-space, {} mm^3/N: as compliant as the half-space to waves "
         "of {} half-widths",
-        five_digits(layered.compliance()), five_digits(2 * layered.compliance() / half_space / half_width))};
+        five_digits(layered.layer_compliance()),
+        five_digits(2 * layered.layer_compliance() / half_space / half_width))};
     not_modelled = {"the layer's own thickness, and shear from each of its springs to the next"};
   }
   void operator()(const SymbolKernel& symbol) {
@@ -189,8 +190,9 @@ struct OfKernel {
     consequences = {fmt::format(
         "a kernel by its symbol, from waves of {} to {} mm; shorter waves feel a half-space with "
         "2 (1 - nu)/G = {} mm^2/N and a layer of {} mm^3/N, as the last two rows say",
-        five_digits(longest), five_digits(shortest), five_digits(std::numbers::pi * symbol.log_factor()),
-        five_digits(symbol.compliance()))};
+        five_digits(longest), five_digits(shortest),
+        five_digits(std::numbers::pi * symbol.log_factor()),
+        five_digits(symbol.layer_compliance()))};
     not_modelled = {
         fmt::format("how bodies yield to waves longer than {} mm, {} half-widths: as to this wave, "
                     "so that they "
@@ -202,7 +204,7 @@ struct OfKernel {
 template <class Problem>
 Explanation with_kernel(const Problem& problem, Explanation found) {
   OfKernel of{half_width_of(problem.bound)};
-  std::visit(of, problem.kernel);
+  problem.kernel.visit(of);
   std::ranges::move(of.consequences, std::back_inserter(found.consequences));
   found.not_modelled.insert(found.not_modelled.begin(), of.not_modelled.begin(),
                             of.not_modelled.end());

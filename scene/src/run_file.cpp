@@ -62,11 +62,11 @@ void require_contacts(const LoadHistory& loads, const TransientProblem& problem)
     narrowest = std::min(narrowest, half_width);
     widest = std::max(widest, half_width);
   }
-  if ((narrowest != 1 || widest != 1) && !is_half_space(problem.kernel)) {
+  if ((narrowest != 1 || widest != 1) && !problem.kernel.is_half_space()) {
     throw std::invalid_argument(fmt::format(
         "columns normal_load and half_width: expected none that changes the half-width where the "
         "kernel is {}, not a half-space",
-        name_of(problem.kernel)));
+        problem.kernel.name()));
   }
   with_keys([&] {
     require_definite(problem.kernel, widest * (problem.grid.half_width() + problem.grid.spacing()));

@@ -32,9 +32,8 @@ struct ContactModel {
 };
 
 void warn_of_long_waves(Scene& scene, const Kernel& kernel, double half_width) {
-  const auto* symbol = std::get_if<SymbolKernel>(&kernel);
-  if (symbol == nullptr || symbol->wave_numbers()[0] * half_width <= 1) return;
-  scene.warn("kernel.table", symbol->wave_numbers()[0],
+  if (kernel.least_wave_number() * half_width <= 1) return;
+  scene.warn("kernel.table", kernel.least_wave_number(),
              fmt::format("the first wave number is above 1 / half_width = {}: the bodies' symbol "
                          "is taken as constant below, although the contact is longer than these "
                          "waves",

@@ -15,7 +15,7 @@
 #include "info.hpp"
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/sweep.hpp"
-#include "microslip/scene/text.hpp"
+#include "microslip/support/text.hpp"
 #include "microslip/scene/units.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/nearest.hpp"

@@ -227,7 +227,7 @@ Load read_load(Scene& scene, const Kernel& kernel, const TractionBound& bound) {
   } else {
     require(std::holds_alternative<HertzBound>(bound), key, value,
             "Hertz's bound, as it is Carter's; for others there is load.force_ratio");
-    require(std::holds_alternative<PlaneKernel>(kernel), key, value,
+    require(kernel.is_plane(), key, value,
             "kernel.type plane without a layer, as it is Carter's; for others there is "
             "load.force_ratio");
     require(value > 0 && value < 1, key, value,

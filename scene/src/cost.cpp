@@ -86,8 +86,8 @@ struct StepsOf {
 struct WorkOf {
   double operator()(const SteadyProblem& problem) const {
     const auto n = static_cast<double>(problem.grid.size());
-    const bool strip = std::holds_alternative<StripKernel>(problem.kernel);
-    if (std::holds_alternative<Inversion>(problem.method) && is_half_space(problem.kernel)) {
+    const bool strip = std::isfinite(problem.kernel.clear_distance());
+    if (std::holds_alternative<Inversion>(problem.method) && problem.kernel.is_half_space()) {
       const auto* table = std::get_if<TabulatedBound>(&problem.bound);
       return table == nullptr ? 4e5 + 2000 * n : 1e5 + 300 * n + of_rows(problem, *table);
     }
@@ -128,7 +128,7 @@ struct WorkOf {
   }
   /// Cost of a change of the half-width: in plane strain one more solve, on a strip a new response.
   static double of_change(const TransientProblem& problem) {
-    if (std::holds_alternative<PlaneKernel>(problem.kernel)) return of_step(problem, true);
+    if (problem.kernel.is_plane()) return of_step(problem, true);
     const auto n = static_cast<double>(problem.grid.size());
     return kernel_work * n + (by_fft(problem) ? 600 * n * log2_of(n) : 0.7 * n * n * n);
   }
