@@ -220,30 +220,55 @@ TEST(StickZones, OfRoughBoundsAreResolvedByAsManyElementsAsItTakes) {
   }
 }
 
-/// Rows that are 30 % too high or too low, so many that each piece is one element at first. Equal elements
-/// are the oracle: 16 001 and 32 001 of them differ by 1e-5.
-TEST(StickZones, ElementsInPiecesOfATableHaveEvidence) {
-  constexpr Eigen::Index rows = 201;
+/// Plane strain under a bound whose rows are 30 % too high or too low.
+SteadyProblem under_noise(Eigen::Index rows, double part, double phase = std::sqrt(2.0)) {
   const HertzBound hertz(1, 1);
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(rows, -1, 1);
   Eigen::VectorXd values(rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const bool is_low = std::fmod(static_cast<double>(i) * std::sqrt(2.0), 1.0) < 0.5;
+    const bool is_low = std::fmod(static_cast<double>(i) * phase, 1.0) < 0.5;
     values[i] = hertz(x[i]) * (is_low ? 0.7 : 1.3);
   }
   const TractionBound bound = TabulatedBound(1, x, values);
+  return {.kernel = PlaneKernel({1, 0.28}, 100),
+          .bound = bound,
+          .grid = Grid({.half_width = 1, .elements = 51}),
+          .load = PrescribedForce{-part * full_sliding_force(bound)}};
+}
+
+/// By equal elements, 16 001 of which differ by 1e-5 from 32 001.
+double creepage_on_many_elements(SteadyProblem problem, Eigen::Index elements) {
+  problem.method = Calibrated{};
+  problem.grid = problem.grid.with_elements(elements);
+  return solve_steady(problem).creepage;
+}
+
+/// The table has so many rows that each piece is one element at first.
+TEST(StickZones, ElementsInPiecesOfATableHaveEvidence) {
   for (const double part : {0.9, 0.99}) {
-    SteadyProblem problem{.kernel = PlaneKernel({1, 0.28}, 100),
-                          .bound = bound,
-                          .grid = Grid({.half_width = 1, .elements = 51}),
-                          .load = PrescribedForce{-part * full_sliding_force(bound)}};
+    const SteadyProblem problem = under_noise(201, part);
     const SteadySolution found = solve_steady(problem);
     ASSERT_EQ(found.scheme, SteadyScheme::graded);
-    problem.method = Calibrated{};
-    problem.grid = problem.grid.with_elements(16001);
-    const double error = std::abs(found.creepage / solve_steady(problem).creepage - 1);
+    const double error = std::abs(found.creepage / creepage_on_many_elements(problem, 16001) - 1);
     EXPECT_LT(error, 2e-3) << part;
     EXPECT_LT(error, found.evidence.change) << part;
+  }
+}
+
+/// Elements that are longer than the rows' distances would agree on an answer that is 4 % off.
+TEST(StickZones, EqualElementsUnderLongTablesHaveEvidence) {
+  for (const Eigen::Index rows : {501, 1501}) {
+    for (const double phase : {std::sqrt(2.0), std::sqrt(5.0)}) {
+      for (const double part : {0.9, 0.99}) {
+        const SteadyProblem problem = under_noise(rows, part, phase);
+        const SteadySolution found = solve_steady(problem);
+        ASSERT_EQ(found.scheme, SteadyScheme::calibrated);
+        const double error =
+            std::abs(found.creepage / creepage_on_many_elements(problem, 32001) - 1);
+        EXPECT_LT(error, 1e-3) << rows << " " << phase << " " << part;
+        EXPECT_LT(error, found.evidence.change) << rows << " " << phase << " " << part;
+      }
+    }
   }
 }
 
