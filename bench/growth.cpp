@@ -11,7 +11,7 @@ namespace microslip::bench {
 
 namespace {
 
-/// Of a subject or a series.
+/// Whether a subject or a series has these three names.
 template <class Named>
 bool is_of(const Named& one, const std::string& quantity, const std::string& kernel,
            const std::string& method) {

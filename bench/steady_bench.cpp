@@ -69,7 +69,7 @@ void add_chebyshev_points(std::vector<Case>& cases, const BenchParameters& p, In
   }
 }
 
-/// Of as many unknowns as it takes.
+/// The collocation takes as many unknowns as it needs.
 void add_chebyshev_steady(std::vector<Case>& cases, const BenchParameters& p) {
   for (const NamedKernel& kernel : p.kernels) {
     const Index unknowns = ChebyshevRolling(kernel.kernel, p.bound).unknowns();

@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 constexpr int most_iterations = 100;
 
-/// Of elements that fill the contact: A, which is symmetric, or A - A' of a step of one element.
+/// The matrix of elements that fill the contact: A, which is symmetric, or A - A' of a step of one element.
 Toeplitz coefficients(const BenchParameters& p, const Kernel& kernel, bool difference, Index n) {
   const ShapeFunction shape = constant_basis().shapes().front();
   const double spacing = 2 * p.bound.half_width() / static_cast<double>(n);
@@ -27,7 +27,7 @@ Toeplitz coefficients(const BenchParameters& p, const Kernel& kernel, bool diffe
                     : influence_toeplitz(kernel, shape, spacing, n);
 }
 
-/// What solves or multiplies, and what it works on.
+/// A method that solves or multiplies, and the matrix that it works on.
 template <class Operator>
 struct Operation {
   Operator on;

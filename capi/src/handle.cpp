@@ -27,13 +27,7 @@ double full_sliding_of(const microslip_rolling& handle) {
 }
 
 void require_force(const microslip_rolling& handle, double force) {
-  if (!handle.contact->contact().carries()) {
-    require(force == 0, "force", force, "0 where bodies do not touch");
-    return;
-  }
-  const double most = full_sliding_of(handle);
-  require(std::abs(force) < most, "force", force,
-          [&] { return "an absolute value below full sliding, " + format_short(most); });
+  require_carried(force, handle.contact->contact(), handle.full_sliding);
 }
 
 void set_creepage(microslip_rolling& handle, double creepage) {

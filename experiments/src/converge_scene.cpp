@@ -46,7 +46,7 @@ Outcome outcome_of(const SteadyProblem& problem) {
   const SteadySolution solution = solve_steady(problem);
   if (!solution.fallback.empty()) throw std::invalid_argument(solution.fallback);
   require_evidence(solution.evidence, solution.condition, solution.iterations, problem.accepted);
-  const bool under_force = std::holds_alternative<PrescribedForce>(problem.load);
+  const bool under_force = Prescribed(problem.load).by_force;
   return {.distance = VectorXd::Zero(1),
           .answer = VectorXd::Constant(1, under_force ? solution.creepage : solution.force),
           .x = solution.x,
@@ -58,7 +58,7 @@ Outcome outcome_of(const TransientScene& scene) {
   TransientRolling rolling(scene.problem, scene.start, scene.loads.contact_at(0));
   Outcome outcome;
   for (const ShiftLoad& load : scene.shifts) outcome.lost += rolling.shift(load).dissipation;
-  const bool under_force = std::holds_alternative<PrescribedForce>(scene.loads.at(0));
+  const bool under_force = Prescribed(scene.loads.at(0)).by_force;
   std::vector<double> distance{rolling.state().distance};
   std::vector<double> answer{under_force ? 0 : rolling.state().force};
   WorstOfSteps worst;
@@ -277,7 +277,7 @@ ConvergeScene read_converge(Scene& scene) {
                      .error = 0,
                      .step_time = std::nullopt,
                      .steady = steady != nullptr,
-                     .under_force = std::holds_alternative<PrescribedForce>(load),
+                     .under_force = Prescribed(load).by_force,
                      .memory = 0,
                      .reference = scene.word("converge.reference")};
   if (read.reference == "chebyshev" && !read.steady) {

@@ -43,7 +43,7 @@ CutElementRolling::CutElementRolling(const CattaneoToCarter& rolling, EdgeElemen
   const std::vector<Zone> stuck(elements_.size(), Zone::adhesion);
   state_ =
       solve(elements_, {.bound = bound(elements_, 0), .offset = zeros, .reference = zeros}, stuck);
-  state_.creepage = 0;
+  state_.rigid_slip = 0;
   previous_first_ = first();
   previous_end_ = end();
   previous_zones_ = state_.zones;
@@ -125,7 +125,7 @@ void CutElementRolling::step(double step_ratio) {
       next,
       {.bound = bound(next, distance), .offset = -u, .reference = VectorXd::Zero(size_of(next))},
       previous_zones_);
-  state_.creepage /= step_ratio * spacing_;
+  state_.rigid_slip /= step_ratio * spacing_;
   elements_ = next;
   distance_ = distance;
 }

@@ -88,7 +88,7 @@ Finding solve(const SteadyChoice& scheme, const Setting& setting, const Grid& gr
                                                        .load = load},
                                                       step_ratio));
   const Truth& truth = *setting.truth;
-  const bool by_force = std::holds_alternative<PrescribedForce>(load);
+  const bool by_force = Prescribed(load).by_force;
   Finding finding = finding_of(
       found, by_force ? relative(found.creepage, truth.creepage,
                                  compliance(setting.kernel.material()) * setting.bound.peak())

@@ -90,7 +90,7 @@ Stuck at_rest(const TractionBound& bound) {
 Stuck steady_state(const SteadyContact& contact) {
   const InvertedRolling rolling = rolling_of(contact);
   if (const auto why = rolling.obstacle()) refuse(*why);
-  if (std::visit([](const auto& load) { return load.value == 0; }, contact.load)) {
+  if (Prescribed(contact.load).value == 0) {
     return at_rest(contact.bound);
   }
   try {

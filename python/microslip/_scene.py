@@ -107,7 +107,7 @@ class SceneArguments:
         if isinstance(value, str):
             return value
         if key == NAMES_KEY and isinstance(value, Mapping):
-            # What is in memory has its names before the library reads it.
+            # A table in memory has its names before the library reads it.
             return "" if self._names else names_text(value)
         if _names_file(key):
             return self._file_of(key, value)

@@ -119,9 +119,7 @@ namespace {
 Load largest_load(const LoadHistory& loads, double full_sliding) {
   constexpr double most = 0.9999;
   Load largest = loads.at(0);
-  const auto size = [](const Load& load) {
-    return std::visit([](const auto& of) { return std::abs(of.value); }, load);
-  };
+  const auto size = [](const Load& load) { return std::abs(Prescribed(load).value); };
   for (const double distance : loads.distances()) {
     const Load load = loads.at(distance);
     if (size(load) > size(largest)) largest = load;
@@ -144,7 +142,7 @@ void warn_of_unresolved_table(Scene& scene, const TransientProblem& problem,
                        .bound = problem.bound,
                        .grid = problem.grid,
                        .load = largest_load(loads, full_sliding_force(problem.bound))};
-  if (std::visit([](const auto& of) { return of.value == 0; }, steady.load)) return;
+  if (Prescribed(steady.load).value == 0) return;
   double change = 0;
   try {
     const std::optional<SteadySolution> exact = solve_by_inversion(steady);
@@ -155,7 +153,7 @@ void warn_of_unresolved_table(Scene& scene, const TransientProblem& problem,
     return;  // the run itself reports what it cannot solve
   }
   if (std::abs(change) <= doubtful) return;
-  const bool by_force = std::holds_alternative<PrescribedForce>(steady.load);
+  const bool by_force = Prescribed(steady.load).by_force;
   scene.warn("grid.elements", static_cast<double>(problem.grid.size()),
              fmt::format("they do not resolve the table of the bound: in steady rolling under the "
                          "largest load of the run their {} is off by {:.2g} %; take more of them",

@@ -17,7 +17,7 @@ namespace microslip {
 namespace {
 
 std::string kind_of(const Load& load) {
-  return std::holds_alternative<PrescribedForce>(load) ? "a force" : "a creepage";
+  return Prescribed(load).by_force ? "a force" : "a creepage";
 }
 
 std::string sliding(const TractionBound& bound) {
@@ -61,9 +61,7 @@ std::string rolled(const Model& model, double distance, const Grid& grid) {
 /// Full sliding, and the largest part of it that is prescribed.
 std::string loaded(const TransientScene& scene) {
   Load largest = scene.loads.at(0);
-  const auto size = [](const Load& load) {
-    return std::visit([](const auto& of) { return std::abs(of.value); }, load);
-  };
+  const auto size = [](const Load& load) { return std::abs(Prescribed(load).value); };
   for (const double distance : scene.loads.distances()) {
     const Load load = scene.loads.at(distance);
     if (size(load) > size(largest)) largest = load;
@@ -76,9 +74,9 @@ std::vector<std::string> shifted(const TransientScene& scene) {
   if (scene.shifts.empty()) return {};
   double most = 0;
   for (const ShiftLoad& load : scene.shifts) {
-    most = std::max(most, std::visit([](const auto& of) { return std::abs(of.value); }, load));
+    most = std::max(most, std::abs(Prescribed(load).value));
   }
-  const bool by_force = std::holds_alternative<PrescribedForce>(scene.shifts.front());
+  const bool by_force = Prescribed(scene.shifts.front()).by_force;
   const std::string size = by_force ? fmt::format("to at most {:.5g} of full sliding",
                                                   most / full_sliding_force(scene.problem.bound))
                                     : fmt::format("by at most {:.5g} mm", most);

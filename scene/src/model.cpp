@@ -90,7 +90,7 @@ std::vector<double> read_straight_steps(Scene& scene, const TransientProblem& pr
   double longest = std::numeric_limits<double>::infinity();
   if (scene.has("step.ratio")) {
     const double ratio = scene.number("step.ratio");
-    require(ratio >= min_step_ratio, "step.ratio", ratio, "a number >= 1e-15");
+    require_step_ratio(ratio, "step.ratio");
     longest = ratio * spacing;
   }
   const auto lengths = straight_steps(loads, tolerance_of_load(problem, tolerance), longest,
@@ -176,8 +176,7 @@ Beginning read_shifts(Scene& scene, double most, const Load& load) {
   }
   const std::string key = given.empty() ? "load.force" : given;
   for (const double force : read_start_forces(scene, load)) {
-    require(std::abs(force) < most, key, force,
-            [&] { return "an absolute value below full sliding, " + format_short(most); });
+    require_below_full_sliding(force, most, key);
     beginning.shifts.emplace_back(PrescribedForce{force});
   }
   if (beginning.shifts.size() > 1) return beginning;
@@ -246,7 +245,7 @@ void press(Scene& scene, const Bodies& bodies, Problem& problem) {
 SteadyProblem read_steady(Scene& scene, bool with_load) {
   const SteadyEntry& entry = read_steady_scheme(scene);
   const double step_ratio = entry.safe_steps ? scene.number("step.ratio") : 1;
-  require(step_ratio >= min_step_ratio, "step.ratio", step_ratio, "a number >= 1e-15");
+  require_step_ratio(step_ratio, "step.ratio");
   const Bodies bodies = read_bodies(scene);
   SteadyProblem problem = solved_by(
       entry, read_steady(scene, entry.method(step_ratio), bodies.combined, with_load), step_ratio);
@@ -312,7 +311,7 @@ TransientScene read_transient(Scene& scene) {
   const std::vector<double> step_ratios = read_steps(scene, problem, loads);
   const std::vector<double> judged = judged_steps(scene, step_ratios);
   for (const double ratio : judged) {
-    require(ratio >= min_step_ratio, "step.ratio", ratio, "numbers >= 1e-15");
+    require_step_ratio(ratio, "step.ratio");
     warn_outside(scene, entry_of(problem.scheme).safe_steps, "step.ratio", ratio,
                  "step.scheme remembered");
   }
@@ -340,7 +339,7 @@ TransientScene read_transient(Scene& scene) {
                       .step_ratios = step_ratios,
                       .loads = loads,
                       .from = beginning.distance};
-  if (std::holds_alternative<PrescribedForce>(load)) {
+  if (Prescribed(load).by_force) {
     warn_of_short_end(scene, read);
     for (const double ratio : judged) warn_of_noise(scene, problem.grid.size(), ratio);
   }
@@ -372,8 +371,7 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
                        half_width_of(model.bound));
   require_definite(cylinder.contact);
   require_positive("motion.distance", cylinder.distance);
-  require(cylinder.step_ratio >= min_step_ratio, "step.ratio", cylinder.step_ratio,
-          "a number >= 1e-15");
+  require_step_ratio(cylinder.step_ratio, "step.ratio");
   require_few_steps(cylinder.distance, 0, cylinder.step_ratio * model.grid.spacing(),
                     [] { return ""; });
   warn_outside(scene, entry_of(scheme).safe_steps, "step.ratio", cylinder.step_ratio,

@@ -21,16 +21,12 @@ namespace {
 
 /// Requires that each force is below full sliding of its row's contact, or 0 where the bodies do
 /// not touch.
-void require_below_full_sliding(const Eigen::VectorXd& forces, const LoadHistory& loads,
-                                const TractionBound& bound) {
+void require_all_carried(const Eigen::VectorXd& forces, const LoadHistory& loads,
+                         const TractionBound& bound) {
   const double full = full_sliding_force(bound);
   for (Eigen::Index i = 0; i < forces.size(); ++i) {
     const ContactScale contact = loads.contact_at(loads.distances()[static_cast<std::size_t>(i)]);
-    const double most = full * contact.full_sliding();
-    if (std::abs(forces[i]) < most || (forces[i] == 0 && !contact.carries())) continue;
-    require(false, fmt::format("row {}: force", i + 1), forces[i],
-            contact.carries() ? "an absolute value below full sliding, " + format_short(most)
-                              : "0 where bodies do not touch");
+    require_carried(forces[i], contact, full, fmt::format("row {}: force", i + 1));
   }
 }
 
@@ -102,7 +98,7 @@ LoadHistory read_run(Scene& scene, const TransientProblem& problem) {
     const LoadHistory loads(rows);
     require_contacts(loads, problem);
     warn_of_large_creepages(scene, loads, problem.bound);
-    if (rows.force) require_below_full_sliding(*rows.force, loads, problem.bound);
+    if (rows.force) require_all_carried(*rows.force, loads, problem.bound);
     return loads;
   });
 }

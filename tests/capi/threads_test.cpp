@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What microslip.h promises about threads. `make sanitize` runs this under the thread sanitizer, which
+// These tests hold the promises of microslip.h about threads. `make sanitize` runs them under the thread sanitizer, which
 // sees races that give the right numbers by chance.
 #include <gtest/gtest.h>
 #include <unistd.h>

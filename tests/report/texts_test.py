@@ -21,7 +21,7 @@ IN_BROWSER = Path(__file__).with_name("texts.js").read_text(encoding="utf-8")
 BOUNDS = [f"a_file_with_a_long_name_of_a_bound_{i}.tsv" for i in range(4)]
 SWEEP = "sweep steady.info --quiet --set load.force= --out"
 
-# What makes a result, by words of a command line.
+# A result is made by these words of a command line.
 RESULTS = """
 steady.info --out steady
 steady.info --set load.force=-0.001 --out little
@@ -43,7 +43,7 @@ converge transient.info --quiet --out converge_transient
 response steady.info --out response
 response steady.info --set load.force=-100 --out response_of_little
 """
-# What is drawn of them, by the names of the figures.
+# These figures are drawn of them.
 PLOTS = {"steady": "steady", "little": "little", "plane": "plane", "wheel": "wheel", "transient": "transient", "run": "run",
          "cylinder": "cylinder", "sweep": "sweep", "curve": "curve", "converge": "converge",
          "converge_transient": "converge_transient", "response": "response", "shifts": "shifts --figure shifts",

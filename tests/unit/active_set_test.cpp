@@ -50,7 +50,7 @@ SlipEquations steady_equations(Eigen::Index n, const Basis& basis, double step_r
 
 void expect_contact_conditions(const SlipEquations& equations, const ContactState& state) {
   const Eigen::VectorXd slip = equations.offset + equations.response * state.traction +
-                               Eigen::VectorXd::Constant(state.traction.size(), state.creepage);
+                               Eigen::VectorXd::Constant(state.traction.size(), state.rigid_slip);
   for (Eigen::Index i = 0; i < state.traction.size(); ++i) {
     if (state.zones[static_cast<std::size_t>(i)] == Zone::adhesion) {
       EXPECT_NEAR(slip[i], 0, 1e-11);
@@ -99,7 +99,7 @@ TEST_P(ActiveSetAtStep, ForceAndCreepageDescribeTheSameSolution) {
   // Below 1e-10 down to c = 0.01. For c -> 0 the response turns antisymmetric: singular with an odd
   // number of adhesion elements, and with an even one its bordered form is, so digits are lost.
   const double rounding = 1e-15 * bordered_condition(equations, by_creepage);
-  EXPECT_NEAR(by_force.creepage, 0.576, rounding);
+  EXPECT_NEAR(by_force.rigid_slip, 0.576, rounding);
   EXPECT_NEAR((by_force.traction - by_creepage.traction).lpNorm<Eigen::Infinity>(), 0, rounding);
   EXPECT_EQ(by_force.zones, by_creepage.zones);
 }
@@ -245,7 +245,7 @@ TEST(ActiveSet, SoftElementsAreEntriesOfTheDiagonal) {
       const ContactState expected = solve_active_set(same, load);
       EXPECT_EQ(state.zones, expected.zones);
       EXPECT_LT((state.traction - expected.traction).lpNorm<Eigen::Infinity>(), 1e-12);
-      EXPECT_NEAR(state.creepage, expected.creepage, 1e-12);
+      EXPECT_NEAR(state.rigid_slip, expected.rigid_slip, 1e-12);
       for (const Eigen::Index i : {soft, later}) {
         EXPECT_NEAR(state.traction[i] / expected.traction[i], 1, 1e-9) << compliance << " " << i;
         EXPECT_NEAR(state.slip[i], expected.slip[i], 1e-9 * std::abs(expected.slip[i]) + 1e-12);

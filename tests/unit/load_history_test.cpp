@@ -206,9 +206,7 @@ void expect_same_loads(const LoadHistory& a, const LoadHistory& b, double accura
   std::vector<double> places = a.distances();
   places.back() = length;
   for (int k = 0; k < 20; ++k) places.push_back(place(random));
-  const auto value = [](const Load& load) {
-    return std::visit([](const auto& one) { return one.value; }, load);
-  };
+  const auto value = [](const Load& load) { return Prescribed(load).value; };
   for (const double from : places) {
     EXPECT_NEAR(value(b.at(from)), value(a.at(from)), 100 * accuracy);
     EXPECT_NEAR(b.contact_at(from).half_width, a.contact_at(from).half_width, 100 * accuracy);

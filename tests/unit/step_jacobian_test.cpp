@@ -27,13 +27,11 @@ TransientProblem problem(Eigen::Index n, const Kernel& kernel = PlaneKernel(mate
 }
 
 Load with_value(const Load& load, double value) {
-  if (std::holds_alternative<PrescribedForce>(load)) return PrescribedForce{value};
+  if (Prescribed(load).by_force) return PrescribedForce{value};
   return PrescribedCreepage{value};
 }
 
-double value_of(const Load& load) {
-  return std::visit([](const auto& l) { return l.value; }, load);
-}
+double value_of(const Load& load) { return Prescribed(load).value; }
 
 using Results = Eigen::Array4d;
 

@@ -55,13 +55,11 @@ LoadHistory generated_run(unsigned seed, double noise) {
   return LoadHistory(rows);
 }
 
-double value_of(const Load& load) {
-  return std::visit([](const auto& of) { return of.value; }, load);
-}
+double value_of(const Load& load) { return Prescribed(load).value; }
 
 /// The largest part of the tolerance that the load differs by from its line over a step.
 double bend(const LoadHistory& loads, const LoadTolerance& tolerance, double from, double to) {
-  const bool under_force = std::holds_alternative<PrescribedForce>(loads.at(from));
+  const bool under_force = Prescribed(loads.at(from)).by_force;
   const ContactScale first = loads.contact_at(from), last = loads.contact_at(to);
   constexpr int places = 50;
   double largest = 0;

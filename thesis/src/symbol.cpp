@@ -79,7 +79,7 @@ Complex continued(const K& kernel, const ShapeFunction& shape, double spacing, d
 
 Symbol Symbol::of_strain(const Kernel& kernel, const ShapeFunction& shape, double spacing,
                          double step_ratio) {
-  require(step_ratio >= min_step_ratio, "step_ratio", step_ratio, "a number >= 1e-15");
+  require_step_ratio(step_ratio);
   return {kernel, shape, spacing, step_ratio};
 }
 

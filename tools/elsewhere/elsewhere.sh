@@ -3,15 +3,15 @@
 # tests/reference_tables. Says of each way what it did, or why it was not run.
 # Usage: elsewhere.sh PROGRAMS_FOLDER WORK_FOLDER JOBS [WAY ...]
 # PROGRAMS_FOLDER: those of an ordinary build, compare_tables among them. Ways; all without any:
-#   libm    the C library's functions for processors without AVX, AVX2, AVX-512 and fused products
-#   fftw    FFTW without vector instructions
+#   older   an older processor: the C library's functions without AVX, AVX2, AVX-512 and fused products, and
+#           FFTW without vector instructions
 #   O1      -O1 in the place of -O3
 #   native  -march=native: all instructions of this processor
 #   clang   clang++ in the place of the compiler that CMake finds
 set -euo pipefail
 programs=$1 work=$2 jobs=$3
 ways=("${@:4}")
-[ ${#ways[@]} -gt 0 ] || ways=(libm fftw O1 native clang)
+[ ${#ways[@]} -gt 0 ] || ways=(older O1 native clang)
 root=$(cd "$(dirname "$0")/../.." && pwd)
 mkdir -p "$work"
 work=$(cd "$work" && pwd)
@@ -54,14 +54,11 @@ for way in "${ways[@]}"; do
   mkdir -p "$work/$way"
   made=("$root/tools/quick_tables.sh" "$programs" "$work/$way/tables" "$jobs")
   case $way in
-    libm)
+    older)
       [ "$(uname -m)" = x86_64 ] || { missing "$way" "no x86-64"; continue; }
-      env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX,-AVX2,-AVX512F,-FMA,-FMA4 "${made[@]}"
-      ;;
-    fftw)
       shim=$work/$way/without_simd.so
       "${CC:-cc}" -shared -fPIC -O1 -o "$shim" "$root/tools/elsewhere/fftw_without_simd.c" -ldl
-      env LD_PRELOAD="$shim" "${made[@]}"
+      env GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX,-AVX2,-AVX512F,-FMA,-FMA4 LD_PRELOAD="$shim" "${made[@]}"
       ;;
     O1 | native | clang)
       case $way in
@@ -76,7 +73,7 @@ for way in "${ways[@]}"; do
       made[1]=$work/$way/build/bin
       "${made[@]}"
       ;;
-    *) echo "elsewhere.sh: unknown way '$way'; known: libm fftw O1 native clang" >&2; exit 1 ;;
+    *) echo "elsewhere.sh: unknown way '$way'; known: older O1 native clang" >&2; exit 1 ;;
   esac
   agrees "$way" || status=1
 done

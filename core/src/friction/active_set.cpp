@@ -37,10 +37,6 @@ constexpr int most_exchanges_from_given = 60;
 /// Largest violation at the end of a path, relative to the largest bound or slip.
 constexpr double acceptable_violation = 1e-9;
 
-double prescribed_value(const Load& load) {
-  return std::visit([](const auto& l) { return l.value; }, load);
-}
-
 double excess_over_bound(double traction, double bound) { return std::abs(traction) - bound; }
 
 double wrong_slip(Zone zone, double slip) { return static_cast<double>(zone) * slip; }
@@ -60,7 +56,7 @@ class ContactSearch {
   double condition() { return system_.condition(); }
   void archive(Archive& archive) { system_.archive(archive); }
 
-  void run(const SlipConditions& conditions, const Load& load, ContactState& state) {
+  void run(const SlipConditions& conditions, const Prescribed& load, ContactState& state) {
     enough_ = 1e-5;
     begin(conditions, load, state.zones);
     if (!exchange_blocks() && !follow_path_nearby(state.zones) && !follow_path_from_adhesion()) {
@@ -70,7 +66,7 @@ class ContactSearch {
     finish(state);
   }
 
-  void run_partition(const SlipConditions& conditions, const Load& load,
+  void run_partition(const SlipConditions& conditions, const Prescribed& load,
                      const std::vector<Zone>& zones, ContactState& state) {
     enough_ = 1;
     begin(conditions, load, zones);
@@ -83,14 +79,15 @@ class ContactSearch {
   struct Response {
     VectorXd traction;
     VectorXd slip;  ///< zero in adhesion
-    double creepage = 0;
+    double rigid_slip = 0;
     double residual = 0;
   };
 
-  void begin(const SlipConditions& conditions, const Load& load, const std::vector<Zone>& zones) {
+  void begin(const SlipConditions& conditions, const Prescribed& load,
+             const std::vector<Zone>& zones) {
     conditions_ = &conditions;
-    prescribed_ = prescribed_value(load);
-    force_prescribed_ = std::holds_alternative<PrescribedForce>(load);
+    prescribed_ = load.value;
+    force_prescribed_ = load.by_force;
     bound_scale_ = conditions.bound.maxCoeff();
     zones_ = zones;
     iterations_ = 0;
@@ -108,7 +105,7 @@ class ContactSearch {
     state.traction = response_.traction;
     state.slip = response_.slip;
     state.zones = zones_;
-    state.creepage = response_.creepage;
+    state.rigid_slip = response_.rigid_slip;
     state.iterations = iterations_;
     state.residuals = residuals();
   }
@@ -147,12 +144,12 @@ class ContactSearch {
     if (conditions_->common != 0 && !force_prescribed_) add_common_shift();
     traction += unknowns_.increment;
     slip += unknowns_.response;
-    slip.array() += unknowns_.creepage;
+    slip.array() += unknowns_.rigid_slip;
     for (Index i = 0; i < size(); ++i) {
       if (zone(i) == Zone::adhesion) slip[i] = 0;
     }
-    response.creepage = unknowns_.creepage;
-    if (conditions_->common != 0) response.creepage -= conditions_->common * change_of_force();
+    response.rigid_slip = unknowns_.rigid_slip;
+    if (conditions_->common != 0) response.rigid_slip -= conditions_->common * change_of_force();
     response.residual = unknowns_.residual;
   }
 
@@ -162,7 +159,7 @@ class ContactSearch {
   }
 
   /// Adds the shift that the force causes by the common compliance to the solution without this
-  /// compliance. The unknown creepage is the sum of both.
+  /// compliance. The unknown rigid slip is the sum of both.
   void add_common_shift() {
     minus_slip_.setZero();
     system_.solve(minus_slip_, 1, enough_, by_shift_);
@@ -171,7 +168,7 @@ class ContactSearch {
         common * change_of_force() / (1 - common * system_.weights().dot(by_shift_.increment));
     unknowns_.increment += shift * by_shift_.increment;
     unknowns_.response += shift * by_shift_.response;
-    unknowns_.creepage += shift;
+    unknowns_.rigid_slip += shift;
     unknowns_.residual = std::max(unknowns_.residual, by_shift_.residual);
   }
 
@@ -180,7 +177,8 @@ class ContactSearch {
     ++iterations_;
     system_.follow(zones_);
     solve_partition(*conditions_, prescribed_, response_);
-    slip_scale_ = std::max(std::abs(response_.creepage), response_.slip.lpNorm<Eigen::Infinity>());
+    slip_scale_ =
+        std::max(std::abs(response_.rigid_slip), response_.slip.lpNorm<Eigen::Infinity>());
     if (!response_.traction.allFinite() || !std::isfinite(slip_scale_)) {
       throw NotConverged("active set: singular system", iterations_,
                          std::numeric_limits<double>::infinity());
@@ -275,7 +273,7 @@ class ContactSearch {
   }
 
   /// The element that sticks when the last one in adhesion begins to slip under a force: the
-  /// creepage then jumps until an element that slips in the other direction sticks.
+  /// rigid slip then jumps until an element that slips in the other direction sticks.
   std::optional<Exchange> next_to_stick(const Exchange& slips) const {
     std::optional<Exchange> next;
     double least = std::numeric_limits<double>::infinity();
@@ -401,26 +399,10 @@ class ContactSearch {
   Response response_;
   Response rise_;  ///< of the path
   AdhesionSystem::Unknowns unknowns_;
-  AdhesionSystem::Unknowns by_shift_;  ///< unknowns due to a unit creepage
+  AdhesionSystem::Unknowns by_shift_;  ///< unknowns due to a unit rigid slip
   VectorXd increment_, product_, minus_slip_;
   int iterations_ = 0;
 };
-
-namespace {
-
-void require_below_full_sliding(const Load& load, double full_sliding) {
-  const auto* force = std::get_if<PrescribedForce>(&load);
-  if (force == nullptr) return;
-  require(std::abs(force->value) < full_sliding, "force", force->value,
-          [&] { return "an absolute value below full sliding, " + format_short(full_sliding); });
-}
-
-}  // namespace
-
-Load load_of_step(const Load& load, double length) {
-  const auto* creepage = std::get_if<PrescribedCreepage>(&load);
-  return creepage == nullptr ? load : PrescribedCreepage{creepage->value * length};
-}
 
 ActiveSet::ActiveSet(LinearOperator response, VectorXd weights, const Solver& solver)
     : search_(std::make_unique<ContactSearch>(std::move(response), std::move(weights), solver)) {}
@@ -438,24 +420,27 @@ ActiveSet& ActiveSet::operator=(const ActiveSet& other) {
 ActiveSet::ActiveSet(ActiveSet&&) noexcept = default;
 ActiveSet& ActiveSet::operator=(ActiveSet&&) noexcept = default;
 
-void ActiveSet::solve(const SlipConditions& conditions, const Load& load, ContactState& state) {
-  require_below_full_sliding(load, search_->system().weights().dot(conditions.bound));
+void ActiveSet::solve(const SlipConditions& conditions, const Prescribed& load,
+                      ContactState& state) {
+  if (load.by_force) {
+    require_below_full_sliding(load.value, search_->system().weights().dot(conditions.bound));
+  }
   search_->run(conditions, load, state);
 }
 
-ContactState ActiveSet::solve(const SlipConditions& conditions, const Load& load) {
+ContactState ActiveSet::solve(const SlipConditions& conditions, const Prescribed& load) {
   const auto size = static_cast<std::size_t>(conditions.bound.size());
   return solve(conditions, load, std::vector<Zone>(size, Zone::adhesion));
 }
 
-ContactState ActiveSet::solve(const SlipConditions& conditions, const Load& load,
+ContactState ActiveSet::solve(const SlipConditions& conditions, const Prescribed& load,
                               const std::vector<Zone>& first) {
   ContactState state{.traction = {}, .slip = {}, .zones = first};
   solve(conditions, load, state);
   return state;
 }
 
-void ActiveSet::solve_partition(const SlipConditions& conditions, const Load& load,
+void ActiveSet::solve_partition(const SlipConditions& conditions, const Prescribed& load,
                                 const std::vector<Zone>& zones, ContactState& state) {
   search_->run_partition(conditions, load, zones, state);
 }

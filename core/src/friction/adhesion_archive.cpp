@@ -97,7 +97,7 @@ void AdhesionSystem::factorise_again(const std::vector<Index>& elements) {
   if (base_.empty()) return demand(elements.empty(), "a base for the border");
   const Index n = size();
   demand(std::ranges::is_sorted(base_) && are_different(base_) && base_.back() == n,
-         "an ascending base that ends with the creepage");
+         "an ascending base that ends with the rigid slip");
   demand(!force_prescribed_ || base_.size() > 1, "a base with elements that carry the force");
   for (std::size_t k = 0; k < base_.size(); ++k) {
     position_[to_size(base_[k])] = static_cast<Index>(k);

@@ -285,7 +285,7 @@ void AdhesionSystem::solve_base(VectorXd& values) {
   }
 }
 
-/// Solves for elements and creepage: T d = r - (w - constant sum(d)), where T includes the
+/// Solves for elements and rigid slip: T d = r - (w - constant sum(d)), where T includes the
 /// constant.
 void AdhesionSystem::solve_block(VectorXd& values) {
   const Index n = values.size() - 1;
@@ -346,15 +346,15 @@ double AdhesionSystem::find_rest(const Unknowns& unknowns) {
   double largest = 0;
   for (Index i = 0; i < n; ++i) {
     if (!is_stuck(i)) continue;
-    rest_[i] = rhs_[i] - unknowns.response[i] - unknowns.creepage;
+    rest_[i] = rhs_[i] - unknowns.response[i] - unknowns.rigid_slip;
     rest_[i] -= compliance_of(i) * unknowns.increment[i];
     largest = std::max(largest, std::abs(rest_[i]));
   }
   rest_[n] = rhs_[n] - (force_prescribed_ ? force_scale_ * weights_.dot(unknowns.increment)
-                                          : unknowns.creepage);
+                                          : unknowns.rigid_slip);
   largest = std::max(largest, std::abs(rest_[n]));
   const double terms =
-      std::max({std::abs(unknowns.creepage), rhs_.head(n).lpNorm<Eigen::Infinity>(),
+      std::max({std::abs(unknowns.rigid_slip), rhs_.head(n).lpNorm<Eigen::Infinity>(),
                 scale_ * unknowns.increment.lpNorm<Eigen::Infinity>()});
   return terms > 0 ? largest / terms : 0;
 }
@@ -366,12 +366,12 @@ void AdhesionSystem::solve(const VectorXd& slip, double prescribed, double enoug
   rhs_ << slip, prescribed * (force_prescribed_ ? force_scale_ : 1);
   rest_ = rhs_;
   unknowns.increment.setZero(n);
-  unknowns.creepage = 0;
+  unknowns.rigid_slip = 0;
   unknowns.residual = HUGE_VAL;
   for (int refinements = 0;; ++refinements) {
     solve_bordered(rest_, all_);
     unknowns.increment += all_.head(n);
-    unknowns.creepage += scale_ * all_[n];
+    unknowns.rigid_slip += scale_ * all_[n];
     response_.apply(unknowns.increment, unknowns.response);
     const double before = unknowns.residual;
     unknowns.residual = find_rest(unknowns);

@@ -16,7 +16,7 @@ class Archive;
 inline std::size_t to_size(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
 /// The linear equations of the elements in adhesion: response_HH d_H + w = ..., thesis (3.19). The
-/// creepage is one more unknown, and the prescribed force or creepage one more row.
+/// rigid slip is one more unknown, and the prescribed force or rigid slip one more row.
 ///
 /// The factors follow the partition. The factors of an earlier adhesion area, the base, are kept.
 /// Elements that came or left since then form a border of these factors, and only the Schur
@@ -36,7 +36,7 @@ class AdhesionSystem {
   const Eigen::VectorXd& weights() const { return weights_; }
   const Solver& solver() const { return solver_; }
 
-  /// Selects the added row: the weights, for a prescribed force, or the creepage alone.
+  /// Selects the added row: the weights, for a prescribed force, or the rigid slip alone.
   void prescribe_force(bool force);
 
   /// Puts elements on springs; response() does not include the springs.
@@ -48,7 +48,7 @@ class AdhesionSystem {
   struct Unknowns {
     Eigen::VectorXd increment;  ///< n, zero in slip
     Eigen::VectorXd response;   ///< of the slip to the increment; n
-    double creepage;
+    double rigid_slip;
     double residual;  ///< largest residual of the rows in adhesion and of the added row, over their
                       ///< largest term
   };
@@ -116,7 +116,7 @@ class AdhesionSystem {
   double factors_rcond_ = 0;
 
   // A ToeplitzSubmatrix replaces the LU factors if the base is Toeplitz and large. A constant is added
-  // to symmetric matrices to make them positive definite; the creepage is corrected for that
+  // to symmetric matrices to make them positive definite; the rigid slip is corrected for that
   // constant.
   std::optional<ToeplitzSubmatrix> block_;
   double constant_ = 0;

@@ -173,6 +173,10 @@ double spread_difference(const Kernel& kernel, const ShapeFunction& shape, doubl
 
 }  // namespace
 
+void require_step_ratio(double step_ratio, std::string_view name) {
+  require(step_ratio >= min_step_ratio, name, step_ratio, "a number >= 1e-15");
+}
+
 double influence(const Kernel& kernel, const ShapeFunction& shape, double spacing, double offset) {
   const double spread = spread_influence(kernel, shape, spacing, offset);
   const double compliance = kernel.layer_compliance();
@@ -198,7 +202,7 @@ Toeplitz influence_toeplitz(const Kernel& kernel, const ShapeFunction& shape, do
 
 Toeplitz influence_difference_toeplitz(const Kernel& kernel, const ShapeFunction& shape,
                                        double spacing, Eigen::Index n, double step_ratio) {
-  require(step_ratio >= min_step_ratio, "step_ratio", step_ratio, "a number >= 1e-15");
+  require_step_ratio(step_ratio);
   const auto entry = [&](Eigen::Index k) {
     return influence_difference(kernel, shape, spacing, static_cast<double>(k), step_ratio);
   };

@@ -35,7 +35,7 @@ Advection::Advection(Kernel kernel, Basis basis, double spacing, Index elements,
       scheme_(scheme),
       solver_(solver) {
   const double relaxation = relaxation_of(scheme).value_or(1);
-  require(relaxation >= min_step_ratio, "relaxation", relaxation, "a number >= 1e-15");
+  require_step_ratio(relaxation, "relaxation");
   if (!std::holds_alternative<Fractional>(scheme)) return;
   if (basis_.shapes().size() != 1) {
     reject("basis", basis_.name(), "equal functions at all nodes for fractional powers");
@@ -69,7 +69,7 @@ void Advection::advect_directly(const VectorXd& previous, double step_ratio, dou
 }
 
 void Advection::advect(const VectorXd& previous, double step_ratio, SlipConditions& conditions) {
-  require(step_ratio >= min_step_ratio, "step_ratio", step_ratio, "a number >= 1e-15");
+  require_step_ratio(step_ratio);
   if (shift_) {
     conditions.offset.setZero(elements_);
     conditions.reference = shift_->move(previous, step_ratio).traction;

@@ -174,20 +174,16 @@ SteadySolution solve_brush(const SteadyProblem& problem) {
   const double compliance = problem.kernel.layer_compliance();
   const double a = half_width_of(problem.bound);
   const double full_sliding = full_sliding_force(problem.bound);
-  const auto* prescribed = std::get_if<PrescribedForce>(&problem.load);
-  const double value = std::visit([](const auto& l) { return l.value; }, problem.load);
-  require(true, prescribed != nullptr ? "force" : "creepage", value, "a finite number");
-  if (prescribed != nullptr) {
-    require(std::abs(value) < full_sliding, "force", value,
-            [&] { return "an absolute value below full sliding, " + format_short(full_sliding); });
-  }
+  const Prescribed load(problem.load);
+  require_below_full_sliding(load, full_sliding);
+  const auto [by_force, value] = load;
   const RollingBrush brush(problem.bound);
-  const double growth = value == 0              ? 0
-                        : prescribed != nullptr ? growth_under(brush, std::abs(value), a)
-                                                : std::abs(value) / compliance;
-  const double direction = value == 0 ? 0 : (value < 0) == (prescribed != nullptr) ? 1 : -1;
-  const double creepage = prescribed != nullptr ? direction * compliance * growth : value;
-  const double force = prescribed != nullptr ? value : -direction * brush.force(growth);
+  const double growth = value == 0 ? 0
+                        : by_force ? growth_under(brush, std::abs(value), a)
+                                   : std::abs(value) / compliance;
+  const double direction = load.direction();
+  const double creepage = by_force ? direction * compliance * growth : value;
+  const double force = by_force ? value : -direction * brush.force(growth);
   const std::vector<StuckSprings> zones =
       value == 0 ? std::vector<StuckSprings>{{-a, a, 0}} : brush.zones(growth);
 

@@ -40,11 +40,11 @@ void ContactGrid::start_from(const VectorXd& traction, TransientState& state) {
   const ContactState contact{.traction = traction,
                              .slip = VectorXd::Zero(x_.size()),
                              .zones = zones_at(traction, bound_),
-                             .creepage = 0};
+                             .rigid_slip = 0};
   fill_state(0, contact, 1, bound_, mean_bound_, state);
 }
 
-Shift ContactGrid::solve_shift(const TransientState& before, const Load& load,
+Shift ContactGrid::solve_shift(const TransientState& before, const ShiftLoad& load,
                                TransientState& after) {
   conditions_.offset.setZero(x_.size());
   conditions_.reference = before.traction;
@@ -66,7 +66,7 @@ void ContactGrid::solve_step(const TransientState& before, double length, const 
                           mean_bound_around(traction_bound_, centres, solved_length);
   }
   contact_.zones = before.zones;
-  active_set_.solve(conditions_, load_of_step(load, solved_length), contact_);
+  active_set_.solve(conditions_, over_length(load, solved_length), contact_);
   const double fraction = advection_.fraction(step_ratio);
   contact_.traction = (1 - fraction) * before.traction + fraction * contact_.traction;
   fill_state(before.distance + length, contact_, solved_length, bound_, mean_bound_, after);

@@ -19,7 +19,8 @@ class ContactGrid final : public RollingGrid {
   std::unique_ptr<RollingGrid> clone() const override;
   Eigen::VectorXd traction_at_nodes(const TransientState& state) const override;
   void start_from(const Eigen::VectorXd& traction, TransientState& state) override;
-  Shift solve_shift(const TransientState& before, const Load& load, TransientState& after) override;
+  Shift solve_shift(const TransientState& before, const ShiftLoad& load,
+                    TransientState& after) override;
   void solve_step(const TransientState& before, double length, const Load& load,
                   TransientState& after, StepJacobian* jacobian) override;
 

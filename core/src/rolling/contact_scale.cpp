@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "microslip/friction/load.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip {
@@ -17,6 +18,14 @@ ContactScale hertz_scale(double load_ratio, double friction_ratio) {
   require(friction_ratio >= 0, "friction ratio", friction_ratio, "a number >= 0");
   const double size = std::sqrt(load_ratio);
   return {.half_width = size, .bound = size * friction_ratio};
+}
+
+void require_carried(double force, const ContactScale& contact, double full_sliding,
+                     std::string_view name) {
+  if (contact.carries()) {
+    return require_below_full_sliding(force, full_sliding * contact.full_sliding(), name);
+  }
+  require(force == 0, name, force, "0 where bodies do not touch");
 }
 
 }  // namespace microslip

@@ -28,14 +28,9 @@ struct Target {
 };
 
 Target target_of(const CreepageForceCurve& curve, const Load& load) {
-  if (const auto* force = std::get_if<PrescribedForce>(&load)) {
-    require(std::abs(force->value) < curve.full_sliding_force, "force", force->value,
-            "an absolute value below full sliding, " + format_short(curve.full_sliding_force));
-    return {true, std::abs(force->value), force->value > 0 ? -1.0 : 1.0};
-  }
-  const double creepage = std::get<PrescribedCreepage>(load).value;
-  require(true, "creepage", creepage, "a finite number");
-  return {false, std::abs(creepage), creepage < 0 ? -1.0 : 1.0};
+  const Prescribed prescribed(load);
+  require_below_full_sliding(prescribed, curve.full_sliding_force);
+  return {prescribed.by_force, std::abs(prescribed.value), prescribed.direction() < 0 ? -1.0 : 1.0};
 }
 
 }  // namespace

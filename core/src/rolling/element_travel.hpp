@@ -28,12 +28,6 @@ struct ElementTravel {
   }
 };
 
-/// \param ratio  a step's length over the spacing
-/// \throws std::invalid_argument below min_step_ratio
-inline void require_step(double ratio) {
-  require(ratio >= min_step_ratio, "step_ratio", ratio, "a number >= 1e-15");
-}
-
 /// Divides a step into substeps. Each substep ends where an element has been travelled, or at the
 /// end of the step. Sums of distances are compensated; otherwise steps of whole elements would be
 /// divided after about ten thousand steps.
@@ -47,7 +41,7 @@ inline void require_step(double ratio) {
 template <class Substep>
 double for_each_substep(const ElementTravel& start, double length, double spacing,
                         const Substep& substep) {
-  require_step(length / spacing);
+  require_step_ratio(length / spacing);
   const double added = length - start.distance_error;
   const double end = start.distance + added;
   double from = start.distance;

@@ -252,20 +252,14 @@ std::optional<std::string> InvertedRolling::obstacle() const {
 
 InvertedSolution InvertedRolling::solve(const Load& load) const {
   if (const auto why = obstacle()) throw NotConverged("steady rolling: " + *why, 0, 1);
-  const auto* force = std::get_if<PrescribedForce>(&load);
-  const double value = std::visit([](const auto& of) { return of.value; }, load);
-  const double target = std::abs(value);
-  if (force != nullptr) {
-    const double most = full_sliding_force(contact_->bound);
-    require(target < most, "force", value,
-            [&] { return "an absolute value below full sliding, " + format_short(most); });
-  }
-  require(true, "creepage", value, "a finite number");
-  if (target == 0 || (force == nullptr && target >= contact_->sliding_creepage())) {
+  const Prescribed prescribed(load);
+  require_below_full_sliding(prescribed, full_sliding_force(contact_->bound));
+  const double target = std::abs(prescribed.value);
+  if (target == 0 || (!prescribed.by_force && target >= contact_->sliding_creepage())) {
     return {contact_, nullptr, load, 0};
   }
   const auto reached = [&](const StickZone& zone) {
-    return force != nullptr ? zone.force() : zone.creepage();
+    return prescribed.by_force ? zone.force() : zone.creepage();
   };
   StickZoneSearch search(stages_.front().contact);
   StickZone zone = search.meet(target, reached);
@@ -278,12 +272,11 @@ InvertedSolution InvertedRolling::solve(const Load& load) const {
 }
 
 InvertedSolution::InvertedSolution(std::shared_ptr<const InvertedContact> contact,
-                                   std::shared_ptr<const StickZone> zone, const Load& load,
+                                   std::shared_ptr<const StickZone> zone, const Prescribed& load,
                                    int evaluations)
     : contact_(std::move(contact)), zone_(std::move(zone)), evaluations_(evaluations) {
-  const bool by_force = std::holds_alternative<PrescribedForce>(load);
-  const double value = std::visit([](const auto& of) { return of.value; }, load);
-  direction_ = value == 0 ? 0 : (value < 0) == by_force ? 1 : -1;
+  const auto [by_force, value] = load;
+  direction_ = load.direction();
   const double carried = zone_ ? zone_->force() : full_sliding_force(contact_->bound);
   creepage_ = by_force && zone_ ? direction_ * zone_->creepage() : by_force ? 0 : value;
   force_ = by_force ? value : -direction_ * carried;

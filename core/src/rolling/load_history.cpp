@@ -63,7 +63,7 @@ void require_velocities(const RunRows& rows) {
   }
 }
 
-/// What a printed number may differ by, over the largest of its column.
+/// A printed number may differ by as much, over the largest of its column.
 constexpr double printed_number = 1e-9;
 
 /// Rejects a column that changes from a row to the next one where nothing is rolled.

@@ -51,7 +51,8 @@ class RememberedGrid final : public RollingGrid {
   std::unique_ptr<RollingGrid> clone() const override;
   Eigen::VectorXd traction_at_nodes(const TransientState& state) const override;
   void start_from(const Eigen::VectorXd& traction, TransientState& state) override;
-  Shift solve_shift(const TransientState& before, const Load& load, TransientState& after) override;
+  Shift solve_shift(const TransientState& before, const ShiftLoad& load,
+                    TransientState& after) override;
   void solve_step(const TransientState& before, double length, const Load& load,
                   TransientState& after, StepJacobian* jacobian) override;
   void accept_step() override;
@@ -104,16 +105,16 @@ class RememberedGrid final : public RollingGrid {
 
   /// A substep with its load.
   struct Substep : SubstepEnd {
-    double length;                    ///< [mm]
-    Load load;                        ///< a creepage is given as the shift  [mm]
-    std::array<Load, 2> load_slopes;  ///< by load and length of the step
+    double length;  ///< [mm]
+    ShiftLoad load;
+    std::array<ShiftLoad, 2> load_slopes;  ///< by load and length of the step
     bool is_last;
   };
 
   /// A step; if its length is 0, a shift without rolling.
   struct Way {
     double length;  ///< [mm]
-    Load load;      ///< the creepage of a shift is given as the shift  [mm]
+    ShiftLoad load;
   };
 
   /// Returns the fraction of the first element that is in the contact. The contact begins where the
@@ -132,10 +133,10 @@ class RememberedGrid final : public RollingGrid {
   double work_of_pressure(const Eigen::VectorXd& traction) const;
   void give_tractions(const RememberedState& now, TransientState& state) const;
   StandingContact& standing();
-  void shift_standing(const Load& load);
-  Load of_standing_partition(const Load& load) const;
-  bool search_standing(const Load& load, SlipConditions& conditions, ContactState& contact);
-  void average_standing(const Load& load, SlipConditions conditions, RolledContact rolled);
+  void shift_standing(const ShiftLoad& load);
+  ShiftLoad of_standing_partition(const ShiftLoad& load) const;
+  bool search_standing(const ShiftLoad& load, SlipConditions& conditions, ContactState& contact);
+  void average_standing(const ShiftLoad& load, SlipConditions conditions, RolledContact rolled);
   void place_nodes();
 
   void begin_step(bool with_slopes);
@@ -146,12 +147,12 @@ class RememberedGrid final : public RollingGrid {
   void change_contact(const Way& way);
   void roll_substep(const Substep& substep);
   void recall(Step& step, const Substep& substep) const;
-  Load of_partition(const Load& load, const Step& step) const;
-  bool nodes_carry(const Load& load) const;
+  ShiftLoad of_partition(const ShiftLoad& load, const Step& step) const;
+  bool nodes_carry(const ShiftLoad& load) const;
   void end_fading(const Substep& substep);
   void fade_shift(const Substep& substep);
-  void settle_lead(const Load& load);
-  void search_partition(const Load& load);
+  void settle_lead(const ShiftLoad& load);
+  void search_partition(const ShiftLoad& load);
   void solve_slopes(const Substep& substep);
   void add_slip(const Substep& substep);
   void displace(Step& step) const;
@@ -182,7 +183,7 @@ class RememberedGrid final : public RollingGrid {
   Step next_;                   ///< the step that was solved last
   std::array<Step, 2> slopes_;  ///< derivatives of `next_` by its load and by its length
   bool has_slopes_ = false;
-  ContactState sum_;  ///< the step's result; slip and creepage as displacements  [mm]
+  ContactState sum_;  ///< the step's result; slip and shift  [mm]
 };
 
 }  // namespace microslip

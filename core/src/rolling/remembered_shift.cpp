@@ -57,7 +57,7 @@ RememberedGrid::StandingContact& RememberedGrid::standing() {
 }
 
 /// Solves a shift as a step of no length.
-Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load,
+Shift RememberedGrid::solve_shift(const TransientState& before, const ShiftLoad& load,
                                   TransientState& after) {
   const bool stays = target_ == state_.scale && target_.carries();
   begin_step(false);
@@ -70,12 +70,12 @@ Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load
         state.entry_has_come(nodes_, edge_.offset) && sticks(state.zones, nodes_.size - 1);
     if (target_.carries() && !entered) state.admit_entry(nodes_);
   }
-  const auto* distance = std::get_if<PrescribedCreepage>(&load);
-  sum_.creepage = distance != nullptr ? distance->value : next_.shift;
+  const auto* distance = std::get_if<PrescribedShift>(&load);
+  sum_.rigid_slip = distance != nullptr ? distance->value : next_.shift;
   sum_.zones = state.zones;
   sum_.traction = state.traction;
   const VectorXd slip =
-      stays ? VectorXd(displaced_by(state.traction - state_.traction).array() + sum_.creepage)
+      stays ? VectorXd(displaced_by(state.traction - state_.traction).array() + sum_.rigid_slip)
             : sum_.slip;
   Shift shift = fill_shift(before.distance, state_.traction, sum_, slip, next_.conditions.bound,
                            next_.conditions.bound, after);
@@ -89,20 +89,20 @@ Shift RememberedGrid::solve_shift(const TransientState& before, const Load& load
 
 /// Returns the load of the partition. After a turn the mean over partitions differs from the
 /// partition by a constant, `before_turn`.
-Load RememberedGrid::of_standing_partition(const Load& load) const {
+ShiftLoad RememberedGrid::of_standing_partition(const ShiftLoad& load) const {
   const RememberedState& state = next_.state;
   if (const auto* force = std::get_if<PrescribedForce>(&load)) {
     return PrescribedForce{force->value -
                            nodes_.spacing * state.shifts->before_turn.traction.sum()};
   }
-  return PrescribedCreepage{std::get<PrescribedCreepage>(load).value + state.lead -
-                            state.shifts->before_turn.shift};
+  return PrescribedShift{std::get<PrescribedShift>(load).value + state.lead -
+                         state.shifts->before_turn.shift};
 }
 
 /// Searches the partition of nodes and entry.
 /// \param conditions  its offsets are set
 /// \return whether material at the trailing end has stuck again
-bool RememberedGrid::search_standing(const Load& load, SlipConditions& conditions,
+bool RememberedGrid::search_standing(const ShiftLoad& load, SlipConditions& conditions,
                                      ContactState& contact) {
   const Index n = nodes_.size;
   RememberedState& state = next_.state;
@@ -130,14 +130,14 @@ bool RememberedGrid::search_standing(const Load& load, SlipConditions& condition
 /// Adds the change by the mean over partitions: at the leading end of adhesion, and at both ends.
 /// After a turn, the bound of a node is raised by the distance that its traction had from the bound
 /// at the turn.
-void RememberedGrid::average_standing(const Load& load, SlipConditions conditions,
+void RememberedGrid::average_standing(const ShiftLoad& load, SlipConditions conditions,
                                       RolledContact rolled) {
   RememberedState& state = next_.state;
   const RolledContact partition = rolled;
   const auto added = [&] {
     MeanChange change{.traction = rolled.contact.traction - partition.contact.traction,
                       .displacement = rolled.displacement - partition.displacement,
-                      .shift = rolled.contact.creepage - partition.contact.creepage};
+                      .shift = rolled.contact.rigid_slip - partition.contact.rigid_slip};
     return change += state.shifts->before_turn;
   };
   const bool has_turned = state.shifts->reversal.size() > 0;
@@ -159,7 +159,7 @@ void RememberedGrid::average_standing(const Load& load, SlipConditions condition
 
 /// Shifts a contact that keeps its size. The nodes and the element at the entry carry traction, and
 /// the mean over partitions is taken at either end of adhesion.
-void RememberedGrid::shift_standing(const Load& load) {
+void RememberedGrid::shift_standing(const ShiftLoad& load) {
   const Index n = nodes_.size;
   RememberedState& state = next_.state;
   set_response(target_.half_width);
@@ -168,7 +168,7 @@ void RememberedGrid::shift_standing(const Load& load) {
   state.begin_shifts(entry.compliance);
   const auto* force = std::get_if<PrescribedForce>(&load);
   state.go(nodes_, force != nullptr ? nodes_.spacing * state_.traction.sum() - force->value
-                                    : std::get<PrescribedCreepage>(load).value);
+                                    : std::get<PrescribedShift>(load).value);
   const double entry_before = state.nodes.at[n];
 
   SlipConditions conditions = {.bound = state.scale.full_sliding() * standing().bound,
@@ -179,7 +179,7 @@ void RememberedGrid::shift_standing(const Load& load) {
   RolledContact rolled;
   const bool stuck_again = search_standing(load, conditions, rolled.contact);
   const ContactState& contact = rolled.contact;
-  const double moved = contact.creepage;
+  const double moved = contact.rigid_slip;
   rolled.displacement = (contact.slip - conditions.offset).array() - moved;
   state.points.subtract(moved);
   state.shifts->at_entry -= moved;

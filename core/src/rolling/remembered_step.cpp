@@ -28,9 +28,9 @@ void RememberedGrid::solve_step(const TransientState&, double length, const Load
                                 TransientState& after, StepJacobian* jacobian) {
   if (length > 0 && std::holds_alternative<PrescribedCreepage>(load)) begin_lost_contact();
   begin_step(jacobian != nullptr);
-  roll({.length = length, .load = load});
+  roll({.length = length, .load = over_length(load, length)});
   const RememberedState& state = next_.state;
-  sum_.creepage = next_.shift;
+  sum_.rigid_slip = next_.shift;
   sum_.zones = state.zones;
   sum_.slip = (sum_.slip.array().abs() > rounding_of(state)).select(sum_.slip, 0);
   fill_state(state.distance, sum_, length, next_.conditions.bound, next_.conditions.bound, after);
@@ -71,7 +71,7 @@ void RememberedGrid::roll(const Way& way) {
         });
     return;
   }
-  if (way.length > 0) require_step(way.length / (nodes_.spacing * width));
+  if (way.length > 0) require_step_ratio(way.length / (nodes_.spacing * width));
   const double added = way.length - from.distance_error;
   const double end = from.distance + added;
   const bool stands = keeps_width && way.length == 0;
@@ -88,12 +88,12 @@ void RememberedGrid::roll(const Way& way) {
 
 /// Moves the partition to the mean over partitions, if a creepage follows a force. This move is no
 /// slip.
-void RememberedGrid::settle_lead(const Load& load) {
+void RememberedGrid::settle_lead(const ShiftLoad& load) {
   const RememberedState& state = next_.state;
-  if (std::holds_alternative<PrescribedForce>(load) || std::abs(state.lead) <= rounding_of(state)) {
+  if (Prescribed(load).by_force || std::abs(state.lead) <= rounding_of(state)) {
     return;
   }
-  const PrescribedCreepage none{0};
+  const PrescribedShift none{0};
   roll_substep(
       {state.end_of_substep(nodes_, 0, state.distance, state.scale), 0, none, {none, none}, false});
   sum_.slip.setZero();
@@ -109,11 +109,9 @@ void RememberedGrid::roll_substep_to(const Way& way, double begin, double length
   const ContactScale scale = fraction == 1 ? target_ : between(state_.scale, target_, fraction);
   const bool is_last = fraction == 1;
   const double force = nodes_.spacing * state_.traction.sum();
-  // A shift has no length, and its substeps are fractions of it.
-  const double share = way.length > 0 ? length : fraction - begin;
-  const Load load = load_within(way.load, force, share, fraction);
-  std::array<Load, 2> slopes =
-      slopes_within(way.load, force, length, fraction, way.length, is_last);
+  const ShiftLoad load = load_of_part(way.load, force, fraction - begin, fraction);
+  std::array<ShiftLoad, 2> slopes =
+      slopes_of_part(way.load, force, length, fraction, way.length, is_last);
   SubstepEnd substep = next_.state.end_of_substep(nodes_, length, end, scale);
   substep.is_whole = substep.is_whole || next.is_whole;
   roll_substep({substep, length, load, slopes, is_last});
@@ -141,14 +139,13 @@ void RememberedGrid::change_contact(const Way& way) {
   if (target_.carries()) {
     set_response(target_.half_width);
   } else if (force != nullptr) {
-    require(force->value == 0, "force", force->value, "0 where bodies do not touch");
+    require_carried(force->value, target_, 0);
   }
   set_bound(target_);
   const double mean_force = nodes_.spacing * state_.traction.sum() / 2;
   next_.mean_force = mean_force * way.length;
   if (force == nullptr) {
-    const double rate = std::get<PrescribedCreepage>(way.load).value;
-    next_.shift = way.length > 0 ? rate * way.length : rate;
+    next_.shift = std::get<PrescribedShift>(way.load).value;
     next_.work = mean_force * next_.shift;
   }
   next_.state = start_of(VectorXd::Zero(nodes_.size), target_);
@@ -184,17 +181,17 @@ void RememberedGrid::add_slip(const Substep& substep) {
   }
 }
 
-/// Returns the load of the partition: a creepage makes up for the lead, a force is without the
+/// Returns the load of the partition: a shift makes up for the lead, a force is without the
 /// element at the entry.
-Load RememberedGrid::of_partition(const Load& load, const Step& step) const {
-  const auto* creepage = std::get_if<PrescribedCreepage>(&load);
-  if (creepage != nullptr) return PrescribedCreepage{creepage->value + step.state.lead};
+ShiftLoad RememberedGrid::of_partition(const ShiftLoad& load, const Step& step) const {
+  const auto* shift = std::get_if<PrescribedShift>(&load);
+  if (shift != nullptr) return PrescribedShift{shift->value + step.state.lead};
   return PrescribedForce{std::get<PrescribedForce>(load).value - nodes_.spacing * step.entry};
 }
 
 /// Tells whether the nodes can carry what the element at the entry leaves of a force.
-bool RememberedGrid::nodes_carry(const Load& load) const {
-  const Load left = of_partition(load, next_);
+bool RememberedGrid::nodes_carry(const ShiftLoad& load) const {
+  const ShiftLoad left = of_partition(load, next_);
   const auto* force = std::get_if<PrescribedForce>(&left);
   return force == nullptr || std::abs(force->value) < nodes_.spacing * next_.conditions.bound.sum();
 }
@@ -224,7 +221,7 @@ void RememberedGrid::fade_shift(const Substep& substep) {
   if (left == 0) state.relief.resize(0);
 }
 
-void RememberedGrid::search_partition(const Load& load) {
+void RememberedGrid::search_partition(const ShiftLoad& load) {
   next_.contact.zones = next_.state.zones;
   active_set_.solve(next_.conditions, of_partition(load, next_), next_.contact);
   sum_.iterations += next_.contact.iterations;
@@ -247,7 +244,7 @@ void RememberedGrid::solve_slopes(const Substep& substep) {
 
 /// Computes the displacements by the partition's solution.
 void RememberedGrid::displace(Step& step) const {
-  step.moved = step.contact.creepage;
+  step.moved = step.contact.rigid_slip;
   step.state.points.subtract(step.moved);
   step.displacement = (step.contact.slip - step.conditions.offset).array() - step.moved;
   step.state.nodes.at.head(nodes_.size) = step.displacement;
@@ -263,9 +260,9 @@ void RememberedGrid::finish_substep(Step& step, const Substep& substep, bool stu
       (work_of_pressure(state.traction) + work_of_pressure(contact.traction)) / 2;
   step.substep_force =
       nodes_.spacing * (state.traction.sum() + contact.traction.sum() + step.entry) / 2;
-  step.creepage = contact.creepage - state.lead;
+  step.creepage = contact.rigid_slip - state.lead;
   step.shift += step.creepage;
-  state.lead = contact.creepage - step.moved;
+  state.lead = contact.rigid_slip - step.moved;
   displace_ends(state.nodes, contact.traction, step.entry);
   if (&step == &next_) press_ends(state.nodes);
   state.nodes.at[nodes_.size] += state.lead;

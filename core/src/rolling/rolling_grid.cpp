@@ -23,7 +23,7 @@ void RollingGrid::fill_state(double distance, const ContactState& contact, doubl
   state.slip = contact.slip / length;
   state.zones = contact.zones;
   state.force = weights_.dot(contact.traction);
-  state.creepage = contact.creepage / length;
+  state.creepage = contact.rigid_slip / length;
   state.end_dissipation = -weights_.cwiseProduct(state.traction).dot(state.slip);
   state.dissipation = state.end_dissipation;
   state.mean_force = state.force;
@@ -82,10 +82,10 @@ Shift RollingGrid::fill_shift(double distance, const VectorXd& before, const Con
     if (bound[i] <= 0 || contact.zones[static_cast<std::size_t>(i)] == Zone::adhesion) continue;
     above_mean -= weights_[i] * (contact.traction[i] - before[i]) / 2 * slip[i];
   }
-  return {.distance = contact.creepage,
+  return {.distance = contact.rigid_slip,
           .slip = slip,
           .dissipation = above_mean - mean_force.dot(slip),
-          .work = above_mean - mean_force.sum() * contact.creepage};
+          .work = above_mean - mean_force.sum() * contact.rigid_slip};
 }
 
 void require_no_jacobian(const StepJacobian* jacobian) {

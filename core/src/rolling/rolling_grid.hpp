@@ -59,10 +59,9 @@ class RollingGrid {
 
   /// Solves a shift without rolling, and stays where it is.
   /// \param before  the state now
-  /// \param load    its creepage is the shift  [mm]
   /// \param after   out
   /// \throws as ActiveSet::solve
-  virtual Shift solve_shift(const TransientState& before, const Load& load,
+  virtual Shift solve_shift(const TransientState& before, const ShiftLoad& load,
                             TransientState& after) = 0;
 
   /// Solves a step, and stays where it is.
@@ -104,7 +103,7 @@ class RollingGrid {
 
   /// Fills a state from a solved contact, on the problem's contact. Dissipation and mean force are
   /// values at the end, and the creepage over an element is the creepage of the step.
-  /// \param contact  with slip and creepage as displacements over the length  [mm]
+  /// \param contact  with slip and shift over the length  [mm]
   /// \param bound    that its tractions kept, and its means over elements  [N/mm^2]
   void fill_state(double distance, const ContactState& contact, double length,
                   const Eigen::VectorXd& bound, const Eigen::VectorXd& mean_bound,
@@ -112,7 +111,7 @@ class RollingGrid {
 
   /// Fills a state from a solved shift.
   /// \param before   the tractions  [N/mm^2]
-  /// \param contact  with slip and creepage as displacements  [mm]
+  /// \param contact  with slip and shift  [mm]
   /// \param slip     by A p alone  [mm]
   Shift fill_shift(double distance, const Eigen::VectorXd& before, const ContactState& contact,
                    const Eigen::VectorXd& slip, const Eigen::VectorXd& bound,

@@ -309,9 +309,9 @@ std::string name_of(SteadyScheme scheme) {
 SteadySolution element_solution(const SteadyProblem& problem, const VectorXd& x,
                                 const ElementValues& values, const ContactState& contact) {
   const double force = values.lengths.dot(contact.traction);
-  Evidence evidence = evidence_by_elements(values, force, contact.creepage);
+  Evidence evidence = evidence_by_elements(values, force, contact.rigid_slip);
   evidence.residual = contact.residuals.equations;
-  double dissipation = -contact.creepage * force;
+  double dissipation = -contact.rigid_slip * force;
   if (problem.has_unlike_bodies()) {
     evidence.load = values.lengths.dot(contact.traction.cwiseAbs());
     evidence.power = dissipation = evidence.dissipated;
@@ -323,7 +323,7 @@ SteadySolution element_solution(const SteadyProblem& problem, const VectorXd& x,
           .displacement = {},
           .zones = contact.zones,
           .force = force,
-          .creepage = contact.creepage,
+          .creepage = contact.rigid_slip,
           .dissipation = dissipation,
           .iterations = contact.iterations,
           .evidence = evidence,
@@ -331,7 +331,7 @@ SteadySolution element_solution(const SteadyProblem& problem, const VectorXd& x,
 }
 
 double answer_of(const Load& load, const SteadySolution& solution) {
-  return std::holds_alternative<PrescribedForce>(load) ? solution.creepage : solution.force;
+  return Prescribed(load).by_force ? solution.creepage : solution.force;
 }
 
 double change_of_answer(const Load& load, const SteadySolution& coarse,

@@ -135,7 +135,9 @@ const StickSlipPoint::Response& StickSlipPoint::response(ActiveSet& active_set, 
       unit_.bound[node] = 1;
       sign = static_cast<double>(zones_[static_cast<std::size_t>(node)]);
     }
-    solve_unit(active_set, load_, sign, found);
+    const Prescribed none =
+        by_force_ ? Prescribed(PrescribedForce{0}) : Prescribed(PrescribedShift{0});
+    solve_unit(active_set, none, sign, found);
     if (neighbour >= 0) found.slip[node] = 1;
   }
   if (common_ == 0) return found;
@@ -149,12 +151,12 @@ void StickSlipPoint::clear_unit() {
 }
 
 /// \param sign  sign of the response
-void StickSlipPoint::solve_unit(ActiveSet& active_set, const Load& load, double sign,
+void StickSlipPoint::solve_unit(ActiveSet& active_set, const Prescribed& load, double sign,
                                 Response& found) {
   active_set.solve_partition(unit_, load, zones_, answer_);
   found.traction = sign * answer_.traction;
   found.slip = sign * answer_.slip;
-  found.creepage = sign * answer_.creepage;
+  found.rigid_slip = sign * answer_.rigid_slip;
   found.force = active_set.weights().dot(found.traction);
   found.known = true;
 }
@@ -162,14 +164,14 @@ void StickSlipPoint::solve_unit(ActiveSet& active_set, const Load& load, double 
 /// The force of a response shifts all elements, and this shift changes the force.
 void StickSlipPoint::add_common_shift(ActiveSet& active_set, const Response& found,
                                       Response& shifted) {
-  if (!by_creepage_.known) {
+  if (!by_rigid_slip_.known) {
     clear_unit();
-    solve_unit(active_set, PrescribedCreepage{1}, 1, by_creepage_);
+    solve_unit(active_set, PrescribedShift{1}, 1, by_rigid_slip_);
   }
-  const double shift = common_ * found.force / (1 - common_ * by_creepage_.force);
-  shifted.traction = found.traction + shift * by_creepage_.traction;
-  shifted.slip = found.slip + shift * by_creepage_.slip;
-  shifted.creepage = 0;
+  const double shift = common_ * found.force / (1 - common_ * by_rigid_slip_.force);
+  shifted.traction = found.traction + shift * by_rigid_slip_.traction;
+  shifted.slip = found.slip + shift * by_rigid_slip_.slip;
+  shifted.rigid_slip = 0;
   shifted.known = true;
 }
 
@@ -243,13 +245,13 @@ void StickSlipPoint::add(RolledContact& rolled, const std::array<double, 4>& cha
     if (by == 0) continue;
     const Response& r = common_ == 0 ? responses_[k] : shifted_[k];
     rolled.contact.traction += by * r.traction;
-    rolled.contact.creepage += by * r.creepage;
-    rolled.displacement += by * (r.slip.array() - r.creepage).matrix();
+    rolled.contact.rigid_slip += by * r.rigid_slip;
+    rolled.displacement += by * (r.slip.array() - r.rigid_slip).matrix();
   }
 }
 
 void StickSlipPoint::average(ActiveSet& active_set, const SlipConditions& conditions,
-                             const Load& load, RolledContact& rolled,
+                             const Prescribed& load, RolledContact& rolled,
                              std::span<RolledContact* const> slopes, const VectorXd* reversal) {
   const ContactState& contact = rolled.contact;
   const auto n = static_cast<Index>(contact.zones.size());
@@ -257,17 +259,16 @@ void StickSlipPoint::average(ActiveSet& active_set, const SlipConditions& condit
   if (stuck + fewest >= n) return;
   const auto begin = contact.zones.begin() + stuck;
   if (std::any_of(begin, begin + fewest, [](Zone z) { return z != Zone::adhesion; })) return;
-  const bool is_force = std::holds_alternative<PrescribedForce>(load);
-  if (contact.zones != zones_ || load.index() != load_.index()) {
+  if (contact.zones != zones_ || load.by_force != by_force_) {
     zones_ = contact.zones;
     stuck_ = stuck;
-    load_ = is_force ? Load(PrescribedForce{0}) : Load(PrescribedCreepage{0});
+    by_force_ = load.by_force;
     unit_.compliant = conditions.compliant;
     for (Response& r : responses_) r.known = false;
     for (Response& r : shifted_) r.known = false;
-    by_creepage_.known = false;
+    by_rigid_slip_.known = false;
   }
-  const double common = is_force ? 0 : conditions.common;
+  const double common = by_force_ ? 0 : conditions.common;
   if (common != common_) {
     for (Response& r : shifted_) r.known = false;
     common_ = common;
@@ -280,7 +281,7 @@ void StickSlipPoint::average(ActiveSet& active_set, const SlipConditions& condit
   const Bounds bound{conditions.bound[0], conditions.bound[1], conditions.bound[2]};
   left_before_ = bound;
   if (stuck == 0 && reversal != nullptr) {
-    direction_ = contact.creepage > 0 ? -1 : 1;
+    direction_ = contact.rigid_slip > 0 ? -1 : 1;
     for (Index i = 0; i < 3; ++i) {
       left_before_[static_cast<std::size_t>(i)] -= direction_ * (*reversal)[i];
     }
@@ -312,25 +313,23 @@ void StickSlipPoint::Response::archive(Archive& archive, Index size) {
   if (!known) return;
   archive.numbers("response_traction", traction, size);
   archive.numbers("response_slip", slip, size);
-  archive.number("response_creepage", creepage);
+  archive.number("response_creepage", rigid_slip);
   archive.number("response_force", force);
 }
 
 /// With a common compliance, shifted responses are computed again from the known responses.
 void StickSlipPoint::archive(Archive& archive, Index size) {
   bool has_partition = !zones_.empty();
-  bool by_force = std::holds_alternative<PrescribedForce>(load_);
   archive.flag("has_partition", has_partition);
   if (!has_partition) return;
   archive_zones(archive, "partition", zones_, size);
-  archive.flag("partition_by_force", by_force);
+  archive.flag("partition_by_force", by_force_);
   archive.number("common", common_);
   for (Response& response : responses_) response.archive(archive, size);
-  by_creepage_.archive(archive, size);
+  by_rigid_slip_.archive(archive, size);
   archive_compliant(archive, unit_.compliant, size);
   if (!archive.reads()) return;
   stuck_ = first_stuck(zones_);
-  load_ = by_force ? Load(PrescribedForce{0}) : Load(PrescribedCreepage{0});
 }
 
 }  // namespace microslip

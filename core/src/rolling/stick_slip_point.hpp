@@ -39,7 +39,7 @@ class StickSlipPoint {
   ///                      stick, to the next partition's natural end  [dx]
   StickSlipPoint(const LeadingEdgeConstants& edge, double first_length);
 
-  /// Replaces traction, creepage and displacement of a contact by the mean over partitions; zones
+  /// Replaces traction, shift and displacement of a contact by the mean over partitions; zones
   /// and slip are unchanged. With fewer than five nodes in adhesion at the end, nothing is changed.
   /// \param active_set  the set that solved the contact; its response matrix contains influence
   ///                    coefficients
@@ -47,7 +47,7 @@ class StickSlipPoint {
   /// \param slopes      derivatives of the solution, in and out: none or two
   /// \param reversal    for a shift without rolling, the tractions at the last reversal; in
   ///                    rolling, none [N/mm^2]
-  void average(ActiveSet& active_set, const SlipConditions& conditions, const Load& load,
+  void average(ActiveSet& active_set, const SlipConditions& conditions, const Prescribed& load,
                RolledContact& rolled, std::span<RolledContact* const> slopes = {},
                const Eigen::VectorXd* reversal = nullptr);
 
@@ -65,12 +65,12 @@ class StickSlipPoint {
   };
 
   /// Response to a change at one node next to the end: unit slip of a node in adhesion, or unit
-  /// traction of a slipping node; or to a unit creepage.
+  /// traction of a slipping node; or to a unit shift.
   struct Response {
     bool known = false;
     Eigen::VectorXd traction;
     Eigen::VectorXd slip;  ///< S + A p; n
-    double creepage = 0;
+    double rigid_slip = 0;
     double force = 0;  ///< [N/mm]
 
     void archive(Archive& archive, Eigen::Index size);
@@ -110,7 +110,7 @@ class StickSlipPoint {
                                const Bounds& bound);
   const Response& response(ActiveSet& active_set, Eigen::Index neighbour);
   void clear_unit();
-  void solve_unit(ActiveSet& active_set, const Load& load, double sign, Response& found);
+  void solve_unit(ActiveSet& active_set, const Prescribed& load, double sign, Response& found);
   void add_common_shift(ActiveSet& active_set, const Response& found, Response& shifted);
   void add(RolledContact& rolled, const std::array<double, 4>& change) const;
 
@@ -119,16 +119,16 @@ class StickSlipPoint {
 
   // The partition whose responses are known.
   std::vector<Zone> zones_;
-  Load load_;  ///< a zero load of the same kind as the load
+  bool by_force_ = false;  ///< whether the load is a force
   Eigen::Index stuck_ = 0;
   double direction_ = 1;  ///< sign of the traction in the slip zone next to the end
   Bounds left_before_{};  ///< distance to the bound when the slip zone began to grow  [N/mm^2]
   std::array<Response, 4> responses_;  ///< of nodes stuck_ - 2 ... stuck_ + 1
 
-  // Under a prescribed creepage a common compliance, which may differ each time, shifts the
+  // Under a prescribed shift a common compliance, which may differ each time, shifts the
   // responses.
   double common_ = 0;
-  Response by_creepage_;             ///< by a unit creepage
+  Response by_rigid_slip_;           ///< by a unit shift
   std::array<Response, 4> shifted_;  ///< the responses with the common compliance
   SlipConditions unit_;
   ContactState answer_;

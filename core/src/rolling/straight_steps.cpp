@@ -31,7 +31,7 @@ class LoadPath {
  public:
   LoadPath(const LoadHistory& loads, const LoadTolerance& tolerance)
       : loads_(loads),
-        under_force_(std::holds_alternative<PrescribedForce>(loads.at(0))),
+        under_force_(Prescribed(loads.at(0)).by_force),
         scale_(2 / (under_force_ ? tolerance.force : tolerance.shift), 2 / tolerance.contact,
                2 / tolerance.contact) {}
 
@@ -90,7 +90,8 @@ class Steps {
   bool reaches(const Sample& next) const {
     const double length = next.distance - begin_.distance;
     const Array3d slope = (next.load - begin_.load) / length;
-    return length <= (1 + rounding_of_length) * longest_ && (slope >= least_).all() && (slope <= most_).all();
+    return length <= (1 + rounding_of_length) * longest_ && (slope >= least_).all() &&
+           (slope <= most_).all();
   }
 
   void end() {

@@ -64,7 +64,7 @@ double sensitivity(const SteadyContact& contact) {
 double cost_of(const Evidence& evidence, const SteadyContact& contact) {
   const double violation = evidence.violation();
   if (violation <= std::numeric_limits<double>::epsilon()) return violation;
-  const bool by_force = std::holds_alternative<PrescribedForce>(contact.load);
+  const bool by_force = Prescribed(contact.load).by_force;
   return violation * (by_force ? std::max(1.0, sensitivity(contact)) : 1);
 }
 
@@ -77,7 +77,7 @@ std::optional<double> change_by_fineness(const SteadyContact& contact, double fo
     const InvertedSolution other =
         InvertedRolling(contact.kernel, contact.bound, finer).solve(contact.load);
     if (!other.keeps_conditions()) return std::nullopt;
-    const bool by_force = std::holds_alternative<PrescribedForce>(contact.load);
+    const bool by_force = Prescribed(contact.load).by_force;
     unknowns = other.unknowns();
     return relative((by_force ? other.creepage() : other.force()) - found, found);
   } catch (const NotConverged&) {

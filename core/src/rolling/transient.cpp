@@ -208,21 +208,17 @@ double TransientRolling::start_from_shift(const PrescribedForce& force) {
 }
 
 Shift TransientRolling::shift(const ShiftLoad& load) {
-  const auto* prescribed = std::get_if<PrescribedShift>(&load);
-  if (prescribed != nullptr) require(true, "shift", prescribed->value, "a finite number");
-  const Load whole = prescribed != nullptr ? Load(PrescribedCreepage{prescribed->value})
-                                           : Load(std::get<PrescribedForce>(load));
+  const Prescribed prescribed(load);
+  if (!prescribed.by_force) require(true, "shift", prescribed.value, "a finite number");
   const auto zeros = [&]() -> VectorXd { return VectorXd::Zero(state_.traction.size()); };
   const double rounding = same_force * grid_->weights().dot(grid_->bound());
-  const bool is_none =
-      prescribed != nullptr
-          ? prescribed->value == 0
-          : std::abs(std::get<PrescribedForce>(load).value - state_.force) <= rounding;
+  const bool is_none = prescribed.by_force ? std::abs(prescribed.value - state_.force) <= rounding
+                                           : prescribed.value == 0;
   if (is_none && contact() == state_.scale) {
     return {.slip = zeros()};
   }
   solved_.reset();
-  Shift result = grid_->solve_shift(state_, whole, next_);
+  Shift result = grid_->solve_shift(state_, load, next_);
   std::swap(state_, next_);
   grid_->accept_step();
   return result;
@@ -242,9 +238,7 @@ void TransientRolling::solve_step(double length, const Load& load, StepJacobian*
 }
 
 bool TransientRolling::is_solved(double length, const Load& load) const {
-  if (!solved_ || solved_->first != length || solved_->second.index() != load.index()) return false;
-  const auto value = [](const auto& l) { return l.value; };
-  return std::visit(value, solved_->second) == std::visit(value, load);
+  return solved_ && solved_->first == length && Prescribed(solved_->second) == Prescribed(load);
 }
 
 void TransientRolling::require_standstill(const Load& load) const {

@@ -116,8 +116,7 @@ void archive_state(Archive& archive, TransientState& state, Index size) {
 
 /// The length and load of a step.
 void archive_step(Archive& archive, std::pair<double, Load>& step) {
-  bool by_force = std::holds_alternative<PrescribedForce>(step.second);
-  double value = std::visit([](const auto& load) { return load.value; }, step.second);
+  auto [by_force, value] = Prescribed(step.second);
   archive.number("step_length", step.first);
   archive.flag("step_by_force", by_force);
   archive.number("step_load", value);

@@ -202,8 +202,7 @@ std::optional<ZonedField> strip_field(const std::shared_ptr<const ZonedContact>&
 SteadySolution sampled(const SteadyProblem& problem, const ZonedField& field, double direction) {
   const VectorXd x = problem.grid.nodes();
   const ZonedField::Sums sums = field.sums();
-  const bool by_force = std::holds_alternative<PrescribedForce>(problem.load);
-  const double value = std::visit([](const auto& l) { return l.value; }, problem.load);
+  const auto [by_force, value] = Prescribed(problem.load);
   const double force = by_force ? value : -direction * field.zones().force();
   const double creepage = by_force ? direction * field.creepage() : value;
   SteadySolution found{
@@ -239,14 +238,13 @@ SteadySolution sampled(const SteadyProblem& problem, const ZonedField& field, do
 
 std::optional<SteadySolution> solve_by_zones(const SteadyProblem& problem) {
   const auto* table = std::get_if<TabulatedBound>(&problem.bound);
-  const double value = std::visit([](const auto& l) { return l.value; }, problem.load);
+  const auto [by_force, value] = Prescribed(problem.load);
   if (!problem.kernel.is_half_space() || problem.has_unlike_bodies() || value == 0 ||
       (table != nullptr && table->x().size() > static_cast<Index>(most_zoned_rows))) {
     return std::nullopt;
   }
   const auto contact = std::make_shared<ZonedContact>(problem.kernel, problem.bound);
-  const bool by_force = std::holds_alternative<PrescribedForce>(problem.load);
-  const double direction = (value < 0) == by_force ? 1 : -1;
+  const double direction = Prescribed(problem.load).direction();
   ZonesLoad load;
   (by_force ? load.force : load.level) =
       by_force ? std::abs(value) : std::abs(value) / contact->log_factor;

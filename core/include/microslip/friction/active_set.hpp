@@ -4,29 +4,13 @@
 #include <Eigen/Core>
 #include <memory>
 #include <string_view>
-#include <variant>
 #include <vector>
 
+#include "microslip/friction/load.hpp"
 #include "microslip/linalg/linear_operator.hpp"
 #include "microslip/linalg/solver.hpp"
 
 namespace microslip {
-
-/// Prescribes the creepage; the force follows.
-struct PrescribedCreepage {
-  double value;  ///< relative rigid slip w, finite  [1]
-};
-
-/// Prescribes the force; the creepage follows.
-struct PrescribedForce {
-  double value;  ///< F, less in absolute value than full sliding  [N/mm]
-};
-
-using Load = std::variant<PrescribedCreepage, PrescribedForce>;
-
-/// The load of a step in terms of slip displacement: the creepage times the length, or the force.
-/// \param length  length of the step  [mm]
-Load load_of_step(const Load& load, double length);
 
 /// Adhesion or slip of an element; the sign of a slip zone is the sign of the traction.
 enum class Zone : signed char { slip_negative = -1, adhesion = 0, slip_positive = 1 };
@@ -51,7 +35,7 @@ void archive_zones(Archive& archive, std::string_view name, std::vector<Zone>& z
 void archive_compliant(Archive& archive, std::vector<CompliantElement>& compliant,
                        Eigen::Index size);
 
-/// The slip s as a function of n traction coefficients p, and the bound on p: s = w + offset +
+/// The slip s as a function of n traction coefficients p, and the bound on p: s = rigid slip + offset +
 /// (response + springs) (p - reference) + common (F - reference force), |p_i| <= bound_i. Where the
 /// bound is zero, p is zero for any slip.
 struct SlipConditions {
@@ -74,14 +58,14 @@ struct ContactState {
   Eigen::VectorXd traction;  ///< n  [N/mm^2]
   Eigen::VectorXd slip;      ///< n, zero in adhesion
   std::vector<Zone> zones;   ///< n
-  double creepage = 0;       ///< w, prescribed or found, in the unit of the slip
+  double rigid_slip = 0;     ///< prescribed or found, in the unit of the slip
   int iterations = 0;        ///< partitions tried
   Residuals residuals = {};
 };
 
 /// Finds tractions, slip and the partition into adhesion and slip: in adhesion s = 0 and |p| <=
-/// bound, in slip p = -bound s/|s|. Slip and creepage have the unit of response times traction:
-/// relative slip [1], or slip displacement [mm].
+/// bound, in slip p = -bound s/|s|. Slip and rigid slip have the unit of response times traction:
+/// relative slip and creepage [1], or slip displacement and shift [mm].
 ///
 /// The search has two phases. The first phase exchanges all violating elements at once: elements
 /// above the bound slip, and elements that slip in the wrong direction stick. (The thesis, 3.1.1,
@@ -107,7 +91,7 @@ struct ContactState {
 /// from solve to solve: a round with few exchanges costs O(n^2), and so does a solve with an
 /// unchanged partition. Cost of a Toeplitz response: O(n) numbers, and O(n log n) per round, about
 /// 14 transforms of 2n numbers if the partition is unchanged. Compliances may change from solve to
-/// solve at no cost; with a common compliance, a prescribed creepage takes two solves instead of
+/// solve at no cost; with a common compliance, a prescribed rigid slip takes two solves instead of
 /// one.
 class ActiveSet {
  public:
@@ -127,20 +111,20 @@ class ActiveSet {
   /// \throws std::invalid_argument if the force is not below full sliding, weights . bound
   /// \throws NotConverged          if a system is singular or its residual above the tolerance, or
   ///                               if the path is given up or ends before a solution
-  void solve(const SlipConditions& conditions, const Load& load, ContactState& state);
+  void solve(const SlipConditions& conditions, const Prescribed& load, ContactState& state);
 
   /// The same from adhesion everywhere, or from the given zones.
-  ContactState solve(const SlipConditions& conditions, const Load& load);
-  ContactState solve(const SlipConditions& conditions, const Load& load,
+  ContactState solve(const SlipConditions& conditions, const Prescribed& load);
+  ContactState solve(const SlipConditions& conditions, const Prescribed& load,
                      const std::vector<Zone>& first);
 
-  /// Tractions, slip and creepage of a given partition: elements in adhesion have no slip, others
+  /// Tractions, slip and rigid slip of a given partition: elements in adhesion have no slip, others
   /// have the traction of their bound. The result may violate the slip conditions. Solutions are
   /// refined until the tolerance is reached; solve() refines its solutions further.
   /// \param zones  n
   /// \param state  out
   /// \throws NotConverged if the system is singular or its residual above the tolerance
-  void solve_partition(const SlipConditions& conditions, const Load& load,
+  void solve_partition(const SlipConditions& conditions, const Prescribed& load,
                        const std::vector<Zone>& zones, ContactState& state);
 
   /// Estimate of the condition number, in the 1-norm, of the last partition's equations in

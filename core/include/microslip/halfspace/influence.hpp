@@ -43,6 +43,10 @@ double influence_difference(const Kernel& kernel, const ShapeFunction& shape, do
 /// Below this a step is lost in the rounding of a position.
 inline constexpr double min_step_ratio = 1e-15;
 
+/// \param name  of the argument, for the message
+/// \throws std::invalid_argument unless the ratio is in [min_step_ratio, inf)
+void require_step_ratio(double step_ratio, std::string_view name = "step_ratio");
+
 /// A for n equal functions on a uniform grid: A_ij = A(i - j).
 Toeplitz influence_toeplitz(const Kernel& kernel, const ShapeFunction& shape, double spacing,
                             Eigen::Index n);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string_view>
+
 namespace microslip {
 
 /// Half-width and bound of a contact, over the problem's. For a Hertzian contact under P
@@ -27,5 +29,12 @@ ContactScale between(const ContactScale& from, const ContactScale& to, double pa
 /// \param friction_ratio  mu/mu_0, >= 0
 /// \throws std::invalid_argument outside the ranges
 ContactScale hertz_scale(double load_ratio, double friction_ratio = 1);
+
+/// \param full_sliding  of the problem's contact  [N/mm]
+/// \param name          of the force, for the message
+/// \throws std::invalid_argument unless the force is below full sliding of the contact; 0 where it
+///                               carries nothing
+void require_carried(double force, const ContactScale& contact, double full_sliding,
+                     std::string_view name = "force");
 
 }  // namespace microslip

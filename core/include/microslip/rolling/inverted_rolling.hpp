@@ -24,7 +24,7 @@ class InvertedSolution {
   ///               load
   /// \param load   that the state carries
   InvertedSolution(std::shared_ptr<const InvertedContact> contact,
-                   std::shared_ptr<const StickZone> zone, const Load& load, int evaluations);
+                   std::shared_ptr<const StickZone> zone, const Prescribed& load, int evaluations);
 
   double creepage() const;     ///< w  [1]
   double force() const;        ///< F  [N/mm]

@@ -2,20 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <variant>
 
-#include "microslip/friction/active_set.hpp"
+#include "microslip/friction/load.hpp"
 
 namespace microslip {
-
-/// A rigid shift without rolling. A positive shift gives negative tractions, as a positive creepage
-/// does.
-struct PrescribedShift {
-  double value;  ///< finite  [mm]
-};
-
-/// The end of a shift: a distance, or a force to reach.
-using ShiftLoad = std::variant<PrescribedShift, PrescribedForce>;
 
 /// The result of a shift without rolling. The slip displacement is s = shift + A (p - p'), with the
 /// tractions p' before and p after the shift.

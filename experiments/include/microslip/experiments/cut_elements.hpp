@@ -35,8 +35,8 @@ class CutElementRolling {
   /// \throws std::invalid_argument outside the range
   void step(double step_ratio);
 
-  double distance() const { return distance_; }        ///< q rolled so far  [dx]
-  double creepage() const { return state_.creepage; }  ///< w of the last step; zero before  [1]
+  double distance() const { return distance_; }          ///< q rolled so far  [dx]
+  double creepage() const { return state_.rigid_slip; }  ///< w of the last step; zero before  [1]
 
   // Elements that in the last step
   Eigen::Index entered() const;   ///< entered the contact at the leading edge
