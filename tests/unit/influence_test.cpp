@@ -25,11 +25,7 @@ TEST(Influence, AgreesWithQuadratureOfKernelTimesShape) {
           const double begin = shape.breakpoints()[i - 1];
           const double end = shape.breakpoints()[i];
           const auto integrand = [&](double s) {
-            return std::visit(
-                [&](const auto& k) {
-                  return k.displacement(dx * std::abs(offset - s)) * shape.value(s);
-                },
-                kernel);
+            return kernel.displacement(dx * std::abs(offset - s)) * shape.value(s);
           };
           const double split = std::clamp(offset, begin, end);  // the kernel's logarithm
           if (split > begin) sum += integrator.integrate(integrand, begin, split);

@@ -26,8 +26,8 @@ TEST(PlaneStrain, IsDefiniteAboveTheLogarithmicCapacity) {
     EXPECT_GT(least_eigenvalue(0.5 * half_length, half_length, 200), 0);
     EXPECT_LT(least_eigenvalue(0.496 * half_length, half_length, 200), 0);
   }
-  EXPECT_EQ(definite_half_length(PlaneKernel(steel, 3)), 6);
-  EXPECT_EQ(definite_half_length(StripKernel(steel, 3)), INFINITY);
+  EXPECT_EQ(PlaneKernel(steel, 3).definite_half_length(), 6);
+  EXPECT_EQ(StripKernel(steel, 3).definite_half_length(), INFINITY);
 }
 
 TransientProblem transient(double length, const AdvectionScheme& scheme, Eigen::Index n) {
