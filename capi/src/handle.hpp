@@ -19,7 +19,7 @@ struct microslip_rolling {
         method(microslip::name_of(problem.scheme)),
         spacing(problem.grid.spacing()),
         full_sliding(spacing * contact->bound().sum()),
-        strain(microslip::bound_strain(problem.bound, problem.kernel)) {}
+        strain(microslip::bound_strain(problem.contact.bound, problem.contact.kernel)) {}
 
   microslip_rolling(const microslip_rolling& other)
       : contact(std::make_unique<microslip::TransientRolling>(*other.contact)),

@@ -57,10 +57,10 @@ AdvectionScheme make_scheme(int scheme) {
 TransientProblem make_problem(const microslip_material& material, const microslip_contact& contact,
                               const microslip_kernel& kernel, const microslip_grid& grid) {
   const TractionBound bound = make_bound(contact);
-  return {.kernel = make_kernel(
-              {.shear_modulus = material.shear_modulus, .poisson_ratio = material.poisson_ratio},
-              kernel),
-          .bound = bound,
+  return {.contact = {.kernel = make_kernel({.shear_modulus = material.shear_modulus,
+                                             .poisson_ratio = material.poisson_ratio},
+                                            kernel),
+                      .bound = bound},
           .grid = Grid({.half_width = contact.half_width, .elements = grid.elements}),
           .basis = constant_basis(),
           .scheme = make_scheme(grid.scheme)};
@@ -75,8 +75,9 @@ TransientProblem make_problem(const microslip_material& material, const microsli
   require(beta == 0 || kernel.type == MICROSLIP_PLANE, "kernel type", kernel.type,
           "1, plane strain, for bodies of different material");
   TransientProblem problem = make_problem(material, contact, kernel, grid);
-  problem.pressure_strain = pressure_strain({problem.kernel.material(), beta}, friction);
-  problem.coupling = beta * friction;
+  problem.contact.pressure_strain =
+      pressure_strain({problem.contact.kernel.material(), beta}, friction);
+  problem.contact.coupling = beta * friction;
   return problem;
 }
 
@@ -84,10 +85,10 @@ SteadyProblem make_steady_problem(const microslip_material& material,
                                   const microslip_contact& contact, const microslip_kernel& kernel,
                                   int elements) {
   const TractionBound bound = make_bound(contact);
-  return {.kernel = make_kernel(
-              {.shear_modulus = material.shear_modulus, .poisson_ratio = material.poisson_ratio},
-              kernel),
-          .bound = bound,
+  return {.contact = {.kernel = make_kernel({.shear_modulus = material.shear_modulus,
+                                             .poisson_ratio = material.poisson_ratio},
+                                            kernel),
+                      .bound = bound},
           .grid = Grid({.half_width = contact.half_width, .elements = elements}),
           .load = PrescribedCreepage{0}};
 }

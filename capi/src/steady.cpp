@@ -71,7 +71,7 @@ std::string doubt_of_loads(const SteadyProblem& problem, int type, const double*
   if (type != MICROSLIP_CREEPAGE || count == 0) return "";
   const auto by_size = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const double largest = *std::max_element(loads, loads + count, by_size);
-  const double strain = bound_strain(problem.bound, problem.kernel);
+  const double strain = bound_strain(problem.contact.bound, problem.contact.kernel);
   const std::string doubt = doubt_of_creepage(largest, strain);
   return doubt.empty() ? "" : fmt::format("creepage = {:.6g}: {}", largest, doubt);
 }

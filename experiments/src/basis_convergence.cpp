@@ -88,12 +88,12 @@ std::vector<Table> basis_convergence(const BasisConvergenceParameters& p,
                        .elements = n,
                        .leading_offset = p.leading_offset,
                        .trailing_offset = p.trailing_offset});
-      const SteadySolution s = solve_steady({.kernel = PlaneKernel(p.material, p.length),
-                                             .bound = p.bound,
-                                             .grid = grid,
-                                             .basis = basis,
-                                             .method = Differences{.step_ratio = p.step_ratio},
-                                             .load = PrescribedCreepage{exact.creepage()}});
+      const SteadySolution s =
+          solve_steady({.contact = {.kernel = PlaneKernel(p.material, p.length), .bound = p.bound},
+                        .grid = grid,
+                        .basis = basis,
+                        .method = Differences{.step_ratio = p.step_ratio},
+                        .load = PrescribedCreepage{exact.creepage()}});
       const double force = traction.weights(grid.spacing(), n).dot(s.traction);
       const Eigen::VectorXd difference =
           s.traction - s.x.unaryExpr([&](double x) { return exact.traction(x); });

@@ -21,8 +21,8 @@ constexpr int exact_points = 1001;
 const std::string exact_only = "as errors are differences to Carter's solution";
 
 Carter exact_solution(const SteadyProblem& problem) {
-  const Material& material = problem.kernel.material();
-  const auto& bound = std::get<HertzBound>(problem.bound);
+  const Material& material = problem.contact.kernel.material();
+  const auto& bound = std::get<HertzBound>(problem.contact.bound);
   if (const auto* force = std::get_if<PrescribedForce>(&problem.load)) {
     return Carter::from_force(material, bound, force->value);
   }
@@ -103,10 +103,10 @@ CarterParameters read_carter(Scene& scene) {
   }
   const std::vector<double> step_ratios = scene.numbers("step.ratios");
   const SteadyProblem problem = read_steady(scene, Differences{});
-  if (!problem.kernel.is_plane()) {
-    reject("kernel.type", problem.kernel.name(), "plane without a layer, " + exact_only);
+  if (!problem.contact.kernel.is_plane()) {
+    reject("kernel.type", problem.contact.kernel.name(), "plane without a layer, " + exact_only);
   }
-  if (!std::holds_alternative<HertzBound>(problem.bound)) {
+  if (!std::holds_alternative<HertzBound>(problem.contact.bound)) {
     throw BadParameter("contact.bound_polynomial",
                        "contact.bound_polynomial, contact.roughness: expected none, " + exact_only);
   }
@@ -149,7 +149,7 @@ std::vector<Table> carter(const CarterParameters& parameters, const Progress& pr
     progress(summary.rows(), parameters.step_ratios.size());
   }
   const Table accuracy = accuracy_table(parameters, exact);
-  return {traction, exact_table(exact, half_width_of(problem.bound)), summary, accuracy,
+  return {traction, exact_table(exact, half_width_of(problem.contact.bound)), summary, accuracy,
           claims_of(summary, accuracy)};
 }
 

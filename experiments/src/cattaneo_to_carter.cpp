@@ -7,12 +7,8 @@
 namespace microslip::experiments {
 
 TransientProblem CattaneoToCarter::problem(const AdvectionScheme& scheme) const {
-  return {.kernel = kernel,
-          .bound = bound,
-          .grid = grid,
-          .basis = basis,
-          .scheme = scheme,
-          .solver = solver};
+  return {
+      .contact = {kernel, bound}, .grid = grid, .basis = basis, .scheme = scheme, .solver = solver};
 }
 
 TransientRolling CattaneoToCarter::rolled(const AdvectionScheme& scheme, double step_ratio,

@@ -26,8 +26,7 @@ constexpr const char* creepages_key = "curve.creepages";
 
 /// Returns the contact of a transient problem as a problem of steady rolling.
 SteadyProblem contact_of(const TransientProblem& problem) {
-  return {.kernel = problem.kernel,
-          .bound = problem.bound,
+  return {.contact = problem.contact,
           .grid = problem.grid,
           .load = PrescribedCreepage{0},
           .solver = problem.solver,
@@ -43,7 +42,7 @@ SteadyProblem read_contact_of_curve(Scene& scene) {
   const Model model = read_model(scene);
   const auto* transient = std::get_if<TransientScene>(&model);
   return contact_of(transient != nullptr ? transient->problem
-                                         : std::get<CylinderScene>(model).contact);
+                                         : std::get<CylinderScene>(model).problem);
 }
 
 std::vector<double> read_creepages(Scene& scene, const TractionBound& bound) {
@@ -84,14 +83,14 @@ double rounded_up(double value) {
 /// Returns a creepage at which the whole contact slides, with some margin.
 double beyond_sliding(const SteadyProblem& problem) {
   constexpr double almost_all = 0.999, margin = 1.25;
-  const double most = full_sliding_force(problem.bound);
+  const double most = full_sliding_force(problem.contact.bound);
   return rounded_up(margin * solved(problem, PrescribedForce{-almost_all * most}).creepage);
 }
 
 std::vector<double> creepages_of(const CurveScene& scene) {
   if (!scene.creepages.empty()) return scene.creepages;
   const double largest = scene.largest ? *scene.largest : beyond_sliding(scene.problem);
-  const double least = scene.problem.has_unlike_bodies() ? -largest : 0;
+  const double least = scene.problem.contact.has_unlike_bodies() ? -largest : 0;
   std::vector<double> creepages;
   for (int i = 0; i < scene.points; ++i) {
     const double part = static_cast<double>(i) / (scene.points - 1);
@@ -107,8 +106,8 @@ double slope_without_creepage(const SteadyProblem& problem, double largest) {
   const double creepage = small * largest;
   const double half_width = problem.grid.half_width();
   SteadyProblem sticking = problem;
-  sticking.bound = HertzBound(
-      half_width, full_sliding_force(problem.bound) * 2 / (std::numbers::pi * half_width));
+  sticking.contact.bound = HertzBound(
+      half_width, full_sliding_force(problem.contact.bound) * 2 / (std::numbers::pi * half_width));
   return std::abs(solved_at(sticking, creepage).force) / creepage;
 }
 
@@ -128,7 +127,7 @@ Table empty_curve(const CurveScene& scene) {
 CurveScene read_curve(Scene& scene) {
   const SteadyProblem problem = read_contact_of_curve(scene);
   CurveScene read{.problem = problem,
-                  .creepages = read_creepages(scene, problem.bound),
+                  .creepages = read_creepages(scene, problem.contact.bound),
                   .points = 0,
                   .largest = std::nullopt,
                   .with_fastsim = scene.word("curve.beside") == "fastsim"};
@@ -139,13 +138,13 @@ CurveScene read_curve(Scene& scene) {
     read.points = static_cast<int>(points);
     if (scene.has("curve.largest")) {
       read.largest = scene.positive("curve.largest");
-      warn_of_large_creepage(scene, "curve.largest", *read.largest, problem.bound);
+      warn_of_large_creepage(scene, "curve.largest", *read.largest, problem.contact.bound);
     }
   }
-  if (read.with_fastsim && problem.has_unlike_bodies()) {
+  if (read.with_fastsim && problem.contact.has_unlike_bodies()) {
     reject("curve.beside", "fastsim", "nothing for bodies of different material");
   }
-  if (scene.has("contact.normal_load") || problem.has_unlike_bodies()) {
+  if (scene.has("contact.normal_load") || problem.contact.has_unlike_bodies()) {
     read.friction = read_friction(scene);
   }
   return read;
@@ -153,19 +152,20 @@ CurveScene read_curve(Scene& scene) {
 
 std::vector<Table> curve_tables(const CurveScene& scene, const Progress& progress) {
   const SteadyProblem& problem = scene.problem;
-  const double most = full_sliding_force(problem.bound);
+  const double most = full_sliding_force(problem.contact.bound);
   const std::vector<double> creepages = creepages_of(scene);
   const double largest = std::max(std::abs(creepages.front()), std::abs(creepages.back()));
   std::optional<double> slope;
-  if (!problem.has_unlike_bodies() && largest > 0) slope = slope_without_creepage(problem, largest);
+  if (!problem.contact.has_unlike_bodies() && largest > 0)
+    slope = slope_without_creepage(problem, largest);
   if (scene.with_fastsim && !slope) {
     reject(creepages_key, "0", "a creepage that is not zero with FASTSIM");
   }
   std::optional<Fastsim> fastsim;
-  if (scene.with_fastsim) fastsim.emplace(half_width_of(problem.bound), most, *slope);
+  if (scene.with_fastsim) fastsim.emplace(half_width_of(problem.contact.bound), most, *slope);
 
-  const bool warns_of_fallback =
-      !problem.has_unlike_bodies() && !std::holds_alternative<TabulatedBound>(problem.bound);
+  const bool warns_of_fallback = !problem.contact.has_unlike_bodies() &&
+                                 !std::holds_alternative<TabulatedBound>(problem.contact.bound);
   Table table = empty_curve(scene);
   std::string fallback;
   std::size_t done = 0;

@@ -72,7 +72,7 @@ void add(Table& history, const RollingCylinder& body) {
 }  // namespace
 
 std::vector<Table> scene_tables(const CylinderScene& scene, const Progress& progress) {
-  RollingCylinder body(scene.contact, scene.cylinder, scene.integrator, scene.step_ratio,
+  RollingCylinder body(scene.problem, scene.cylinder, scene.integrator, scene.step_ratio,
                        scene.tolerance);
   require_few_steps(body, scene);
   Table history = empty_history(energy_turned_over(scene.cylinder, scene.distance));
@@ -101,17 +101,17 @@ std::vector<Table> scene_tables(const CylinderScene& scene, const Progress& prog
   summary.add({"angular_velocity", state.angular_velocity, "rad/s"});
   summary.add({"force", state.force, "N/mm"});
   summary.add({"creepage", state.creepage, "1"});
-  summary.add({"full_sliding_force", full_sliding_force(scene.contact.bound), "N/mm"});
+  summary.add({"full_sliding_force", full_sliding_force(scene.problem.contact.bound), "N/mm"});
   summary.add({"adhesion_elements", last.adhesion_elements, "1"});
   summary.add({"slip_elements", last.slip_elements, "1"});
   summary.add(
       {"energy_error", energy.total() / energy_turned_over(scene.cylinder, state.position), "1"},
       {"value", relative_rounding});
-  summary.add({"method", name_of(scene.contact.scheme), "1"});
+  summary.add({"method", name_of(scene.problem.scheme), "1"});
   add_evidence(summary, worst.evidence,
                {.condition = body.condition(),
                 .iterations = worst.iterations,
-                .accepted = scene.contact.accepted});
+                .accepted = scene.problem.accepted});
   return {traction_table("a cylinder rolls down a slope, values at the nodes at the end",
                          {body.contact().x(), body.contact().bound_at_nodes(),
                           body.contact().traction_at_nodes(), last.slip,

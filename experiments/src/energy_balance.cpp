@@ -43,7 +43,7 @@ std::vector<Named> combinations() {
 RollingCylinder cylinder_on(const Parameters& p, Index elements, const AdvectionScheme& scheme,
                             Integrator integrator, double step_ratio,
                             std::optional<double> tolerance) {
-  TransientProblem contact = p.scene.contact;
+  TransientProblem contact = p.scene.problem;
   contact.scheme = scheme;
   contact.grid = Grid({.half_width = contact.grid.half_width(), .elements = elements});
   return {contact, p.scene.cylinder, integrator, step_ratio, tolerance};
@@ -144,7 +144,7 @@ std::vector<double> force_periods(const Table& motion) {
 /// Adds the motion with snapshots and energies. Returns the period on a contact that sticks.
 double add_motion(Tables& tables, const Parameters& p) {
   const double radius = p.scene.cylinder.radius;
-  const Index elements = p.scene.contact.grid.size();
+  const Index elements = p.scene.problem.grid.size();
   double period = 0;
   for (const Named& named : combinations()) {
     if (named.integrator == "leapfrog") continue;
@@ -202,7 +202,7 @@ Eigen::VectorXd times_to(double end) { return Eigen::VectorXd::LinSpaced(200, en
 /// Returns the time at which a body with the shown grid has rolled a distance.
 double time_of(const Parameters& p, double distance) {
   RollingCylinder body =
-      cylinder_on(p, p.scene.contact.grid.size(), Remembered{}, Integrator::verlet);
+      cylinder_on(p, p.scene.problem.grid.size(), Remembered{}, Integrator::verlet);
   while (body.state().position < distance) body.step();
   return body.state().time;
 }
@@ -236,7 +236,7 @@ void add_motion_errors(Tables& tables, const Parameters& p) {
 void add_step_control(Tables& tables, const Parameters& p) {
   const Eigen::VectorXd times = times_to(time_of(p, p.scene.distance));
   const auto rolled = [&](double step_ratio, std::optional<double> tolerance) {
-    return trajectory(cylinder_on(p, p.scene.contact.grid.size(), Remembered{},
+    return trajectory(cylinder_on(p, p.scene.problem.grid.size(), Remembered{},
                                   Integrator::midpoint, step_ratio, tolerance),
                       p.scene.cylinder, times);
   };

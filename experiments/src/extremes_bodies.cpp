@@ -18,8 +18,7 @@ namespace {
 using Eigen::Index;
 
 SteadyProblem problem_of(const ExtremesParameters& p, const Kernel& kernel, double force_ratio) {
-  return {.kernel = kernel,
-          .bound = p.bound,
+  return {.contact = {.kernel = kernel, .bound = p.bound},
           .grid = Grid({.half_width = p.bound.half_width(), .elements = p.elements}),
           .load = PrescribedForce{-force_ratio * p.bound.total()}};
 }
@@ -65,7 +64,7 @@ Creepage under_springs(const ExtremesParameters& p, const SteadyProblem& problem
   const double force = std::abs(std::get<PrescribedForce>(problem.load).value);
   const double exact =
       layer >= springs_alone
-          ? brush_creepage(Brush(problem.kernel.layer_compliance(), p.bound), force)
+          ? brush_creepage(Brush(problem.contact.kernel.layer_compliance(), p.bound), force)
           : by_fine_elements(problem);
   return {exact, exact};
 }
@@ -119,7 +118,7 @@ Map bodies_map(const ExtremesParameters& p) {
   for (const double strain : p.kernels.strains) {
     for (const double part : loads) {
       SteadyProblem problem = problem_of(p, kernel, part);
-      problem.pressure_strain = strain * compliance(p.material);
+      problem.contact.pressure_strain = strain * compliance(p.material);
       const auto truth = std::make_shared<const Creepage>(of_unlike_bodies(p, problem));
       for (const std::string_view scheme : {"standard", "calibrated"}) {
         map.cases.push_back(case_of(p, scheme, problem, truth, {strain, part}));

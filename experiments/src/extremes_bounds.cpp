@@ -56,7 +56,7 @@ double truth_of(const SteadyProblem& problem) {
   constexpr Index elements = 8001;
   try {
     const InvertedSolution found =
-        InvertedRolling(problem.kernel, problem.bound, finer).solve(problem.load);
+        InvertedRolling(problem.contact.kernel, problem.contact.bound, finer).solve(problem.load);
     if (found.keeps_conditions()) return found.creepage();
   } catch (const NotConverged&) {
   }
@@ -89,8 +89,7 @@ Map bounds_map(const ExtremesParameters& p) {
     ++kind;
     for (const double part : p.bounds) {
       const SteadyProblem contact{
-          .kernel = kernel,
-          .bound = bound,
+          .contact = {.kernel = kernel, .bound = bound},
           .grid = Grid({.half_width = p.bound.half_width(), .elements = p.elements}),
           .load = PrescribedForce{-part * full_sliding_force(bound)}};
       const auto truth = std::make_shared<const double>(truth_of(contact));

@@ -31,8 +31,7 @@ const std::array<Scheme, 4> schemes{{{"midpoint", Remembered{}, Integrator::midp
 RollingCylinder body_on(const ExtremesParameters& p, const Scheme& scheme, Index elements,
                         double slope_ratio, double step_ratio) {
   const double radius = 10 * p.bound.half_width();
-  return {{.kernel = PlaneKernel(p.material, p.length),
-           .bound = p.bound,
+  return {{.contact = {.kernel = PlaneKernel(p.material, p.length), .bound = p.bound},
            .grid = Grid({.half_width = p.bound.half_width(), .elements = elements}),
            .basis = constant_basis(),
            .scheme = scheme.advection},
@@ -91,7 +90,7 @@ class CylinderTruth {
 };
 
 Finding finding_of_motion(const ExtremesParameters& p, const Scheme& scheme, double slope_ratio,
-                   double step_ratio, CylinderTruth& truth) {
+                          double step_ratio, CylinderTruth& truth) {
   RollingCylinder body = body_on(p, scheme, p.elements, slope_ratio, step_ratio);
   const Roll rolled = roll(p, body);
   return {.error = std::max(std::abs(rolled.velocity / truth.at(slope_ratio) - 1), rolled.missed),

@@ -56,15 +56,15 @@ VectorXd without_units(const Scaled& from, const VectorXd& traction, double cree
 }
 
 ScaledScheme steady(const std::string& name, const std::string& in_tables, bool strip,
-              double step_ratio = 1) {
+                    double step_ratio = 1) {
   return {in_tables, [=, method = steady_scheme(name).method(step_ratio)](
                          const ExtremesParameters& p, const Scale& scale) {
             const Scaled from = scaled(p, scale);
-            const SteadySolution found = solve_steady({.kernel = strip ? from.strip : from.plane,
-                                                       .bound = from.bound,
-                                                       .grid = from.grid,
-                                                       .method = method,
-                                                       .load = PrescribedForce{from.force}});
+            const SteadySolution found = solve_steady(
+                {.contact = {.kernel = strip ? from.strip : from.plane, .bound = from.bound},
+                 .grid = from.grid,
+                 .method = method,
+                 .load = PrescribedForce{from.force}});
             return without_units(from, found.traction, found.creepage);
           }};
 }
@@ -74,8 +74,7 @@ ScaledScheme transient(const std::string& name) {
   return {name, [=, scheme = advection_scheme(name).scheme(1)](const ExtremesParameters& p,
                                                                const Scale& scale) {
             const Scaled from = scaled(p, scale);
-            TransientRolling rolling({.kernel = from.plane,
-                                      .bound = from.bound,
+            TransientRolling rolling({.contact = {.kernel = from.plane, .bound = from.bound},
                                       .grid = from.grid,
                                       .basis = constant_basis(),
                                       .scheme = scheme},
@@ -100,13 +99,13 @@ Table scales_table(const ExtremesParameters& p) {
         "of 1; largest, relative to the largest",
         1e-12}});
   const std::vector<ScaledScheme> schemes{steady("standard", "standard", false),
-                                    steady("standard", "standard, c = 0.001", false, 1e-3),
-                                    steady("inversion", "inversion", false),
-                                    steady("inversion", "inversion strip", true),
-                                    steady("chebyshev", "chebyshev strip", true),
-                                    transient("direct"),
-                                    transient("fractional"),
-                                    transient("remembered")};
+                                          steady("standard", "standard, c = 0.001", false, 1e-3),
+                                          steady("inversion", "inversion", false),
+                                          steady("inversion", "inversion strip", true),
+                                          steady("chebyshev", "chebyshev strip", true),
+                                          transient("direct"),
+                                          transient("fractional"),
+                                          transient("remembered")};
   for (const ScaledScheme& scheme : schemes) {
     const VectorXd ordinary = scheme.solve(p, {});
     const auto add = [&](const std::string& what, double factor, const Scale& scale) {

@@ -81,8 +81,7 @@ double relative(double value, double exact, double scale) {
 Finding solve(const SteadyChoice& scheme, const Setting& setting, const Grid& grid,
               double step_ratio, const Load& load) {
   const SteadySolution found = solve_steady(solved_by(*scheme.entry,
-                                                      {.kernel = setting.kernel,
-                                                       .bound = setting.bound,
+                                                      {.contact = {setting.kernel, setting.bound},
                                                        .grid = grid,
                                                        .basis = scheme.basis,
                                                        .load = load},
@@ -128,8 +127,7 @@ std::shared_ptr<const Truth> strip_truth(const Kernel& kernel, const HertzBound&
         Truth{solution->creepage(), force, [=](double x) { return solution->traction(x); }});
   } catch (const std::exception&) {  // too narrow
   }
-  SteadyProblem problem{.kernel = kernel,
-                        .bound = bound,
+  SteadyProblem problem{.contact = {.kernel = kernel, .bound = bound},
                         .grid = Grid(grid_of(p, 9 * p.elements)),
                         .load = PrescribedForce{force}};
   const auto truth_of = [&] {

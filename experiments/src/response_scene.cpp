@@ -33,16 +33,16 @@ constexpr double default_longest = 300;
 
 struct ContactOf {
   SteadyContact operator()(const SteadyProblem& problem) const {
-    if (problem.has_unlike_bodies()) refuse("the bodies differ in material");
-    return {problem.kernel, problem.bound, problem.load};
+    if (problem.contact.has_unlike_bodies()) refuse("the bodies differ in material");
+    return {problem.contact, problem.load};
   }
   SteadyContact operator()(const SteadyTarget& target) const { return target.contact; }
   SteadyContact operator()(const TransientScene& scene) const {
     if (!scene.loads.distances().empty()) {
       throw std::invalid_argument("load.file: expected one load, of which there is a steady state");
     }
-    if (scene.problem.has_unlike_bodies()) refuse("the bodies differ in material");
-    return {scene.problem.kernel, scene.problem.bound, scene.loads.at(0)};
+    if (scene.problem.contact.has_unlike_bodies()) refuse("the bodies differ in material");
+    return {scene.problem.contact, scene.loads.at(0)};
   }
   SteadyContact operator()(const CylinderScene&) const {
     reject("problem", "cylinder", "steady or transient, which have a load");

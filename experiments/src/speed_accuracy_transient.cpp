@@ -33,7 +33,8 @@ struct TransientEntrant {
 /// The reference, which is remembered with c = 1.
 TransientEntrant finest() { return {Remembered{}, constant_basis(), 1, Solver::Type::automatic}; }
 
-CattaneoToCarter start_of(const SpeedAccuracyParameters& p, Index elements, const TransientEntrant& by) {
+CattaneoToCarter start_of(const SpeedAccuracyParameters& p, Index elements,
+                          const TransientEntrant& by) {
   const auto& motion = p.transient;
   return {.kernel = PlaneKernel(p.material, p.length),
           .bound = motion.bound,
@@ -56,7 +57,8 @@ struct Answer {
 };
 
 /// Rolls from the shift on under the creepage with which Carter's solution has the same force.
-Answer answer_to_creepage(const SpeedAccuracyParameters& p, Index elements, const TransientEntrant& by) {
+Answer answer_to_creepage(const SpeedAccuracyParameters& p, Index elements,
+                          const TransientEntrant& by) {
   const CattaneoToCarter start = start_of(p, elements, by);
   TransientRolling rolling(start.problem(by.scheme), CattaneoShift{start.force});
   const double dx = start.grid.spacing();

@@ -24,9 +24,9 @@ std::string method_of(const SteadySolution& solution) {
 /// own, nor other bounds than Hertz's for bodies of different material: elements are the regular way to
 /// solve them.
 std::optional<std::string> doubt_of(const SteadySolution& solution, const SteadyProblem& problem) {
-  const bool table = std::holds_alternative<TabulatedBound>(problem.bound);
-  const bool elements =
-      problem.has_unlike_bodies() && !std::holds_alternative<HertzBound>(problem.bound);
+  const bool table = std::holds_alternative<TabulatedBound>(problem.contact.bound);
+  const bool elements = problem.contact.has_unlike_bodies() &&
+                        !std::holds_alternative<HertzBound>(problem.contact.bound);
   if (solution.fallback.empty() || table || elements) return std::nullopt;
   return method_of(solution);
 }
@@ -39,7 +39,7 @@ Table nodes(const SteadySolution& solution) {
 
 Table summary_of(const std::string& description, const SteadySolution& solution,
                  const SteadyProblem& problem, const std::optional<double>& error = std::nullopt) {
-  const double full_sliding = full_sliding_force(problem.bound);
+  const double full_sliding = full_sliding_force(problem.contact.bound);
   Table summary = empty_summary(fmt::format("{}; {}", description, method_of(solution)));
   summary.add({"force", solution.force, "N/mm"});
   summary.add({"creepage", solution.creepage, "1"});
@@ -69,7 +69,8 @@ SteadySolution solve_with_change(const SteadyProblem& problem) {
   const bool by_elements = std::holds_alternative<Calibrated>(problem.method) ||
                            std::holds_alternative<Differences>(problem.method);
   const Eigen::Index elements = problem.grid.size();
-  if (!by_elements || elements < fewest || !std::holds_alternative<TabulatedBound>(problem.bound)) {
+  if (!by_elements || elements < fewest ||
+      !std::holds_alternative<TabulatedBound>(problem.contact.bound)) {
     return solution;
   }
   SteadyProblem coarse = problem;

@@ -15,7 +15,7 @@ namespace microslip::experiments {
 namespace {
 
 double full_sliding_of(const TransientScene& scene, const TransientState& state) {
-  return full_sliding_force(scene.problem.bound) * state.scale.full_sliding();
+  return full_sliding_force(scene.problem.contact.bound) * state.scale.full_sliding();
 }
 
 Table empty_history(const LoadHistory& loads) {
@@ -129,7 +129,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   if (scene.from == 0) start.iterations = 0;  // the start is no step
   add(history, start, scene);
   double cumulative_creep = 0;
-  LostEnergy lost(start, full_sliding_force(scene.problem.bound));
+  LostEnergy lost(start, full_sliding_force(scene.problem.contact.bound));
   double before = start.distance;
   WorstOfSteps worst;
   rolling.roll_to(scene.distance, lengths, scene.loads, [&](const TransientState& state) {

@@ -24,8 +24,8 @@ std::optional<Carter> carter(const SteadyContact& contact) {
 
 struct CarterOf {
   std::optional<Carter> operator()(const SteadyProblem& problem) const {
-    if (problem.has_unlike_bodies()) return std::nullopt;
-    return carter({problem.kernel, problem.bound, problem.load});
+    if (problem.contact.has_unlike_bodies()) return std::nullopt;
+    return carter({problem.contact, problem.load});
   }
   std::optional<Carter> operator()(const SteadyTarget& target) const {
     return carter(target.contact);

@@ -64,14 +64,14 @@ std::size_t microslip_py_steady_size(const microslip_py_steady* steady) {
 }
 
 double microslip_py_full_sliding(const microslip_py_steady* steady) {
-  return full_sliding_force(steady->problem.bound);
+  return full_sliding_force(steady->problem.contact.bound);
 }
 
 int microslip_py_fastsim(const microslip_py_steady* steady, double slope, const double* creepages,
                          std::size_t count, double* forces) {
   return python::status_of([&] {
-    const TractionBound& bound = steady->problem.bound;
-    if (steady->problem.has_unlike_bodies()) {
+    const TractionBound& bound = steady->problem.contact.bound;
+    if (steady->problem.contact.has_unlike_bodies()) {
       reject("beside", "fastsim", "None for bodies of different material");
     }
     const Fastsim fastsim(half_width_of(bound), full_sliding_force(bound), slope);

@@ -64,8 +64,8 @@ struct MemoryOf {
            row_of_history * (steps_needed(scene) + static_cast<double>(scene.shifts.size()));
   }
   double operator()(const CylinderScene& scene) const {
-    return memory_by({.element = 1600, .matrices = 5}, by_fft(scene.contact),
-                     scene.contact.grid.size()) +
+    return memory_by({.element = 1600, .matrices = 5}, by_fft(scene.problem),
+                     scene.problem.grid.size()) +
            row_of_history * steps_needed(scene);
   }
 };
@@ -77,7 +77,7 @@ struct StepsOf {
     return static_cast<double>(number_of_steps(scene.distance, scene.step_lengths(), scene.from));
   }
   double operator()(const CylinderScene& scene) const {
-    const double length = scene.step_ratio * scene.contact.grid.spacing();
+    const double length = scene.step_ratio * scene.problem.grid.spacing();
     return static_cast<double>(number_of_steps(scene.distance, {length}));
   }
 };
@@ -86,9 +86,10 @@ struct StepsOf {
 struct WorkOf {
   double operator()(const SteadyProblem& problem) const {
     const auto n = static_cast<double>(problem.grid.size());
-    const bool strip = std::isfinite(problem.kernel.clear_distance());
-    if (std::holds_alternative<Inversion>(problem.method) && problem.kernel.is_half_space()) {
-      const auto* table = std::get_if<TabulatedBound>(&problem.bound);
+    const bool strip = std::isfinite(problem.contact.kernel.clear_distance());
+    if (std::holds_alternative<Inversion>(problem.method) &&
+        problem.contact.kernel.is_half_space()) {
+      const auto* table = std::get_if<TabulatedBound>(&problem.contact.bound);
       return table == nullptr ? 4e5 + 2000 * n : 1e5 + 300 * n + of_rows(problem, *table);
     }
     if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
@@ -108,8 +109,8 @@ struct WorkOf {
   }
   double operator()(const CylinderScene& scene) const {
     const double rounds = scene.integrator == Integrator::midpoint ? 3 : 1;
-    return steps_needed(scene) * rounds * solves_of_step(scene.contact.scheme, scene.step_ratio) *
-           of_step(scene.contact, is_whole(scene.step_ratio));
+    return steps_needed(scene) * rounds * solves_of_step(scene.problem.scheme, scene.step_ratio) *
+           of_step(scene.problem, is_whole(scene.step_ratio));
   }
   /// Cost of the rows of a table in the slip zone, if one zone sticks. The zone is as long as in
   /// Carter's solution under the same part of full sliding; under a creepage this part is not known.
@@ -117,7 +118,7 @@ struct WorkOf {
     constexpr double under_creepage = 0.5;
     const auto* force = std::get_if<PrescribedForce>(&problem.load);
     const double part =
-        force ? std::min(1.0, std::abs(force->value) / full_sliding_force(problem.bound))
+        force ? std::min(1.0, std::abs(force->value) / full_sliding_force(problem.contact.bound))
               : under_creepage;
     return static_cast<double>(table.x().size()) * (1 - std::sqrt(1 - part)) *
            (1.2e5 + 85 * static_cast<double>(problem.grid.size()));
@@ -128,7 +129,7 @@ struct WorkOf {
   }
   /// Cost of a change of the half-width: in plane strain one more solve, on a strip a new response.
   static double of_change(const TransientProblem& problem) {
-    if (problem.kernel.is_plane()) return of_step(problem, true);
+    if (problem.contact.kernel.is_plane()) return of_step(problem, true);
     const auto n = static_cast<double>(problem.grid.size());
     return kernel_work * n + (by_fft(problem) ? 600 * n * log2_of(n) : 0.7 * n * n * n);
   }

@@ -136,12 +136,12 @@ void warn_of_unresolved_table(Scene& scene, const TransientProblem& problem,
                               const LoadHistory& loads) {
   constexpr double doubtful = 0.01;
   constexpr Eigen::Index most_rows = 400;
-  const auto* table = std::get_if<TabulatedBound>(&problem.bound);
+  const auto* table = std::get_if<TabulatedBound>(&problem.contact.bound);
   if (table == nullptr || table->x().size() > most_rows) return;
-  SteadyProblem steady{.kernel = problem.kernel,
-                       .bound = problem.bound,
-                       .grid = problem.grid,
-                       .load = largest_load(loads, full_sliding_force(problem.bound))};
+  SteadyProblem steady{
+      .contact = {.kernel = problem.contact.kernel, .bound = problem.contact.bound},
+      .grid = problem.grid,
+      .load = largest_load(loads, full_sliding_force(problem.contact.bound))};
   if (Prescribed(steady.load).value == 0) return;
   double change = 0;
   try {

@@ -36,7 +36,7 @@ std::string elements_of(const Grid& grid) {
 }
 
 std::string method_of(const SteadyProblem& problem) {
-  if (problem.has_unlike_bodies() && std::holds_alternative<Inversion>(problem.method)) {
+  if (problem.contact.has_unlike_bodies() && std::holds_alternative<Inversion>(problem.method)) {
     return "all stick zones are solved by inversion under Hertz's bound; otherwise by elements "
            "over the whole contact, constant functions; the row 'method' of the summary names the "
            "method";
@@ -44,7 +44,7 @@ std::string method_of(const SteadyProblem& problem) {
   const auto* differences = std::get_if<Differences>(&problem.method);
   const double c = differences == nullptr ? 1 : differences->step_ratio;
   const bool by_elements =
-      std::holds_alternative<Inversion>(problem.method) && !problem.kernel.is_half_space();
+      std::holds_alternative<Inversion>(problem.method) && !problem.contact.kernel.is_half_space();
   const SteadyEntry& entry = by_elements ? steady_scheme("calibrated") : entry_of(problem);
   return fmt::format(fmt::runtime(entry.text),
                      fmt::arg("functions", problem.basis.name() + " functions"),
@@ -66,7 +66,7 @@ std::string loaded(const TransientScene& scene) {
     const Load load = scene.loads.at(distance);
     if (size(load) > size(largest)) largest = load;
   }
-  return sliding(scene.problem.bound, largest);
+  return sliding(scene.problem.contact.bound, largest);
 }
 
 /// The shifts before rolling, except for the shift of an ordinary start.
@@ -77,9 +77,10 @@ std::vector<std::string> shifted(const TransientScene& scene) {
     most = std::max(most, std::abs(Prescribed(load).value));
   }
   const bool by_force = Prescribed(scene.shifts.front()).by_force;
-  const std::string size = by_force ? fmt::format("to at most {:.5g} of full sliding",
-                                                  most / full_sliding_force(scene.problem.bound))
-                                    : fmt::format("by at most {:.5g} mm", most);
+  const std::string size = by_force
+                               ? fmt::format("to at most {:.5g} of full sliding",
+                                             most / full_sliding_force(scene.problem.contact.bound))
+                               : fmt::format("by at most {:.5g} mm", most);
   const std::size_t count = scene.shifts.size();
   return {
       fmt::format("{} shift{} without rolling before it, {}", count, count == 1 ? "" : "s", size)};
@@ -134,8 +135,9 @@ std::string goodman(double coupling) {
 /// States that the pressure makes bodies of different material creep in free rolling.
 template <class Problem>
 std::vector<std::string> stretched(const Problem& problem) {
-  if (!problem.has_unlike_bodies()) return {};
-  const double ratio = problem.pressure_strain / compliance(problem.kernel.material());
+  if (!problem.contact.has_unlike_bodies()) return {};
+  const double ratio =
+      problem.contact.pressure_strain / compliance(problem.contact.kernel.material());
   return {
       fmt::format("bodies of different material, beta/mu = {:.5g}: the pressure stretches one "
                   "surface against the other",
@@ -199,10 +201,9 @@ struct OfKernel {
   }
 };
 
-template <class Problem>
-Explanation with_kernel(const Problem& problem, Explanation found) {
-  OfKernel of{half_width_of(problem.bound)};
-  problem.kernel.visit(of);
+Explanation with_kernel(const Contact& contact, Explanation found) {
+  OfKernel of{half_width_of(contact.bound)};
+  contact.kernel.visit(of);
   std::ranges::move(of.consequences, std::back_inserter(found.consequences));
   found.not_modelled.insert(found.not_modelled.begin(), of.not_modelled.begin(),
                             of.not_modelled.end());
@@ -211,15 +212,17 @@ Explanation with_kernel(const Problem& problem, Explanation found) {
 
 struct Explain {
   Explanation operator()(const SteadyProblem& problem) const {
-    std::vector<std::string> consequences = {sliding(problem.bound, problem.load),
+    std::vector<std::string> consequences = {sliding(problem.contact.bound, problem.load),
                                              elements_of(problem.grid), method_of(problem)};
-    std::ranges::copy(tabulated(problem.bound, problem.grid), std::back_inserter(consequences));
+    std::ranges::copy(tabulated(problem.contact.bound, problem.grid),
+                      std::back_inserter(consequences));
     std::ranges::copy(stretched(problem), std::back_inserter(consequences));
     Explanation found = steady(kind_of(problem.load), consequences);
-    if (problem.has_unlike_bodies()) {
-      found.not_modelled = {normal, goodman(problem.coupling), how_steady, details_of_unlike};
+    if (problem.contact.has_unlike_bodies()) {
+      found.not_modelled = {normal, goodman(problem.contact.coupling), how_steady,
+                            details_of_unlike};
     }
-    return with_kernel(problem, found);
+    return with_kernel(problem.contact, found);
   }
   Explanation operator()(const SteadyTarget& target) const {
     return with_kernel(
@@ -232,7 +235,7 @@ struct Explain {
   }
   Explanation operator()(const TransientScene& scene) const {
     std::vector<std::string> consequences = {loaded(scene), elements_of(scene.problem.grid)};
-    std::ranges::copy(tabulated(scene.problem.bound, scene.problem.grid),
+    std::ranges::copy(tabulated(scene.problem.contact.bound, scene.problem.grid),
                       std::back_inserter(consequences));
     std::ranges::copy(changed(scene), std::back_inserter(consequences));
     std::ranges::copy(shifted(scene), std::back_inserter(consequences));
@@ -242,12 +245,12 @@ struct Explain {
     std::vector<std::string> not_modelled = {
         scene.loads.changes_contact() ? normal_changes : normal,
         "inertia of the bodies (problem cylinder has it)", details};
-    if (scene.problem.has_unlike_bodies()) {
-      not_modelled = {normal, goodman(scene.problem.coupling),
+    if (scene.problem.contact.has_unlike_bodies()) {
+      not_modelled = {normal, goodman(scene.problem.contact.coupling),
                       "tractions of bodies that are pressed together: they start without any",
                       not_modelled[1], details_of_unlike};
     }
-    return with_kernel(scene.problem,
+    return with_kernel(scene.problem.contact,
                        {fmt::format("transient rolling under {}{}", kind_of(scene.loads.at(0)),
                                     scene.loads.distances().empty() ? "" : " that changes"),
                         consequences, not_modelled});
@@ -256,12 +259,12 @@ struct Explain {
     const double velocity = scene.cylinder.velocity;
     const std::string start =
         velocity == 0 ? "rest" : fmt::format("free rolling with {:.5g} mm/s", velocity);
-    return with_kernel(scene.contact,
+    return with_kernel(scene.problem.contact,
                        {"a cylinder that rolls down a slope from " + start,
-                        {sliding(scene.contact.bound), elements_of(scene.contact.grid),
-                         rolled(scene, scene.distance, scene.contact.grid) +
+                        {sliding(scene.problem.contact.bound), elements_of(scene.problem.grid),
+                         rolled(scene, scene.distance, scene.problem.grid) +
                              " or more: steps from rest and steps of a swinging body are shorter",
-                         method_of(scene.contact.scheme)},
+                         method_of(scene.problem.scheme)},
                         {normal, "waves in the bodies: they deform as at rest", details}});
   }
   static Explanation steady(const std::string& load, std::vector<std::string> consequences) {

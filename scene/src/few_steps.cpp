@@ -28,7 +28,7 @@ double length_of_change(const TransientProblem& problem, const LoadHistory& load
 }  // namespace
 
 LoadTolerance tolerance_of_load(const TransientProblem& problem, double part) {
-  const double force = part * full_sliding_force(problem.bound);
+  const double force = part * full_sliding_force(problem.contact.bound);
   return {.shift = force / stiffness(problem), .force = force, .contact = part};
 }
 

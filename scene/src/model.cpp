@@ -26,8 +26,7 @@ namespace {
 
 /// The contact of a steady or transient scene.
 struct ContactModel {
-  Kernel kernel;
-  TractionBound bound;
+  Contact contact;
   Grid grid;
 };
 
@@ -49,7 +48,7 @@ ContactModel read_contact(Scene& scene, const Material& material, const Material
   const Kernel kernel = read_kernel(scene, tangential);
   const double a = half_width_of(bound);
   warn_of_long_waves(scene, kernel, a);
-  return {kernel, bound,
+  return {{kernel, bound},
           whole ? read_grid(scene, a)
                 : Grid({.half_width = a, .elements = scene.whole("grid.elements")})};
 }
@@ -73,7 +72,7 @@ LoadHistory read_loads(Scene& scene, const TransientProblem& problem) {
   std::vector<std::string> keys = load_keys;
   keys.emplace_back("load.file");
   if (scene.one_of(keys) == "load.file") return read_run(scene, problem);
-  return read_load(scene, problem.kernel, problem.bound);
+  return read_load(scene, problem.contact.kernel, problem.contact.bound);
 }
 
 bool has_step_tolerance(const Scene& scene, const TransientProblem& problem) {
@@ -188,7 +187,7 @@ Beginning read_beginning(Scene& scene, const TransientProblem& problem, const Lo
   const std::string type = scene.word("start.type");
   if (type == "rest") return {};
   if (type == "cattaneo") {
-    const double full = full_sliding_force(problem.bound);
+    const double full = full_sliding_force(problem.contact.bound);
     return read_shifts(scene, full * contact.full_sliding(), load);
   }
   if (type == "state") {
@@ -221,12 +220,12 @@ SteadyProblem read_steady(Scene& scene, const SteadyMethod& method, const Materi
   const ContactModel model = read_contact(scene, material, read_tangential(scene, material),
                                           std::holds_alternative<Differences>(method));
   const bool elements = !std::holds_alternative<ChebyshevCollocation>(method);
-  return {.kernel = model.kernel,
-          .bound = model.bound,
+  return {.contact = model.contact,
           .grid = model.grid,
           .basis = elements ? read_basis(scene, model.grid) : constant_basis(),
           .method = method,
-          .load = with_load ? read_load(scene, model.kernel, model.bound) : read_no_load(scene),
+          .load = with_load ? read_load(scene, model.contact.kernel, model.contact.bound)
+                            : read_no_load(scene),
           .solver = elements ? read_solver(scene) : Solver{},
           .accepted = elements ? read_acceptance(scene) : Acceptance{}};
 }
@@ -235,11 +234,11 @@ SteadyProblem read_steady(Scene& scene, const SteadyMethod& method, const Materi
 template <class Problem>
 void press(Scene& scene, const Bodies& bodies, Problem& problem) {
   if (bodies.dundurs_beta == 0 || scene.word("direction") != "longitudinal") return;
-  problem.pressure_strain = pressure_strain(bodies, 1);
+  problem.contact.pressure_strain = pressure_strain(bodies, 1);
   validate(problem);  // first: where no method takes such bodies, friction is not what is missing
   const double friction = read_friction(scene);
-  problem.pressure_strain /= friction;
-  problem.coupling = bodies.dundurs_beta * friction;
+  problem.contact.pressure_strain /= friction;
+  problem.contact.coupling = bodies.dundurs_beta * friction;
 }
 
 SteadyProblem read_steady(Scene& scene, bool with_load) {
@@ -257,7 +256,8 @@ SteadyProblem read_steady(Scene& scene, bool with_load) {
                  static_cast<double>(problem.grid.size()), instead);
   }
   if (entry.safe_steps) {
-    warn_near_full_sliding(scene, problem.load, problem.bound, problem.grid.size(), instead);
+    warn_near_full_sliding(scene, problem.load, problem.contact.bound, problem.grid.size(),
+                           instead);
   }
   return problem;
 }
@@ -276,7 +276,7 @@ SteadyTarget read_steady_target(Scene& scene) {
   const TractionBound bound = read_bound(scene, material);
   const Kernel kernel = read_kernel(scene, tangential);
   warn_of_long_waves(scene, kernel, half_width_of(bound));
-  return {{kernel, bound, read_load(scene, kernel, bound)}, target};
+  return {{{kernel, bound}, read_load(scene, kernel, bound)}, target};
 }
 
 SteadyProblem read_steady(Scene& scene, const SteadyMethod& method) {
@@ -293,8 +293,7 @@ TransientProblem read_transient_problem(Scene& scene) {
   const Bodies bodies = read_bodies(scene);
   const Material& material = bodies.combined;
   const ContactModel model = read_contact(scene, material, read_tangential(scene, material));
-  TransientProblem problem{.kernel = model.kernel,
-                           .bound = model.bound,
+  TransientProblem problem{.contact = model.contact,
                            .grid = model.grid,
                            .basis = read_basis(scene, model.grid),
                            .scheme = read_scheme(scene),
@@ -318,11 +317,11 @@ TransientScene read_transient(Scene& scene) {
   if (!std::holds_alternative<Remembered>(problem.scheme)) {
     warn_outside(scene, safe_elements(problem.basis), "grid.elements",
                  static_cast<double>(problem.grid.size()), "step.scheme remembered");
-    warn_near_full_sliding(scene, loads.at(0), problem.bound, problem.grid.size(),
+    warn_near_full_sliding(scene, loads.at(0), problem.contact.bound, problem.grid.size(),
                            "step.scheme remembered");
   }
   warn_of_missed_rows(scene, loads, step_ratios, problem.grid.spacing());
-  if (problem.pressure_strain == 0) warn_of_unresolved_table(scene, problem, loads);
+  if (problem.contact.pressure_strain == 0) warn_of_unresolved_table(scene, problem, loads);
   const Load load = loads.at(0);
   const Beginning beginning = read_beginning(scene, problem, load, loads.contact_at(0));
   warn_of_sudden_force(scene, loads, step_ratios.front() * problem.grid.spacing());
@@ -351,14 +350,13 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
   const ContactModel model = read_contact(scene, material, material);
   // This is not written within the braces of the scene, because GCC 12 destroys a nested aggregate
   // twice if a later reader throws.
-  const TransientProblem contact{.kernel = model.kernel,
-                                 .bound = model.bound,
+  const TransientProblem problem{.contact = model.contact,
                                  .grid = model.grid,
                                  .basis = read_basis(scene, model.grid),
                                  .scheme = scheme,
                                  .solver = read_solver(scene),
                                  .accepted = read_acceptance(scene)};
-  CylinderScene cylinder{.contact = contact,
+  CylinderScene cylinder{.problem = problem,
                          .cylinder = {.mass = scene.positive("cylinder.mass"),
                                       .inertia = scene.positive("cylinder.inertia"),
                                       .radius = scene.positive("cylinder.radius"),
@@ -368,8 +366,8 @@ CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integra
                          .distance = scene.number("motion.distance")};
   warn_of_other_radius(scene, cylinder.cylinder.radius);
   warn_of_small_radius(scene, "cylinder.radius", cylinder.cylinder.radius,
-                       half_width_of(model.bound));
-  require_definite(cylinder.contact);
+                       half_width_of(model.contact.bound));
+  require_definite(cylinder.problem);
   require_positive("motion.distance", cylinder.distance);
   require_step_ratio(cylinder.step_ratio, "step.ratio");
   require_few_steps(cylinder.distance, 0, cylinder.step_ratio * model.grid.spacing(),
@@ -422,7 +420,7 @@ Eigen::Index elements_of(const Model& model) {
     Eigen::Index operator()(const SteadyProblem& problem) const { return problem.grid.size(); }
     Eigen::Index operator()(const SteadyTarget&) const { return 0; }
     Eigen::Index operator()(const TransientScene& scene) const { return scene.problem.grid.size(); }
-    Eigen::Index operator()(const CylinderScene& scene) const { return scene.contact.grid.size(); }
+    Eigen::Index operator()(const CylinderScene& scene) const { return scene.problem.grid.size(); }
   };
   return std::visit(Elements{}, model);
 }

@@ -47,7 +47,7 @@ void require_contacts(const LoadHistory& loads, const TransientProblem& problem)
            "remembered, which alone rolls on a contact that changes, as columns of load.file have "
            "it");
   }
-  if (problem.has_unlike_bodies()) {
+  if (problem.contact.has_unlike_bodies()) {
     throw std::invalid_argument(
         "columns normal_load, half_width, peak_traction and friction: expected none of them where "
         "bodies differ in material");
@@ -58,14 +58,15 @@ void require_contacts(const LoadHistory& loads, const TransientProblem& problem)
     narrowest = std::min(narrowest, half_width);
     widest = std::max(widest, half_width);
   }
-  if ((narrowest != 1 || widest != 1) && !problem.kernel.is_half_space()) {
+  if ((narrowest != 1 || widest != 1) && !problem.contact.kernel.is_half_space()) {
     throw std::invalid_argument(fmt::format(
         "columns normal_load and half_width: expected none that changes the half-width where the "
         "kernel is {}, not a half-space",
-        problem.kernel.name()));
+        problem.contact.kernel.name()));
   }
   with_keys([&] {
-    require_definite(problem.kernel, widest * (problem.grid.half_width() + problem.grid.spacing()));
+    require_definite(problem.contact.kernel,
+                     widest * (problem.grid.half_width() + problem.grid.spacing()));
   });
 }
 
@@ -97,8 +98,8 @@ LoadHistory read_run(Scene& scene, const TransientProblem& problem) {
                        .friction = of_problem(scene, rows.friction, "friction")};
     const LoadHistory loads(rows);
     require_contacts(loads, problem);
-    warn_of_large_creepages(scene, loads, problem.bound);
-    if (rows.force) require_all_carried(*rows.force, loads, problem.bound);
+    warn_of_large_creepages(scene, loads, problem.contact.bound);
+    if (rows.force) require_all_carried(*rows.force, loads, problem.contact.bound);
     return loads;
   });
 }

@@ -32,7 +32,7 @@ void require_within_bound_nearby(const VectorXd& x, const VectorXd& traction,
                                  const TransientProblem& problem) {
   const double half = problem.grid.spacing() / 2;
   const auto at = [&](double shift) {
-    return bound_at(problem.bound, x + VectorXd::Constant(x.size(), shift));
+    return bound_at(problem.contact.bound, x + VectorXd::Constant(x.size(), shift));
   };
   require_within_bound(x, at(-half).cwiseMax(at(0)).cwiseMax(at(half)), traction);
 }
@@ -51,7 +51,7 @@ void require_reach(const VectorXd& x, Index row, Index neighbour, double beyond,
 void require_cover(const VectorXd& x, const std::vector<Index>& within,
                    const TransientProblem& problem) {
   const VectorXd nodes = problem.grid.nodes();
-  const VectorXd bound = bound_at(problem.bound, nodes);
+  const VectorXd bound = bound_at(problem.contact.bound, nodes);
   Index first = 0, last = nodes.size() - 1;
   while (first < last && bound[first] <= 0) ++first;
   while (last > first && bound[last] <= 0) --last;
@@ -69,11 +69,11 @@ VectorXd traction_at_nodes(const VectorXd& x, const VectorXd& traction,
     require(x[i] > x[i - 1], "x", x[i], "ascending positions");
   }
   if (are_nodes(x, nodes, printed_place * problem.grid.spacing())) {
-    require_within_bound(nodes, bound_at(problem.bound, nodes), traction);
+    require_within_bound(nodes, bound_at(problem.contact.bound, nodes), traction);
     return traction;
   }
   require_within_bound_nearby(x, traction, problem);
-  const VectorXd bound = bound_at(problem.bound, x);
+  const VectorXd bound = bound_at(problem.contact.bound, x);
   std::vector<Index> within;
   for (Index i = 0; i < x.size(); ++i) {
     if (bound[i] > 0) within.push_back(i);
@@ -81,7 +81,7 @@ VectorXd traction_at_nodes(const VectorXd& x, const VectorXd& traction,
   require(!within.empty(), "number of rows", 0, "at least one where the bound is not zero");
   require_cover(x, within, problem);
   const VectorXd ratios = (traction.array() / bound.array()).cwiseMax(-1).cwiseMin(1);
-  return bound_at(problem.bound, nodes)
+  return bound_at(problem.contact.bound, nodes)
       .cwiseProduct(interpolated(x(within), ratios(within), nodes));
 }
 

@@ -5,8 +5,9 @@
 
 int main() {
   microslip::TransientRolling rolling(
-      {.kernel = microslip::StripKernel({.shear_modulus = 82000, .poisson_ratio = 0.28}, 10),
-       .bound = microslip::HertzBound(5, 300),
+      {.contact = {.kernel =
+                       microslip::StripKernel({.shear_modulus = 82000, .poisson_ratio = 0.28}, 10),
+                   .bound = microslip::HertzBound(5, 300)},
        .grid = microslip::Grid({.half_width = 5, .elements = 100}),
        .basis = microslip::constant_basis(),
        .scheme = microslip::Remembered{}});

@@ -96,8 +96,7 @@ double force_by_material(const SteadyContact& contact, const Path& path, int ele
 
 double force_by_memory(const SteadyContact& contact, const Path& path, Eigen::Index elements,
                        double step_ratio) {
-  TransientRolling rolling({.kernel = contact.kernel,
-                            .bound = contact.bound,
+  TransientRolling rolling({.contact = contact,
                             .grid = Grid({.half_width = half_width, .elements = elements}),
                             .basis = constant_basis(),
                             .scheme = Remembered{}});

@@ -33,7 +33,7 @@ class ContactGenerator {
     const double ratio = i % 3 == 0 ? uniform(0.05, 0.98) : log_uniform(1e-5, 0.98);
     const auto [kind, bound] = make_bound((i / 2) % 6);
     const double force = (i % 5 == 0 ? 1 : -1) * ratio * full_sliding_force(bound);
-    return {kind, {kernel, bound, PrescribedForce{force}}};
+    return {kind, {{kernel, bound}, PrescribedForce{force}}};
   }
 
  private:
@@ -163,8 +163,7 @@ inline bool rolls_transiently(const SteadyContact& contact) {
 /// By 100 elements.
 inline double steady_creepage(const SteadyContact& contact) {
   const Grid grid({.half_width = half_width, .elements = 100});
-  return solve_steady(whole_contact({.kernel = contact.kernel,
-                                     .bound = contact.bound,
+  return solve_steady(whole_contact({.contact = contact,
                                      .grid = grid,
                                      .basis = constant_basis(),
                                      .load = contact.load}))

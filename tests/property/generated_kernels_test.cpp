@@ -69,7 +69,7 @@ TEST(GeneratedKernels, EstimatesOfErrorsHold) {
   int held = 0;
   for (int i = 0; i < count; ++i) {
     const auto [kind, generated] = contacts.next();
-    const SteadyContact contact{kernels.next(), generated.bound, generated.load};
+    const SteadyContact contact{{kernels.next(), generated.bound}, generated.load};
     const EstimatedSteady found = solve_steady_to(contact, target);
     EXPECT_LE(found.error, target);
     EXPECT_LE(found.solution.evidence.residual, 1e-9) << i;
@@ -95,9 +95,8 @@ TEST(GeneratedKernels, RollingLeadsToTheSteadyState) {
     const Index n = 60 + static_cast<Index>(60 * uniform(random));
     const double force = -most * (0.1 + 0.8 * uniform(random));
     const SteadySolution steady =
-        solve_steady(problem_of({kernel, bound, PrescribedForce{force}}, n, Calibrated{}));
-    TransientRolling rolling({.kernel = kernel,
-                              .bound = bound,
+        solve_steady(problem_of({{kernel, bound}, PrescribedForce{force}}, n, Calibrated{}));
+    TransientRolling rolling({.contact = {.kernel = kernel, .bound = bound},
                               .grid = Grid({.half_width = half_width, .elements = n}),
                               .basis = constant_basis(),
                               .scheme = Remembered{}});

@@ -30,8 +30,7 @@ struct Outcome {
 
 Outcome outcome(const SteadyContact& contact, const Way& way, Index elements,
                 const AdvectionScheme& scheme) {
-  TransientRolling rolling({.kernel = contact.kernel,
-                            .bound = contact.bound,
+  TransientRolling rolling({.contact = contact,
                             .grid = Grid({.half_width = half_width, .elements = elements}),
                             .basis = constant_basis(),
                             .scheme = scheme});
@@ -46,8 +45,7 @@ Outcome outcome(const SteadyContact& contact, const Way& way, Index elements,
 }
 
 double shift_from_rest(const SteadyContact& contact, double force) {
-  TransientRolling rolling({.kernel = contact.kernel,
-                            .bound = contact.bound,
+  TransientRolling rolling({.contact = contact,
                             .grid = Grid({.half_width = half_width, .elements = 100}),
                             .basis = constant_basis(),
                             .scheme = Direct{}});
@@ -113,8 +111,7 @@ TEST(GeneratedShifts, AreRightWhereTheyTurn) {
       forces.push_back(k % 3 == 2 ? 0.9 * last : uniform(random) * sliding);
     }
     const auto places = [&](Index elements, const AdvectionScheme& scheme) {
-      TransientRolling rolling({.kernel = contact.kernel,
-                                .bound = contact.bound,
+      TransientRolling rolling({.contact = contact,
                                 .grid = Grid({.half_width = half_width, .elements = elements}),
                                 .basis = constant_basis(),
                                 .scheme = scheme});
@@ -166,23 +163,21 @@ TEST(GeneratedShifts, AreForgottenNextToFullSliding) {
   double worst = 0;
   for (int i = 0; i < 60; ++i) {
     const TransientProblem problem{
-        .kernel = StripKernel({82000, 0.28}, 10),
-        .bound = HertzBound{half_width, 300},
+        .contact = {.kernel = StripKernel({82000, 0.28}, 10), .bound = HertzBound{half_width, 300}},
         .grid = Grid({.half_width = half_width,
                       .elements = static_cast<Index>(15 * std::pow(10, uniform(0, 1)))}),
         .basis = constant_basis(),
         .scheme = Remembered{}};
-    const double sliding = full_sliding_force(problem.bound);
+    const double sliding = full_sliding_force(problem.contact.bound);
     const double to = uniform(-0.99, 0.99) * sliding;
     const double part = 1 - std::pow(10, uniform(-4, -0.5));
     const double force = (i % 2 == 0 ? 1 : -1) * part * sliding;
     const double creepage =
         creepage_after_shift(problem, to, force, std::pow(10, uniform(-1.3, 0.2)));
-    const double steady = solve_steady({.kernel = problem.kernel,
-                                        .bound = problem.bound,
-                                        .grid = problem.grid,
-                                        .load = PrescribedForce{force}})
-                              .creepage;
+    const double steady =
+        solve_steady(
+            {.contact = problem.contact, .grid = problem.grid, .load = PrescribedForce{force}})
+            .creepage;
     const double error = std::abs(creepage / steady - 1);
     const double zone = std::sqrt(1 - part) * static_cast<double>(problem.grid.size());
     worst = std::max(worst, error * zone);

@@ -154,8 +154,7 @@ TEST_P(GeneratedStates, GoOnToTheBit) {
   for (int i = 0; i < cases; ++i) {
     const auto [kind, contact] = generator.next();
     if (contact.kernel.plane_length().value_or(HUGE_VAL) < 2 * half_width) continue;
-    const TransientProblem problem{.kernel = contact.kernel,
-                                   .bound = contact.bound,
+    const TransientProblem problem{.contact = contact,
                                    .grid = Grid({.half_width = half_width, .elements = n}),
                                    .basis = constant_basis(),
                                    .scheme = Remembered{}};

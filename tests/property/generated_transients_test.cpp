@@ -16,8 +16,7 @@ using Eigen::Index;
 
 TransientRolling rolling(const SteadyContact& contact, Index elements,
                          const AdvectionScheme& scheme, const Start& start) {
-  return TransientRolling({.kernel = contact.kernel,
-                           .bound = contact.bound,
+  return TransientRolling({.contact = contact,
                            .grid = Grid({.half_width = half_width, .elements = elements}),
                            .basis = constant_basis(),
                            .scheme = scheme},
@@ -81,7 +80,7 @@ TEST(GeneratedTransients, AreRight) {
 
 // Where the bound is not reached, it has no influence. The start slips next to either edge.
 TEST(GeneratedTransients, DoNotKnowTheBoundWhereItSticks) {
-  const SteadyContact contact{PlaneKernel({82000, 0.28}, 50), HertzBound(half_width, 300),
+  const SteadyContact contact{{PlaneKernel({82000, 0.28}, 50), HertzBound(half_width, 300)},
                               PrescribedForce{-100}};
   const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(2001, -half_width, half_width);
   const TabulatedBound smooth(half_width, x, bound_at(contact.bound, x));
@@ -91,7 +90,8 @@ TEST(GeneratedTransients, DoNotKnowTheBoundWhereItSticks) {
   }));
   for (const double step_ratio : {1.0, 0.3}) {
     const auto creep = [&](const TractionBound& bound) {
-      return cumulative_creep({contact.kernel, bound, contact.load}, 60, step_ratio, Remembered{});
+      return cumulative_creep({{contact.kernel, bound}, contact.load}, 60, step_ratio,
+                              Remembered{});
     };
     EXPECT_NEAR(creep(rough) / creep(smooth), 1, 1e-9) << step_ratio;
   }

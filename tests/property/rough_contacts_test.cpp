@@ -19,8 +19,7 @@ constexpr Material material{1.44, 0.28};
 const HertzBound hertz(1, 1);
 
 SteadyProblem problem_of(const TractionBound& bound, Index elements, double force_ratio) {
-  return {.kernel = PlaneKernel(material, 20),
-          .bound = bound,
+  return {.contact = {.kernel = PlaneKernel(material, 20), .bound = bound},
           .grid = Grid({.half_width = 1, .elements = elements}),
           .method = Calibrated{},
           .load = PrescribedForce{-force_ratio * full_sliding_force(bound)}};
@@ -115,7 +114,8 @@ TEST(RoughContacts, EstimatesHold) {
       const TractionBound bound =
           rough_bound(hertz, {.amplitude = 0.3, .hurst = hurst, .seed = 7, .rows = 8193});
       const SteadyProblem problem = problem_of(bound, elements, force_ratio);
-      const EstimatedSteady found = solve_steady_to({problem.kernel, bound, problem.load}, target);
+      const EstimatedSteady found =
+          solve_steady_to({{problem.contact.kernel, bound}, problem.load}, target);
       const double truth = solve_steady(problem).creepage;
       const double other = solve_steady(problem_of(bound, elements / 2, force_ratio)).creepage;
       EXPECT_LE(found.error, target);

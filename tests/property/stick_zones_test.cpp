@@ -27,8 +27,7 @@ TabulatedBound table_of(const std::vector<double>& x, const std::vector<double>&
 
 SteadyProblem problem_of(const Kernel& kernel, const TractionBound& bound, const Load& load,
                          Eigen::Index elements = 100, const SteadyMethod& method = Inversion{}) {
-  return {.kernel = kernel,
-          .bound = bound,
+  return {.contact = {.kernel = kernel, .bound = bound},
           .grid = Grid({.half_width = half_width, .elements = elements}),
           .method = method,
           .load = load};
@@ -107,7 +106,7 @@ Kernel with_hard_layer(const Kernel& kernel) {
 /// Graded elements are the oracle. Equal ones are none: 8192 of them are 14 % off under some of these
 /// tables. The error is about the change from elements twice as long.
 void compare_with_elements(SteadyProblem problem, double creepage) {
-  problem.kernel = with_hard_layer(problem.kernel);
+  problem.contact.kernel = with_hard_layer(problem.contact.kernel);
   const SteadySolution expected = solve_steady(problem);
   ASSERT_EQ(expected.scheme, SteadyScheme::graded);
   EXPECT_NEAR(creepage / expected.creepage, 1, 3 * expected.evidence.change + 6e-3);
@@ -196,8 +195,7 @@ TEST(StickZones, SeeANarrowValley) {
   coefficients << 0.325, -0.435, -1.964, 1.799, 4.015;
   const PolynomialBound bound(9, 1, coefficients);
   const SteadySolution found =
-      solve_steady({.kernel = PlaneKernel(Material(1, 0.25), 50),
-                    .bound = bound,
+      solve_steady({.contact = {.kernel = PlaneKernel(Material(1, 0.25), 50), .bound = bound},
                     .grid = Grid({.half_width = 9, .elements = 100}),
                     .load = PrescribedForce{-3e-3 * full_sliding_force(bound)}});
   EXPECT_EQ(found.scheme, SteadyScheme::inversion);
@@ -230,8 +228,7 @@ SteadyProblem under_noise(Eigen::Index rows, double part, double phase = std::sq
     values[i] = hertz(x[i]) * (is_low ? 0.7 : 1.3);
   }
   const TractionBound bound = TabulatedBound(1, x, values);
-  return {.kernel = PlaneKernel({1, 0.28}, 100),
-          .bound = bound,
+  return {.contact = {.kernel = PlaneKernel({1, 0.28}, 100), .bound = bound},
           .grid = Grid({.half_width = 1, .elements = 51}),
           .load = PrescribedForce{-part * full_sliding_force(bound)}};
 }

@@ -88,8 +88,7 @@ const Grid grid({.half_width = 1, .elements = 50});
 TabulatedBound bound() { return {1, grid.nodes(), to_vector(contact_bound)}; }
 
 TransientRolling shifted() {
-  TransientRolling rolling({.kernel = kernel,
-                            .bound = bound(),
+  TransientRolling rolling({.contact = {.kernel = kernel, .bound = bound()},
                             .grid = grid,
                             .basis = constant_basis(),
                             .scheme = Direct{}});
@@ -103,8 +102,7 @@ void expect_printed_digits(const Eigen::VectorXd& traction, const Row& expected)
 }
 
 TEST(ContactReference, SteadyRolling) {
-  const SteadySolution steady = solve_steady({.kernel = kernel,
-                                              .bound = bound(),
+  const SteadySolution steady = solve_steady({.contact = {.kernel = kernel, .bound = bound()},
                                               .grid = grid,
                                               .basis = constant_basis(),
                                               .method = Differences{},

@@ -25,7 +25,7 @@ double work_of(const Model& model) {
     for (double& length : lengths) length *= transient->problem.grid.spacing();
     rolling.roll(transient->distance, lengths, transient->loads, [](const TransientState&) {});
   } else if (const auto* scene = std::get_if<CylinderScene>(&model)) {
-    RollingCylinder body(scene->contact, scene->cylinder, scene->integrator, scene->step_ratio);
+    RollingCylinder body(scene->problem, scene->cylinder, scene->integrator, scene->step_ratio);
     while (body.state().position < scene->distance) body.step();
   }
   return count.operations();
@@ -111,7 +111,7 @@ TEST(Cost, OfContactsThatChangeIsForeseenWithinAFactorOfThree) {
       Scene scene = scene_of(good_contact + text);
       scene.set("grid.elements=" + std::to_string(n));
       TransientScene model = std::get<TransientScene>(read_model(scene));
-      if (plane) model.problem.kernel = PlaneKernel({1, 0.28}, 40);
+      if (plane) model.problem.contact.kernel = PlaneKernel({1, 0.28}, 40);
       model.loads = loads;
       const double ratio = work_of(model) / work_needed(model);
       EXPECT_LT(ratio, 3) << plane << n;

@@ -180,10 +180,10 @@ TEST(Doubts, DifferencesNearFullSliding) {
         static_cast<int>(least * std::pow(10, uniform(0, 1))) | 1, uniform(0.01, 1), uniform(0, 1),
         ratio));
     const auto problem = std::get<SteadyProblem>(read_model(scene));
-    const double exact =
-        Carter::from_force(problem.kernel.material(), std::get<HertzBound>(problem.bound),
-                           std::get<PrescribedForce>(problem.load).value)
-            .creepage();
+    const double exact = Carter::from_force(problem.contact.kernel.material(),
+                                            std::get<HertzBound>(problem.contact.bound),
+                                            std::get<PrescribedForce>(problem.load).value)
+                             .creepage();
     double error = 0;
     try {
       error = std::abs(solve_steady(problem).creepage / exact - 1);

@@ -25,8 +25,7 @@ const Kernel plane = PlaneKernel({1, 0.28}, 10);
 double norm(const MatrixXd& matrix) { return matrix.cwiseAbs().colwise().sum().maxCoeff(); }
 
 SteadyProblem steady(Index n, const SteadyMethod& method, const Load& load) {
-  return {.kernel = plane,
-          .bound = HertzBound(1, 1),
+  return {.contact = {.kernel = plane, .bound = HertzBound(1, 1)},
           .grid = Grid({.half_width = 1, .elements = n}),
           .method = method,
           .load = load};
@@ -131,7 +130,8 @@ TEST(Evidence, CountsSharesOfTheLoad) {
 TEST(Evidence, ShowsBoundsThatElementsDoNotResolve) {
   SteadyProblem problem = steady(20, Differences{1}, PrescribedForce{-0.5});
   const VectorXd x = (VectorXd(6) << -1, -0.82, -0.8, -0.78, 0, 1).finished();
-  problem.bound = TabulatedBound(1, x, (VectorXd(6) << 0.3, 0.3, 1.5, 0.3, 1, 0).finished());
+  problem.contact.bound =
+      TabulatedBound(1, x, (VectorXd(6) << 0.3, 0.3, 1.5, 0.3, 1, 0).finished());
   const double coarse = solve_steady(problem).evidence.bound_resolution();
   EXPECT_GT(coarse, 0.01);
   problem.grid = problem.grid.with_elements(2000);

@@ -32,8 +32,7 @@ const HertzBound hertz(1.3, 0.7);
 
 SteadyProblem contact(const Kernel& kernel, const TractionBound& bound, Index elements,
                       const Load& load, const SteadyMethod& method = Calibrated{}) {
-  return {.kernel = kernel,
-          .bound = bound,
+  return {.contact = {.kernel = kernel, .bound = bound},
           .grid = Grid({.half_width = half_width_of(bound), .elements = elements}),
           .basis = constant_basis(),
           .method = method,
@@ -199,8 +198,7 @@ class BrushByCells {
 
 TransientRolling rolling(const Kernel& kernel, Index elements, const AdvectionScheme& scheme,
                          const Start& start = Rest{}) {
-  return TransientRolling({.kernel = kernel,
-                           .bound = hertz,
+  return TransientRolling({.contact = {.kernel = kernel, .bound = hertz},
                            .grid = Grid({.half_width = hertz.half_width(), .elements = elements}),
                            .basis = constant_basis(),
                            .scheme = scheme},
@@ -405,7 +403,7 @@ TEST(Layer, IsRefusedWhereOnlyHalfSpacesHaveASolution) {
             expected + "a contact that changes its half-width");
   EXPECT_EQ(message_of([&] {
               SteadyProblem problem = contact(layered, hertz, 50, PrescribedCreepage{0.1});
-              problem.pressure_strain = 0.1;
+              problem.contact.pressure_strain = 0.1;
               solve_steady(problem);
             }),
             "kernel = 'strip with a layer': expected plane for bodies of different material");

@@ -70,7 +70,7 @@ Derived derived(const std::string& material, const std::string& contact) {
                          "load { force_ratio 0.36 }");
   const auto problem = std::get<SteadyProblem>(read_model(scene));
   scene.reject_unread();
-  const auto& bound = std::get<HertzBound>(problem.bound);
+  const auto& bound = std::get<HertzBound>(problem.contact.bound);
   EXPECT_EQ(problem.grid.half_width(), bound.half_width());
   return {bound.half_width(), bound.peak(), std::get<PrescribedForce>(problem.load).value};
 }
@@ -168,7 +168,8 @@ TEST(LoadRatios, GiveTheZoneAndTheForce) {
     EXPECT_LT(solution.force, 0);
     Scene same = scene;
     same.set("load.stick_ratio=");
-    same.set("load.force_ratio=" + format_full(solution.force / full_sliding_force(problem.bound)));
+    same.set("load.force_ratio=" +
+             format_full(solution.force / full_sliding_force(problem.contact.bound)));
     const auto by_force = std::get<SteadyProblem>(read_model(same));
     EXPECT_NEAR(std::get<PrescribedForce>(by_force.load).value / solution.force, 1, 1e-14);
   }

@@ -20,8 +20,7 @@ constexpr Material material{1, 0.28};
 const double full_sliding = HertzBound(1, 1).total();
 
 TransientProblem problem(Index n = 41) {
-  return {.kernel = PlaneKernel(material, 200),
-          .bound = HertzBound(1, 1),
+  return {.contact = {.kernel = PlaneKernel(material, 200), .bound = HertzBound(1, 1)},
           .grid = Grid({.half_width = 1, .elements = n}),
           .basis = constant_basis(),
           .scheme = Remembered{}};
@@ -72,10 +71,10 @@ TEST(Remembered, AnySequenceOfStepsMeetsTheContactConditions) {
        {Kernel(PlaneKernel(material, 200)), Kernel(StripKernel(material, 2))}) {
     for (const TractionBound& bound : bounds) {
       TransientProblem p = problem(30);
-      p.kernel = kernel;
-      p.bound = bound;
+      p.contact.kernel = kernel;
+      p.contact.bound = bound;
       const double most = full_sliding_force(bound);
-      TransientRolling rolling(p, VectorXd(0.3 * bound_at(p.bound, p.grid.nodes())));
+      TransientRolling rolling(p, VectorXd(0.3 * bound_at(p.contact.bound, p.grid.nodes())));
       std::mt19937 random(7);
       std::uniform_real_distribution<double> unit(-1, 1);
       for (int k = 0; k < 400; ++k) {
@@ -199,9 +198,9 @@ auto strain_of(const TransientRolling& rolling) {
 // sticks and the bound of what slips give the force, and meet a condition at the stick-slip point,
 // which they do not ahead of it.
 TEST(Remembered, StrainAndBoundGiveTheStickSlipPointAndTheForce) {
-  TransientProblem contact = problem(400);
-  contact.kernel = PlaneKernel({1.44, 0.28}, 20);
-  TransientRolling rolling(contact);
+  TransientProblem of_strain = problem(400);
+  of_strain.contact.kernel = PlaneKernel({1.44, 0.28}, 20);
+  TransientRolling rolling(of_strain);
   const double dx = spacing_of(rolling);
   for (int i = 0; i < 1200; ++i) {  // not steady: the creepage changes over less than the contact
     rolling.step(dx, PrescribedCreepage{0.35 + 0.15 * std::sin(4 * i * dx)});
@@ -226,9 +225,9 @@ TEST(Remembered, StrainAndBoundGiveTheStickSlipPointAndTheForce) {
 
 // By that formulation itself, with e on cells of 0.04, 0.02 and 0.01, extrapolated: L0 = 20.
 TEST(Remembered, ForceFromRestIsThatOfTheStrainThatEnters) {
-  TransientProblem contact = problem(400);
-  contact.kernel = PlaneKernel({1.44, 0.28}, 20);
-  TransientRolling rolling(contact);
+  TransientProblem of_strain = problem(400);
+  of_strain.contact.kernel = PlaneKernel({1.44, 0.28}, 20);
+  TransientRolling rolling(of_strain);
   double last = 0;
   for (const auto& [distance, force] :
        {std::pair{1.0, -0.15748}, {2.0, -0.28384}, {8.0, -0.53526}}) {

@@ -22,8 +22,7 @@ constexpr Material steel{82000, 0.28};
 constexpr double dx = 0.25;
 
 TransientProblem problem(Index elements = 40) {
-  return {.kernel = StripKernel(steel, 10),
-          .bound = HertzBound(5, 300),
+  return {.contact = {.kernel = StripKernel(steel, 10), .bound = HertzBound(5, 300)},
           .grid = Grid({.half_width = 5, .elements = elements}),
           .basis = constant_basis(),
           .scheme = Remembered{}};
@@ -93,23 +92,23 @@ TEST(SavedState, OfAnotherProblemIsRefused) {
   expect_refused("scheme = 'direct': expected 'remembered'",
                  [](TransientProblem& of) { of.scheme = Direct{}; });
   expect_refused("kernel.type = 'plane': expected 'strip'",
-                 [](TransientProblem& of) { of.kernel = PlaneKernel(steel, 100); });
+                 [](TransientProblem& of) { of.contact.kernel = PlaneKernel(steel, 100); });
   expect_refused("kernel.width = 11: expected 10",
-                 [](TransientProblem& of) { of.kernel = StripKernel(steel, 11); });
+                 [](TransientProblem& of) { of.contact.kernel = StripKernel(steel, 11); });
   expect_refused("material.shear_modulus = 81000: expected 82000", [](TransientProblem& of) {
-    of.kernel = StripKernel({81000, 0.28}, 10);
+    of.contact.kernel = StripKernel({81000, 0.28}, 10);
   });
   expect_refused("material.poisson_ratio = 0.3: expected 0.28", [](TransientProblem& of) {
-    of.kernel = StripKernel({82000, 0.3}, 10);
+    of.contact.kernel = StripKernel({82000, 0.3}, 10);
   });
   expect_refused("grid.elements = 41: expected 40",
                  [](TransientProblem& of) { of.grid = Grid({.half_width = 5, .elements = 41}); });
   expect_refused("contact.half_width = 6: expected 5", [](TransientProblem& of) {
     of.grid = Grid({.half_width = 6, .elements = 40});
-    of.bound = HertzBound(6, 300);
+    of.contact.bound = HertzBound(6, 300);
   });
   expect_refused("bound of element 1 = ",
-                 [](TransientProblem& of) { of.bound = HertzBound(5, 301); });
+                 [](TransientProblem& of) { of.contact.bound = HertzBound(5, 301); });
   expect_refused("solver.type = 'fft': expected 'dense'",
                  [](TransientProblem& of) { of.solver.type = Solver::Type::fft; });
   expect_refused("solver.tolerance = 1e-09: expected 1e-10",

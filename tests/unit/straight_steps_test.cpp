@@ -180,12 +180,12 @@ Rolled roll(const TransientProblem& problem, const LoadHistory& loads,
 // a force, creepages of steps far below an element differ by more than the finest tolerance.
 TEST(StraightSteps, GiveTheResultsOfShortOnes) {
   const TransientProblem problem{
-      .kernel = PlaneKernel(Material{.shear_modulus = 1, .poisson_ratio = 0.28}, 20),
-      .bound = HertzBound(1, 0.6),
+      .contact = {.kernel = PlaneKernel(Material{.shear_modulus = 1, .poisson_ratio = 0.28}, 20),
+                  .bound = HertzBound(1, 0.6)},
       .grid = Grid({.half_width = 1, .elements = 30}),
       .basis = constant_basis(),
       .scheme = Remembered{}};
-  const double full = full_sliding_force(problem.bound);
+  const double full = full_sliding_force(problem.contact.bound);
   const double soft = full / stiffness(problem);
   for (unsigned seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE(seed);

@@ -52,7 +52,8 @@ TEST(TargetError, EstimateIsHonestForCarter) {
     const bool by_force = i % 2 == 0;
     const Load load = by_force ? Load(PrescribedForce{force}) : Load(PrescribedCreepage{creepage});
     const double target = std::pow(10, exponent(random));
-    const EstimatedSteady found = solve_steady_to({PlaneKernel(material, 10), bound, load}, target);
+    const EstimatedSteady found =
+        solve_steady_to({{PlaneKernel(material, 10), bound}, load}, target);
     EXPECT_LE(found.error, target);
     const double exact = by_force ? creepage : force;
     honesty.ratios.push_back(std::abs(answer_of(load, found.solution) / exact - 1) / found.error);
@@ -72,7 +73,7 @@ TEST(TargetError, EstimateIsHonestForElements) {
     const double full = full_sliding_force(bound);
     const Load load = PrescribedForce{-full * (1 - std::pow(part(random), 2))};
     const double target = std::pow(10, exponent(random));
-    const EstimatedSteady found = estimate_by_elements({kernel, bound, load}, target);
+    const EstimatedSteady found = estimate_by_elements({{kernel, bound}, load}, target);
     EXPECT_LE(found.error, target);
     const InvertedSolution exact = InvertedRolling(kernel, bound).solve(load);
     if (!exact.keeps_conditions()) continue;  // a second stick zone
@@ -86,7 +87,7 @@ TEST(TargetError, EstimateIsHonestForElements) {
 TEST(TargetError, PicksInversionWhereItMayAndElementsWhereItMayNot) {
   const Load load = PrescribedForce{-1500};
   const auto picked = [&](const TractionBound& bound, const Kernel& kernel) {
-    return solve_steady_to({kernel, bound, load}, 1e-3).solution.scheme;
+    return solve_steady_to({{kernel, bound}, load}, 1e-3).solution.scheme;
   };
   const HertzBound hertz(5, 300);
   const Eigen::VectorXd x =
@@ -102,8 +103,8 @@ TEST(TargetError, PicksInversionWhereItMayAndElementsWhereItMayNot) {
 
 // A hard layer, which has no inversion; several stick zones, and a target between.
 TEST(TargetError, ReachesItsTargetWithSeveralStickZones) {
-  const SteadyContact contact{LayeredKernel(PlaneKernel(material, 10), 1e-6),
-                              PolynomialBound(5, 300, Eigen::Vector3d(0.05, 0, 1)),
+  const SteadyContact contact{{LayeredKernel(PlaneKernel(material, 10), 1e-6),
+                               PolynomialBound(5, 300, Eigen::Vector3d(0.05, 0, 1))},
                               PrescribedForce{-0.075 * std::numbers::pi * 5 * 300}};
   const EstimatedSteady coarse = solve_steady_to(contact, 1e-2);
   const EstimatedSteady fine = solve_steady_to(contact, 1e-4);
@@ -116,7 +117,7 @@ TEST(TargetError, ReachesItsTargetWithSeveralStickZones) {
 TEST(TargetError, RefusesATargetOutOfReachAtOnce) {
   const TractionBound bound =
       rough_bound(HertzBound(1, 1), {.amplitude = 1, .hurst = 0.3, .seed = 3, .rows = 8193});
-  const SteadyContact contact{PlaneKernel({1.44, 0.28}, 20), bound,
+  const SteadyContact contact{{PlaneKernel({1.44, 0.28}, 20), bound},
                               PrescribedForce{-0.5 * full_sliding_force(bound)}};
   try {
     solve_steady_to(contact, 1e-4);
@@ -129,17 +130,16 @@ TEST(TargetError, RefusesATargetOutOfReachAtOnce) {
 }
 
 TEST(TargetError, RefusesTargetsOutOfRange) {
-  const SteadyContact contact{PlaneKernel(material, 10), HertzBound(5, 300),
+  const SteadyContact contact{{PlaneKernel(material, 10), HertzBound(5, 300)},
                               PrescribedForce{-1500}};
   EXPECT_THROW(solve_steady_to(contact, 1e-12), std::invalid_argument);
   EXPECT_THROW(solve_steady_to(contact, 0.2), std::invalid_argument);
-  EXPECT_THROW(solve_steady_to({contact.kernel, contact.bound, PrescribedForce{-1e9}}, 0.01),
-               std::invalid_argument);
+  EXPECT_THROW(solve_steady_to({contact, PrescribedForce{-1e9}}, 0.01), std::invalid_argument);
 }
 
 TEST(TargetError, IsZeroWithoutALoad) {
-  const EstimatedSteady found =
-      solve_steady_to({PlaneKernel(material, 10), HertzBound(5, 300), PrescribedCreepage{0}}, 1e-6);
+  const EstimatedSteady found = solve_steady_to(
+      {{PlaneKernel(material, 10), HertzBound(5, 300)}, PrescribedCreepage{0}}, 1e-6);
   EXPECT_EQ(found.solution.force, 0);
   EXPECT_LE(found.error, 1e-6);
 }

@@ -18,8 +18,7 @@ constexpr Material material{1, 0.28};
 const double full_sliding = HertzBound(1, 1).total();
 
 TransientProblem problem(AdvectionScheme scheme, Eigen::Index n = 41, double peak = 1) {
-  return {.kernel = PlaneKernel(material, 200),
-          .bound = HertzBound(1, peak),
+  return {.contact = {.kernel = PlaneKernel(material, 200), .bound = HertzBound(1, peak)},
           .grid = Grid({.half_width = 1, .elements = n}),
           .basis = constant_basis(),
           .scheme = scheme};
@@ -110,8 +109,7 @@ TEST(Transient, TurnsToTheSteadySolutionOfItsDifference) {
       TransientRolling rolling(p);
       for (int k = 0; k < 600; ++k) rolling.step(step_ratio * p.grid.spacing(), load);
       const SteadySolution steady =
-          solve_steady({.kernel = p.kernel,
-                        .bound = p.bound,
+          solve_steady({.contact = p.contact,
                         .grid = p.grid,
                         .basis = p.basis,
                         .method = Differences{.step_ratio = steady_step_ratio},
@@ -152,8 +150,8 @@ TEST_P(EveryScheme, ForceAndCreepageDescribeTheSameRolling) {
 TEST(Transient, AnySequenceOfStepsMeetsTheContactConditions) {
   const TransientProblem p = problem(Direct{}, 30);
   const double dx = p.grid.spacing();
-  const Eigen::MatrixXd a = influence_matrix(p.kernel, p.basis, dx, 30);
-  TransientRolling rolling(p, Eigen::VectorXd(0.3 * bound_at(p.bound, p.grid.nodes())));
+  const Eigen::MatrixXd a = influence_matrix(p.contact.kernel, p.basis, dx, 30);
+  TransientRolling rolling(p, Eigen::VectorXd(0.3 * bound_at(p.contact.bound, p.grid.nodes())));
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int k = 0; k < 300; ++k) {
@@ -165,7 +163,7 @@ TEST(Transient, AnySequenceOfStepsMeetsTheContactConditions) {
     const TransientState& state = rolling.state();
     const Eigen::VectorXd slip =
         (a * (state.traction - before) +
-         influence_difference_matrix(p.kernel, p.basis, dx, 30, c) * before) /
+         influence_difference_matrix(p.contact.kernel, p.basis, dx, 30, c) * before) /
             (c * dx) +
         Eigen::VectorXd::Constant(30, state.creepage);
     for (Eigen::Index i = 0; i < 30; ++i) {

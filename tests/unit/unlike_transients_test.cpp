@@ -24,21 +24,23 @@ constexpr double far = 20;      // L0
 constexpr double unit = 2;      // compliance times peak
 const HertzBound bound(1, 1);
 
-TransientProblem problem_of(double ratio, Index elements, const AdvectionScheme& scheme) {
+Contact contact_of(double ratio) {
   return {.kernel = PlaneKernel(material, far),
           .bound = bound,
-          .grid = Grid({.half_width = 1, .elements = elements}),
-          .basis = constant_basis(),
-          .scheme = scheme,
           .pressure_strain = pressure_strain({material, ratio}, 1)};
 }
 
+TransientProblem problem_of(double ratio, Index elements, const AdvectionScheme& scheme) {
+  return {.contact = contact_of(ratio),
+          .grid = Grid({.half_width = 1, .elements = elements}),
+          .basis = constant_basis(),
+          .scheme = scheme};
+}
+
 SteadySolution steady(double ratio, const Load& load) {
-  return solve_steady({.kernel = PlaneKernel(material, far),
-                       .bound = bound,
+  return solve_steady({.contact = contact_of(ratio),
                        .grid = Grid({.half_width = 1, .elements = 101}),
-                       .load = load,
-                       .pressure_strain = pressure_strain({material, ratio}, 1)});
+                       .load = load});
 }
 
 Load force_of(double ratio) { return PrescribedForce{ratio * full_sliding_force(bound)}; }
@@ -198,7 +200,7 @@ TEST(UnlikeTransients, ShiftAndRollOn) {
 
 TEST(UnlikeTransients, AreRefusedWhereThereIsNoModel) {
   TransientProblem strip = problem_of(1, 50, Remembered{});
-  strip.kernel = StripKernel(material, 2);
+  strip.contact.kernel = StripKernel(material, 2);
   EXPECT_THROW(TransientRolling{strip}, std::invalid_argument);
   TransientRolling rolling(problem_of(1, 50, Remembered{}));
   EXPECT_THROW(rolling.set_contact({.half_width = 1.1, .bound = 1}), std::invalid_argument);

@@ -47,7 +47,7 @@ RollingCylinder::RollingCylinder(const TransientProblem& contact, const Cylinder
       half_width_(contact.grid.half_width()),
       step_ratio_(step_ratio),
       step_length_(step_ratio * contact.grid.spacing()),
-      force_scale_(full_sliding_force(contact.bound)),
+      force_scale_(full_sliding_force(contact.contact.bound)),
       acceleration_(cylinder.slope_force / cylinder.mass),
       tolerance_(tolerance) {
   require_positive("mass", cylinder.mass);

@@ -171,13 +171,13 @@ double growth_under(const RollingBrush& brush, double force, double half_width) 
 }  // namespace
 
 SteadySolution solve_brush(const SteadyProblem& problem) {
-  const double compliance = problem.kernel.layer_compliance();
-  const double a = half_width_of(problem.bound);
-  const double full_sliding = full_sliding_force(problem.bound);
+  const double compliance = problem.contact.kernel.layer_compliance();
+  const double a = half_width_of(problem.contact.bound);
+  const double full_sliding = full_sliding_force(problem.contact.bound);
   const Prescribed load(problem.load);
   require_below_full_sliding(load, full_sliding);
   const auto [by_force, value] = load;
-  const RollingBrush brush(problem.bound);
+  const RollingBrush brush(problem.contact.bound);
   const double growth = value == 0 ? 0
                         : by_force ? growth_under(brush, std::abs(value), a)
                                    : std::abs(value) / compliance;
@@ -193,7 +193,7 @@ SteadySolution solve_brush(const SteadyProblem& problem) {
   };
   SteadySolution found{
       .x = x,
-      .bound = bound_at(problem.bound, x),
+      .bound = bound_at(problem.contact.bound, x),
       .traction =
           x.unaryExpr([&](double at) { return -direction * brush.traction(growth, zones, at); }),
       .slip = x.unaryExpr([&](double at) {

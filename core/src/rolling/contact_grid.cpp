@@ -13,18 +13,18 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 ContactGrid::ContactGrid(const TransientProblem& problem)
-    : RollingGrid(influence_operator(problem.kernel, problem.basis, problem.grid.spacing(),
+    : RollingGrid(influence_operator(problem.contact.kernel, problem.basis, problem.grid.spacing(),
                                      problem.grid.size(), problem.solver),
                   problem.basis.weights(problem.grid.spacing(), problem.grid.size()),
-                  problem.solver, problem.pressure_strain),
+                  problem.solver, problem.contact.pressure_strain),
       scheme_(problem.scheme),
       spacing_(problem.grid.spacing()),
-      traction_bound_(problem.bound),
-      advection_(problem.kernel, problem.basis, spacing_, problem.grid.size(), problem.scheme,
-                 problem.solver) {
+      traction_bound_(problem.contact.bound),
+      advection_(problem.contact.kernel, problem.basis, spacing_, problem.grid.size(),
+                 problem.scheme, problem.solver) {
   x_ = problem.grid.nodes();
-  bound_ = bound_at(problem.bound, x_);
-  mean_bound_ = element_means(problem.bound, x_, weights_);
+  bound_ = bound_at(problem.contact.bound, x_);
+  mean_bound_ = element_means(problem.contact.bound, x_, weights_);
   conditions_.bound = bound_;
 }
 

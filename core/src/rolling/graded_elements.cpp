@@ -120,12 +120,12 @@ SlipConditions conditions_of(const SteadyProblem& problem, const VectorXd& x, co
   const VectorXd step = steps(x, l);
   for (Index i = 0; i < n; ++i) {
     conditions.bound[i] =
-        std::visit([&](const auto& g) { return g.mean_around(x[i], l[i]); }, problem.bound);
-    if (!problem.has_unlike_bodies()) continue;
+        std::visit([&](const auto& g) { return g.mean_around(x[i], l[i]); }, problem.contact.bound);
+    if (!problem.contact.has_unlike_bodies()) continue;
     const double middle = x[i] + step[i] / 2;
-    conditions.offset[i] =
-        -problem.pressure_strain *
-        std::visit([&](const auto& g) { return g.mean_around(middle, step[i]); }, problem.bound);
+    conditions.offset[i] = -problem.contact.pressure_strain *
+                           std::visit([&](const auto& g) { return g.mean_around(middle, step[i]); },
+                                      problem.contact.bound);
   }
   return conditions;
 }
@@ -144,7 +144,7 @@ std::vector<Zone> zones_on(const ElementEnds& finer, const GradedState& found) {
 
 GradedState solve_on(const SteadyProblem& problem, ElementEnds ends, const GradedState* before) {
   const VectorXd x = middles(ends), l = lengths(ends);
-  ActiveSet active_set(strain_matrix(problem.kernel, x, l), l, problem.solver);
+  ActiveSet active_set(strain_matrix(problem.contact.kernel, x, l), l, problem.solver);
   const SlipConditions conditions = conditions_of(problem, x, l);
   const std::vector<Zone> first =
       before ? zones_on(ends, *before) : std::vector<Zone>(ends.size() - 1, Zone::adhesion);
@@ -224,7 +224,7 @@ ElementEnds graded_elements(const TractionBound& bound, Index fewest) {
 }
 
 GradedState solve_graded(const SteadyProblem& problem, ElementEnds ends, Index most) {
-  const BoundRows rows(problem.bound);
+  const BoundRows rows(problem.contact.bound);
   GradedState found = solve_on(problem, std::move(ends), nullptr);
   ElementEnds finer;
   while (refine(found, rows, finer) && static_cast<Index>(finer.size()) <= most) {
@@ -239,7 +239,7 @@ SteadySolution graded_solution(const SteadyProblem& problem, const GradedState& 
   const ContactState& state = graded.state;
   SteadySolution solution = element_solution(
       problem, x, {l, conditions.bound, conditions.bound, state.traction, state.slip}, state);
-  solution.displacement = displacement(problem.kernel, x, l, state.traction);
+  solution.displacement = displacement(problem.contact.kernel, x, l, state.traction);
   solution.scheme = SteadyScheme::graded;
   return solution;
 }

@@ -33,14 +33,15 @@ VectorXd influence_at_distances(const Kernel& kernel, const ReferenceNodes& node
 VectorXd pressed_at(const TransientProblem& problem, const VectorXd& x, double spacing) {
   const Index n = x.size();
   const auto integral = [&](double place) {
-    return std::visit([&](const auto& bound) { return bound.integral(place); }, problem.bound);
+    return std::visit([&](const auto& bound) { return bound.integral(place); },
+                      problem.contact.bound);
   };
   VectorXd pressed(n + 2);
   for (Index i = 0; i < n; ++i) pressed[i] = integral(x[i]);
   pressed[n] = std::lerp(pressed[n - 1], integral(x[n - 1] + spacing), pressure_seen_at_edge);
   pressed[n + 1] = integral(x[0] - spacing);
-  const double middle = full_sliding_force(problem.bound) / 2;
-  return problem.pressure_strain * (pressed.array() - middle);
+  const double middle = full_sliding_force(problem.contact.bound) / 2;
+  return problem.contact.pressure_strain * (pressed.array() - middle);
 }
 
 }  // namespace
@@ -54,8 +55,8 @@ double RememberedGrid::exit_share(const LeadingEdgeConstants& edge) {
 
 RememberedGrid::RememberedGrid(const TransientProblem& problem)
     : RememberedGrid(problem,
-                     leading_edge_constants(constant_basis(),
-                                            softness(problem.kernel, problem.grid.spacing()))) {}
+                     leading_edge_constants(constant_basis(), softness(problem.contact.kernel,
+                                                                       problem.grid.spacing()))) {}
 
 RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge)
     : RememberedGrid(problem, edge,
@@ -66,18 +67,19 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
 
 RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdgeConstants& edge,
                                const Grid& grid)
-    : RollingGrid(influence_operator(problem.kernel, constant_basis(), grid.spacing(), grid.size(),
-                                     problem.solver),
+    : RollingGrid(influence_operator(problem.contact.kernel, constant_basis(), grid.spacing(),
+                                     grid.size(), problem.solver),
                   VectorXd::Constant(grid.size(), grid.spacing()), problem.solver,
-                  problem.pressure_strain),
-      traction_bound_(problem.bound),
+                  problem.contact.pressure_strain),
+      traction_bound_(problem.contact.bound),
       problem_nodes_(problem.grid.nodes()),
       edge_(edge),
-      kernel_(problem.kernel),
-      has_layer_(problem.kernel.layer_compliance() > 0),
+      kernel_(problem.contact.kernel),
+      has_layer_(problem.contact.kernel.layer_compliance() > 0),
       solver_(problem.solver),
-      spring_{edge.compliance * (std::numbers::pi * problem.kernel.log_factor() * grid.spacing() +
-                                 problem.kernel.layer_compliance())},
+      spring_{edge.compliance *
+              (std::numbers::pi * problem.contact.kernel.log_factor() * grid.spacing() +
+               problem.contact.kernel.layer_compliance())},
       exit_{0, spring_.of_mean(exit_share(edge))},
       stick_slip_point_(edge, exit_share(edge)) {
   require_filling(problem.grid, fewest_points, "where the material remembers its displacement");
@@ -86,7 +88,7 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const LeadingEdg
   problem_x_ = x_;
   reach_ = problem.grid.half_width() + problem.grid.spacing();
   nodes_ = {.size = n, .spacing = grid.spacing(), .first = x_[0] / grid.spacing()};
-  problem_bound_ = element_means(problem.bound, x_, weights_);
+  problem_bound_ = element_means(problem.contact.bound, x_, weights_);
   bound_ = problem_bound_;
   const VectorXd zeros = VectorXd::Zero(n);
   next_.conditions = {.bound = bound_, .offset = zeros, .reference = zeros, .compliant = {exit_}};

@@ -29,7 +29,7 @@ SteadySolution sampled(const SteadyProblem& problem, const SteadySolution& fine,
   SteadySolution at_nodes = fine;
   const VectorXd x = problem.grid.nodes();
   at_nodes.x = x;
-  at_nodes.bound = bound_at(problem.bound, x);
+  at_nodes.bound = bound_at(problem.contact.bound, x);
   for (VectorXd* values : {&at_nodes.traction, &at_nodes.slip, &at_nodes.displacement}) {
     values->resize(x.size());
   }
@@ -57,7 +57,7 @@ ElementEnds halved(const ElementEnds& ends) {
 
 SteadySolution on_graded(const SteadyProblem& problem) {
   const Index fewest = std::clamp<Index>(problem.grid.size(), 60, 400);
-  const ElementEnds long_elements = graded_elements(problem.bound, fewest);
+  const ElementEnds long_elements = graded_elements(problem.contact.bound, fewest);
   const GradedState fine = solve_graded(problem, halved(long_elements), most_graded);
   const GradedState coarse = solve_graded(problem, long_elements, most_graded);
   SteadySolution solution = graded_solution(problem, fine);
@@ -76,7 +76,7 @@ SteadySolution on_equal(const SteadyProblem& problem) {
   // Elements that are longer than the rows' distances agree with one another on the answer under the mean
   // bound, which may be 4 % off next to full sliding: the comparison says something from several
   // elements a row on.
-  const Index rows = std::get<TabulatedBound>(problem.bound).x().size();
+  const Index rows = std::get<TabulatedBound>(problem.contact.bound).x().size();
   Index elements =
       std::max({fewest_equal, problem.grid.size(), std::min(elements_per_row * rows, most_equal)});
   SteadySolution coarse = solve(elements / 2);
@@ -98,8 +98,8 @@ SteadySolution on_equal(const SteadyProblem& problem) {
 }  // namespace
 
 SteadySolution solve_on_resolved_elements(const SteadyProblem& problem, const std::string& why) {
-  const auto& table = std::get<TabulatedBound>(problem.bound);
-  const bool graded = table.x().size() <= most_graded_rows && problem.kernel.has_material();
+  const auto& table = std::get<TabulatedBound>(problem.contact.bound);
+  const bool graded = table.x().size() <= most_graded_rows && problem.contact.kernel.has_material();
   SteadySolution solution = graded ? on_graded(problem) : on_equal(problem);
   solution.scheme = graded ? SteadyScheme::graded : SteadyScheme::calibrated;
   solution.fallback = why;

@@ -20,9 +20,9 @@ SteadyMethod differences(double step_ratio) { return Differences{.step_ratio = s
 
 void know_the_edge(SteadyProblem& problem) {
   std::get<Differences>(problem.method).edge_displacement =
-      ChebyshevRolling(problem.kernel, problem.bound)
+      ChebyshevRolling(problem.contact.kernel, problem.contact.bound)
           .solve(problem.load)
-          .displacement(half_width_of(problem.bound));
+          .displacement(half_width_of(problem.contact.bound));
 }
 
 void trim_the_last(SteadyProblem& problem) {

@@ -34,8 +34,8 @@ namespace {
 
 /// -du/dx of the tractions, the last row of which may have been replaced.
 LinearOperator strain_of(const SteadyProblem& problem, const Differences& differences) {
-  const auto& [kernel, bound, grid, basis, method, load, solver, accepted, pressure_strain,
-               coupling] = problem;
+  const auto& [contact, grid, basis, method, load, solver, accepted] = problem;
+  const Kernel& kernel = contact.kernel;
   const Index n = grid.size();
   const double dx = grid.spacing();
   if (!differences.edge_displacement) {
@@ -63,22 +63,23 @@ VectorXd lengths_of(const SteadyProblem& problem) {
 }
 
 VectorXd mean_bound_of(const SteadyProblem& problem) {
-  return element_means(problem.bound, problem.grid.nodes(), lengths_of(problem));
+  return element_means(problem.contact.bound, problem.grid.nodes(), lengths_of(problem));
 }
 
 /// Returns the bound that limits the tractions.
 VectorXd bound_of(const SteadyProblem& problem, const Differences& differences) {
   return differences.mean_bounds ? mean_bound_of(problem)
-                                 : bound_at(problem.bound, problem.grid.nodes());
+                                 : bound_at(problem.contact.bound, problem.grid.nodes());
 }
 
 /// Returns the bound that is proportional to the pressure: at the nodes, as in CONTACT, or its mean
 /// over the steps of the difference.
 VectorXd pressed_bound_of(const SteadyProblem& problem, const Differences& differences) {
   const VectorXd x = problem.grid.nodes();
-  if (!differences.mean_bounds) return bound_at(problem.bound, x);
+  if (!differences.mean_bounds) return bound_at(problem.contact.bound, x);
   const double reach = differences.step_ratio * problem.grid.spacing();
-  VectorXd means = mean_bound_around(problem.bound, (x.array() + reach / 2).matrix(), reach);
+  VectorXd means =
+      mean_bound_around(problem.contact.bound, (x.array() + reach / 2).matrix(), reach);
   if (problem.basis.name() == "constant") means[x.size() - 1] *= pressure_seen_at_edge;
   return means;
 }
@@ -134,8 +135,8 @@ ContactState contact_by(ActiveSet& active_set, const SteadyProblem& problem,
   SlipConditions conditions{.bound = bound_of(problem, differences),
                             .offset = VectorXd::Zero(n),
                             .reference = VectorXd::Zero(n)};
-  if (problem.has_unlike_bodies()) {
-    conditions.offset = -problem.pressure_strain * pressed_bound_of(problem, differences);
+  if (problem.contact.has_unlike_bodies()) {
+    conditions.offset = -problem.contact.pressure_strain * pressed_bound_of(problem, differences);
   }
   if (differences.edge_displacement) {
     conditions.offset[n - 1] =
@@ -149,7 +150,7 @@ ContactState contact_by(ActiveSet& active_set, const SteadyProblem& problem,
 /// there with the bound. Bounds other than tables have no such places  [N/mm]
 double force_in_gaps(const SteadyProblem& problem, const ContactState& state) {
   constexpr int samples = 16;
-  const auto* table = std::get_if<TabulatedBound>(&problem.bound);
+  const auto* table = std::get_if<TabulatedBound>(&problem.contact.bound);
   if (table == nullptr) return 0;
   const VectorXd x = problem.grid.nodes();
   const double part = problem.grid.spacing() / samples;
@@ -193,11 +194,11 @@ SteadySolution by_differences(const SteadyProblem& problem, const Differences& d
       problem, x, {lengths, bound, mean_bound_of(problem), state.traction, state.slip}, state);
   Evidence& evidence = solution.evidence;
   evidence.unresolved += force_in_gaps(problem, state);
-  if (problem.has_unlike_bodies()) {
+  if (problem.contact.has_unlike_bodies()) {
     evidence.one_element = one_element_zones(state, lengths, bound, solution.force);
   }
   solution.displacement =
-      influence_operator(problem.kernel, problem.basis, grid.spacing(), n, problem.solver) *
+      influence_operator(problem.contact.kernel, problem.basis, grid.spacing(), n, problem.solver) *
       state.traction;
   solution.condition = active_set.condition();
   return solution;
@@ -209,7 +210,7 @@ SteadySolution sampled(const SteadyProblem& problem, const Solution& solution,
                        SteadyScheme scheme) {
   const VectorXd x = problem.grid.nodes();
   SteadySolution state{.x = x,
-                       .bound = bound_at(problem.bound, x),
+                       .bound = bound_at(problem.contact.bound, x),
                        .traction = x.unaryExpr([&](double xi) { return solution.traction(xi); }),
                        .slip = x.unaryExpr([&](double xi) { return solution.slip(xi); }),
                        .displacement = solution.displacement(x),
@@ -239,7 +240,7 @@ SteadySolution over_whole_contact(const SteadyProblem& problem, const std::strin
 constexpr Index fewest_calibrated = 11;
 
 SteadySolution instead_of_inversion(const SteadyProblem& problem, const std::string& why) {
-  if (std::holds_alternative<TabulatedBound>(problem.bound)) {
+  if (std::holds_alternative<TabulatedBound>(problem.contact.bound)) {
     return solve_on_resolved_elements(problem, why);
   }
   require(problem.grid.size() >= fewest_calibrated, "elements",
@@ -249,7 +250,7 @@ SteadySolution instead_of_inversion(const SteadyProblem& problem, const std::str
 
 SteadySolution unlike_zones(const SteadyProblem& problem) {
   const std::string differ = "bodies differ in material";
-  if (!std::holds_alternative<HertzBound>(problem.bound)) {
+  if (!std::holds_alternative<HertzBound>(problem.contact.bound)) {
     return instead_of_inversion(problem, differ + ", and the bound is not Hertz's");
   }
   try {
@@ -262,7 +263,7 @@ SteadySolution unlike_zones(const SteadyProblem& problem) {
 /// The inversion on one stick zone, which serves most bounds and costs least; none if the solution has
 /// other zones.
 std::optional<SteadySolution> on_one_zone(const SteadyProblem& problem) {
-  const InvertedRolling rolling(problem.kernel, problem.bound);
+  const InvertedRolling rolling(problem.contact.kernel, problem.contact.bound);
   if (rolling.obstacle()) return std::nullopt;
   try {
     const InvertedSolution solution = rolling.solve(problem.load);
@@ -276,13 +277,13 @@ std::optional<SteadySolution> on_one_zone(const SteadyProblem& problem) {
 }
 
 SteadySolution by_inversion(const SteadyProblem& problem) {
-  if (problem.has_unlike_bodies()) return unlike_zones(problem);
+  if (problem.contact.has_unlike_bodies()) return unlike_zones(problem);
   if (auto found = solve_by_inversion(problem)) return *found;
-  if (!problem.kernel.is_half_space()) {
+  if (!problem.contact.kernel.is_half_space()) {
     return instead_of_inversion(
-        problem, fmt::format("the kernel is {}, not a half-space", problem.kernel.name()));
+        problem, fmt::format("the kernel is {}, not a half-space", problem.contact.kernel.name()));
   }
-  const auto why = InvertedRolling(problem.kernel, problem.bound).obstacle();
+  const auto why = InvertedRolling(problem.contact.kernel, problem.contact.bound).obstacle();
   return instead_of_inversion(problem,
                               why.value_or("the inversion finds no zones of stick and slip"));
 }
@@ -312,7 +313,7 @@ SteadySolution element_solution(const SteadyProblem& problem, const VectorXd& x,
   Evidence evidence = evidence_by_elements(values, force, contact.rigid_slip);
   evidence.residual = contact.residuals.equations;
   double dissipation = -contact.rigid_slip * force;
-  if (problem.has_unlike_bodies()) {
+  if (problem.contact.has_unlike_bodies()) {
     evidence.load = values.lengths.dot(contact.traction.cwiseAbs());
     evidence.power = dissipation = evidence.dissipated;
   }
@@ -342,10 +343,8 @@ double change_of_answer(const Load& load, const SteadySolution& coarse,
 }
 
 void validate(const SteadyProblem& problem) {
-  if (!problem.has_unlike_bodies()) return;
-  if (!problem.kernel.is_plane()) {
-    reject("kernel", problem.kernel.name(), "plane for bodies of different material");
-  }
+  validate(problem.contact);
+  if (!problem.contact.has_unlike_bodies()) return;
   const auto* differences = std::get_if<Differences>(&problem.method);
   if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
     reject("method", "chebyshev", "collocation for bodies of different material");
@@ -357,9 +356,9 @@ void validate(const SteadyProblem& problem) {
 }
 
 std::optional<SteadySolution> solve_by_inversion(const SteadyProblem& problem) {
-  if (problem.has_unlike_bodies()) return std::nullopt;
-  if (!problem.kernel.spreads()) return solve_brush(problem);
-  if (!problem.kernel.is_half_space()) return std::nullopt;
+  if (problem.contact.has_unlike_bodies()) return std::nullopt;
+  if (!problem.contact.kernel.spreads()) return solve_brush(problem);
+  if (!problem.contact.kernel.is_half_space()) return std::nullopt;
   if (auto found = on_one_zone(problem)) return found;
   return solve_by_zones(problem);
 }
@@ -367,7 +366,7 @@ std::optional<SteadySolution> solve_by_inversion(const SteadyProblem& problem) {
 SteadyProblem whole_contact(const SteadyProblem& problem) {
   const Index n = problem.grid.size();
   const double a = problem.grid.half_width();
-  const double soft = softness(problem.kernel, 2 * a / static_cast<double>(n));
+  const double soft = softness(problem.contact.kernel, 2 * a / static_cast<double>(n));
   const double offset =
       n < 2 ? 0.5 : std::clamp(calibrated_offset(problem.basis, n, soft, problem.solver), 0.5, 1.0);
   SteadyProblem whole = problem;
@@ -385,7 +384,7 @@ SteadySolution solve_steady(const SteadyProblem& problem) {
     return by_differences(problem, *differences);
   }
   if (std::holds_alternative<ChebyshevCollocation>(problem.method)) {
-    const ChebyshevRolling rolling(problem.kernel, problem.bound);
+    const ChebyshevRolling rolling(problem.contact.kernel, problem.contact.bound);
     return sampled(problem, rolling.solve(problem.load), SteadyScheme::chebyshev);
   }
   if (std::holds_alternative<Calibrated>(problem.method)) return over_whole_contact(problem, "");

@@ -20,8 +20,7 @@ namespace microslip {
 using Eigen::Index;
 
 SteadyProblem problem_of(const SteadyContact& contact, Index elements, const SteadyMethod& method) {
-  return {.kernel = contact.kernel,
-          .bound = contact.bound,
+  return {.contact = contact,
           .grid = Grid({.half_width = half_width_of(contact.bound), .elements = elements}),
           .basis = constant_basis(),
           .method = method,

@@ -107,14 +107,8 @@ class Schedule {
 
 }  // namespace
 
-void validate(const TransientProblem& problem) {
-  if (problem.has_unlike_bodies() && !problem.kernel.is_plane()) {
-    reject("kernel", problem.kernel.name(), "plane for bodies of different material");
-  }
-}
-
 void require_definite(const TransientProblem& problem) {
-  require_definite(problem.kernel, problem.grid.half_width() + problem.grid.spacing());
+  require_definite(problem.contact.kernel, problem.grid.half_width() + problem.grid.spacing());
 }
 
 void require_definite(const Kernel& kernel, double reach) {
@@ -181,7 +175,7 @@ VectorXd TransientRolling::traction_at_nodes() const { return grid_->traction_at
 VectorXd TransientRolling::bound_at_nodes() const {
   const auto& [half_width, bound] = state_.scale;
   if (half_width == 0) return VectorXd::Zero(grid_->x().size());
-  return bound * bound_at(problem_.bound, grid_->x() / half_width);
+  return bound * bound_at(problem_.contact.bound, grid_->x() / half_width);
 }
 VectorXd TransientRolling::displacement() const { return grid_->displacement(state_.traction); }
 
@@ -194,7 +188,7 @@ double TransientRolling::condition() { return grid_->condition(); }
 
 void TransientRolling::start_from(const VectorXd& traction) {
   const VectorXd nodes = problem_.grid.nodes();
-  require_within_bound(nodes, bound_at(problem_.bound, nodes), traction);
+  require_within_bound(nodes, bound_at(problem_.contact.bound, nodes), traction);
   solved_.reset();
   grid_->start_from(traction, state_);
 }

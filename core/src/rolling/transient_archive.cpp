@@ -66,8 +66,9 @@ void archive_kernel(Archive& archive, const Kernel& kernel) {
 void archive_problem(Archive& archive, const TransientProblem& problem) {
   const Index n = problem.grid.size();
   archive.same("scheme", name_of(problem.scheme));
-  archive_kernel(archive, problem.kernel);
-  if (problem.has_unlike_bodies()) archive.same("pressure_strain", problem.pressure_strain);
+  archive_kernel(archive, problem.contact.kernel);
+  if (problem.contact.has_unlike_bodies())
+    archive.same("pressure_strain", problem.contact.pressure_strain);
   archive.same("grid.elements", static_cast<double>(n));
   archive.same("contact.half_width", problem.grid.half_width());
   archive.same("basis", problem.basis.name());
@@ -75,9 +76,9 @@ void archive_problem(Archive& archive, const TransientProblem& problem) {
   archive.same("solver.type", fft ? "fft" : "dense");
   archive.same("solver.tolerance", problem.solver.tolerance);
   const VectorXd nodes = problem.grid.nodes();
-  archive.same("bound", bound_at(problem.bound, nodes));
+  archive.same("bound", bound_at(problem.contact.bound, nodes));
   const VectorXd lengths = VectorXd::Constant(n, problem.grid.spacing());
-  archive.same("mean_bound", element_means(problem.bound, nodes, lengths));
+  archive.same("mean_bound", element_means(problem.contact.bound, nodes, lengths));
 }
 
 void archive_count(Archive& archive, std::string_view name, int& count) {

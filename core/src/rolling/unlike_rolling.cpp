@@ -27,15 +27,15 @@ class UnlikeSolution {
       : problem_(problem),
         zones_(std::move(zones)),
         a_(problem.grid.half_width()),
-        peak_(std::get<HertzBound>(problem.bound).peak()),
-        strain_(compliance(problem.kernel.material()) * peak_) {}
+        peak_(std::get<HertzBound>(problem.contact.bound).peak()),
+        strain_(compliance(problem.contact.kernel.material()) * peak_) {}
 
   SteadySolution sampled() const {
     const VectorXd x = problem_.grid.nodes();
     const Index n = x.size();
     const Evidence evidence = by_quadrature();
     SteadySolution state{.x = x,
-                         .bound = bound_at(problem_.bound, x),
+                         .bound = bound_at(problem_.contact.bound, x),
                          .traction = VectorXd(n),
                          .slip = VectorXd(n),
                          .displacement = displacement(x),
@@ -77,7 +77,7 @@ class UnlikeSolution {
   }
 
   Evidence by_quadrature() const {
-    Evidence evidence{.full_sliding = full_sliding_force(problem_.bound)};
+    Evidence evidence{.full_sliding = full_sliding_force(problem_.contact.bound)};
     const double length = peak_ * a_;
     for (std::size_t i = 0; i < zones_.pattern().size(); ++i) {
       over(i, [&](const ZonePlace& place, double weight) {
@@ -99,10 +99,11 @@ class UnlikeSolution {
     for (std::size_t i = 0; i < zones_.pattern().size(); ++i) {
       over(i, [&](const ZonePlace& place, double weight) {
         const double away = a_ * (1 - zones_.x_of(place));
-        sum += weight * zones_.traction(place) * std::log(away / *problem_.kernel.plane_length());
+        sum += weight * zones_.traction(place) *
+               std::log(away / *problem_.contact.kernel.plane_length());
       });
     }
-    return -problem_.kernel.log_factor() * peak_ * a_ * sum;
+    return -problem_.contact.kernel.log_factor() * peak_ * a_ * sum;
   }
 
   /// The integral of slip between two places, which are over the half-width.
@@ -134,7 +135,8 @@ class UnlikeSolution {
     const double w = strain_ * zones_.creepage();
     double at = displacement_at_edge(), from = a_;
     const auto pressed = [&](double place) {
-      return problem_.pressure_strain * std::get<HertzBound>(problem_.bound).integral(place);
+      return problem_.contact.pressure_strain *
+             std::get<HertzBound>(problem_.contact.bound).integral(place);
     };
     for (Index i = x.size() - 1; i >= 0; --i) {
       at -= w * (from - x[i]) - (pressed(from) - pressed(x[i])) -
@@ -154,9 +156,9 @@ class UnlikeSolution {
 }  // namespace
 
 std::optional<SteadySolution> unlike_by_inversion(const SteadyProblem& problem) {
-  const auto& bound = std::get<HertzBound>(problem.bound);
-  const double unit = compliance(problem.kernel.material());
-  ScaledLoad load{.force = std::nullopt, .ratio = problem.pressure_strain / unit};
+  const auto& bound = std::get<HertzBound>(problem.contact.bound);
+  const double unit = compliance(problem.contact.kernel.material());
+  ScaledLoad load{.force = std::nullopt, .ratio = problem.contact.pressure_strain / unit};
   if (const auto* force = std::get_if<PrescribedForce>(&problem.load)) {
     load.force = force->value / (bound.peak() * bound.half_width());
   }

@@ -207,7 +207,7 @@ SteadySolution sampled(const SteadyProblem& problem, const ZonedField& field, do
   const double creepage = by_force ? direction * field.creepage() : value;
   SteadySolution found{
       .x = x,
-      .bound = bound_at(problem.bound, x),
+      .bound = bound_at(problem.contact.bound, x),
       .traction = x.unaryExpr([&](double at) { return -direction * field.traction(at); }),
       .slip = x.unaryExpr([&](double at) { return direction * field.slip(at); }),
       .displacement = -direction * field.displacement(x),
@@ -221,12 +221,12 @@ SteadySolution sampled(const SteadyProblem& problem, const ZonedField& field, do
                    .dissipated = sums.dissipated,
                    .load = std::abs(force),
                    .power = std::abs(creepage * force),
-                   .full_sliding = full_sliding_force(problem.bound)},
+                   .full_sliding = full_sliding_force(problem.contact.bound)},
       .condition = 1,
       .scheme = SteadyScheme::inversion};
   const auto& zones = field.zones().zones();
   if (zones.size() == 1) found.stick_edge = field.zones().position({1, 0});
-  if (zones.empty()) found.stick_edge = half_width_of(problem.bound);
+  if (zones.empty()) found.stick_edge = half_width_of(problem.contact.bound);
   const Zone slipping = direction < 0 ? Zone::slip_positive : Zone::slip_negative;
   for (const double at : x) {
     found.zones.push_back(field.zones().zone_of(at) ? Zone::adhesion : slipping);
@@ -237,21 +237,22 @@ SteadySolution sampled(const SteadyProblem& problem, const ZonedField& field, do
 }  // namespace
 
 std::optional<SteadySolution> solve_by_zones(const SteadyProblem& problem) {
-  const auto* table = std::get_if<TabulatedBound>(&problem.bound);
+  const auto* table = std::get_if<TabulatedBound>(&problem.contact.bound);
   const auto [by_force, value] = Prescribed(problem.load);
-  if (!problem.kernel.is_half_space() || problem.has_unlike_bodies() || value == 0 ||
-      (table != nullptr && table->x().size() > static_cast<Index>(most_zoned_rows))) {
+  if (!problem.contact.kernel.is_half_space() || problem.contact.has_unlike_bodies() ||
+      value == 0 || (table != nullptr && table->x().size() > static_cast<Index>(most_zoned_rows))) {
     return std::nullopt;
   }
-  const auto contact = std::make_shared<ZonedContact>(problem.kernel, problem.bound);
+  const auto contact =
+      std::make_shared<ZonedContact>(problem.contact.kernel, problem.contact.bound);
   const double direction = Prescribed(problem.load).direction();
   ZonesLoad load;
   (by_force ? load.force : load.level) =
       by_force ? std::abs(value) : std::abs(value) / contact->log_factor;
   for (const Index elements : first_elements) {
     try {
-      const GradedState graded =
-          solve_graded(problem, graded_elements(problem.bound, elements), most_graded_elements);
+      const GradedState graded = solve_graded(
+          problem, graded_elements(problem.contact.bound, elements), most_graded_elements);
       std::size_t tried = 0;  // number of zones
       for (const std::size_t fewest : {std::size_t{1}, std::size_t{3}}) {
         const std::vector<ZoneEnds> guess = zones_of(graded, contact->rows, fewest);

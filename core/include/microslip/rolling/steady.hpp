@@ -8,10 +8,9 @@
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
-#include "microslip/friction/traction_bound.hpp"
 #include "microslip/halfspace/basis.hpp"
 #include "microslip/halfspace/grid.hpp"
-#include "microslip/halfspace/kernel.hpp"
+#include "microslip/rolling/contact.hpp"
 #include "microslip/rolling/evidence.hpp"
 
 namespace microslip {
@@ -47,31 +46,24 @@ struct ChebyshevCollocation {};
 
 using SteadyMethod = std::variant<Differences, Calibrated, Inversion, ChebyshevCollocation>;
 
-/// Steady rolling in 2D: s = w - du/dx, thesis (3.2). For bodies of different material, u includes
-/// what the pressure displaces: du/dx has the term pressure_strain times the bound. There may then
+/// Steady rolling in 2D: s = w - du/dx, thesis (3.2). For bodies of different material there may
 /// be several zones, of both directions of slip. Inversion takes Hertz's bound alone, and is
 /// replaced by Calibrated elements else; ChebyshevCollocation and a known u_LE are refused.
 /// Accuracy then: by inversion 1e-8 of the creepage of free rolling without slip; by elements, with
 /// beta/mu = 2.88, 5e-6 from N = 200 on, and where all sticks 3e-7 from N = 100 on
 /// (tests/unit/unlike_bodies_test.cpp).
 struct SteadyProblem {
-  Kernel kernel;
-  TractionBound bound;
+  Contact contact;
   Grid grid;                       ///< on the same [-a, a] as the bound
   Basis basis = constant_basis();  ///< of elements: no part of inversion and collocation
   SteadyMethod method = Inversion{};
   Load load;
   Solver solver = {};
-  Acceptance accepted = {};    ///< for require_evidence
-  double pressure_strain = 0;  ///< microslip::pressure_strain(), for PlaneKernel  [mm^2/N]
-  /// beta mu, the order of the changes of pressure that Goodman's approximation leaves out  [1]
-  double coupling = 0;
-
-  bool has_unlike_bodies() const { return pressure_strain != 0; }
+  Acceptance accepted = {};  ///< for require_evidence
 };
 
-/// \throws std::invalid_argument for bodies of different material, if the strain by the pressure is
-///         not local, as in strips, or the method does not take it
+/// \throws std::invalid_argument for a contact that is not valid, and for bodies of different material
+///         if the method does not take them
 void validate(const SteadyProblem& problem);
 
 /// Differences over one element, with mean bounds, and with the edges where the scheme feels them:

@@ -5,13 +5,6 @@
 
 namespace microslip {
 
-/// A steady rolling contact, without a method or a grid.
-struct SteadyContact {
-  Kernel kernel;
-  TractionBound bound;
-  Load load;
-};
-
 /// The problem of the contact on a grid that fills it, with constant functions.
 /// \param elements  N, in [1, 4e6]
 SteadyProblem problem_of(const SteadyContact& contact, Eigen::Index elements,

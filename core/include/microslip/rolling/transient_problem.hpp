@@ -7,39 +7,30 @@
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
-#include "microslip/friction/traction_bound.hpp"
 #include "microslip/halfspace/basis.hpp"
 #include "microslip/halfspace/grid.hpp"
-#include "microslip/halfspace/kernel.hpp"
 #include "microslip/linalg/solver.hpp"
 #include "microslip/rolling/advection.hpp"
+#include "microslip/rolling/contact.hpp"
 #include "microslip/rolling/contact_scale.hpp"
 #include "microslip/rolling/evidence.hpp"
 
 namespace microslip {
 
-/// Transient rolling in 2D: s = w + (1/V) Du/Dt, thesis (3.9). The grid stands in the contact. For
-/// bodies of different material, u includes what the pressure displaces, which has the strain
-/// pressure_strain times the bound and stands in the contact. They begin with no tractions under
-/// that pressure, and the contact does not change.
+/// Transient rolling in 2D: s = w + (1/V) Du/Dt, thesis (3.9). The grid stands in the contact.
+/// Bodies of different material begin with no tractions under their pressure, which stands in the
+/// contact, and the contact does not change.
 struct TransientProblem {
-  Kernel kernel;
-  TractionBound bound;
+  Contact contact;
   Grid grid;  ///< on the same [-a, a] as the bound
   Basis basis;
   AdvectionScheme scheme;
   Solver solver = {};
-  Acceptance accepted = {};    ///< for require_evidence
-  double pressure_strain = 0;  ///< microslip::pressure_strain(), for PlaneKernel  [mm^2/N]
-  /// beta mu, the order of the changes of pressure that Goodman's approximation leaves out  [1]
-  double coupling = 0;
-
-  bool has_unlike_bodies() const { return pressure_strain != 0; }
+  Acceptance accepted = {};  ///< for require_evidence
 };
 
-/// \throws std::invalid_argument for bodies of different material, if the strain by the pressure is
-///         not local, as in strips
-void validate(const TransientProblem& problem);
+/// \throws std::invalid_argument for a contact that is not valid
+inline void validate(const TransientProblem& problem) { validate(problem.contact); }
 
 /// A transient is about displacements, and so wants a contact that resists them: with an L0 of
 /// plane strain up to (a + dx)/2, half the half-length of elements that reach beyond the edges by

@@ -126,7 +126,7 @@ TransientScene read_transient(Scene& scene);
 
 /// A cylinder that rolls down a slope, from rest or from free rolling.
 struct CylinderScene {
-  TransientProblem contact;
+  TransientProblem problem;
   Cylinder cylinder;
   Integrator integrator;
   double step_ratio;                     ///< c, (0, inf)  [1]
