@@ -19,7 +19,8 @@ using Eigen::VectorXd;
 
 constexpr int most_iterations = 100;
 
-/// The matrix of elements that fill the contact: A, which is symmetric, or A - A' of a step of one element.
+/// The matrix of elements that fill the contact: A, which is symmetric, or A - A' of a step of one
+/// element.
 Toeplitz coefficients(const BenchParameters& p, const Kernel& kernel, bool difference, Index n) {
   const ShapeFunction shape = constant_basis().shapes().front();
   const double spacing = 2 * p.bound.half_width() / static_cast<double>(n);

@@ -22,14 +22,14 @@ struct NodesOut {
   NodesOut(const microslip_steady_nodes* nodes, std::size_t row, std::size_t size);
 };
 
-/// Solves under a load of microslip_load. What has no solution, or none that is accepted, has a
-/// status, a message, and no numbers.
-/// \param problem  the load of which is replaced
-/// "creepage = 1: ...": of the creepage that is largest in size, why it is doubtful; empty if it is
-/// not, and of forces.
+/// Says why the creepage that is largest in size is doubtful, as in "creepage = 1: ...". Empty if it
+/// is not, and for forces.
 std::string doubt_of_loads(const SteadyProblem& problem, int type, const double* loads,
                            std::size_t count);
 
+/// Solves under a load of microslip_load. A load without a solution, or with none that is accepted,
+/// has a status, a message, and no numbers.
+/// \param problem  the load of which is replaced
 microslip_steady solve_load(SteadyProblem problem, int type, double load, const NodesOut& nodes,
                             const Message& message) noexcept;
 

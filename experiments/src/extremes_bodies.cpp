@@ -56,8 +56,8 @@ double by_fine_elements(const SteadyProblem& problem) {
   return creepage_by_elements(problem, finer * problem.grid.size());
 }
 
-/// Under a layer this many times as compliant as the half-space, the half-space changes the creepage
-/// by less than 1e-7, and the closed form of springs alone is the truth.
+/// Under a layer this many times as compliant as the half-space, the half-space changes the
+/// creepage by less than 1e-7, and the closed form of springs alone is the truth.
 constexpr double springs_alone = 1e8;
 
 Creepage under_springs(const ExtremesParameters& p, const SteadyProblem& problem, double layer) {

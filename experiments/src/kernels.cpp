@@ -204,7 +204,8 @@ struct Errors {
                 {"order", "1", "least-squares slope"}}};
 };
 
-/// Creepages around the creepage of the force ratio, so that stick-slip points lie anywhere in elements.
+/// Creepages around the creepage of the force ratio, so that stick-slip points lie anywhere in
+/// elements.
 std::vector<double> creepages_of(const Parameters& p, const Kernel& kernel) {
   constexpr int count = 8;
   const double middle =

@@ -8,11 +8,11 @@
 
 namespace microslip::experiments {
 
-/// The energy that a run loses, and how uncertain it is. Friction never gives energy back, so that a
-/// negative loss is an error of the energies of elements; the sum of negative ones is of the size of
-/// the error of the whole loss. A force that changes much in a step is in truth no linear function of
-/// the shift, as the work of the step has it; there, the loss by the tractions at the end of the step
-/// is another estimate.
+/// The energy that a run loses, and how uncertain it is. Friction never gives energy back, so that
+/// a negative loss is an error of the energies of elements; the sum of negative ones is of the size
+/// of the error of the whole loss. A force that changes much in a step is in truth no linear
+/// function of the shift, as the work of the step has it; there, the loss by the tractions at the
+/// end of the step is another estimate.
 class LostEnergy {
  public:
   /// \param start         before the first step

@@ -14,8 +14,8 @@ struct Cost {
 };
 
 /// Lists the runs that succeeded and that no other run of the same problem beats: no other run is
-/// both as cheap and as accurate; among all runs, among runs by elements, and among the runs of each
-/// scheme. Rows go by problem and quantity, from cheap to accurate.
+/// both as cheap and as accurate; among all runs, among runs by elements, and among the runs of
+/// each scheme. Rows go by problem and quantity, from cheap to accurate.
 Table fronts_table(const std::string& name, const Cost& cost, const std::vector<Run>& runs);
 
 /// Lists, by problem and quantity, the cheapest run within each accuracy, and the cost of the

@@ -20,9 +20,9 @@ std::string method_of(const SteadySolution& solution) {
                      solution.fallback.empty() ? "" : ", because " + solution.fallback);
 }
 
-/// Warns if another scheme ran than asked for. Tables do not count, whose elements have evidence of their
-/// own, nor other bounds than Hertz's for bodies of different material: elements are the regular way to
-/// solve them.
+/// Warns if another scheme ran than asked for. Tables do not count, whose elements have evidence of
+/// their own, nor other bounds than Hertz's for bodies of different material: elements are the
+/// regular way to solve them.
 std::optional<std::string> doubt_of(const SteadySolution& solution, const SteadyProblem& problem) {
   const bool table = std::holds_alternative<TabulatedBound>(problem.contact.bound);
   const bool elements = problem.contact.has_unlike_bodies() &&
@@ -61,8 +61,8 @@ Table summary_of(const std::string& description, const SteadySolution& solution,
   return summary;
 }
 
-/// The solution; on equal elements under a table with the change from elements twice as long, which is
-/// about the error where a bound is steep.
+/// The solution; on equal elements under a table with the change from elements twice as long, which
+/// is about the error where a bound is steep.
 SteadySolution solve_with_change(const SteadyProblem& problem) {
   constexpr Eigen::Index fewest = 8;
   SteadySolution solution = solve_steady(problem);

@@ -25,8 +25,8 @@ namespace {
 constexpr double without_slip = 2 / std::numbers::pi;
 constexpr double without_friction = 2 * 0.457385508786518;  // Bentall and Johnson 1967 print 0.457
 
-/// Results of a Gauss-Chebyshev method for beta/mu = 2.87667: creepage over mu a/R_r, force over full
-/// sliding.
+/// Results of a Gauss-Chebyshev method for beta/mu = 2.87667: creepage over mu a/R_r, force over
+/// full sliding.
 struct Known {
   double force_ratio, creepage;
 };

@@ -22,7 +22,8 @@ void add_common_options(Options& options, const std::string& default_out);
 inline constexpr int any_number = -1;
 
 /// \param argv   without the program's name, or with it as its first
-/// \param word   the option that words without -- before them are for; with none, words are rejected
+/// \param word   the option that words without -- before them are for; with none, words are
+///              rejected
 /// \param words  how many of them there may be
 /// \throws boost::program_options::error or std::invalid_argument
 Given parse(const Options& options, int argc, const char* const* argv, const std::string& word = "",

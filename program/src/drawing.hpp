@@ -76,7 +76,8 @@ struct Drawing {
 
 /// Tractions, slip and histories of one scene or more, over one another, with exact solutions.
 /// \param over  horizontal axis of histories: "q", the distance rolled, or "t", the time; empty: q
-/// \throws std::invalid_argument for kinds that do not go together, and for times that are not there
+/// \throws std::invalid_argument for kinds that do not go together, and for times that are not
+///                               there
 Drawing drawing_of_scenes(const std::vector<Result>& results, const std::string& over);
 
 /// Selects what a figure shows of a sweep, or of curves of creepage and force; all may be empty.

@@ -20,7 +20,8 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-/// Draws a figure by a script of gnuplot, and says so. The file is written as a whole or not at all.
+/// Draws a figure by a script of gnuplot, and says so. The file is written as a whole or not at
+/// all.
 /// \param settings  commands of gnuplot, before the commands of the script
 /// \throws std::exception with one line if it cannot be drawn or written
 void draw(const std::filesystem::path& script, const std::filesystem::path& tables,

@@ -75,8 +75,8 @@ std::string advice_in(const Table& table) {
   return lines;
 }
 
-/// Prints the advice in a result, or one line about it. The tables are written: nobody who reads the
-/// line is no error.
+/// Prints the advice in a result, or one line about it. The tables are written: nobody who reads
+/// the line is no error.
 void print_result(const Program& program, const std::vector<Table>& tables, const std::string& out,
                   bool quiet) {
   std::string advice;

@@ -34,7 +34,8 @@ MICROSLIP_API int microslip_py_error_status(void);
 MICROSLIP_API const char* microslip_py_error_key(void);  ///< empty if it is about none
 MICROSLIP_API const char* microslip_py_error_message(void);
 
-/// A line a key of scenes: name, type, unit, meaning, what is accepted, default and role, with tabs.
+/// A line a key of scenes: name, type, unit, meaning, what is accepted, default and role, with
+/// tabs.
 MICROSLIP_API const char* microslip_py_keys(void);
 
 /// Scenes that have been read: one, or all cases of one with a sweep.

@@ -50,8 +50,8 @@ std::string label(const Sweep& sweep, std::size_t index) {
   return fmt::format("case {} of {} ({}): ", index + 1, sweep.size(), swept);
 }
 
-/// Calls back every 50 ms at most, so that it costs no time. Work ends by an exception, which only the
-/// thread that works may throw: of steady rolling another one tells.
+/// Calls back every 50 ms at most, so that it costs no time. Work ends by an exception, which only
+/// the thread that works may throw: of steady rolling another one tells.
 Progress progress_by(microslip_py_progress call) {
   using Clock = std::chrono::steady_clock;
   const std::thread::id working = std::this_thread::get_id();

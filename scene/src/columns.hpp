@@ -29,7 +29,8 @@ ReadColumns read_columns(std::string_view text, const std::vector<FileColumn>& w
 /// The names of all columns, without units. \throws std::invalid_argument as read_columns
 std::vector<std::string> column_names(std::string_view text);
 
-/// A name and its unit, as "t [s]", "t[s]" and "t (s)" have it: empty if there is none, and 1 for -.
+/// A name and its unit, as "t [s]", "t[s]" and "t (s)" have it: empty if there is none, and 1 for
+/// -.
 struct NamedUnit {
   std::string name;
   std::string unit = "";

@@ -113,7 +113,8 @@ struct WorkOf {
            of_step(scene.problem, is_whole(scene.step_ratio));
   }
   /// Cost of the rows of a table in the slip zone, if one zone sticks. The zone is as long as in
-  /// Carter's solution under the same part of full sliding; under a creepage this part is not known.
+  /// Carter's solution under the same part of full sliding; under a creepage this part is not
+  /// known.
   static double of_rows(const SteadyProblem& problem, const TabulatedBound& table) {
     constexpr double under_creepage = 0.5;
     const auto* force = std::get_if<PrescribedForce>(&problem.load);

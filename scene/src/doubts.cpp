@@ -115,7 +115,8 @@ void warn_of_large_creepages(Scene& scene, const LoadHistory& loads, const Tract
 
 namespace {
 
-/// The largest load of a run; a force is kept below full sliding, so that a steady state carries it.
+/// The largest load of a run; a force is kept below full sliding, so that a steady state carries
+/// it.
 Load largest_load(const LoadHistory& loads, double full_sliding) {
   constexpr double most = 0.9999;
   Load largest = loads.at(0);

@@ -19,8 +19,8 @@ namespace microslip {
 void warn_outside(Scene& scene, const SafeRange& safe, const std::string& key, double value,
                   const std::string& instead);
 
-/// Warns if a difference scheme is loaded so near to full sliding that its stick zone is shorter than
-/// six elements: the creepage may then be wrong by more than 10 %, and by up to 40 %.
+/// Warns if a difference scheme is loaded so near to full sliding that its stick zone is shorter
+/// than six elements: the creepage may then be wrong by more than 10 %, and by up to 40 %.
 /// \param instead  what is safe for any value
 void warn_near_full_sliding(Scene& scene, const Load& load, const TractionBound& bound,
                             Eigen::Index elements, const std::string& instead);
@@ -43,8 +43,8 @@ void warn_of_other_radius(Scene& scene, double radius);
 /// Warns if a radius cannot belong to a body with this contact: it is below ten half-widths.
 void warn_of_small_radius(Scene& scene, const std::string& key, double radius, double half_width);
 
-/// Warns if the elements of a transient do not resolve a table of the bound: the steady state under the
-/// largest load of the run is solved on them, and by inversion.
+/// Warns if the elements of a transient do not resolve a table of the bound: the steady state under
+/// the largest load of the run is solved on them, and by inversion.
 void warn_of_unresolved_table(Scene& scene, const TransientProblem& problem,
                               const LoadHistory& loads);
 

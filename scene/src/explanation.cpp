@@ -121,8 +121,8 @@ const std::string details_of_unlike =
     "creepage in the other direction, spin, friction that depends on slip, heat, wear";
 
 /// In full sliding the singular integral equation of the pressure has the solution Hertz's pressure
-/// times ((a + x)/(a - x))^e with tan(pi e) = -+beta mu. Where (a + x)/(a - x) = e^pi, at 0.917 a, the
-/// factor differs from 1 by beta mu, to first order.
+/// times ((a + x)/(a - x))^e with tan(pi e) = -+beta mu. Where (a + x)/(a - x) = e^pi, at 0.917 a,
+/// the factor differs from 1 by beta mu, to first order.
 std::string goodman(double coupling) {
   return fmt::format(
       "the change of pressure by tangential tractions on bodies of different material (Goodman): "

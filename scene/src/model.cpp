@@ -39,8 +39,8 @@ void warn_of_long_waves(Scene& scene, const Kernel& kernel, double half_width) {
                          format_short(1 / half_width)));
 }
 
-/// \param whole  the elements form the grid, with the offsets of the scene; otherwise nodes in the middles
-///               of equal elements only say where a result is shown
+/// \param whole  the elements form the grid, with the offsets of the scene; otherwise nodes in the
+///               middles of equal elements only say where a result is shown
 /// \param tangential  the constants of the kernel
 ContactModel read_contact(Scene& scene, const Material& material, const Material& tangential,
                           bool whole = true) {

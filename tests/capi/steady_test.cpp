@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steady rolling in the C interface: Carter's closed form at generated loads, what must not change the answer, and
-// what is refused.
+// Steady rolling in the C interface: Carter's closed form at generated loads, what must not change
+// the answer, and what is refused.
 #include "microslip/rolling/steady.hpp"
 
 #include <gtest/gtest.h>
@@ -98,8 +98,8 @@ TEST(CSteady, IsCartersAtGeneratedLoads) {
   }
 }
 
-// Back and forth, the other direction, other units, and twice the bound under twice the load; strips and tables, of
-// which no closed form is known.
+// Back and forth, the other direction, other units, and twice the bound under twice the load;
+// strips and tables, of which no closed form is known.
 TEST(CSteady, DoesNotDependOnWhatIsArbitrary) {
   const double x[] = {-0.7, -0.2, 0.4, 0.9}, value[] = {0.3, 1.1, 0.8, 0.1},
                twice[] = {0.6, 2.2, 1.6, 0.2};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// These tests hold the promises of microslip.h about threads. `make sanitize` runs them under the thread sanitizer, which
-// sees races that give the right numbers by chance.
+// These tests hold the promises of microslip.h about threads. `make sanitize` runs them under the
+// thread sanitizer, which sees races that give the right numbers by chance.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -64,10 +64,11 @@ TEST(CarterForce, IsOffBy0p15PercentAt240Elements) {
   EXPECT_GT(error, 0.0014);
 }
 
-// The error in closed form, docs/theory.md. An edge that is felt e beyond its place changes Carter's
-// force by pi e sqrt(a') (1 - sqrt(a')) at a constant creepage. The midpoint rule makes the force of
-// sqrt(2 d) at the trailing edge larger by sqrt(2) zeta(-1/2, 1/2) dx^(3/2), of which the part
-// sqrt(1 - a') remains when the stick-slip point has moved. What is left is of second order.
+// The error in closed form, docs/theory.md. An edge that is felt e beyond its place changes
+// Carter's force by pi e sqrt(a') (1 - sqrt(a')) at a constant creepage. The midpoint rule makes
+// the force of sqrt(2 d) at the trailing edge larger by sqrt(2) zeta(-1/2, 1/2) dx^(3/2), of which
+// the part sqrt(1 - a') remains when the stick-slip point has moved. What is left is of second
+// order.
 TEST(CarterForce, ErrorIsThatOfTheShiftedEdgeAndOfTheMidpointRule) {
   constexpr double stick = 0.6;
   constexpr double zeta = 0.060888452;  // (1/sqrt(2) - 1) zeta(-1/2)

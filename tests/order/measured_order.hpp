@@ -17,8 +17,8 @@
 
 namespace microslip {
 
-/// Appends a line to the file of the running test in the folder MICROSLIP_ORDERS, if there is such a
-/// variable of the environment. The first line of a test replaces what the file had.
+/// Appends a line to the file of the running test in the folder MICROSLIP_ORDERS, if there is such
+/// a variable of the environment. The first line of a test replaces what the file had.
 inline void keep_in_folder(const std::string& line) {
   const char* folder = std::getenv("MICROSLIP_ORDERS");
   if (folder == nullptr) return;

@@ -30,7 +30,8 @@ RollingCylinder rolling_on(Eigen::Index n, const AdvectionScheme& scheme, const 
 }
 
 // A cylinder that rolls freely with v0, and on which a small force F_cm acts from then on. With
-// lambda = ln(2 L0/a), the modified Bessel functions I0, I1 of sigma, and the distance rolled over a,
+// lambda = ln(2 L0/a), the modified Bessel functions I0, I1 of sigma, and the distance rolled over
+// a,
 //   (v - omega R)/v0 = F_cm a/(m v0^2) L^-1 { 1/(sigma (sigma + O H)) },
 //   H = 1/(I0/(I0 + I1) + sigma lambda),
 //   v/v0 - 1 = F_cm a/(m v0^2) L^-1 { 1/sigma^2 - (m_r/m) O H/(sigma^2 (sigma + O H)) },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kernels of springs, layers and tables under bounds and loads that nobody chose: estimates are true,
-// and rolling leads to the steady state, which is solved by other equations.
+// Kernels of springs, layers and tables under bounds and loads that nobody chose: estimates are
+// true, and rolling leads to the steady state, which is solved by other equations.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shifts of contacts that nobody chose, against the scheme of the thesis with c = 1, extrapolated: it
-// has another grid, other bounds of its elements, no springs, and no mean over partitions.
+// Shifts of contacts that nobody chose, against the scheme of the thesis with c = 1, extrapolated:
+// it has another grid, other bounds of its elements, no springs, and no mean over partitions.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -153,8 +153,8 @@ double creepage_after_shift(const TransientProblem& problem, double shifted_to, 
   return rolling.state().creepage;
 }
 
-// A shift leaves traction at the entry, and the force after it may need all of the bound. The oracle
-// is inversion, which knows of no shift.
+// A shift leaves traction at the entry, and the force after it may need all of the bound. The
+// oracle is inversion, which knows of no shift.
 TEST(GeneratedShifts, AreForgottenNextToFullSliding) {
   std::mt19937 random(static_cast<unsigned>(seed_of_tests()));
   const auto uniform = [&](double from, double to) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs in which contact or friction is lost in one row and returns: bodies that part forget. The same runs
-// with a tiny contact in the place of none, and with short steps, are the oracles.
+// Runs in which contact or friction is lost in one row and returns: bodies that part forget. The
+// same runs with a tiny contact in the place of none, and with short steps, are the oracles.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -78,8 +78,8 @@ std::vector<double> row_lengths(const LoadHistory& loads) {
   return lengths;
 }
 
-/// The contact of the last row grows from nothing over the last piece. Its force does not depend on how
-/// nothing is written.
+/// The contact of the last row grows from nothing over the last piece. Its force does not depend on
+/// how nothing is written.
 TEST(LostContacts, AreBegunWhereTheyReturn) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     const RunOfRows run = generated(seed);

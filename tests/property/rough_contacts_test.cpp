@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bounds that are rough at all scales, with many stick zones, against direct sums over all elements.
+// Bounds that are rough at all scales, with many stick zones, against direct sums over all
+// elements.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -126,7 +127,8 @@ TEST(RoughContacts, EstimatesHold) {
   }
 }
 
-// Gaps of the contact that are shorter than elements make creepages wrong by a fifth: a warning says so.
+// Gaps of the contact that are shorter than elements make creepages wrong by a fifth: a warning
+// says so.
 TEST(RoughContacts, UnresolvedGapsAreDoubted) {
   for (const double force_ratio : {1e-6, 1e-3}) {
     const TractionBound bound = rough_bound(hertz, {.amplitude = 1.5, .hurst = 0.3, .rows = 1025});

@@ -33,7 +33,8 @@ SteadyProblem problem_of(const Kernel& kernel, const TractionBound& bound, const
           .load = load};
 }
 
-/// Tables with valleys, jumps over 1e-4 to 0.1 mm and gaps, and loads from 1e-4 to 0.9999 of full sliding.
+/// Tables with valleys, jumps over 1e-4 to 0.1 mm and gaps, and loads from 1e-4 to 0.9999 of full
+/// sliding.
 class GeneratedTable {
  public:
   explicit GeneratedTable(unsigned seed) : random_(seed) {
@@ -95,16 +96,16 @@ class GeneratedTable {
   std::vector<double> x_, g_;
 };
 
-/// The same half-space with a layer that is too hard to matter: graded elements solve it, which share no
-/// formula with the inversion.
+/// The same half-space with a layer that is too hard to matter: graded elements solve it, which
+/// share no formula with the inversion.
 Kernel with_hard_layer(const Kernel& kernel) {
   constexpr double hard = 1e-10;
   return visit_half_space([&](const auto& of) -> Kernel { return LayeredKernel(of, hard); },
                           kernel);
 }
 
-/// Graded elements are the oracle. Equal ones are none: 8192 of them are 14 % off under some of these
-/// tables. The error is about the change from elements twice as long.
+/// Graded elements are the oracle. Equal ones are none: 8192 of them are 14 % off under some of
+/// these tables. The error is about the change from elements twice as long.
 void compare_with_elements(SteadyProblem problem, double creepage) {
   problem.contact.kernel = with_hard_layer(problem.contact.kernel);
   const SteadySolution expected = solve_steady(problem);
@@ -137,8 +138,8 @@ TEST_P(GeneratedZones, AreFoundByInversionAndAgreeWithElements) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, GeneratedZones, testing::Range(0U, 60U));
 
-/// The jump of the bound beside the peak of -5 0; 0 300; 0.01 30; 5 0. Creepages are those of a prototype in
-/// numpy, with elements of 25 600 and a dense solver of its own beside it.
+/// The jump of the bound beside the peak of -5 0; 0 300; 0.01 30; 5 0. Creepages are those of a
+/// prototype in numpy, with elements of 25 600 and a dense solver of its own beside it.
 TEST(StickZones, CarryAJumpNearFullSliding) {
   const TabulatedBound bound = table_of({-5, 0, 0.01, 5}, {0, 300, 30, 0});
   const double most = full_sliding_force(bound);
@@ -176,7 +177,8 @@ TEST(StickZones, LoseTheEnergyThatTheLoadGives) {
   }
 }
 
-/// A kernel without an inversion has graded elements instead, which see the jump that equal elements miss.
+/// A kernel without an inversion has graded elements instead, which see the jump that equal
+/// elements miss.
 TEST(StickZones, AreResolvedByGradedElementsWhereThereIsNoInversion) {
   const TabulatedBound bound = table_of({-5, 0, 0.01, 5}, {0, 300, 30, 0});
   const PrescribedForce load{-0.97 * full_sliding_force(bound)};
@@ -188,8 +190,8 @@ TEST(StickZones, AreResolvedByGradedElementsWhereThereIsNoInversion) {
   EXPECT_EQ(found.x.size(), 100);
 }
 
-/// The bound touches the traction of one zone in a valley that is narrow. Elements of 16 384 and more have the
-/// creepage 7.60457e-4.
+/// The bound touches the traction of one zone in a valley that is narrow. Elements of 16 384 and
+/// more have the creepage 7.60457e-4.
 TEST(StickZones, SeeANarrowValley) {
   VectorXd coefficients(5);
   coefficients << 0.325, -0.435, -1.964, 1.799, 4.015;
@@ -202,8 +204,8 @@ TEST(StickZones, SeeANarrowValley) {
   EXPECT_NEAR(found.creepage / 7.60457e-4, 1, 2e-5);
 }
 
-/// More rows than zones can be searched for: the program takes as many elements as it needs, whatever the
-/// grid of the scene.
+/// More rows than zones can be searched for: the program takes as many elements as it needs,
+/// whatever the grid of the scene.
 TEST(StickZones, OfRoughBoundsAreResolvedByAsManyElementsAsItTakes) {
   for (const unsigned seed : {1U, 2U, 3U}) {
     const TabulatedBound bound = rough_bound(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bodies of different material by elements, against the inversion, which shares no equations with them.
+// Bodies of different material by elements, against the inversion, which shares no equations with
+// them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,9 +14,9 @@ namespace microslip::unlike_contacts_test {
 
 using Eigen::Index;
 
-// Next to full sliding an end of a zone that is known to a part of an element decides on the creepage.
-// Among 1024 contacts like these 38 were wrong by more than 10 %, of the creepage or the creepage
-// of like bodies, whichever is larger, and 113 were warned of.
+// Next to full sliding an end of a zone that is known to a part of an element decides on the
+// creepage. Among 1024 contacts like these 38 were wrong by more than 10 %, of the creepage or the
+// creepage of like bodies, whichever is larger, and 113 were warned of.
 TEST(UnlikeContacts, LargeErrorsAreDoubted) {
   constexpr Material material{1, 0.28};
   const HertzBound bound(1, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Kernels of layers, of springs, and by their symbol in scenes: what is solved, warned of, or refused
-// in one line.
+// Kernels of layers, of springs, and by their symbol in scenes: what is solved, warned of, or
+// refused in one line.
 #include <cmath>
 #include <fstream>
 #include <string>

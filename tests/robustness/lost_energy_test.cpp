@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The energy that a run loses where its force changes suddenly: right, or warned of with the size of
-// the error. The oracle is the scheme of the thesis with c = 1 on fine grids, extrapolated, which sums
-// up tractions and slip of elements and resolves the change.
+// The energy that a run loses where its force changes suddenly: right, or warned of with the size
+// of the error. The oracle is the scheme of the thesis with c = 1 on fine grids, extrapolated,
+// which sums up tractions and slip of elements and resolves the change.
 #include <fmt/core.h>
 
 #include <cmath>

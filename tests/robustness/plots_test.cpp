@@ -159,7 +159,8 @@ TEST_F(Plots, RangesThatAreNone) {
   EXPECT_FALSE(fs::exists(folder_ / "strip.svg"));
 }
 
-// A measured run is drawn over its times, or over the distance rolled; --time and --q are ranges of these.
+// A measured run is drawn over its times, or over the distance rolled; --time and --q are ranges of
+// these.
 TEST_F(Plots, OverTimeOrDistance) {
   run_in_folder("init run");
   run_in_folder("run.info --set grid.elements=20 --set motion.distance=1400 --out ran");
@@ -207,7 +208,8 @@ TEST_F(Plots, RangesBetweenRows) {
   EXPECT_FALSE(fs::exists(folder_ / "rolled_shifts.svg")) << "it has no distance";
 }
 
-// A label that is too long for the key loses what all have in common, or its middle, but stays unique.
+// A label that is too long for the key loses what all have in common, or its middle, but stays
+// unique.
 TEST_F(Plots, LabelsHaveRoom) {
   run_in_folder("init steady");
   const std::string deep = "a_folder/with_a_long_name/and_another_folder/in_it/before_the_last";

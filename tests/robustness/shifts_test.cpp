@@ -18,8 +18,8 @@ constexpr double length = 20;
 
 class Shifts : public Executables {
  protected:
-  /// Rolls under another force than that of the last shift. The loss in the step to it is warned of,
-  /// and this warning is taken out.
+  /// Rolls under another force than that of the last shift. The loss in the step to it is warned
+  /// of, and this warning is taken out.
   /// \param elements  N
   /// \param start     keys below `start`
   Outcome run(int elements, const std::string& start, const std::string& options = "") const {

@@ -45,7 +45,8 @@ TEST(Converge, KnowsTheOrdersOfSteadySchemes) {
   EXPECT_EQ(std::get<std::string>(tables[2].at(0, "value")), "inversion");
 }
 
-// Where the reference of the largest default N takes minutes, fewer are tried, and the scene says so.
+// Where the reference of the largest default N takes minutes, fewer are tried, and the scene says
+// so.
 TEST(Converge, TriesFewerElementsOfLongRuns) {
   using Elements = std::vector<Eigen::Index>;
   Scene scene = scene_of(transient);

@@ -193,8 +193,8 @@ TEST_F(Extremes, InversionAndChebyshevHoldFromFullSlidingToFullStick) {
   });
 }
 
-// Small loads, bounds that are not smooth (1 to 3), two stick zones (4), and bounds that are rough at
-// all scales (5, 6). Where a bound is reached at many places, elements replace the inversion.
+// Small loads, bounds that are not smooth (1 to 3), two stick zones (4), and bounds that are rough
+// at all scales (5, 6). Where a bound is reached at many places, elements replace the inversion.
 TEST_F(Extremes, InversionHoldsUnderAnyBound) {
   for_rows("bounds", "inversion", [](const Table& rows, std::size_t i) {
     const double bound = rows.number(i, "bound");

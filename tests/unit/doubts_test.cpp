@@ -159,7 +159,8 @@ TEST(Columns, MayBeSeparatedByCommasOrSemicolons) {
             "test:7: load.file = 'run.tsv': line 2: expected 2 values, found 3");
 }
 
-// The oracle is Carter's closed form. Where nothing is warned of, errors are those that docs/scenes.md promises.
+// The oracle is Carter's closed form. Where nothing is warned of, errors are those that
+// docs/scenes.md promises.
 TEST(Doubts, DifferencesNearFullSliding) {
   std::mt19937 random(1);
   const auto uniform = [&](double from, double to) {

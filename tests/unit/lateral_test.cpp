@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Creepage across the rolling: the kernel against Cerruti's integral, Carter's solution with its own
-// stiffness, and scenes.
+// Creepage across the rolling: the kernel against Cerruti's integral, Carter's solution with its
+// own stiffness, and scenes.
 #include <gtest/gtest.h>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>

@@ -254,8 +254,8 @@ TEST(Brush, IsShiftedEvenly) {
   }
 }
 
-/// The c = 1 scheme of CONTACT for elements in plane strain under a layer, written down anew: dense,
-/// coefficients from the integral of the logarithm, and slip searched element by element.
+/// The c = 1 scheme of CONTACT for elements in plane strain under a layer, written down anew:
+/// dense, coefficients from the integral of the logarithm, and slip searched element by element.
 class DenseLayer {
  public:
   DenseLayer(double layer, double length, Index n) : n_(n), traction_(VectorXd::Zero(n)) {
@@ -418,7 +418,8 @@ TEST(Layer, IsRefusedWhereOnlyHalfSpacesHaveASolution) {
               }).starts_with("scheme = 'fractional': expected another scheme"));
 }
 
-// Displacements bend at the stick-slip point; steps much shorter than an element are taken well, too.
+// Displacements bend at the stick-slip point; steps much shorter than an element are taken well,
+// too.
 TEST(Layer, KeepsItsConditionsInShortSteps) {
   const double force = -0.5 * full_sliding_force(hertz);
   for (const Kernel& kernel : {Kernel(WinklerKernel(0.6)), Kernel(layer_on_plane(0.3))}) {

@@ -15,7 +15,8 @@ using Eigen::VectorXd;
 
 const HertzBound hertz(5, 300);
 
-/// The profile of a table whose amplitude is too small for the bound to reach zero, without its ends.
+/// The profile of a table whose amplitude is too small for the bound to reach zero, without its
+/// ends.
 VectorXd profile_of(const Roughness& roughness) {
   const VectorXd x = VectorXd::LinSpaced(roughness.rows, -5, 5).segment(1, roughness.rows - 2);
   const VectorXd rough = bound_at(rough_bound(hertz, roughness), x);
@@ -43,7 +44,8 @@ TEST(RoughBound, IsTheSameForTheSameSeedOnly) {
   EXPECT_GT((one - other).norm(), 0.5 * one.norm());
 }
 
-// docs/stability.md promises these. They are sums over cosines in Python, with a mt19937_64 of its own.
+// docs/stability.md promises these. They are sums over cosines in Python, with a mt19937_64 of its
+// own.
 TEST(RoughBound, OfASeedStaysTheSameInAllVersions) {
   const auto expect_at = [](unsigned seed, const std::array<double, 3>& expected) {
     const TabulatedBound bound = rough_bound(hertz, {.amplitude = 0.5, .hurst = 0.8, .seed = seed});

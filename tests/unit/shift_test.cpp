@@ -53,8 +53,9 @@ TEST(Shift, OfNothingChangesNothing) {
       EXPECT_EQ(rolling.shift(PrescribedShift{0}).work, 0);
       EXPECT_EQ(rolling.shift(PrescribedForce{before.force}).distance, 0);
       EXPECT_EQ(rolling.state().traction, before.traction);
-      // Nor does one that is very short: here no edge begins to stick or to slip by it. The mean over
-      // partitions of Remembered has one element more in a shift, which changes its last digits.
+      // Nor does one that is very short: here no edge begins to stick or to slip by it. The mean
+      // over partitions of Remembered has one element more in a shift, which changes its last
+      // digits.
       rolling.shift(PrescribedShift{1e-9});
       const double most = std::holds_alternative<Remembered>(scheme) ? 5e-7 : 1e-7;
       EXPECT_LT((rolling.state().traction - before.traction).lpNorm<Eigen::Infinity>(), most);

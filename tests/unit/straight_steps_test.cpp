@@ -176,8 +176,8 @@ Rolled roll(const TransientProblem& problem, const LoadHistory& loads,
           VectorXd::Map(creep.data(), n)};
 }
 
-// The error of the force, over full sliding, and of the shift likewise, is below the tolerance. Under
-// a force, creepages of steps far below an element differ by more than the finest tolerance.
+// The error of the force, over full sliding, and of the shift likewise, is below the tolerance.
+// Under a force, creepages of steps far below an element differ by more than the finest tolerance.
 TEST(StraightSteps, GiveTheResultsOfShortOnes) {
   const TransientProblem problem{
       .contact = {.kernel = PlaneKernel(Material{.shear_modulus = 1, .poisson_ratio = 0.28}, 20),

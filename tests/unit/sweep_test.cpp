@@ -94,7 +94,8 @@ TEST(Sweep, FilesStayRelativeToTheScene) {
   EXPECT_EQ(read, "folder/b.tsv");
 }
 
-// As in other lists, one unit behind the last value is that of all; between | each value has its own.
+// As in other lists, one unit behind the last value is that of all; between | each value has its
+// own.
 TEST(SweptValues, HaveUnitsAsOtherLists) {
   const auto in_mm = [](const std::string& values) {
     return swept_values("sweep.kernel.width", values);

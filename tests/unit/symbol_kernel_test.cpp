@@ -200,8 +200,8 @@ TEST(SymbolKernel, RefusesWhatIsNoPositiveSymbol) {
                                "no faster than"));
 }
 
-// Where the last two rows would make one of them resist a load with the wrong sign, the other one is
-// all there is.
+// Where the last two rows would make one of them resist a load with the wrong sign, the other one
+// is all there is.
 TEST(SymbolKernel, GoesOnAsAHalfSpaceOrALayerAlone) {
   const SymbolKernel falling(VectorXd{{1, 2}}, VectorXd{{1, 0.48}});
   EXPECT_EQ(falling.layer_compliance(), 0);

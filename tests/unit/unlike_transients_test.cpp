@@ -82,9 +82,9 @@ double displaced(double z, double dx) {
   return -unit / std::numbers::pi * (integral(z + dx / 2) - integral(z - dx / 2));
 }
 
-/// Force at the end of so many steps of one element under a creepage, from rest: nodes in the middle
-/// of elements that fill the contact, material that moves on by one node, and projected Gauss-Seidel
-/// sweeps.
+/// Force at the end of so many steps of one element under a creepage, from rest: nodes in the
+/// middle of elements that fill the contact, material that moves on by one node, and projected
+/// Gauss-Seidel sweeps.
 double dense_force(double ratio, double creepage, double distance, int n) {
   const double dx = 2.0 / n;
   const auto pressed = [&](double x) {

@@ -20,8 +20,8 @@ namespace {
 /// recovers the lost digits; below it, new factors are more accurate.
 constexpr double least_rcond = 1e-10;
 
-/// Least number of elements for a ToeplitzSubmatrix; with fewer elements LU is as fast. For elements in
-/// several intervals, where each solve of the block is iterative, the limit is higher.
+/// Least number of elements for a ToeplitzSubmatrix; with fewer elements LU is as fast. For
+/// elements in several intervals, where each solve of the block is iterative, the limit is higher.
 constexpr std::size_t small_base = 64;
 constexpr std::size_t small_base_in_parts = 160;
 

@@ -22,9 +22,9 @@ inline std::size_t to_size(Eigen::Index i) { return static_cast<std::size_t>(i);
 /// Elements that came or left since then form a border of these factors, and only the Schur
 /// complement of the border is factorised again. Elements that have gone back keep their place in
 /// the border, because the same elements come and go with every element travelled. New factors, LU
-/// or ToeplitzSubmatrix, are made after some exchanges, when the border is badly conditioned, and when
-/// an element of the border has been in use too long. Compliant elements are in the border, where
-/// their entries on the diagonal may change from solve to solve.
+/// or ToeplitzSubmatrix, are made after some exchanges, when the border is badly conditioned, and
+/// when an element of the border has been in use too long. Compliant elements are in the border,
+/// where their entries on the diagonal may change from solve to solve.
 ///
 /// Memory is allocated only for new factors, and for a new element in the border.
 class AdhesionSystem {
@@ -115,9 +115,9 @@ class AdhesionSystem {
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
   double factors_rcond_ = 0;
 
-  // A ToeplitzSubmatrix replaces the LU factors if the base is Toeplitz and large. A constant is added
-  // to symmetric matrices to make them positive definite; the rigid slip is corrected for that
-  // constant.
+  // A ToeplitzSubmatrix replaces the LU factors if the base is Toeplitz and large. A constant is
+  // added to symmetric matrices to make them positive definite; the rigid slip is corrected for
+  // that constant.
   std::optional<ToeplitzSubmatrix> block_;
   double constant_ = 0;
   bool by_block_ = false;

@@ -64,9 +64,9 @@ double layer_over(double softness, double theta, double b) {
   return 2 * softness * std::sin(theta / 2) / b;
 }
 
-/// A layer adds this to the offset: 1/pi times the integral over theta > 0 of ln(1 + softness theta) /
-/// theta^2, less that up to pi of ln(1 + layer_over) / (2 sin(theta/2))^2. Close to 0, where either
-/// is infinite, their difference is formed.
+/// A layer adds this to the offset: 1/pi times the integral over theta > 0 of ln(1 + softness
+/// theta) / theta^2, less that up to pi of ln(1 + layer_over) / (2 sin(theta/2))^2. Close to 0,
+/// where either is infinite, their difference is formed.
 double offset_by_layer(const std::function<double(double)>& b_less_one, double softness) {
   const double exact_beyond_pi =
       (std::log1p(softness * pi) / pi + softness * std::log1p(1 / (softness * pi))) / pi;

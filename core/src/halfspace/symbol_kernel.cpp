@@ -20,8 +20,8 @@ namespace {
 /// Sizes relative to the symbol below which a layer or half-space behind a table is rounding.
 constexpr double rounding_of_symbol = 1e-12;
 
-/// By how much the exponent of the symbol in the last two rows may be below the exponent of a half-space, or above
-/// the exponent of springs.
+/// By how much the exponent of the symbol in the last two rows may be below the exponent of a
+/// half-space, or above the exponent of springs.
 constexpr double steepest = 0.5;
 
 /// Ci(x), 0 where it is below rounding of Ci(1). \param x  > 0

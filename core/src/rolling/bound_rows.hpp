@@ -12,15 +12,16 @@
 
 namespace microslip {
 
-/// A place by its distance from a row of a bound, so that a distance from that row keeps its digits.
+/// A place by its distance from a row of a bound, so that a distance from that row keeps its
+/// digits.
 struct RowPlace {
   std::size_t row;
   double from;  ///< distance from the row, > 0 ahead of it  [mm]
 };
 
-/// A bound between its rows: the rows of a table, or the two edges of a smooth bound. Rows where the
-/// bound is zero on their outer side are left out, so that the first and the last row are the ends
-/// of the loaded contact.
+/// A bound between its rows: the rows of a table, or the two edges of a smooth bound. Rows where
+/// the bound is zero on their outer side are left out, so that the first and the last row are the
+/// ends of the loaded contact.
 class BoundRows {
  public:
   explicit BoundRows(const TractionBound& bound);

@@ -83,8 +83,8 @@ FrequencyResponse::Series::Series(const Kernel& kernel, double half_length, Inde
 }
 
 /// With the creepage 1 and the position x from the middle of the zone, the displacement is
-/// (e1 exp(i kappa x) - 1)/(i kappa). The strain e1 is chosen so that the singularity at the leading
-/// end, the sum of the alpha_n, vanishes.
+/// (e1 exp(i kappa x) - 1)/(i kappa). The strain e1 is chosen so that the singularity at the
+/// leading end, the sum of the alpha_n, vanishes.
 /// \return dF/dw times k over the half-length
 Complex FrequencyResponse::Series::slope(double half_length, double wave_number) const {
   const ArrayXd half_phases = wave_number * half_length / 2 * points;

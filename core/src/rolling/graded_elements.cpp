@@ -42,8 +42,8 @@ VectorXd lengths(const ElementEnds& ends) {
   return l;
 }
 
-/// Distance to the next node ahead; ahead of the last one, to the place that a node of an equal element
-/// would have.
+/// Distance to the next node ahead; ahead of the last one, to the place that a node of an equal
+/// element would have.
 VectorXd steps(const VectorXd& x, const VectorXd& l) {
   VectorXd steps(x.size());
   const Index n = x.size();
@@ -86,8 +86,8 @@ VectorXd influences(const Kernel& half_space, double place, const VectorXd& x, c
       half_space);
 }
 
-/// (A - A')/dq: displacements of constant tractions at the nodes, less those at the next nodes, over the
-/// steps.
+/// (A - A')/dq: displacements of constant tractions at the nodes, less those at the next nodes,
+/// over the steps.
 MatrixXd strain_matrix(const Kernel& kernel, const VectorXd& x, const VectorXd& l) {
   const Index n = x.size();
   const VectorXd step = steps(x, l);
@@ -152,8 +152,8 @@ GradedState solve_on(const SteadyProblem& problem, ElementEnds ends, const Grade
   return {std::move(ends), std::move(state)};
 }
 
-/// Halves the elements at the ends of zones that are too long for the narrower zone, or for the distance to
-/// the nearest zero of the bound.
+/// Halves the elements at the ends of zones that are too long for the narrower zone, or for the
+/// distance to the nearest zero of the bound.
 /// \return whether there was one
 bool refine(const GradedState& found, const BoundRows& rows, ElementEnds& ends) {
   const auto& zones = found.state.zones;
@@ -184,7 +184,8 @@ bool refine(const GradedState& found, const BoundRows& rows, ElementEnds& ends) 
       if (found.ends[i + 1] - found.ends[i] > longest) halved[i] = 1;
     }
   }
-  // A slip zone next to a gap of the bound, or to an edge, is shorter than an element that sticks there.
+  // A slip zone next to a gap of the bound, or to an edge, is shorter than an element that sticks
+  // there.
   const auto carries = [&](std::size_t i) {
     return rows.bound(rows.place_of((found.ends[i] + found.ends[i + 1]) / 2)) > 0;
   };

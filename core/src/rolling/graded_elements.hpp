@@ -18,13 +18,13 @@ struct GradedState {
   ContactState state;
 };
 
-/// The elements to begin with: they end at the rows of a table and where the bound begins and ends; a
-/// piece has several elements, and neighbours have similar lengths.
+/// The elements to begin with: they end at the rows of a table and where the bound begins and ends;
+/// a piece has several elements, and neighbours have similar lengths.
 /// \param fewest  elements over the contact
 ElementEnds graded_elements(const TractionBound& bound, Eigen::Index fewest);
 
-/// Solves, and halves the elements at the ends of zones until they resolve the zones, or until there are
-/// `most` elements.
+/// Solves, and halves the elements at the ends of zones until they resolve the zones, or until
+/// there are `most` elements.
 /// \throws NotConverged as ActiveSet
 GradedState solve_graded(const SteadyProblem& problem, ElementEnds ends, Eigen::Index most);
 

@@ -22,7 +22,8 @@ inline ShiftLoad load_of_part(const ShiftLoad& load, double before, double part,
 }
 
 /// Derivatives of this load by creepage or force, and by length of the step. A longer step has a
-/// longer last substep; at the end of an earlier substep, its force has changed by a smaller fraction.
+/// longer last substep; at the end of an earlier substep, its force has changed by a smaller
+/// fraction.
 /// \param substep  length of the substep  [mm]
 /// \param length   of the step  [mm]
 inline std::array<ShiftLoad, 2> slopes_of_part(const ShiftLoad& load, double before, double substep,

@@ -117,8 +117,8 @@ void RememberedGrid::roll_substep_to(const Way& way, double begin, double length
   roll_substep({substep, length, load, slopes, is_last});
 }
 
-/// Begins a contact that was lost and returns within the step where it returns: as a tiny one, which
-/// grows on the way. Its material is unstrained.
+/// Begins a contact that was lost and returns within the step where it returns: as a tiny one,
+/// which grows on the way. Its material is unstrained.
 void RememberedGrid::begin_lost_contact() {
   constexpr double tiny = 1e-9;
   if (state_.scale.carries() || !target_.carries()) return;
@@ -166,8 +166,8 @@ void RememberedGrid::recall(Step& step, const Substep& substep) const {
 }
 
 /// Adds the slip of a substep. Next to the stick-slip point, a point's slip is counted since its
-/// adhesion, so that its earlier slip is subtracted. The earlier slip is interpolated, and on a layer
-/// the displacements bend between its places: no more than the slip is subtracted there.
+/// adhesion, so that its earlier slip is subtracted. The earlier slip is interpolated, and on a
+/// layer the displacements bend between its places: no more than the slip is subtracted there.
 void RememberedGrid::add_slip(const Substep& substep) {
   const RememberedState& before = next_.state;
   const ContactState& contact = next_.contact;
@@ -196,7 +196,8 @@ bool RememberedGrid::nodes_carry(const ShiftLoad& load) const {
   return force == nullptr || std::abs(force->value) < nodes_.spacing * next_.conditions.bound.sum();
 }
 
-/// Ends what the last shift left at the leading edge, where the force needs all of the nodes' bound.
+/// Ends what the last shift left at the leading edge, where the force needs all of the nodes'
+/// bound.
 void RememberedGrid::end_fading(const Substep& substep) {
   next_.entry = slopes_[1].entry = 0;
   next_.state.relief.resize(0);

@@ -73,9 +73,9 @@ SteadySolution on_equal(const SteadyProblem& problem) {
     by_elements.grid = Grid({.half_width = problem.grid.half_width(), .elements = elements});
     return solve_steady(by_elements);
   };
-  // Elements that are longer than the rows' distances agree with one another on the answer under the mean
-  // bound, which may be 4 % off next to full sliding: the comparison says something from several
-  // elements a row on.
+  // Elements that are longer than the rows' distances agree with one another on the answer under
+  // the mean bound, which may be 4 % off next to full sliding: the comparison says something from
+  // several elements a row on.
   const Index rows = std::get<TabulatedBound>(problem.contact.bound).x().size();
   Index elements =
       std::max({fewest_equal, problem.grid.size(), std::min(elements_per_row * rows, most_equal)});

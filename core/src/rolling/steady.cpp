@@ -145,9 +145,9 @@ ContactState contact_by(ActiveSet& active_set, const SteadyProblem& problem,
   return active_set.solve(conditions, problem.load, first_zones(problem, differences));
 }
 
-/// The force of elements in adhesion at places where the bound is below their traction, as in gaps of
-/// a contact that are shorter than elements. The outermost elements do not count: tractions vanish
-/// there with the bound. Bounds other than tables have no such places  [N/mm]
+/// The force of elements in adhesion at places where the bound is below their traction, as in gaps
+/// of a contact that are shorter than elements. The outermost elements do not count: tractions
+/// vanish there with the bound. Bounds other than tables have no such places  [N/mm]
 double force_in_gaps(const SteadyProblem& problem, const ContactState& state) {
   constexpr int samples = 16;
   const auto* table = std::get_if<TabulatedBound>(&problem.contact.bound);
@@ -253,15 +253,17 @@ SteadySolution unlike_zones(const SteadyProblem& problem) {
   if (!std::holds_alternative<HertzBound>(problem.contact.bound)) {
     return instead_of_inversion(problem, differ + ", and the bound is not Hertz's");
   }
+  std::string why = "finds no zones";
   try {
     if (auto found = unlike_by_inversion(problem)) return *found;
-  } catch (const NotConverged&) {
+  } catch (const NotConverged& error) {
+    why = fmt::format("does not converge ({})", error.what());
   }
-  return instead_of_inversion(problem, differ + ", and the inversion finds no zones");
+  return instead_of_inversion(problem, fmt::format("{}, and the inversion {}", differ, why));
 }
 
-/// The inversion on one stick zone, which serves most bounds and costs least; none if the solution has
-/// other zones.
+/// The inversion on one stick zone, which serves most bounds and costs least; none if the solution
+/// has other zones.
 std::optional<SteadySolution> on_one_zone(const SteadyProblem& problem) {
   const InvertedRolling rolling(problem.contact.kernel, problem.contact.bound);
   if (rolling.obstacle()) return std::nullopt;

@@ -82,9 +82,9 @@ double StickZone::leading_root() const {
   return root;
 }
 
-/// The difference between the strains of a strip and of plane strain is smooth over the whole contact. The
-/// strain's Chebyshev coefficients on the stick zone are the coefficients of the tractions that
-/// cancel it there.
+/// The difference between the strains of a strip and of plane strain is smooth over the whole
+/// contact. The strain's Chebyshev coefficients on the stick zone are the coefficients of the
+/// tractions that cancel it there.
 void StickZone::add_regular_strain() {
   const double terms =
       contact_->fineness * terms_for(contact_->kernel.clear_distance(), half_length_);
@@ -218,8 +218,8 @@ double StickZone::margin(double x) const {
   return (bound - traction(x)) / (bound + force_ / contact_->half_width());
 }
 
-/// Places at which the conditions are looked at, ascending: in each piece of a table, in equal parts of
-/// the contact under a smooth bound, and close to the ends of the zone.
+/// Places at which the conditions are looked at, ascending: in each piece of a table, in equal
+/// parts of the contact under a smooth bound, and close to the ends of the zone.
 std::vector<double> StickZone::places() const {
   constexpr Index parts = 100;
   constexpr Index many_rows = 100;

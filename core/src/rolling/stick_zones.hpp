@@ -20,8 +20,8 @@ struct ZonedContact {
   BoundRows rows;
   double log_factor;  ///< k of the kernel  [mm^2/N]
   double clear;       ///< clear_distance() of the kernel  [mm]
-  /// Longest panel of a quadrature. Under a smooth bound its points show the conditions between the ends
-  /// of zones, too  [mm]
+  /// Longest panel of a quadrature. Under a smooth bound its points show the conditions between the
+  /// ends of zones, too  [mm]
   double longest;
 };
 
@@ -37,18 +37,18 @@ struct BoundaryPlace {
   double from;  ///< > 0 ahead of the boundary  [mm]
 };
 
-/// Steady rolling with given stick zones [b_j, c_j], j = 0 ... K - 1, under a positive creepage, with
-/// tractions counted as positive: the inversion of the finite Hilbert transform on all zones at once,
-/// docs/theory.md. The bound in the slip zones gives everything. The ends are right where all levels
-/// are equal, each leading root is zero, and the contact carries its load.
+/// Steady rolling with given stick zones [b_j, c_j], j = 0 ... K - 1, under a positive creepage,
+/// with tractions counted as positive: the inversion of the finite Hilbert transform on all zones
+/// at once, docs/theory.md. The bound in the slip zones gives everything. The ends are right where
+/// all levels are equal, each leading root is zero, and the contact carries its load.
 ///
-/// Integrals are made on Gauss points of panels that grow away from the ends of zones and end at the
-/// rows of the bound. All distances between points and ends are sums of distances with their own
-/// digits, so narrow zones lose none.
+/// Integrals are made on Gauss points of panels that grow away from the ends of zones and end at
+/// the rows of the bound. All distances between points and ends are sums of distances with their
+/// own digits, so narrow zones lose none.
 class StickZones {
  public:
-  /// Panels next to the ends of zones are refined so often more than the integrals need; evaluations
-  /// close to these ends need it.
+  /// Panels next to the ends of zones are refined so often more than the integrals need;
+  /// evaluations close to these ends need it.
   static constexpr int for_places = 16;
 
   /// Tractions at stick_points() need so many.
@@ -62,15 +62,16 @@ class StickZones {
   std::size_t size() const { return zones_.size(); }
   const ZonedContact& contact() const { return *contact_; }
 
-  /// The creepage over k that the conditions of one zone give; all are equal in a solution  [N/mm^2]
+  /// The creepage over k that the conditions of one zone give; all are equal in a solution
+  /// [N/mm^2]
   double level(std::size_t zone) const;
   double force() const;  ///< [N/mm]
 
   /// Whether the bodies slip ahead of a zone.
   bool slips_ahead(std::size_t zone) const;
 
-  /// The factor of the inverse root with which the traction gradient would be singular at the leading
-  /// end, over the sum of its absolute terms. Below zero, the end is too far ahead  [1]
+  /// The factor of the inverse root with which the traction gradient would be singular at the
+  /// leading end, over the sum of its absolute terms. Below zero, the end is too far ahead  [1]
   double leading_root(std::size_t zone) const;
 
   /// The zone of a place; none in slip.
@@ -96,7 +97,8 @@ class StickZones {
   /// The signed distance of one place ahead of another  [mm]
   double distance(const BoundaryPlace& from, const BoundaryPlace& to) const;
 
-  /// Adds a strain over k by other causes than plane strain, such as the smooth part of a strip's kernel.
+  /// Adds a strain over k by other causes than plane strain, such as the smooth part of a strip's
+  /// kernel.
   /// \param strain  a function over the whole contact  [N/mm^2]
   /// \param terms   number of Chebyshev points that resolve it in a zone without neighbours
   void add_strain(std::shared_ptr<const ChebyshevSeries> strain, std::size_t terms);

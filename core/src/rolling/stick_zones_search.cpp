@@ -21,7 +21,8 @@ namespace {
 /// dropped  [half-widths]
 constexpr double pinned = 1e-11;
 
-/// A zone that ends so near to an edge at which a bound may stick is taken to reach the edge  [half-widths]
+/// A zone that ends so near to an edge at which a bound may stick is taken to reach the edge
+/// [half-widths]
 constexpr double near_edge = 1e-5;
 
 class Search {
@@ -62,7 +63,8 @@ class Search {
     return j + 1 == zones_.size() ? edge(true) : zones_[j + 1].begin;
   }
 
-  /// Writes a leading end by its distance from the row ahead, and a trailing one by the nearest row.
+  /// Writes a leading end by its distance from the row ahead, and a trailing one by the nearest
+  /// row.
   RowPlace by_row_ahead(const RowPlace& place) const {
     std::size_t row = rows_.piece_of(place) + 1;
     if (row >= 1 && gap({row - 1, 0}, place) == 0) --row;

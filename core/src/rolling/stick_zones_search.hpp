@@ -25,16 +25,18 @@ struct AddedStrain {
 StickZones zones_with(const std::shared_ptr<const ZonedContact>& contact,
                       const std::vector<ZoneEnds>& zones, const AddedStrain& strain, int refined);
 
-/// Moves the ends of zones until levels, load and leading roots are met: each leading end by a bracket on
-/// its own condition, then Newton's method on all ends. Zones that shrink to nothing are dropped.
+/// Moves the ends of zones until levels, load and leading roots are met: each leading end by a
+/// bracket on its own condition, then Newton's method on all ends. Zones that shrink to nothing are
+/// dropped.
 /// \param zones  in: ascending, disjoint, close to the solution; out: the solution
 /// \return whether there is one; the contact conditions between the ends are not checked
 bool move_ends(const std::shared_ptr<const ZonedContact>& contact, const ZonesLoad& load,
                const AddedStrain& strain, std::vector<ZoneEnds>& zones);
 
-/// Finds zones from a guess that has the right number of zones or is close to it. Parts that break the
-/// contact conditions become zones, and the search goes on.
-/// \return zones that meet all conditions, with `StickZones::for_places`; none if they are not found
+/// Finds zones from a guess that has the right number of zones or is close to it. Parts that break
+/// the contact conditions become zones, and the search goes on.
+/// \return zones that meet all conditions, with `StickZones::for_places`; none if they are not
+///         found
 std::optional<StickZones> find_stick_zones(const std::shared_ptr<const ZonedContact>& contact,
                                            const ZonesLoad& load, std::vector<ZoneEnds> guess,
                                            const AddedStrain& strain = {});

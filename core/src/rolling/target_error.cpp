@@ -67,8 +67,8 @@ double cost_of(const Evidence& evidence, const SteadyContact& contact) {
   return violation * (by_force ? std::max(1.0, sensitivity(contact)) : 1);
 }
 
-/// The change of the answer by the inversion on one stick zone with finer quadratures; none if there are
-/// several zones.
+/// The change of the answer by the inversion on one stick zone with finer quadratures; none if
+/// there are several zones.
 std::optional<double> change_by_fineness(const SteadyContact& contact, double found,
                                          Index& unknowns) {
   constexpr double finer = 1.5;

@@ -298,7 +298,8 @@ void TransientRolling::roll_on(double origin, double start, double distance,
     after_step(state_);
   };
   for (std::size_t k = schedule.first();; ++k) {
-    // Bodies that part forget: a step ends where contact is lost, unless it ends there but for rounding.
+    // Bodies that part forget: a step ends where contact is lost, unless it ends there but for
+    // rounding.
     constexpr double rounding = 1e-9;
     double from = schedule.begin(k);
     const double to = schedule.end(k);

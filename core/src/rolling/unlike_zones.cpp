@@ -168,8 +168,8 @@ UnlikeZones::Source UnlikeZones::source_of(std::size_t zone) const {
   return source;
 }
 
-/// Adds the integral of the density over the distance to a place; beside the zone less the integral of
-/// the nearer end's density, which is known, and at the end itself the finite part.
+/// Adds the integral of the density over the distance to a place; beside the zone less the integral
+/// of the nearer end's density, which is known, and at the end itself the finite part.
 void UnlikeZones::add_cauchy(const Source& source, const ZonePlace& place, Sum& sum) const {
   const auto beside = [&](double side, const ArrayXd& from_end, double at_end, double away) {
     for (Index i = 0; i < from_end.size(); ++i) {

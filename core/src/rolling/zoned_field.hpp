@@ -28,8 +28,8 @@ class ZonedField {
   /// The strain over k that the smooth part of a strip's kernel adds to plane strain  [N/mm^2]
   double regular_strain(double x) const;
 
-  /// The zones with the parts that break the conditions as zones of their own; none if there is no such
-  /// part.
+  /// The zones with the parts that break the conditions as zones of their own; none if there is no
+  /// such part.
   std::optional<std::vector<ZoneEnds>> repaired() const;
 
   /// Sums over all Gauss points, for evidence.

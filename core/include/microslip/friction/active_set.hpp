@@ -35,9 +35,9 @@ void archive_zones(Archive& archive, std::string_view name, std::vector<Zone>& z
 void archive_compliant(Archive& archive, std::vector<CompliantElement>& compliant,
                        Eigen::Index size);
 
-/// The slip s as a function of n traction coefficients p, and the bound on p: s = rigid slip + offset +
-/// (response + springs) (p - reference) + common (F - reference force), |p_i| <= bound_i. Where the
-/// bound is zero, p is zero for any slip.
+/// The slip s as a function of n traction coefficients p, and the bound on p: s = rigid slip +
+/// offset + (response + springs) (p - reference) + common (F - reference force), |p_i| <= bound_i.
+/// Where the bound is zero, p is zero for any slip.
 struct SlipConditions {
   Eigen::VectorXd bound;      ///< n, >= 0  [N/mm^2]
   Eigen::VectorXd offset;     ///< n, in the unit of the slip
@@ -77,15 +77,15 @@ struct ContactState {
 /// exchanges one element at a time along an exact path. The path begins with bounds and offsets for
 /// which a known partition is the solution, and ends with the given bounds and offsets. From a
 /// partition nearby the path takes about one exchange for each differing element. It begins at the
-/// first partition or, if all elements stick there, at the last partition of the first phase. A path
-/// of more than 60 exchanges, or 20, begins again, in the end with a bound so high that all elements
-/// stick.
+/// first partition or, if all elements stick there, at the last partition of the first phase. A
+/// path of more than 60 exchanges, or 20, begins again, in the end with a bound so high that all
+/// elements stick.
 ///
 /// Termination: the first phase ends, because violations have to become fewer. On the path the
 /// solution is piecewise linear in the remaining fraction of the relief, with one piece for each
 /// partition. If response + response^T is positive definite, the solution is unique, and the path
-/// meets each partition at most once. A is positive definite, and so is A - A' for all tested c <= 1
-/// (tests/unit/active_set_test.cpp). Otherwise the search gives up after 20 n + 100 exchanges.
+/// meets each partition at most once. A is positive definite, and so is A - A' for all tested c <=
+/// 1 (tests/unit/active_set_test.cpp). Otherwise the search gives up after 20 n + 100 exchanges.
 ///
 /// Cost of a dense response: n^2 numbers, and O(n^3) for the first factors. The factors are kept
 /// from solve to solve: a round with few exchanges costs O(n^2), and so does a solve with an

@@ -25,11 +25,12 @@ struct PrescribedForce {
 /// The load of bodies that roll.
 using Load = std::variant<PrescribedCreepage, PrescribedForce>;
 
-/// The load of a shift without rolling, or of a step as a whole: its shift is creepage times length.
+/// The load of a shift without rolling, or of a step as a whole: its shift is creepage times
+/// length.
 using ShiftLoad = std::variant<PrescribedShift, PrescribedForce>;
 
-/// A load of either kind as the slip conditions take it: the force, or the rigid slip in the unit of
-/// the slip, which is a creepage [1] or a shift [mm].
+/// A load of either kind as the slip conditions take it: the force, or the rigid slip in the unit
+/// of the slip, which is a creepage [1] or a shift [mm].
 struct Prescribed {
   bool by_force;
   double value;

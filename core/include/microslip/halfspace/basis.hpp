@@ -59,7 +59,8 @@ Basis trimmed_linear_basis(double leading_offset);
 
 /// Constant functions; the last element also has the antisymmetric function of thesis (C.1). The
 /// thesis gives no equation for its coefficient. Here the traction vanishes at the leading edge, so
-/// that both functions of the last element form one that falls linearly to zero (for an offset of 1/2).
+/// that both functions of the last element form one that falls linearly to zero (for an offset of
+/// 1/2).
 Basis edge_constant_basis();
 
 /// Names of the bases for scenes, the default first.

@@ -21,8 +21,8 @@ namespace microslip {
 /// A layer's compliance C adds C times the traction at the same place. Constant functions stand for
 /// tractions that are linear between the nodes there, as the layer would else feel jumps: A - A'
 /// would vanish for shifts below half an element.
-/// \throws std::invalid_argument for a SymbolKernel with wave numbers above 1000/dx, which would take
-///         minutes
+/// \throws std::invalid_argument for a SymbolKernel with wave numbers above 1000/dx, which would
+///         take minutes
 
 /// A(offset): displacement at a distance `offset` dx from the node.
 /// \param spacing  dx, in (0, inf)  [mm]

@@ -12,8 +12,9 @@
 
 namespace microslip {
 
-/// A kernel of any type. It asks its type for each trait, so that no other source has to know the types:
-/// a new kernel is a class with these members (concept KernelTraits), and an entry in the list below.
+/// A kernel of any type. It asks its type for each trait, so that no other source has to know the
+/// types: a new kernel is a class with these members (concept KernelTraits), and an entry in the
+/// list below.
 class Kernel {
   using AnyType =
       std::variant<StripKernel, PlaneKernel, WinklerKernel, LayeredKernel, SymbolKernel>;
@@ -44,8 +45,8 @@ class Kernel {
     return visit([](const auto& k) { return k.clear_distance(); });
   }
 
-  /// Factor k of the logarithm at z = 0, of a half-space 2 (1 - nu) / (pi G), and 0 if there is none
-  /// [mm^2/N]
+  /// Factor k of the logarithm at z = 0, of a half-space 2 (1 - nu) / (pi G), and 0 if there is
+  /// none [mm^2/N]
   double log_factor() const {
     return visit([](const auto& k) { return k.log_factor(); });
   }
@@ -60,10 +61,10 @@ class Kernel {
     return visit([](const auto& k) { return k.spreads(); });
   }
 
-  /// The half-length below which the kernel is positive definite: any tractions on a shorter interval
-  /// have a positive elastic energy. The limit is infinite for a strip, because the kernel falls and
-  /// is convex. In plane strain the limit is 2 L0, where the logarithmic capacity of the interval,
-  /// half its half-length, is L0. A layer only adds energy  [mm]
+  /// The half-length below which the kernel is positive definite: any tractions on a shorter
+  /// interval have a positive elastic energy. The limit is infinite for a strip, because the kernel
+  /// falls and is convex. In plane strain the limit is 2 L0, where the logarithmic capacity of the
+  /// interval, half its half-length, is L0. A layer only adds energy  [mm]
   double definite_half_length() const {
     return visit([](const auto& k) { return k.definite_half_length(); });
   }
@@ -77,15 +78,15 @@ class Kernel {
     return visit([](const auto& k) { return k.largest_wave_number(); });
   }
 
-  /// K(length z) as a function of z: the kernel with the strip's width or L0 divided by `length`; and
-  /// a layer's compliance, as the kernel of a layer is a delta function.
+  /// K(length z) as a function of z: the kernel with the strip's width or L0 divided by `length`;
+  /// and a layer's compliance, as the kernel of a layer is a delta function.
   /// \param length  in (0, inf)  [1]
   Kernel in_units_of(double length) const {
     return visit([length](const auto& k) { return Kernel(k.in_units_of(length)); });
   }
 
-  /// L0 of plane strain without a layer, none for other kernels. Plane strain has no other length: in
-  /// other units it differs by a constant displacement  [mm]
+  /// L0 of plane strain without a layer, none for other kernels. Plane strain has no other length:
+  /// in other units it differs by a constant displacement  [mm]
   std::optional<double> plane_length() const {
     return visit([](const auto& k) -> std::optional<double> { return k.plane_length(); });
   }

@@ -195,16 +195,17 @@ class LayeredKernel : public CommonKernelTraits {
   double compliance_;
 };
 
-/// A kernel by its symbol K^, the displacement over the traction of a wave p cos(kappa x); the symbol
-/// of a kernel K is \f$ \hat K(\kappa)=\int K(z)\cos(\kappa z)\,dz \f$. Plane strain has \f$ \pi k/\kappa
+/// A kernel by its symbol K^, the displacement over the traction of a wave p cos(kappa x); the
+/// symbol of a kernel K is \f$ \hat K(\kappa)=\int K(z)\cos(\kappa z)\,dz \f$. Plane strain has \f$
+/// \pi k/\kappa
 /// \f$ with k = 2 (1 - nu)/(pi G), and a Winkler layer adds C.
 ///
 /// Between the rows of a table, kappa K^ is linear, so that these two and their sum are exact. From
-/// the last row on, it goes on as between the last two: a half-space and a layer, pi k + C kappa; as
-/// a half-space alone where kappa K^ falls there, and as a layer alone where K^ rises.
+/// the last row on, it goes on as between the last two: a half-space and a layer, pi k + C kappa;
+/// as a half-space alone where kappa K^ falls there, and as a layer alone where K^ rises.
 /// Before the first row K^ keeps its first value, so that K vanishes far away: the bodies are of
-/// finite thickness. With \f$ \Psi(\theta)=\sin\theta/\theta-\mathrm{Ci}(\theta) \f$ and the changes of
-/// slope of kappa K^ at the rows as its factors, the kernel has a closed form,
+/// finite thickness. With \f$ \Psi(\theta)=\sin\theta/\theta-\mathrm{Ci}(\theta) \f$ and the
+/// changes of slope of kappa K^ at the rows as its factors, the kernel has a closed form,
 /// \f[ u=C\,p+\int K\,p\,d\xi,\quad K(z)=\sum_n k_n\,\Psi(\kappa_n z), \quad \sum_n k_n=k . \f]
 /// A half-space from kappa_1 on is therefore, at distances z << 1/kappa_1, plane strain with L0 =
 /// exp(1 - 0.5772)/kappa_1, except for terms of the order of (kappa_1 z)^2.
@@ -215,8 +216,8 @@ class SymbolKernel : public CommonKernelTraits {
   static constexpr Eigen::Index most_rows = 1000;
 
   /// \param wave_numbers  kappa, > 0, rising, 2 to most_rows  [1/mm]
-  /// \param symbol        K^ there, > 0; in the last two rows it falls no faster than kappa^-1.5, and
-  ///                      rises no faster than kappa^0.5  [mm^3/N]
+  /// \param symbol        K^ there, > 0; in the last two rows it falls no faster than kappa^-1.5,
+  ///                      and rises no faster than kappa^0.5  [mm^3/N]
   /// \throws std::invalid_argument for others
   SymbolKernel(const Eigen::VectorXd& wave_numbers, const Eigen::VectorXd& symbol);
 

@@ -12,9 +12,10 @@
 namespace microslip {
 
 /// Solves systems of some rows and columns of a Toeplitz matrix. The matrix from the first to the
-/// last index is Toeplitz again and is inverted. If indices between these are missing, GMRES solves,
-/// with that inverse as preconditioner. For differences of influence coefficients GMRES takes 8 to
-/// 28 iterations to 1e-7, with 3 or with 800 intervals of indices: tests/unit/toeplitz_test.cpp
+/// last index is Toeplitz again and is inverted. If indices between these are missing, GMRES
+/// solves, with that inverse as preconditioner. For differences of influence coefficients GMRES
+/// takes 8 to 28 iterations to 1e-7, with 3 or with 800 intervals of indices:
+/// tests/unit/toeplitz_test.cpp
 class ToeplitzSubmatrix {
  public:
   /// \param tolerance  of the residual, relative to the right-hand side, where GMRES solves

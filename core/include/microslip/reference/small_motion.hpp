@@ -8,12 +8,12 @@ namespace microslip {
 /// half-length l; at rest, and under small loads, l is the half-width. The responses are inverse
 /// Laplace transforms with the modified Bessel functions I0, I1. The integral runs along the
 /// imaginary axis up to the point where the asymptotic series of the Bessel functions hold. Beyond
-/// that point each power of exp(-2 sigma), a delay by the length of the stick zone, is integrated along
-/// the line on which it decays. Accuracy: 1e-10, tests/unit/small_motion_test.cpp. Cost: 1e3 to 1e5
-/// Bessel functions.
+/// that point each power of exp(-2 sigma), a delay by the length of the stick zone, is integrated
+/// along the line on which it decays. Accuracy: 1e-10, tests/unit/small_motion_test.cpp. Cost: 1e3
+/// to 1e5 Bessel functions.
 
-/// chi_F in the force after a step of the creepage by dw, \f$ -\frac{\ell}{k}\,dw\,\chi_F(q/\ell) \f$.
-/// After the first step of a transient, of any length, the force has the slope
+/// chi_F in the force after a step of the creepage by dw, \f$ -\frac{\ell}{k}\,dw\,\chi_F(q/\ell)
+/// \f$. After the first step of a transient, of any length, the force has the slope
 /// \f$-\frac\ell k \chi_F\f$ in the creepage.
 /// \f[ \chi_F = \mathcal L^{-1}\frac1{\sigma\,(I_0/(I_0+I_1) + \lambda\sigma)} \f]
 /// \param distance  rolled, over l, in [1e-3, 1e3]  [1]

@@ -25,9 +25,9 @@ double calibrated_offset(const Basis& basis, Eigen::Index elements, double softn
 
 /// The fraction of the strain by a pressure that a difference over the element ahead of the last
 /// node is to have, if the pressure vanishes like a square root at the leading edge and the bodies
-/// stick there: then free rolling without slip has its creepage to second order, 2/pi beta a/R_r. For
-/// constant functions, the last node calibrated_offset() elements from the edge. Measured with up
-/// to 800 elements and extrapolated; tests/unit/unlike_bodies_test.cpp.
+/// stick there: then free rolling without slip has its creepage to second order, 2/pi beta a/R_r.
+/// For constant functions, the last node calibrated_offset() elements from the edge. Measured with
+/// up to 800 elements and extrapolated; tests/unit/unlike_bodies_test.cpp.
 inline constexpr double pressure_seen_at_edge = 0.96989;
 
 }  // namespace microslip

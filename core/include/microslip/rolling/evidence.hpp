@@ -30,8 +30,8 @@ struct Evidence {
   /// For bodies of different material: the force that the bound allows in zones of one element,
   /// over the rest of |F| to full sliding  [1]
   double one_element = 0;
-  /// The relative change of the creepage, or of the force under a prescribed creepage, from elements
-  /// that are twice as long; of tables of the bound  [1]
+  /// The relative change of the creepage, or of the force under a prescribed creepage, from
+  /// elements that are twice as long; of tables of the bound  [1]
   double change = 0;
 
   // Violations relative to the load or to the power; 0 without a load.

@@ -12,23 +12,24 @@ namespace microslip {
 
 /// \file
 /// Response of the force to a small harmonic creepage w = w0 + w1 exp(i kappa q) about steady
-/// rolling with one stick zone [b, f]. Slip zones do not respond: their traction is the bound, and their
-/// ends move by a length of the order of w1. In the stick zone the displacement u obeys
-/// w1 + (i kappa - d/dx) u = 0. The traction that causes u is singular like an inverse square root at b, and
-/// vanishes like a square root at f: docs/theory.md, "Small motions".
+/// rolling with one stick zone [b, f]. Slip zones do not respond: their traction is the bound, and
+/// their ends move by a length of the order of w1. In the stick zone the displacement u obeys
+/// w1 + (i kappa - d/dx) u = 0. The traction that causes u is singular like an inverse square root
+/// at b, and vanishes like a square root at f: docs/theory.md, "Small motions".
 
-/// \f$ Q = J_0/(J_0 + i J_1) \f$ of plane strain, at \f$\kappa\ell\f$, where l is the half-length of
-/// the stick zone and kappa the wave number, 2 pi over the wavelength.
-/// \param kappa  times l, in [0, 1e6]; accuracy 1e-15 relative, besides the effect of rounding kappa
+/// \f$ Q = J_0/(J_0 + i J_1) \f$ of plane strain, at \f$\kappa\ell\f$, where l is the half-length
+/// of the stick zone and kappa the wave number, 2 pi over the wavelength.
+/// \param kappa  times l, in [0, 1e6]; accuracy 1e-15 relative, besides the effect of rounding
+///               kappa
 std::complex<double> adhesion_ratio(double kappa);
 
 /// dF/dw of a stick zone, for wavelengths 2 pi/kappa of the creepage.
 ///
 /// Plane strain has a closed form,
 /// \f[ \frac{dF}{dw} = -\frac{\ell}{k}\,\frac1{Q + i\kappa\ell\,\ln(2L_0/\ell)} . \f]
-/// For strips the traction is \f$(1-\xi^2)^{-1/2}\sum_n \alpha_n T_n(\xi)\f$ on the zone. The logarithm of
-/// the kernel is diagonal in these functions; its regular part is integrated by Gauss-Chebyshev
-/// quadrature.
+/// For strips the traction is \f$(1-\xi^2)^{-1/2}\sum_n \alpha_n T_n(\xi)\f$ on the zone. The
+/// logarithm of the kernel is diagonal in these functions; its regular part is integrated by
+/// Gauss-Chebyshev quadrature.
 ///
 /// Accuracy: 1e-10 relative for strips of at least 0.05 stick lengths, 1e-14 in plane strain, from
 /// the shortest wavelength on; tests/unit/frequency_response_test.cpp. Cost of strips: O(n^3) once,
@@ -61,8 +62,8 @@ class FrequencyResponse {
   /// Turns displacements of the zone, given at Chebyshev points, into tractions.
   struct Series {
     Eigen::ArrayXd points;  ///< xi, in (-1, 1)
-    /// LU factors of the displacements due to unit coefficients alpha_n, over the zone's half-length
-    /// and k.
+    /// LU factors of the displacements due to unit coefficients alpha_n, over the zone's
+    /// half-length and k.
     Eigen::PartialPivLU<Eigen::MatrixXd> factors;
     Eigen::MatrixXd to_coefficients;
 

@@ -17,8 +17,8 @@ double bound_strain(const TractionBound& bound, double shear_modulus);
 /// The same with the shear modulus of the kernel; infinite if it has none.
 double bound_strain(const TractionBound& bound, const Kernel& kernel);
 
-/// Why a large creepage is doubtful: the theory is one of small creepages. Empty for small ones, and
-/// in normalised contacts, whose mean bound is above 0.1 of the shear modulus.
+/// Why a large creepage is doubtful: the theory is one of small creepages. Empty for small ones,
+/// and in normalised contacts, whose mean bound is above 0.1 of the shear modulus.
 std::string doubt_of_creepage(double creepage, double bound_strain);
 
 }  // namespace microslip

@@ -51,8 +51,8 @@ class LoadHistory {
   LoadHistory(const OneLoad& constant) : constant_(constant) {}
 
   /// \throws std::invalid_argument for fewer than two rows, columns that exclude each other or
-  ///         differ in length, numbers that are not finite, times that do not ascend, rows that roll
-  ///         backwards or not at all, and for a load that changes while nothing is rolled.
+  ///         differ in length, numbers that are not finite, times that do not ascend, rows that
+  ///         roll backwards or not at all, and for a load that changes while nothing is rolled.
   ///         The message names the row, from 1, and the column
   explicit LoadHistory(const RunRows& rows);
 
@@ -72,8 +72,8 @@ class LoadHistory {
   /// The contact at a distance within the rows; the problem's contact if the rows have none.
   ContactScale contact_at(double distance) const;
 
-  /// The first row between two distances in which nothing is carried, because contact or friction is
-  /// lost there.
+  /// The first row between two distances in which nothing is carried, because contact or friction
+  /// is lost there.
   /// \return its distance, in (from, to); none if there is no such row  [mm]
   std::optional<double> lost_between(double from, double to) const;
 

@@ -34,11 +34,11 @@ struct Differences {
 /// Differences over one element, with the edges where the scheme feels them: whole_contact().
 struct Calibrated {};
 
-/// Inversion, sampled at the nodes: ten digits for one stick zone, eight for several, and the closed
-/// form of a brush. Elements that are graded towards steep places of a table, and towards the ends
-/// of zones, replace it for other kernels, for tables of more than 400 rows, and where it finds no
-/// zones; under smooth bounds Calibrated elements do. SteadySolution::scheme says which one made the
-/// solution.
+/// Inversion, sampled at the nodes: ten digits for one stick zone, eight for several, and the
+/// closed form of a brush. Elements that are graded towards steep places of a table, and towards
+/// the ends of zones, replace it for other kernels, for tables of more than 400 rows, and where it
+/// finds no zones; under smooth bounds Calibrated elements do. SteadySolution::scheme says which
+/// one made the solution.
 struct Inversion {};
 
 /// ChebyshevRolling, sampled at the nodes: ten digits. For smooth bounds and one stick zone.
@@ -62,8 +62,8 @@ struct SteadyProblem {
   Acceptance accepted = {};  ///< for require_evidence
 };
 
-/// \throws std::invalid_argument for a contact that is not valid, and for bodies of different material
-///         if the method does not take them
+/// \throws std::invalid_argument for a contact that is not valid, and for bodies of different
+///         material if the method does not take them
 void validate(const SteadyProblem& problem);
 
 /// Differences over one element, with mean bounds, and with the edges where the scheme feels them:
@@ -77,8 +77,8 @@ void validate(const SteadyProblem& problem);
 /// \return the problem with that grid and method
 SteadyProblem whole_contact(const SteadyProblem& problem);
 
-/// How a solution was made: by elements over the difference scheme of a grid, over the whole contact, or
-/// graded; by inversion or collocation; or in the closed form of a brush.
+/// How a solution was made: by elements over the difference scheme of a grid, over the whole
+/// contact, or graded; by inversion or collocation; or in the closed form of a brush.
 enum class SteadyScheme { differences, calibrated, inversion, chebyshev, graded, closed_form };
 std::string name_of(SteadyScheme scheme);
 
@@ -117,8 +117,8 @@ double change_of_answer(const Load& load, const SteadySolution& coarse, const St
 
 /// Cost: O(N^2) memory; time as the method.
 /// \throws std::invalid_argument for a step ratio or load outside its range, for a known u_LE at
-///                               a leading offset of 0, for fewer than 11 elements where these must replace the
-///                               inversion, and as the method
+///                               a leading offset of 0, for fewer than 11 elements where these must
+///                               replace the inversion, and as the method
 /// \throws NotConverged          as ActiveSet::solve or the method
 SteadySolution solve_steady(const SteadyProblem& problem);
 

@@ -84,8 +84,8 @@ class TransientRolling {
   /// there, and stays unchanged afterwards. The functions start_from...() use this contact, too.
   /// Only with the scheme Remembered; other schemes keep the contact of the problem. If the bodies
   /// do not touch at the end of a step, there are no tractions then, and nothing is remembered; a
-  /// returning contact begins at the start of its step, or at its end with a force. An edge that grows
-  /// faster than the contact rolls, or shrinks, is resolved to half an element.
+  /// returning contact begins at the start of its step, or at its end with a force. An edge that
+  /// grows faster than the contact rolls, or shrinks, is resolved to half an element.
   /// \throws std::invalid_argument for numbers < 0, for another scheme, and as require_definite
   void set_contact(const ContactScale& scale);
 
@@ -110,8 +110,8 @@ class TransientRolling {
   /// nothing.
   TransientState attempt(double length, const Load& load);
 
-  /// The same with derivatives of the step, for the scheme Remembered and lengths above 0. Cost: two more solves for
-  /// each travelled element.
+  /// The same with derivatives of the step, for the scheme Remembered and lengths above 0. Cost:
+  /// two more solves for each travelled element.
   /// \param jacobian  out
   /// \throws std::invalid_argument for another scheme, and as step
   TransientState attempt(double length, const Load& load, StepJacobian& jacobian);

@@ -75,9 +75,9 @@ struct TransientState {
   double creepage;  ///< w of the step; zero at standstill  [1]
   /// Energy lost per mm rolled and mm width. With Remembered it is the work of the force less the
   /// change of elastic_energy(), over dq. With the other schemes it is -integral of (p + p')/2 s
-  /// over the material points, including points that have just left, for which slip is interpolated.
-  /// The two are equal in theory. In steady rolling with 101 nodes they differ by 1e-3, with
-  /// Fractional by 5 % (tests/unit/dissipation_test.cpp)  [N/mm]
+  /// over the material points, including points that have just left, for which slip is
+  /// interpolated. The two are equal in theory. In steady rolling with 101 nodes they differ by
+  /// 1e-3, with Fractional by 5 % (tests/unit/dissipation_test.cpp)  [N/mm]
   double dissipation;
   /// The same with the tractions at the end of the step, as the thesis has it in (9.11): of first
   /// order, and too low where slip grows in the step  [N/mm]

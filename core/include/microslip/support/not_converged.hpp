@@ -11,8 +11,8 @@ class NotConverged : public std::runtime_error {
  public:
   /// \param what        what failed; with its own numbers if there were no iterations
   /// \param iterations  number of them; from 1 on, the message names it and the residual
-  /// \param residual    largest violation of the contact conditions, relative to the largest bound or
-  ///                    slip
+  /// \param residual    largest violation of the contact conditions, relative to the largest bound
+  ///                    or slip
   NotConverged(const std::string& what, int iterations, double residual);
 
   int iterations() const { return iterations_; }

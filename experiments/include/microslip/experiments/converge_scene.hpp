@@ -32,9 +32,9 @@ ConvergeScene read_converge(Scene& scene);
 
 /// Tables: converge (errors and work of every scheme and N), converge_timing (measured time),
 /// summary (the reference) and advice_timing (a line of text for the error, and for the time of a
-/// step). The best reference of steady rolling is the inversion where it holds; the best of all else is
-/// fine: the default scheme of those by elements with 4 N + 3 elements for the largest N, of which
-/// the difference to 2 N + 1 elements is the reference's error.
+/// step). The best reference of steady rolling is the inversion where it holds; the best of all
+/// else is fine: the default scheme of those by elements with 4 N + 3 elements for the largest N,
+/// of which the difference to 2 N + 1 elements is the reference's error.
 ///
 /// \throws std::invalid_argument if the answer is zero all the way, or chebyshev does not take it
 /// \throws NotConverged         if the reference has no solution

@@ -78,9 +78,10 @@ struct ExtremesParameters {
 ExtremesParameters read_extremes(Scene& scene);
 
 /// Tables: steps (c and N of steady rolling), widths (strip width and Poisson ratio), loads (from
-/// full stick to full sliding), bounds (that are not smooth), kernels (layers of springs), bodies (of different material), offsets (of both edges), transient (c
-/// and N), endurance (many steps), cylinder (slope and c), each with one row per case, failures
-/// included; scales (errors of scale invariance); ranges (safe ranges of each scheme) and claims.
+/// full stick to full sliding), bounds (that are not smooth), kernels (layers of springs), bodies
+/// (of different material), offsets (of both edges), transient (c and N), endurance (many steps),
+/// cylinder (slope and c), each with one row per case, failures included; scales (errors of scale
+/// invariance); ranges (safe ranges of each scheme) and claims.
 std::vector<Table> extremes(const ExtremesParameters& parameters, const Progress& progress);
 
 }  // namespace microslip::experiments

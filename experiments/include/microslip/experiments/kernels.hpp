@@ -12,9 +12,9 @@
 
 namespace microslip::experiments {
 
-/// Rolling on a half-space in plane strain, on the same with layers of springs, and on springs alone,
-/// under Hertz's bound. A layer's softness is its compliance C over 2 (1 - nu)/G a, the compliance of the
-/// half-space to waves of 2 pi a.
+/// Rolling on a half-space in plane strain, on the same with layers of springs, and on springs
+/// alone, under Hertz's bound. A layer's softness is its compliance C over 2 (1 - nu)/G a, the
+/// compliance of the half-space to waves of 2 pi a.
 struct KernelsParameters {
   Material material;
   HertzBound bound;

@@ -21,8 +21,8 @@ namespace microslip {
 /// Reads material.poisson_ratio, and material.shear_modulus or material.youngs_modulus.
 Material read_material(Scene& scene);
 
-/// Reads the same where the scene needs a material. A kernel of springs or of a table has none, unless
-/// Hertz's contact needs one: the constants then have no meaning, and no key is read.
+/// Reads the same where the scene needs a material. A kernel of springs or of a table has none,
+/// unless Hertz's contact needs one: the constants then have no meaning, and no key is read.
 Material read_material_if_any(Scene& scene);
 
 /// Reads the constants of both bodies. Bodies of different material have material.dundurs_beta; or
@@ -68,8 +68,8 @@ Solver read_solver(Scene& scene);
 /// Reads solver.tolerance, solver.violation and solver.condition.
 Acceptance read_acceptance(Scene& scene);
 
-/// Warns of a creepage above 0.2 in size: the theory is one of small creepages. Normalised contacts,
-/// whose mean bound is above 0.1 of the shear modulus, have no such limit.
+/// Warns of a creepage above 0.2 in size: the theory is one of small creepages. Normalised
+/// contacts, whose mean bound is above 0.1 of the shear modulus, have no such limit.
 void warn_of_large_creepage(Scene& scene, const std::string& key, double creepage,
                             const TractionBound& bound);
 

@@ -148,10 +148,10 @@ class Scene {
   void demand_in_range(const std::string& key, double value) const;
 
   /// Reads columns of numbers from the table file that the key names, and returns the result of
-  /// `use`. The file has a line of column names, with optional units, "q [mm]", "q[mm]" or "q (mm)",
-  /// then rows. Cells are separated by commas, semicolons, tabs or blanks; lines that begin with #
-  /// are comments. Numbers have a decimal point or a decimal comma, all the same. Other columns may
-  /// hold anything. Where a column is optional, the scene warns of others, unless their
+  /// `use`. The file has a line of column names, with optional units, "q [mm]", "q[mm]" or "q
+  /// (mm)", then rows. Cells are separated by commas, semicolons, tabs or blanks; lines that begin
+  /// with # are comments. Numbers have a decimal point or a decimal comma, all the same. Other
+  /// columns may hold anything. Where a column is optional, the scene warns of others, unless their
   /// names begin with _, and one of nearly the name of a wanted column is an error. Messages name
   /// key, file and, if there is one, line.
   ///
