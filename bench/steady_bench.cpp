@@ -17,7 +17,7 @@ using Eigen::Index;
 SteadyProblem problem_of(const BenchParameters& p, const Kernel& kernel, std::string_view scheme,
                          Index n, Solver::Type type) {
   return solved_by(steady_scheme(scheme),
-                   {.contact = {.kernel = kernel, .bound = p.bound},
+                   {.contact = {kernel, p.bound},
                     .grid = Grid({.half_width = p.bound.half_width(), .elements = n}),
                     .load = p.force,
                     .solver = {.type = type}});

@@ -24,7 +24,7 @@ Grid grid_of(const BenchParameters& p, Index n) {
 
 TransientProblem problem_of(const BenchParameters& p, const AdvectionScheme& scheme, Index n,
                             Solver::Type type) {
-  return {.contact = {.kernel = p.strip(), .bound = p.bound},
+  return {.contact = {p.strip(), p.bound},
           .grid = grid_of(p, n),
           .basis = constant_basis(),
           .scheme = scheme,
@@ -34,7 +34,7 @@ TransientProblem problem_of(const BenchParameters& p, const AdvectionScheme& sch
 /// Rolls on in a steady state, one element a step.
 Work steady_steps(const BenchParameters& p, const AdvectionScheme& scheme, Index n,
                   Solver::Type type) {
-  const SteadySolution steady = solve_steady({.contact = {.kernel = p.strip(), .bound = p.bound},
+  const SteadySolution steady = solve_steady({.contact = {p.strip(), p.bound},
                                               .grid = grid_of(p, n),
                                               .method = steady_of(scheme),
                                               .load = p.force,

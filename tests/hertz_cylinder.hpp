@@ -12,7 +12,7 @@ inline RollingCylinder hertz_cylinder(const Material& material, Eigen::Index ele
                                       const AdvectionScheme& scheme, const Cylinder& body,
                                       Integrator integrator, double step_ratio,
                                       std::optional<double> tolerance) {
-  return {{.contact = {.kernel = PlaneKernel(material, 10), .bound = HertzBound(1, 1)},
+  return {{.contact = {PlaneKernel(material, 10), HertzBound(1, 1)},
            .grid = Grid({.half_width = 1, .elements = elements}),
            .basis = constant_basis(),
            .scheme = scheme},

@@ -57,10 +57,10 @@ AdvectionScheme make_scheme(int scheme) {
 TransientProblem make_problem(const microslip_material& material, const microslip_contact& contact,
                               const microslip_kernel& kernel, const microslip_grid& grid) {
   const TractionBound bound = make_bound(contact);
-  return {.contact = {.kernel = make_kernel({.shear_modulus = material.shear_modulus,
-                                             .poisson_ratio = material.poisson_ratio},
-                                            kernel),
-                      .bound = bound},
+  return {.contact = {make_kernel({.shear_modulus = material.shear_modulus,
+                                   .poisson_ratio = material.poisson_ratio},
+                                  kernel),
+                      bound},
           .grid = Grid({.half_width = contact.half_width, .elements = grid.elements}),
           .basis = constant_basis(),
           .scheme = make_scheme(grid.scheme)};
@@ -85,10 +85,10 @@ SteadyProblem make_steady_problem(const microslip_material& material,
                                   const microslip_contact& contact, const microslip_kernel& kernel,
                                   int elements) {
   const TractionBound bound = make_bound(contact);
-  return {.contact = {.kernel = make_kernel({.shear_modulus = material.shear_modulus,
-                                             .poisson_ratio = material.poisson_ratio},
-                                            kernel),
-                      .bound = bound},
+  return {.contact = {make_kernel({.shear_modulus = material.shear_modulus,
+                                   .poisson_ratio = material.poisson_ratio},
+                                  kernel),
+                      bound},
           .grid = Grid({.half_width = contact.half_width, .elements = elements}),
           .load = PrescribedCreepage{0}};
 }

@@ -89,7 +89,7 @@ std::vector<Table> basis_convergence(const BasisConvergenceParameters& p,
                        .leading_offset = p.leading_offset,
                        .trailing_offset = p.trailing_offset});
       const SteadySolution s =
-          solve_steady({.contact = {.kernel = PlaneKernel(p.material, p.length), .bound = p.bound},
+          solve_steady({.contact = {PlaneKernel(p.material, p.length), p.bound},
                         .grid = grid,
                         .basis = basis,
                         .method = Differences{.step_ratio = p.step_ratio},

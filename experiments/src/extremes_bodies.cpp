@@ -18,7 +18,7 @@ namespace {
 using Eigen::Index;
 
 SteadyProblem problem_of(const ExtremesParameters& p, const Kernel& kernel, double force_ratio) {
-  return {.contact = {.kernel = kernel, .bound = p.bound},
+  return {.contact = {kernel, p.bound},
           .grid = Grid({.half_width = p.bound.half_width(), .elements = p.elements}),
           .load = PrescribedForce{-force_ratio * p.bound.total()}};
 }

@@ -89,7 +89,7 @@ Map bounds_map(const ExtremesParameters& p) {
     ++kind;
     for (const double part : p.bounds) {
       const SteadyProblem contact{
-          .contact = {.kernel = kernel, .bound = bound},
+          .contact = {kernel, bound},
           .grid = Grid({.half_width = p.bound.half_width(), .elements = p.elements}),
           .load = PrescribedForce{-part * full_sliding_force(bound)}};
       const auto truth = std::make_shared<const double>(truth_of(contact));

@@ -31,7 +31,7 @@ const std::array<Scheme, 4> schemes{{{"midpoint", Remembered{}, Integrator::midp
 RollingCylinder body_on(const ExtremesParameters& p, const Scheme& scheme, Index elements,
                         double slope_ratio, double step_ratio) {
   const double radius = 10 * p.bound.half_width();
-  return {{.contact = {.kernel = PlaneKernel(p.material, p.length), .bound = p.bound},
+  return {{.contact = {PlaneKernel(p.material, p.length), p.bound},
            .grid = Grid({.half_width = p.bound.half_width(), .elements = elements}),
            .basis = constant_basis(),
            .scheme = scheme.advection},

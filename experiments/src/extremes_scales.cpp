@@ -60,11 +60,11 @@ ScaledScheme steady(const std::string& name, const std::string& in_tables, bool 
   return {in_tables, [=, method = steady_scheme(name).method(step_ratio)](
                          const ExtremesParameters& p, const Scale& scale) {
             const Scaled from = scaled(p, scale);
-            const SteadySolution found = solve_steady(
-                {.contact = {.kernel = strip ? from.strip : from.plane, .bound = from.bound},
-                 .grid = from.grid,
-                 .method = method,
-                 .load = PrescribedForce{from.force}});
+            const SteadySolution found =
+                solve_steady({.contact = {strip ? from.strip : from.plane, from.bound},
+                              .grid = from.grid,
+                              .method = method,
+                              .load = PrescribedForce{from.force}});
             return without_units(from, found.traction, found.creepage);
           }};
 }
@@ -74,7 +74,7 @@ ScaledScheme transient(const std::string& name) {
   return {name, [=, scheme = advection_scheme(name).scheme(1)](const ExtremesParameters& p,
                                                                const Scale& scale) {
             const Scaled from = scaled(p, scale);
-            TransientRolling rolling({.contact = {.kernel = from.plane, .bound = from.bound},
+            TransientRolling rolling({.contact = {from.plane, from.bound},
                                       .grid = from.grid,
                                       .basis = constant_basis(),
                                       .scheme = scheme},

@@ -129,7 +129,7 @@ std::shared_ptr<const Truth> strip_truth(const Kernel& kernel, const HertzBound&
   } catch (const std::invalid_argument&) {  // too narrow
   } catch (const NotConverged&) {           // likewise
   }
-  SteadyProblem problem{.contact = {.kernel = kernel, .bound = bound},
+  SteadyProblem problem{.contact = {kernel, bound},
                         .grid = Grid(grid_of(p, 9 * p.elements)),
                         .load = PrescribedForce{force}};
   const auto truth_of = [&] {

@@ -43,7 +43,7 @@ class Motions {
   double lambda() const { return std::log(2 * p_.plane.length() / a_); }
 
   TransientProblem problem(const AdvectionEntry& entry, Index n) const {
-    return {.contact = {.kernel = p_.plane, .bound = p_.bound},
+    return {.contact = {p_.plane, p_.bound},
             .grid = Grid({.half_width = a_, .elements = n}),
             .basis = constant_basis(),
             .scheme = entry.scheme(1)};

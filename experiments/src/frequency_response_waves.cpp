@@ -72,7 +72,7 @@ class Waves {
 std::vector<Complex> measured_slopes(const FrequencyResponseParameters& p, const State& state,
                                      const AdvectionEntry& entry, double step_ratio, Index n) {
   const Grid grid({.half_width = p.bound.half_width(), .elements = n});
-  TransientRolling rolling({.contact = {.kernel = state.kernel, .bound = p.bound},
+  TransientRolling rolling({.contact = {state.kernel, p.bound},
                             .grid = grid,
                             .basis = constant_basis(),
                             .scheme = entry.scheme(1)});

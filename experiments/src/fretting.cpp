@@ -40,7 +40,7 @@ constexpr double resolved = 5;
 
 TransientRolling at_rest(const Parameters& p, const TractionBound& bound, const std::string& scheme,
                          Index elements) {
-  return TransientRolling({.contact = {.kernel = PlaneKernel(p.material, p.length), .bound = bound},
+  return TransientRolling({.contact = {PlaneKernel(p.material, p.length), bound},
                            .grid = Grid({.half_width = p.bound.half_width(), .elements = elements}),
                            .basis = constant_basis(),
                            .scheme = advection_scheme(scheme).scheme(1)});

@@ -52,7 +52,7 @@ double sliding_force(const Parameters& p) { return full_sliding_force(p.bound); 
 
 SteadyProblem contact_of(const Parameters& p, const Kernel& kernel, Index elements,
                          const Load& load) {
-  return {.contact = {.kernel = kernel, .bound = p.bound},
+  return {.contact = {kernel, p.bound},
           .grid = Grid({.half_width = p.bound.half_width(), .elements = elements}),
           .load = load};
 }
@@ -261,7 +261,7 @@ Table transients_of(const Parameters& p) {
   const double dx = 2 * a / static_cast<double>(p.elements);
   for (const Yielding& of : all_kernels(p)) {
     const double steady = rolled(p, of.kernel, p.elements, PrescribedForce{force}).creepage;
-    TransientRolling rolling({.contact = {.kernel = of.kernel, .bound = p.bound},
+    TransientRolling rolling({.contact = {of.kernel, p.bound},
                               .grid = Grid({.half_width = a, .elements = p.elements}),
                               .basis = constant_basis(),
                               .scheme = Remembered{}},

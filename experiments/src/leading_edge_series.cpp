@@ -38,7 +38,7 @@ Compared solve(const LeadingEdgeParameters& p, const Scheme& scheme, const Setti
                    .elements = setting.elements,
                    .leading_offset = setting.offset,
                    .trailing_offset = setting.trailing_offset});
-  SteadyProblem problem{.contact = {.kernel = kernel, .bound = p.bound},
+  SteadyProblem problem{.contact = {kernel, p.bound},
                         .grid = grid,
                         .basis = scheme.basis(setting.offset),
                         .method = Differences{},

@@ -65,7 +65,7 @@ Series series_of(const OpenProblemsParameters& p, const SteadyEntry& treatment, 
     for (const auto& [stick_ratio, leading, trailing] : cases_of(p)) {
       const Truth truth = truth_of(reference, a, stick_ratio);
       const SteadyProblem problem =
-          solved_by(treatment, {.contact = {.kernel = kernel, .bound = p.bound},
+          solved_by(treatment, {.contact = {kernel, p.bound},
                                 .grid = Grid({.half_width = a,
                                               .elements = n,
                                               .leading_offset = leading,
@@ -120,7 +120,7 @@ Table steady_steps(const OpenProblemsParameters& p) {
   for (const std::string name : {"standard", "inversion"}) {
     for (const double c : p.steady_ratios) {
       const Compared found = compared(solved_by(steady_scheme(name),
-                                                {.contact = {.kernel = kernel, .bound = p.bound},
+                                                {.contact = {kernel, p.bound},
                                                  .grid = grid,
                                                  .load = PrescribedCreepage{truth.creepage}},
                                                 c),

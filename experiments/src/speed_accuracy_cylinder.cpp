@@ -25,13 +25,12 @@ struct Motion {
 Motion let_go(const SpeedAccuracyParameters& p, Index elements, const AdvectionScheme& scheme,
               Integrator integrator, double step_ratio, Solver::Type type) {
   const HertzBound& bound = p.transient.bound;
-  RollingCylinder body(
-      {.contact = {.kernel = PlaneKernel(p.material, p.rolling.length), .bound = bound},
-       .grid = Grid({.half_width = bound.half_width(), .elements = elements}),
-       .basis = constant_basis(),
-       .scheme = scheme,
-       .solver = {.type = type}},
-      p.rolling.cylinder, integrator, step_ratio);
+  RollingCylinder body({.contact = {PlaneKernel(p.material, p.rolling.length), bound},
+                        .grid = Grid({.half_width = bound.half_width(), .elements = elements}),
+                        .basis = constant_basis(),
+                        .scheme = scheme,
+                        .solver = {.type = type}},
+                       p.rolling.cylinder, integrator, step_ratio);
   std::vector<double> position{0}, velocity{0};
   while (body.state().position < p.rolling.distance) {
     body.step();

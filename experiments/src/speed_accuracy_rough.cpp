@@ -32,7 +32,7 @@ struct Solved {
 Solved solved(const SpeedAccuracyParameters& p, const TractionBound& bound, Index elements) {
   const WorkCount count;
   SteadySolution solution =
-      solve_steady({.contact = {.kernel = PlaneKernel(p.material, p.length), .bound = bound},
+      solve_steady({.contact = {PlaneKernel(p.material, p.length), bound},
                     .grid = Grid({.half_width = half_width_of(bound), .elements = elements}),
                     .method = Calibrated{},
                     .load = PrescribedForce{-p.rough.force_ratio * full_sliding_force(bound)}});

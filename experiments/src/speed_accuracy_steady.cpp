@@ -66,14 +66,13 @@ Solve steady_solve(const std::shared_ptr<const Problem>& problem, const Entrant&
                      .trailing_offset = entrant.trailing_offset});
     std::vector<SteadySolution> solutions;
     for (const Truth& truth : problem->truths) {
-      solutions.push_back(
-          solve_steady(solved_by(*entrant.scheme,
-                                 {.contact = {.kernel = problem->kernel, .bound = problem->bound},
-                                  .grid = grid,
-                                  .basis = make_basis(entrant.basis),
-                                  .load = PrescribedCreepage{truth.creepage},
-                                  .solver = {.type = type}},
-                                 entrant.step_ratio)));
+      solutions.push_back(solve_steady(solved_by(*entrant.scheme,
+                                                 {.contact = {problem->kernel, problem->bound},
+                                                  .grid = grid,
+                                                  .basis = make_basis(entrant.basis),
+                                                  .load = PrescribedCreepage{truth.creepage},
+                                                  .solver = {.type = type}},
+                                                 entrant.step_ratio)));
     }
     return [=] {
       Judgement judgement;

@@ -36,13 +36,11 @@ SteadySolution rolled(const Parameters& p, double ratio, double force_ratio, Ind
                       const char* scheme = "calibrated") {
   const Grid grid({.half_width = p.bound.half_width(), .elements = elements});
   const double far = 100 * p.bound.half_width();
-  return solve_steady(
-      solved_by(steady_scheme(scheme),
-                {.contact = {.kernel = PlaneKernel(p.material, far),
-                             .bound = p.bound,
-                             .pressure_strain = pressure_strain({p.material, ratio}, 1)},
-                 .grid = grid,
-                 .load = PrescribedForce{force_ratio * full_sliding_force(p.bound)}}));
+  return solve_steady(solved_by(
+      steady_scheme(scheme),
+      {.contact = {PlaneKernel(p.material, far), p.bound, pressure_strain({p.material, ratio}, 1)},
+       .grid = grid,
+       .load = PrescribedForce{force_ratio * full_sliding_force(p.bound)}}));
 }
 
 /// Returns mu a/R, the combined compliance times the peak of the bound.

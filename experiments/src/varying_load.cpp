@@ -54,11 +54,10 @@ double load_at(double amplitude, double wavelength, double q) {
 
 TransientRolling settled(const VaryingLoadParameters& p, double creepage, Index n) {
   const double a = p.bound.half_width();
-  TransientRolling rolling(
-      {.contact = {.kernel = PlaneKernel(p.material, p.length), .bound = p.bound},
-       .grid = Grid({.half_width = a, .elements = n}),
-       .basis = constant_basis(),
-       .scheme = Remembered{}});
+  TransientRolling rolling({.contact = {PlaneKernel(p.material, p.length), p.bound},
+                            .grid = Grid({.half_width = a, .elements = n}),
+                            .basis = constant_basis(),
+                            .scheme = Remembered{}});
   rolling.roll(settling * a, {2 * a / static_cast<double>(n)}, PrescribedCreepage{creepage},
                [](const TransientState&) {});
   return rolling;

@@ -9,11 +9,10 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace microslip;
-  static const TransientProblem problem{
-      .contact = {.kernel = PlaneKernel({1, 0.28}, 10), .bound = HertzBound(1, 1)},
-      .grid = Grid({.half_width = 1, .elements = 5}),
-      .basis = constant_basis(),
-      .scheme = Remembered{}};
+  static const TransientProblem problem{.contact = {PlaneKernel({1, 0.28}, 10), HertzBound(1, 1)},
+                                        .grid = Grid({.half_width = 1, .elements = 5}),
+                                        .basis = constant_basis(),
+                                        .scheme = Remembered{}};
   const std::string members = fuzz::text_of(data, size);
   fuzz::accepts_or_rejects([&] {
     TransientRolling rolling(

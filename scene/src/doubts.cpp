@@ -139,10 +139,9 @@ void warn_of_unresolved_table(Scene& scene, const TransientProblem& problem,
   constexpr Eigen::Index most_rows = 400;
   const auto* table = std::get_if<TabulatedBound>(&problem.contact.bound);
   if (table == nullptr || table->x().size() > most_rows) return;
-  SteadyProblem steady{
-      .contact = {.kernel = problem.contact.kernel, .bound = problem.contact.bound},
-      .grid = problem.grid,
-      .load = largest_load(loads, full_sliding_force(problem.contact.bound))};
+  SteadyProblem steady{.contact = {problem.contact.kernel, problem.contact.bound},
+                       .grid = problem.grid,
+                       .load = largest_load(loads, full_sliding_force(problem.contact.bound))};
   if (Prescribed(steady.load).value == 0) return;
   double change = 0;
   try {

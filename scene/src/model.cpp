@@ -276,7 +276,8 @@ SteadyTarget read_steady_target(Scene& scene) {
   const TractionBound bound = read_bound(scene, material);
   const Kernel kernel = read_kernel(scene, tangential);
   warn_of_long_waves(scene, kernel, half_width_of(bound));
-  return {{{kernel, bound}, read_load(scene, kernel, bound)}, target};
+  const Load load = read_load(scene, kernel, bound);
+  return {{{kernel, bound}, load}, target};
 }
 
 SteadyProblem read_steady(Scene& scene, const SteadyMethod& method) {

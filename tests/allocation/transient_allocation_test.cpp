@@ -58,7 +58,7 @@ class AllocationsOfAScheme : public testing::TestWithParam<Case> {
     const auto& [name, scheme, step_ratio] = GetParam();
     constexpr Eigen::Index n = 151;
     const PrescribedForce force{-0.5 * full_sliding_force(bound)};
-    TransientRolling rolling({.contact = {.kernel = PlaneKernel({1, 0.28}, 200), .bound = bound},
+    TransientRolling rolling({.contact = {PlaneKernel({1, 0.28}, 200), bound},
                               .grid = Grid({.half_width = 1, .elements = n}),
                               .basis = constant_basis(),
                               .scheme = scheme,

@@ -31,7 +31,7 @@ Case make_case(const std::string& name, const microslip_contact& contact, Tracti
   if (grid.scheme == MICROSLIP_DIRECT) scheme = Direct{};
   return {.name = name,
           .parts = {.contact = contact, .kernel = kernel_parts, .grid = grid},
-          .problem = {.contact = {.kernel = kernel, .bound = bound},
+          .problem = {.contact = {kernel, bound},
                       .grid = Grid({.half_width = 1, .elements = grid.elements}),
                       .basis = constant_basis(),
                       .scheme = scheme},
@@ -305,11 +305,10 @@ TEST(CInterface, HandlesOfDifferentThreadsDoNotFeelEachOther) {
 }
 
 TEST(CInterface, WorksFromC99) {
-  TransientRolling rolling(
-      {.contact = {.kernel = StripKernel(material, 4), .bound = HertzBound(1, 1)},
-       .grid = Grid({.half_width = 1, .elements = 20}),
-       .basis = constant_basis(),
-       .scheme = Remembered{}});
+  TransientRolling rolling({.contact = {StripKernel(material, 4), HertzBound(1, 1)},
+                            .grid = Grid({.half_width = 1, .elements = 20}),
+                            .basis = constant_basis(),
+                            .scheme = Remembered{}});
   rolling.step(0.07, PrescribedCreepage{0.5});
   EXPECT_EQ(force_after_a_step_in_c99(), rolling.state().force);
 }

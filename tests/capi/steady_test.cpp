@@ -150,10 +150,10 @@ TEST(CSteady, IsThatOfTheLibraryWhereElementsReplaceTheInversion) {
   ASSERT_EQ(solved.status, MICROSLIP_OK) << solved.message;
   const Eigen::VectorXd places = Eigen::Map<const Eigen::VectorXd>(x.data(), rows),
                         values = Eigen::Map<const Eigen::VectorXd>(value.data(), rows);
-  const SteadySolution expected = solve_steady(
-      {.contact = {.kernel = StripKernel({1, 0.28}, 3), .bound = TabulatedBound(1, places, values)},
-       .grid = Grid({.half_width = 1, .elements = 80}),
-       .load = PrescribedCreepage{0.4}});
+  const SteadySolution expected =
+      solve_steady({.contact = {StripKernel({1, 0.28}, 3), TabulatedBound(1, places, values)},
+                    .grid = Grid({.half_width = 1, .elements = 80}),
+                    .load = PrescribedCreepage{0.4}});
   ASSERT_EQ(expected.scheme, SteadyScheme::calibrated);
   EXPECT_EQ(solved.states[0].method, MICROSLIP_ELEMENTS);
   EXPECT_TRUE(std::isnan(solved.states[0].stick_edge));

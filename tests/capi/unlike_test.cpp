@@ -32,13 +32,11 @@ Handle created(const Parts& parts, const microslip_unlike& unlike) {
 TEST(UnlikeInC, RollFreelyWithACreepage) {
   const Material material{1, 0.28};
   const HertzBound bound(1, 1);
-  const double expected =
-      solve_steady({.contact = {.kernel = PlaneKernel(material, 200),
-                                .bound = bound,
-                                .pressure_strain = pressure_strain({material, 0.15}, 0.05)},
-                    .grid = Grid({.half_width = 1, .elements = 101}),
-                    .load = PrescribedForce{0}})
-          .creepage;
+  const double expected = solve_steady({.contact = {PlaneKernel(material, 200), bound,
+                                                    pressure_strain({material, 0.15}, 0.05)},
+                                        .grid = Grid({.half_width = 1, .elements = 101}),
+                                        .load = PrescribedForce{0}})
+                              .creepage;
   for (const int scheme : {MICROSLIP_REMEMBERED, MICROSLIP_DIRECT}) {
     Parts parts;
     parts.grid = {100, scheme};

@@ -5,9 +5,8 @@
 
 int main() {
   microslip::TransientRolling rolling(
-      {.contact = {.kernel =
-                       microslip::StripKernel({.shear_modulus = 82000, .poisson_ratio = 0.28}, 10),
-                   .bound = microslip::HertzBound(5, 300)},
+      {.contact = {microslip::StripKernel({.shear_modulus = 82000, .poisson_ratio = 0.28}, 10),
+                   microslip::HertzBound(5, 300)},
        .grid = microslip::Grid({.half_width = 5, .elements = 100}),
        .basis = microslip::constant_basis(),
        .scheme = microslip::Remembered{}});

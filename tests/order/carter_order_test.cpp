@@ -29,7 +29,7 @@ double relative_force_error(Eigen::Index n, const Basis& basis, Edges edges,
   const HertzBound bound(1, 1);
   const Carter exact = Carter::from_creepage(material, bound, 0.4 * compliance(material));
   const PlaneKernel kernel(material, 1);
-  SteadyProblem problem{.contact = {.kernel = kernel, .bound = bound},
+  SteadyProblem problem{.contact = {kernel, bound},
                         .grid = Grid({.half_width = 1,
                                       .elements = n,
                                       .leading_offset = edges.leading,
@@ -112,7 +112,7 @@ double creepage_error(double n, double ratio) {
   double largest = 0;
   for (const Eigen::Index more : {0, 1, 2, 3, 4}) {
     const Eigen::Index elements = static_cast<Eigen::Index>(n) + more;
-    const SteadyProblem problem{.contact = {.kernel = PlaneKernel(material, 1), .bound = bound},
+    const SteadyProblem problem{.contact = {PlaneKernel(material, 1), bound},
                                 .grid = Grid({.half_width = 1, .elements = elements}),
                                 .basis = constant_basis(),
                                 .method = Calibrated{},

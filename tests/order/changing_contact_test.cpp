@@ -37,11 +37,10 @@ Complex exact_response(double wavelength, double alpha) {
 }
 
 TransientRolling rolling_on(Eigen::Index n) {
-  return TransientRolling(
-      {.contact = {.kernel = PlaneKernel(material, length), .bound = HertzBound(1, 1)},
-       .grid = Grid({.half_width = 1, .elements = n}),
-       .basis = constant_basis(),
-       .scheme = Remembered{}});
+  return TransientRolling({.contact = {PlaneKernel(material, length), HertzBound(1, 1)},
+                           .grid = Grid({.half_width = 1, .elements = n}),
+                           .basis = constant_basis(),
+                           .scheme = Remembered{}});
 }
 
 /// By Fourier's integral over whole wavelengths, after 24 half-widths under the load's mean. The

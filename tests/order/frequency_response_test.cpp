@@ -25,7 +25,7 @@ constexpr double amplitude = 1e-3;  // of each, over the creepage
 /// dF/dw of each wave; the creepage of a step is its mean, the force that at its end.
 std::array<Complex, 2> by_elements(const Kernel& kernel, const TractionBound& bound,
                                    double creepage, Eigen::Index n) {
-  TransientRolling rolling({.contact = {.kernel = kernel, .bound = bound},
+  TransientRolling rolling({.contact = {kernel, bound},
                             .grid = Grid({.half_width = 1, .elements = n}),
                             .basis = constant_basis(),
                             .scheme = Remembered{}});

@@ -24,11 +24,10 @@ struct Forces {
 };
 
 TransientRolling at_rest(Index elements, const AdvectionScheme& scheme) {
-  return TransientRolling(
-      {.contact = {.kernel = PlaneKernel({1.44, 0.28}, 20), .bound = HertzBound(1, high)},
-       .grid = Grid({.half_width = 1, .elements = elements}),
-       .basis = constant_basis(),
-       .scheme = scheme});
+  return TransientRolling({.contact = {PlaneKernel({1.44, 0.28}, 20), HertzBound(1, high)},
+                           .grid = Grid({.half_width = 1, .elements = elements}),
+                           .basis = constant_basis(),
+                           .scheme = scheme});
 }
 
 /// Rolled by 0.96 + `part` of an element of N = 50, shifted, and rolled on by 0.4.

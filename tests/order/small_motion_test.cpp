@@ -31,7 +31,7 @@ constexpr double length = 10;
 constexpr double tiny = 1e-7;  // of full sliding, which is pi/2
 
 TransientRolling rolling_on(const Kernel& kernel, Eigen::Index n, const AdvectionScheme& scheme) {
-  return TransientRolling({.contact = {.kernel = kernel, .bound = HertzBound(1, 1)},
+  return TransientRolling({.contact = {kernel, HertzBound(1, 1)},
                            .grid = Grid({.half_width = 1, .elements = n}),
                            .basis = constant_basis(),
                            .scheme = scheme});
@@ -202,12 +202,11 @@ TEST(SmallMotionAboutCarter, DoesNotKnowTheAmplitude) {
 /// Root mean square of the creepage about a polynomial of the fourth degree, over its mean, where
 /// nothing happens but that material passes through the elements.
 double noise(Eigen::Index n, double step_ratio, double force) {
-  TransientRolling rolling(
-      {.contact = {.kernel = PlaneKernel(material, 20), .bound = HertzBound(1, 1)},
-       .grid = Grid({.half_width = 1, .elements = n}),
-       .basis = constant_basis(),
-       .scheme = Remembered{}},
-      CattaneoShift{force});
+  TransientRolling rolling({.contact = {PlaneKernel(material, 20), HertzBound(1, 1)},
+                            .grid = Grid({.half_width = 1, .elements = n}),
+                            .basis = constant_basis(),
+                            .scheme = Remembered{}},
+                           CattaneoShift{force});
   std::vector<double> places, creepages;
   rolling.roll(2.8, {step_ratio * 2 / static_cast<double>(n)}, PrescribedForce{force},
                [&](const TransientState& state) {

@@ -36,11 +36,10 @@ std::array<double, 3> errors_of_slope(const Case& c) {
   const double force = -(1 - c.stick * c.stick) * HertzBound(1, 1).total();
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     const auto n = static_cast<Eigen::Index>(sizes[i]);
-    TransientRolling rolling(
-        {.contact = {.kernel = PlaneKernel(material, length), .bound = HertzBound(1, 1)},
-         .grid = Grid({.half_width = 1, .elements = n}),
-         .basis = constant_basis(),
-         .scheme = Remembered{}});
+    TransientRolling rolling({.contact = {PlaneKernel(material, length), HertzBound(1, 1)},
+                              .grid = Grid({.half_width = 1, .elements = n}),
+                              .basis = constant_basis(),
+                              .scheme = Remembered{}});
     rolling.roll(30, {rolling.x()[1] - rolling.x()[0]}, PrescribedForce{force},
                  [](const TransientState&) {});
     StepJacobian jacobian;

@@ -19,11 +19,10 @@ constexpr double length = 200;
 const double force = -0.64 * std::numbers::pi / 2;
 
 TransientRolling rolling_on(Eigen::Index n, const AdvectionScheme& scheme = Direct{}) {
-  return TransientRolling(
-      {.contact = {.kernel = PlaneKernel(material, length), .bound = HertzBound(1, 1)},
-       .grid = Grid({.half_width = 1, .elements = n}),
-       .basis = constant_basis(),
-       .scheme = scheme});
+  return TransientRolling({.contact = {PlaneKernel(material, length), HertzBound(1, 1)},
+                           .grid = Grid({.half_width = 1, .elements = n}),
+                           .basis = constant_basis(),
+                           .scheme = scheme});
 }
 
 constexpr std::array<double, 4> sizes = {40, 80, 160, 320};

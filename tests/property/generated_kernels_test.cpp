@@ -96,7 +96,7 @@ TEST(GeneratedKernels, RollingLeadsToTheSteadyState) {
     const double force = -most * (0.1 + 0.8 * uniform(random));
     const SteadySolution steady =
         solve_steady(problem_of({{kernel, bound}, PrescribedForce{force}}, n, Calibrated{}));
-    TransientRolling rolling({.contact = {.kernel = kernel, .bound = bound},
+    TransientRolling rolling({.contact = {kernel, bound},
                               .grid = Grid({.half_width = half_width, .elements = n}),
                               .basis = constant_basis(),
                               .scheme = Remembered{}});

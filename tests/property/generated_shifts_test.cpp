@@ -163,7 +163,7 @@ TEST(GeneratedShifts, AreForgottenNextToFullSliding) {
   double worst = 0;
   for (int i = 0; i < 60; ++i) {
     const TransientProblem problem{
-        .contact = {.kernel = StripKernel({82000, 0.28}, 10), .bound = HertzBound{half_width, 300}},
+        .contact = {StripKernel({82000, 0.28}, 10), HertzBound{half_width, 300}},
         .grid = Grid({.half_width = half_width,
                       .elements = static_cast<Index>(15 * std::pow(10, uniform(0, 1)))}),
         .basis = constant_basis(),

@@ -61,11 +61,10 @@ LoadHistory history_of(const RunOfRows& run, double in_place_of_zero) {
 }
 
 double last_force(const LoadHistory& loads, const std::vector<double>& lengths) {
-  TransientRolling rolling(
-      {.contact = {.kernel = StripKernel(Material(82000, 0.28), 10), .bound = HertzBound(5, 300)},
-       .grid = Grid({.half_width = 5, .elements = 40}),
-       .basis = constant_basis(),
-       .scheme = Remembered{}});
+  TransientRolling rolling({.contact = {StripKernel(Material(82000, 0.28), 10), HertzBound(5, 300)},
+                            .grid = Grid({.half_width = 5, .elements = 40}),
+                            .basis = constant_basis(),
+                            .scheme = Remembered{}});
   rolling.roll(loads.distance(), lengths, loads, [](const TransientState&) {});
   return rolling.state().force;
 }

@@ -20,7 +20,7 @@ constexpr Material material{1.44, 0.28};
 const HertzBound hertz(1, 1);
 
 SteadyProblem problem_of(const TractionBound& bound, Index elements, double force_ratio) {
-  return {.contact = {.kernel = PlaneKernel(material, 20), .bound = bound},
+  return {.contact = {PlaneKernel(material, 20), bound},
           .grid = Grid({.half_width = 1, .elements = elements}),
           .method = Calibrated{},
           .load = PrescribedForce{-force_ratio * full_sliding_force(bound)}};

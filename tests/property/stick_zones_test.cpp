@@ -27,7 +27,7 @@ TabulatedBound table_of(const std::vector<double>& x, const std::vector<double>&
 
 SteadyProblem problem_of(const Kernel& kernel, const TractionBound& bound, const Load& load,
                          Eigen::Index elements = 100, const SteadyMethod& method = Inversion{}) {
-  return {.contact = {.kernel = kernel, .bound = bound},
+  return {.contact = {kernel, bound},
           .grid = Grid({.half_width = half_width, .elements = elements}),
           .method = method,
           .load = load};
@@ -197,7 +197,7 @@ TEST(StickZones, SeeANarrowValley) {
   coefficients << 0.325, -0.435, -1.964, 1.799, 4.015;
   const PolynomialBound bound(9, 1, coefficients);
   const SteadySolution found =
-      solve_steady({.contact = {.kernel = PlaneKernel(Material(1, 0.25), 50), .bound = bound},
+      solve_steady({.contact = {PlaneKernel(Material(1, 0.25), 50), bound},
                     .grid = Grid({.half_width = 9, .elements = 100}),
                     .load = PrescribedForce{-3e-3 * full_sliding_force(bound)}});
   EXPECT_EQ(found.scheme, SteadyScheme::inversion);
@@ -230,7 +230,7 @@ SteadyProblem under_noise(Eigen::Index rows, double part, double phase = std::sq
     values[i] = hertz(x[i]) * (is_low ? 0.7 : 1.3);
   }
   const TractionBound bound = TabulatedBound(1, x, values);
-  return {.contact = {.kernel = PlaneKernel({1, 0.28}, 100), .bound = bound},
+  return {.contact = {PlaneKernel({1, 0.28}, 100), bound},
           .grid = Grid({.half_width = 1, .elements = 51}),
           .load = PrescribedForce{-part * full_sliding_force(bound)}};
 }

@@ -29,12 +29,11 @@ TEST(UnlikeContacts, LargeErrorsAreDoubted) {
     const double strain_ratio = between(0.01, 100);
     const double part = (1 - between(3e-3, 1)) * (k % 2 == 0 ? 1 : -1);
     const auto elements = static_cast<Index>(between(20, 400));
-    SteadyProblem problem{.contact = {.kernel = PlaneKernel(material, 10),
-                                      .bound = bound,
-                                      .pressure_strain = strain_ratio * compliance(material)},
-                          .grid = Grid({.half_width = 1, .elements = elements}),
-                          .method = Inversion{},
-                          .load = PrescribedForce{-part * bound.total()}};
+    SteadyProblem problem{
+        .contact = {PlaneKernel(material, 10), bound, strain_ratio * compliance(material)},
+        .grid = Grid({.half_width = 1, .elements = elements}),
+        .method = Inversion{},
+        .load = PrescribedForce{-part * bound.total()}};
     const SteadySolution exact = solve_steady(problem);
     if (exact.scheme != SteadyScheme::inversion) continue;
     problem.method = Calibrated{};

@@ -34,8 +34,8 @@ TEST(ContactReference, SteadyTractionAndSlipAgreeToItsPrintedDigits) {
   };
   const Grid grid({.half_width = 1, .elements = 25});
   const SteadySolution state =
-      solve_steady({.contact = {.kernel = StripKernel({82000, 0.28}, 200),
-                                .bound = TabulatedBound(1, grid.nodes(), to_vector(contact_bound))},
+      solve_steady({.contact = {StripKernel({82000, 0.28}, 200),
+                                TabulatedBound(1, grid.nodes(), to_vector(contact_bound))},
                     .grid = grid,
                     .basis = constant_basis(),
                     .method = Differences{},

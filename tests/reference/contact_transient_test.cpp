@@ -88,10 +88,8 @@ const Grid grid({.half_width = 1, .elements = 50});
 TabulatedBound bound() { return {1, grid.nodes(), to_vector(contact_bound)}; }
 
 TransientRolling shifted() {
-  TransientRolling rolling({.contact = {.kernel = kernel, .bound = bound()},
-                            .grid = grid,
-                            .basis = constant_basis(),
-                            .scheme = Direct{}});
+  TransientRolling rolling(
+      {.contact = {kernel, bound()}, .grid = grid, .basis = constant_basis(), .scheme = Direct{}});
   rolling.start_from_shift({force});
   return rolling;
 }
@@ -102,7 +100,7 @@ void expect_printed_digits(const Eigen::VectorXd& traction, const Row& expected)
 }
 
 TEST(ContactReference, SteadyRolling) {
-  const SteadySolution steady = solve_steady({.contact = {.kernel = kernel, .bound = bound()},
+  const SteadySolution steady = solve_steady({.contact = {kernel, bound()},
                                               .grid = grid,
                                               .basis = constant_basis(),
                                               .method = Differences{},

@@ -12,8 +12,7 @@ namespace microslip::experiments::energy_balance_test {
 
 const std::vector<Table>& tables() {
   static const std::vector<Table> all = energy_balance(
-      {.scene = {.problem = {.contact = {.kernel = PlaneKernel({1.44, 0.28}, 10),
-                                         .bound = HertzBound(1, 1)},
+      {.scene = {.problem = {.contact = {PlaneKernel({1.44, 0.28}, 10), HertzBound(1, 1)},
                              .grid = Grid({.half_width = 1, .elements = 60}),
                              .basis = constant_basis(),
                              .scheme = Remembered{}},

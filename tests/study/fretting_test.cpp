@@ -140,7 +140,7 @@ TEST(SuperposedShift, IsMindlinsForHertzsBound) {
 TEST(SuperposedShift, FindsTheStickZoneOfElements) {
   const PolynomialBound bound(2, 3, (Eigen::VectorXd(4) << 1, -0.4, 0.1, 0.2).finished());
   const double force = 0.6 * bound.total();
-  TransientRolling rolling({.contact = {.kernel = PlaneKernel(material, 20), .bound = bound},
+  TransientRolling rolling({.contact = {PlaneKernel(material, 20), bound},
                             .grid = Grid({.half_width = 2, .elements = 400}),
                             .basis = constant_basis(),
                             .scheme = Direct{}});

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 constexpr double compliance = 1e-4;
 
 SteadySolution solve(const TractionBound& bound, const Load& load, Eigen::Index elements = 50) {
-  return solve_steady({.contact = {.kernel = WinklerKernel(compliance), .bound = bound},
+  return solve_steady({.contact = {WinklerKernel(compliance), bound},
                        .grid = Grid({.half_width = half_width_of(bound), .elements = elements}),
                        .load = load});
 }

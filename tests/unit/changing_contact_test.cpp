@@ -22,7 +22,7 @@ constexpr double full = pi / 2;       // full sliding of the problem's contact
 
 TransientProblem problem_with(const Kernel& kernel, Index n, double half_width = 1, double peak = 1,
                               const AdvectionScheme& scheme = Remembered{}) {
-  return {.contact = {.kernel = kernel, .bound = HertzBound(half_width, peak)},
+  return {.contact = {kernel, HertzBound(half_width, peak)},
           .grid = Grid({.half_width = half_width, .elements = n}),
           .basis = constant_basis(),
           .scheme = scheme};

@@ -23,11 +23,10 @@ struct Missing {
 };
 
 Missing missing(const Case& c, Eigen::Index n, const Load& load) {
-  TransientRolling rolling(
-      {.contact = {.kernel = StripKernel({82000, 0.28}, 10), .bound = HertzBound(5, 300)},
-       .grid = Grid({.half_width = 5, .elements = n}),
-       .basis = constant_basis(),
-       .scheme = c.scheme});
+  TransientRolling rolling({.contact = {StripKernel({82000, 0.28}, 10), HertzBound(5, 300)},
+                            .grid = Grid({.half_width = 5, .elements = n}),
+                            .basis = constant_basis(),
+                            .scheme = c.scheme});
   const double length = c.step_ratio * 10 / static_cast<double>(n);
   rolling.roll(60, {length}, load, [](const TransientState&) {});
   // Over an element, as what the material remembers only comes back to where it was after one.

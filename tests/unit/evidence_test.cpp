@@ -25,7 +25,7 @@ const Kernel plane = PlaneKernel({1, 0.28}, 10);
 double norm(const MatrixXd& matrix) { return matrix.cwiseAbs().colwise().sum().maxCoeff(); }
 
 SteadyProblem steady(Index n, const SteadyMethod& method, const Load& load) {
-  return {.contact = {.kernel = plane, .bound = HertzBound(1, 1)},
+  return {.contact = {plane, HertzBound(1, 1)},
           .grid = Grid({.half_width = 1, .elements = n}),
           .method = method,
           .load = load};

@@ -213,7 +213,7 @@ TEST(InvertedRolling, RefusesForcesOfFullSliding) {
 }
 
 SteadyProblem problem(const TractionBound& bound, Load load, Eigen::Index n = 100) {
-  return {.contact = {.kernel = PlaneKernel(material, 7), .bound = bound},
+  return {.contact = {PlaneKernel(material, 7), bound},
           .grid = Grid({.half_width = 1, .elements = n}),
           .load = load};
 }

@@ -32,7 +32,7 @@ const HertzBound hertz(1.3, 0.7);
 
 SteadyProblem contact(const Kernel& kernel, const TractionBound& bound, Index elements,
                       const Load& load, const SteadyMethod& method = Calibrated{}) {
-  return {.contact = {.kernel = kernel, .bound = bound},
+  return {.contact = {kernel, bound},
           .grid = Grid({.half_width = half_width_of(bound), .elements = elements}),
           .basis = constant_basis(),
           .method = method,
@@ -198,7 +198,7 @@ class BrushByCells {
 
 TransientRolling rolling(const Kernel& kernel, Index elements, const AdvectionScheme& scheme,
                          const Start& start = Rest{}) {
-  return TransientRolling({.contact = {.kernel = kernel, .bound = hertz},
+  return TransientRolling({.contact = {kernel, hertz},
                            .grid = Grid({.half_width = hertz.half_width(), .elements = elements}),
                            .basis = constant_basis(),
                            .scheme = scheme},

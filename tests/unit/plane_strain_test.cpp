@@ -31,7 +31,7 @@ TEST(PlaneStrain, IsDefiniteAboveTheLogarithmicCapacity) {
 }
 
 TransientProblem transient(double length, const AdvectionScheme& scheme, Eigen::Index n) {
-  return {.contact = {.kernel = PlaneKernel(steel, length), .bound = HertzBound(5, 300)},
+  return {.contact = {PlaneKernel(steel, length), HertzBound(5, 300)},
           .grid = Grid({.half_width = 5, .elements = n}),
           .basis = constant_basis(),
           .scheme = scheme};
@@ -71,11 +71,10 @@ TEST(PlaneStrain, AcceptedLengthsResist) {
 
 TEST(PlaneStrain, SteadyRollingTakesAnyLength) {
   const auto force = [](double length) {
-    return solve_steady(
-               {.contact = {.kernel = PlaneKernel(steel, length), .bound = HertzBound(5, 300)},
-                .grid = Grid({.half_width = 5, .elements = 40}),
-                .basis = constant_basis(),
-                .load = PrescribedCreepage{0.001}})
+    return solve_steady({.contact = {PlaneKernel(steel, length), HertzBound(5, 300)},
+                         .grid = Grid({.half_width = 5, .elements = 40}),
+                         .basis = constant_basis(),
+                         .load = PrescribedCreepage{0.001}})
         .force;
   };
   EXPECT_NEAR(force(0.1), force(100), 1e-9);

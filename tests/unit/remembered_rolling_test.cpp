@@ -20,7 +20,7 @@ constexpr Material material{1, 0.28};
 const double full_sliding = HertzBound(1, 1).total();
 
 TransientProblem problem(Index n = 41) {
-  return {.contact = {.kernel = PlaneKernel(material, 200), .bound = HertzBound(1, 1)},
+  return {.contact = {PlaneKernel(material, 200), HertzBound(1, 1)},
           .grid = Grid({.half_width = 1, .elements = n}),
           .basis = constant_basis(),
           .scheme = Remembered{}};

@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 const double full_sliding = HertzBound(1, 1).total();
 
 TransientProblem problem(const Grid::Parameters& grid) {
-  return {.contact = {.kernel = PlaneKernel({1, 0.28}, 200), .bound = HertzBound(1, 1)},
+  return {.contact = {PlaneKernel({1, 0.28}, 200), HertzBound(1, 1)},
           .grid = Grid(grid),
           .basis = constant_basis(),
           .scheme = Remembered{}};

@@ -22,7 +22,7 @@ constexpr Material steel{82000, 0.28};
 constexpr double dx = 0.25;
 
 TransientProblem problem(Index elements = 40) {
-  return {.contact = {.kernel = StripKernel(steel, 10), .bound = HertzBound(5, 300)},
+  return {.contact = {StripKernel(steel, 10), HertzBound(5, 300)},
           .grid = Grid({.half_width = 5, .elements = elements}),
           .basis = constant_basis(),
           .scheme = Remembered{}};

@@ -13,7 +13,7 @@ namespace microslip::schemes_test {
 const Material material{1, 0.28};
 
 SteadyProblem problem_for(const SteadyEntry& entry) {
-  return {.contact = {.kernel = PlaneKernel(material, 10), .bound = HertzBound(1, 1)},
+  return {.contact = {PlaneKernel(material, 10), HertzBound(1, 1)},
           .grid = Grid({.half_width = 1, .elements = 51}),
           .basis = basis_of(entry),
           .load = PrescribedForce{-0.5}};

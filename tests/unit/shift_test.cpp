@@ -26,7 +26,7 @@ const double full_sliding = hertz.total();
 TransientProblem problem(Index n, const AdvectionScheme& scheme,
                          const Kernel& kernel = PlaneKernel(material, 20),
                          const TractionBound& bound = hertz) {
-  return {.contact = {.kernel = kernel, .bound = bound},
+  return {.contact = {kernel, bound},
           .grid = Grid({.half_width = 1, .elements = n}),
           .basis = constant_basis(),
           .scheme = scheme};

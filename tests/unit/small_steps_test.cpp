@@ -14,12 +14,11 @@ namespace microslip::small_steps_test {
 /// Largest less smallest creepage of 40 equal steps, which are next to nothing, over their sum.
 double noise(const AdvectionScheme& scheme, Eigen::Index n, double force, double step_ratio) {
   const double dx = 10 / static_cast<double>(n);
-  TransientRolling rolling(
-      {.contact = {.kernel = StripKernel({82000, 0.28}, 10), .bound = HertzBound(5, 300)},
-       .grid = Grid({.half_width = 5, .elements = n}),
-       .basis = constant_basis(),
-       .scheme = scheme},
-      CattaneoShift{force});
+  TransientRolling rolling({.contact = {StripKernel({82000, 0.28}, 10), HertzBound(5, 300)},
+                            .grid = Grid({.half_width = 5, .elements = n}),
+                            .basis = constant_basis(),
+                            .scheme = scheme},
+                           CattaneoShift{force});
   for (Eigen::Index k = 0; k <= 2 * n; ++k) rolling.step(0.37 * dx, PrescribedForce{force});
   double least = HUGE_VAL, most = -HUGE_VAL;
   for (int k = 0; k < 40; ++k) {

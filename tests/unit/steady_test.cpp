@@ -12,7 +12,7 @@ namespace microslip::steady_test {
 constexpr Material material{1, 0.28};
 
 SteadyProblem problem(Load load) {
-  return {.contact = {.kernel = StripKernel(material, 5), .bound = HertzBound(1, 1)},
+  return {.contact = {StripKernel(material, 5), HertzBound(1, 1)},
           .grid = Grid({.half_width = 1, .elements = 40}),
           .basis = constant_basis(),
           .method = Differences{},
@@ -41,12 +41,12 @@ TEST(Steady, TotalsAreThoseOfTheNodes) {
 TEST(Steady, IsScaleInvariant) {
   const SteadySolution s = solve_steady(problem(PrescribedCreepage{0.4}));
   const double g = 8e4, a = 6, peak = 300;
-  const SteadySolution t = solve_steady(
-      {.contact = {.kernel = StripKernel({g, 0.28}, 5 * a), .bound = HertzBound(a, peak)},
-       .grid = Grid({.half_width = a, .elements = 40}),
-       .basis = constant_basis(),
-       .method = Differences{},
-       .load = PrescribedCreepage{0.4 * peak / g}});
+  const SteadySolution t =
+      solve_steady({.contact = {StripKernel({g, 0.28}, 5 * a), HertzBound(a, peak)},
+                    .grid = Grid({.half_width = a, .elements = 40}),
+                    .basis = constant_basis(),
+                    .method = Differences{},
+                    .load = PrescribedCreepage{0.4 * peak / g}});
   EXPECT_NEAR((t.traction / peak - s.traction).lpNorm<Eigen::Infinity>(), 0, 1e-12);
   EXPECT_NEAR((t.displacement * g / (a * peak) - s.displacement).lpNorm<Eigen::Infinity>(), 0,
               1e-12);

@@ -26,7 +26,7 @@ TabulatedBound table(std::initializer_list<double> x, std::initializer_list<doub
 
 SteadySolution solve(const TractionBound& bound, double creepage, Eigen::Index n,
                      const SteadyMethod& method, const Kernel& kernel = StripKernel(steel, 10)) {
-  return solve_steady({.contact = {.kernel = kernel, .bound = bound},
+  return solve_steady({.contact = {kernel, bound},
                        .grid = Grid({.half_width = half_width, .elements = n}),
                        .basis = constant_basis(),
                        .method = method,

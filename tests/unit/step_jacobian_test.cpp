@@ -19,7 +19,7 @@ constexpr Material material{1, 0.28};
 const double full_sliding = HertzBound(1, 1).total();
 
 TransientProblem problem(Eigen::Index n, const Kernel& kernel = PlaneKernel(material, 10)) {
-  return {.contact = {.kernel = kernel, .bound = HertzBound(1, 1)},
+  return {.contact = {kernel, HertzBound(1, 1)},
           .grid = Grid({.half_width = 1, .elements = n}),
           .basis = constant_basis(),
           .scheme = Remembered{}};

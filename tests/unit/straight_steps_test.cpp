@@ -180,8 +180,8 @@ Rolled roll(const TransientProblem& problem, const LoadHistory& loads,
 // Under a force, creepages of steps far below an element differ by more than the finest tolerance.
 TEST(StraightSteps, GiveTheResultsOfShortOnes) {
   const TransientProblem problem{
-      .contact = {.kernel = PlaneKernel(Material{.shear_modulus = 1, .poisson_ratio = 0.28}, 20),
-                  .bound = HertzBound(1, 0.6)},
+      .contact = {PlaneKernel(Material{.shear_modulus = 1, .poisson_ratio = 0.28}, 20),
+                  HertzBound(1, 0.6)},
       .grid = Grid({.half_width = 1, .elements = 30}),
       .basis = constant_basis(),
       .scheme = Remembered{}};

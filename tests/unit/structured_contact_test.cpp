@@ -25,12 +25,11 @@ const Solver dense{.type = Solver::Type::dense};
 const Solver fft{.type = Solver::Type::fft};
 
 SteadyProblem steady(const Kernel& kernel, Index n, const SteadyMethod& method, const Load& load) {
-  return {
-      .contact = {.kernel = kernel, .bound = PolynomialBound(1, 1, Eigen::Vector3d(1, 0.3, 0.2))},
-      .grid = Grid({.half_width = 1, .elements = n}),
-      .basis = constant_basis(),
-      .method = method,
-      .load = load};
+  return {.contact = {kernel, PolynomialBound(1, 1, Eigen::Vector3d(1, 0.3, 0.2))},
+          .grid = Grid({.half_width = 1, .elements = n}),
+          .basis = constant_basis(),
+          .method = method,
+          .load = load};
 }
 
 struct Kind {
@@ -90,8 +89,8 @@ TEST(StructuredSteady, SeveralStickZonesTakeFewRounds) {
   for (const Index n : {26, 51, 76, 90, 101, 120, 150, 190, 401, 6401}) {
     for (const double force : {-0.2, -0.2356, -0.3}) {
       const SteadySolution solution =
-          solve_steady({.contact = {.kernel = PlaneKernel(material, 10),
-                                    .bound = PolynomialBound(1, 1, Eigen::Vector3d(0.05, 0, 1))},
+          solve_steady({.contact = {PlaneKernel(material, 10),
+                                    PolynomialBound(1, 1, Eigen::Vector3d(0.05, 0, 1))},
                         .grid = Grid({.half_width = 1, .elements = n}),
                         .basis = constant_basis(),
                         .method = Calibrated{},
@@ -104,7 +103,7 @@ TEST(StructuredSteady, SeveralStickZonesTakeFewRounds) {
 /// The bound has a dent in the middle, where slip begins.
 TransientProblem transient(const Kernel& kernel, Index n, const AdvectionScheme& scheme,
                            const Solver& solver) {
-  return {.contact = {.kernel = kernel, .bound = PolynomialBound(1, 1, Eigen::Vector3d(0.2, 0, 2))},
+  return {.contact = {kernel, PolynomialBound(1, 1, Eigen::Vector3d(0.2, 0, 2))},
           .grid = Grid({.half_width = 1, .elements = n}),
           .basis = constant_basis(),
           .scheme = scheme,

@@ -18,7 +18,7 @@ constexpr Material material{1, 0.28};
 const double full_sliding = HertzBound(1, 1).total();
 
 TransientProblem problem(AdvectionScheme scheme, Eigen::Index n = 41, double peak = 1) {
-  return {.contact = {.kernel = PlaneKernel(material, 200), .bound = HertzBound(1, peak)},
+  return {.contact = {PlaneKernel(material, 200), HertzBound(1, peak)},
           .grid = Grid({.half_width = 1, .elements = n}),
           .basis = constant_basis(),
           .scheme = scheme};

@@ -26,11 +26,10 @@ const HertzBound bound(1, 1);
 SteadySolution rolled(double ratio, double force_ratio, Index elements,
                       const char* scheme = "calibrated") {
   return solve_steady(solved_by(
-      steady_scheme(scheme), {.contact = {.kernel = PlaneKernel(material, 20),
-                                          .bound = bound,
-                                          .pressure_strain = pressure_strain({material, ratio}, 1)},
-                              .grid = Grid({.half_width = 1, .elements = elements}),
-                              .load = PrescribedForce{force_ratio * full_sliding_force(bound)}}));
+      steady_scheme(scheme),
+      {.contact = {PlaneKernel(material, 20), bound, pressure_strain({material, ratio}, 1)},
+       .grid = Grid({.half_width = 1, .elements = elements}),
+       .load = PrescribedForce{force_ratio * full_sliding_force(bound)}}));
 }
 
 /// The creepage over the strain that the pressure makes in the middle, c = beta a/R.
@@ -168,11 +167,10 @@ TEST(UnlikeBodies, ByInversionMeetTheEquationsOfGeneratedLoads) {
 }
 
 TEST(UnlikeBodies, ByInversionTakeACreepage) {
-  SteadyProblem problem{.contact = {.kernel = PlaneKernel(material, 20),
-                                    .bound = bound,
-                                    .pressure_strain = pressure_strain({material, 3}, 1)},
-                        .grid = Grid({.half_width = 1, .elements = 51}),
-                        .load = PrescribedCreepage{rolled(3, 0.4, 51, "inversion").creepage}};
+  SteadyProblem problem{
+      .contact = {PlaneKernel(material, 20), bound, pressure_strain({material, 3}, 1)},
+      .grid = Grid({.half_width = 1, .elements = 51}),
+      .load = PrescribedCreepage{rolled(3, 0.4, 51, "inversion").creepage}};
   EXPECT_NEAR(solve_steady(problem).force / full_sliding_force(bound), 0.4, 1e-9);
   problem.load = PrescribedCreepage{100 * compliance(material)};
   const SteadySolution sliding = solve_steady(problem);
@@ -182,11 +180,11 @@ TEST(UnlikeBodies, ByInversionTakeACreepage) {
 }
 
 TEST(UnlikeBodies, UnderOtherBoundsAreOfElements) {
-  SteadyProblem problem{.contact = {.kernel = PlaneKernel(material, 20),
-                                    .bound = PolynomialBound(1, 1, Eigen::Vector3d(1, 0.2, 0.1)),
-                                    .pressure_strain = pressure_strain({material, 1}, 1)},
-                        .grid = Grid({.half_width = 1, .elements = 101}),
-                        .load = PrescribedForce{0}};
+  SteadyProblem problem{
+      .contact = {PlaneKernel(material, 20), PolynomialBound(1, 1, Eigen::Vector3d(1, 0.2, 0.1)),
+                  pressure_strain({material, 1}, 1)},
+      .grid = Grid({.half_width = 1, .elements = 101}),
+      .load = PrescribedForce{0}};
   const SteadySolution found = solve_steady(problem);
   EXPECT_EQ(found.scheme, SteadyScheme::calibrated);
   EXPECT_EQ(found.fallback, "bodies differ in material, and the bound is not Hertz's");

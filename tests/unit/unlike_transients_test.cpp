@@ -25,9 +25,7 @@ constexpr double unit = 2;      // compliance times peak
 const HertzBound bound(1, 1);
 
 Contact contact_of(double ratio) {
-  return {.kernel = PlaneKernel(material, far),
-          .bound = bound,
-          .pressure_strain = pressure_strain({material, ratio}, 1)};
+  return {PlaneKernel(material, far), bound, pressure_strain({material, ratio}, 1)};
 }
 
 TransientProblem problem_of(double ratio, Index elements, const AdvectionScheme& scheme) {

@@ -60,7 +60,7 @@ TEST(Work, OfATransformAndOfADenseProduct) {
 
 double steady_work(Eigen::Index elements, Solver::Type type) {
   const WorkCount count;
-  solve_steady({.contact = {.kernel = PlaneKernel({1.44, 0.28}, 200), .bound = HertzBound(1, 1)},
+  solve_steady({.contact = {PlaneKernel({1.44, 0.28}, 200), HertzBound(1, 1)},
                 .grid = Grid({.half_width = 1, .elements = elements}),
                 .method = Differences{},
                 .load = PrescribedForce{1},
@@ -84,12 +84,11 @@ TEST(Work, OfSteadyRollingGrowsAsItsSolver) {
 double work_of_steps(double step_ratio) {
   const Eigen::Index n = 400;
   const double dx = 2.0 / static_cast<double>(n);
-  TransientRolling rolling(
-      {.contact = {.kernel = StripKernel({1.44, 0.28}, 2), .bound = HertzBound(1, 1)},
-       .grid = Grid({.half_width = 1, .elements = n}),
-       .basis = constant_basis(),
-       .scheme = Remembered{}},
-      CattaneoShift{-0.7});
+  TransientRolling rolling({.contact = {StripKernel({1.44, 0.28}, 2), HertzBound(1, 1)},
+                            .grid = Grid({.half_width = 1, .elements = n}),
+                            .basis = constant_basis(),
+                            .scheme = Remembered{}},
+                           CattaneoShift{-0.7});
   const WorkCount count;
   for (int k = 0; k < 200; ++k) rolling.step(step_ratio * dx, PrescribedForce{-0.7});
   return count.operations();

@@ -48,12 +48,9 @@ AdhesionSystem::AdhesionSystem(LinearOperator response, VectorXd weights, const 
       scale_(response_.largest()),
       force_scale_(scale_ / weights_.maxCoeff()),
       stuck_(to_size(size() + 1), 0),
-      position_(to_size(size() + 1), -1) {
+      position_(to_size(size() + 1), -1),
+      block_(response_.block_solver(gmres_tolerance)) {
   stuck_.back() = 1;
-  if (const Toeplitz* toeplitz = response_.toeplitz()) {
-    if (toeplitz->is_symmetric()) constant_ = -(*toeplitz)(size() - 1, 0);
-    block_.emplace(toeplitz->plus(constant_), gmres_tolerance);
-  }
 }
 
 void AdhesionSystem::prescribe_force(bool force) {
@@ -181,8 +178,8 @@ void AdhesionSystem::factorise_base() {
   const std::size_t small = base_is_in_parts_ ? small_base_in_parts : small_base;
   by_block_ = block_.has_value() && base_.size() > small;
   if (by_block_) {
-    block_->choose(elements);
-    block_->solve(VectorXd::Ones(stuck), unit_slip_);
+    block_->block.choose(elements);
+    block_->block.solve(VectorXd::Ones(stuck), unit_slip_);
     base_weights_ = weights_(elements);
     factors_rcond_ = 1;
     return;
@@ -291,16 +288,17 @@ void AdhesionSystem::solve_block(VectorXd& values) {
   const Index n = values.size() - 1;
   const double prescribed = values[n];
   block_values_ = values.head(n);
-  block_->solve(block_values_, block_solved_);
+  block_->block.solve(block_values_, block_solved_);
   double slip = 0;  // w - constant sum(d)
   if (force_prescribed_) {
     slip = (base_weights_.dot(block_solved_) - prescribed / force_scale_) /
            base_weights_.dot(unit_slip_);
   } else {
-    slip = (prescribed - constant_ * block_solved_.sum()) / (1 - constant_ * unit_slip_.sum());
+    slip = (prescribed - block_->constant * block_solved_.sum()) /
+           (1 - block_->constant * unit_slip_.sum());
   }
   values.head(n) = block_solved_ - slip * unit_slip_;
-  values[n] = (slip + constant_ * values.head(n).sum()) / scale_;
+  values[n] = (slip + block_->constant * values.head(n).sum()) / scale_;
 }
 
 /// Entries of the right-hand side in slip are ignored, and are zero in the result.
@@ -383,7 +381,7 @@ void AdhesionSystem::solve(const VectorXd& slip, double prescribed, double enoug
 double AdhesionSystem::condition() {
   if (!changes_.empty()) factorise();
   if (base_.size() < 2) return 1;
-  return (by_block_ ? block_->condition() : 1 / factors_rcond_) / schur_rcond_;
+  return (by_block_ ? block_->block.condition() : 1 / factors_rcond_) / schur_rcond_;
 }
 
 }  // namespace microslip

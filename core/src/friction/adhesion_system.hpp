@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
-#include "microslip/linalg/toeplitz_submatrix.hpp"
 
 namespace microslip {
 
@@ -115,11 +114,10 @@ class AdhesionSystem {
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
   double factors_rcond_ = 0;
 
-  // A ToeplitzSubmatrix replaces the LU factors if the base is Toeplitz and large. A constant is
+  // The operator's solver replaces the LU factors if it has one and the base is large. A constant is
   // added to symmetric matrices to make them positive definite; the rigid slip is corrected for
   // that constant.
-  std::optional<ToeplitzSubmatrix> block_;
-  double constant_ = 0;
+  std::optional<LinearOperator::BlockSolver> block_;
   bool by_block_ = false;
   bool base_is_in_parts_ = false;  ///< whether the base has several intervals, so that solves of
                                    ///< the block are iterative

@@ -40,6 +40,13 @@ MatrixXd LinearOperator::block(const std::vector<Index>& indices) const {
   });
 }
 
+std::optional<LinearOperator::BlockSolver> LinearOperator::block_solver(double tolerance) const {
+  const Toeplitz* matrix = toeplitz();
+  if (matrix == nullptr) return std::nullopt;
+  const double constant = matrix->is_symmetric() ? -(*matrix)(size() - 1, 0) : 0;
+  return BlockSolver{constant, ToeplitzSubmatrix(matrix->plus(constant), tolerance)};
+}
+
 double LinearOperator::largest() const {
   if (entries() != nullptr) return entries()->cwiseAbs().maxCoeff();
   double largest = 0;

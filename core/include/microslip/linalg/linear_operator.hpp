@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "microslip/linalg/toeplitz_product.hpp"
+#include "microslip/linalg/toeplitz_submatrix.hpp"
 
 namespace microslip {
 
@@ -19,14 +20,21 @@ class LinearOperator {
 
   Eigen::Index size() const;
 
-  // The stored form; the other one is null.
-  const Toeplitz* toeplitz() const;
-  const Eigen::MatrixXd* entries() const { return std::get_if<Eigen::MatrixXd>(&matrix_); }
-
   double operator()(Eigen::Index i, Eigen::Index j) const;
 
   /// The submatrix of the given rows and columns.
   Eigen::MatrixXd block(const std::vector<Eigen::Index>& indices) const;
+
+  /// Solves systems of some rows and columns of the matrix plus a constant in every entry, which makes
+  /// a symmetric matrix positive definite.
+  struct BlockSolver {
+    double constant;
+    ToeplitzSubmatrix block;
+  };
+
+  /// A solver that is faster than LU factors of large blocks; none if all entries are stored.
+  /// \param tolerance  of the residual, relative to the right-hand side, where GMRES solves
+  std::optional<BlockSolver> block_solver(double tolerance) const;
 
   /// The largest absolute value of an entry.
   double largest() const;
@@ -36,6 +44,10 @@ class LinearOperator {
   Eigen::VectorXd operator*(const Eigen::VectorXd& x) const;
 
  private:
+  // The stored form; the other one is null.
+  const Toeplitz* toeplitz() const;
+  const Eigen::MatrixXd* entries() const { return std::get_if<Eigen::MatrixXd>(&matrix_); }
+
   struct ByFft {
     Toeplitz matrix;
     ToeplitzProduct product;
