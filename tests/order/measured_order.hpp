@@ -43,14 +43,10 @@ inline double measured_order(std::string_view problem, std::span<const double> s
                              std::span<const double> errors) {
   const double order = fitted_order(sizes, errors);
   const testing::TestInfo& test = *testing::UnitTest::GetInstance()->current_test_info();
-  const auto bare = [](std::string_view name) {  // without Prefix/ and /0
-    const std::size_t slash = name.find('/');
-    if (slash == name.npos) return name;
-    const bool number = name.find_first_not_of("0123456789", slash + 1) == name.npos;
-    return number ? name.substr(0, slash) : name.substr(slash + 1);
-  };
-  std::string line = fmt::format("[   ORDER  ]\t{}.{}\t{}", bare(test.test_suite_name()),
-                                 bare(test.name()), problem);
+  const std::string_view suite = test.test_suite_name(), name = test.name();
+  // Without the prefix of the suite, and without the parameter.
+  std::string line = fmt::format("[   ORDER  ]\t{}.{}\t{}", suite.substr(suite.find('/') + 1),
+                                 name.substr(0, name.find('/')), problem);
   for (std::size_t i = 0; i < sizes.size(); ++i) {
     line += fmt::format("\t{:g}\t{:.2e}", sizes[i], std::abs(errors[i]));
   }

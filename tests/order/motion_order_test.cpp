@@ -15,6 +15,7 @@
 #include "hertz_cylinder.hpp"
 #include "measured_order.hpp"
 #include "microslip/dynamics/cylinder.hpp"
+#include "test_name.hpp"
 
 namespace microslip::motion_order_test {
 
@@ -165,9 +166,13 @@ struct Case {
 // and shorter steps make them alike.
 class MotionFromRest : public testing::TestWithParam<Case> {};
 
-INSTANTIATE_TEST_SUITE_P(Slopes, MotionFromRest,
-                         testing::Values(Case{0.03, 1, 8e-4}, Case{0.3, 1, 4e-4}, Case{3, 1, 7e-5},
-                                         Case{0.3, 0.37, 5e-5}, Case{3, 0.37, 1.5e-5}));
+INSTANTIATE_TEST_SUITE_P(
+    Slopes, MotionFromRest,
+    testing::Values(Case{0.03, 1, 8e-4}, Case{0.3, 1, 4e-4}, Case{3, 1, 7e-5},
+                    Case{0.3, 0.37, 5e-5}, Case{3, 0.37, 1.5e-5}),
+    [](const auto& of) {
+      return test::place({{"slope", of.param.slope_force}, {"c", of.param.step_ratio}});
+    });
 
 TEST_P(MotionFromRest, IsSecondOrder) {
   const auto [slope_force, step_ratio, accepted] = GetParam();

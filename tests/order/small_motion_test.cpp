@@ -21,6 +21,7 @@
 #include "microslip/rolling/frequency_response.hpp"
 #include "microslip/rolling/inverted_rolling.hpp"
 #include "microslip/rolling/transient.hpp"
+#include "test_name.hpp"
 
 namespace microslip::small_motion_test {
 
@@ -124,7 +125,10 @@ TEST_P(SmallMotion, CreepageAfterAStepOfTheForceIsSecondOrder) {
 INSTANTIATE_TEST_SUITE_P(Steps, SmallMotion,
                          testing::Values(Case{Remembered{}, 1.0, 1.5e-5},
                                          Case{Remembered{}, 0.25, 1.5e-5},
-                                         Case{Remembered{}, 0.1, 1.5e-5}));
+                                         Case{Remembered{}, 0.1, 1.5e-5}),
+                         [](const auto& of) {
+                           return test::place({{"c", of.param.step_ratio}});
+                         });
 
 // About a state with slip, by changes so small that the stick-slip point moves by much less than an
 // element: the slip zone does not answer, the stick zone does (FrequencyResponse).

@@ -13,6 +13,7 @@
 #include "measured_order.hpp"
 #include "microslip/reference/small_motion.hpp"
 #include "microslip/rolling/transient.hpp"
+#include "test_name.hpp"
 
 namespace microslip::step_jacobian_test {
 
@@ -80,11 +81,14 @@ TEST(StepJacobian, OfWholeElementsIsExactWhereAllSticks) {
 }
 
 // The smallest load has no slip zone that could be resolved.
-INSTANTIATE_TEST_SUITE_P(Distances, StepJacobian,
-                         testing::Values(Case{0.9999999, 0.1}, Case{0.9999999, 0.5},
-                                         Case{0.9999999, 3}, Case{0.6, 0.1}, Case{0.6, 0.5},
-                                         Case{0.6, 3}, Case{0.6, 10}, Case{0.3, 0.1},
-                                         Case{0.3, 0.5}, Case{0.3, 3}, Case{0.3, 10}));
+INSTANTIATE_TEST_SUITE_P(
+    Distances, StepJacobian,
+    testing::Values(Case{0.9999999, 0.1}, Case{0.9999999, 0.5}, Case{0.9999999, 3}, Case{0.6, 0.1},
+                    Case{0.6, 0.5}, Case{0.6, 3}, Case{0.6, 10}, Case{0.3, 0.1}, Case{0.3, 0.5},
+                    Case{0.3, 3}, Case{0.3, 10}),
+    [](const auto& of) {
+      return test::place({{"stick", of.param.stick}, {"distance", of.param.distance}});
+    });
 
 // Within an element the answer of the contact is singular at the leading edge, as that to a shift
 // without rolling, and nothing has entered that could tell where the edge is.

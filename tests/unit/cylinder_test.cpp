@@ -30,7 +30,11 @@ class EveryIntegrator : public testing::TestWithParam<Integrator> {};
 
 INSTANTIATE_TEST_SUITE_P(Integrators, EveryIntegrator,
                          testing::Values(Integrator::verlet, Integrator::leapfrog,
-                                         Integrator::midpoint));
+                                         Integrator::midpoint),
+                         [](const auto& of) {
+                           constexpr const char* names[] = {"verlet", "leapfrog", "midpoint"};
+                           return std::string(names[static_cast<int>(of.param)]);
+                         });
 
 // In the end it rolls with a constant creepage w, so that (1 - w) dv/dt = R domega/dt = -2 F/m for
 // a solid cylinder.

@@ -36,7 +36,8 @@ double largest_difference(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
 class EveryScheme : public testing::TestWithParam<AdvectionScheme> {};
 
 INSTANTIATE_TEST_SUITE_P(Schemes, EveryScheme,
-                         testing::Values(Direct{}, Relaxed{1}, RelaxedTraction{1}, Fractional{}));
+                         testing::Values(Direct{}, Relaxed{1}, RelaxedTraction{1}, Fractional{}),
+                         [](const auto& of) { return name_of(of.param); });
 
 // Slip from displacements: dq s = dq w + u(x) - u'(x + dq), the last by an interpolation that is
 // exact for c = 1.

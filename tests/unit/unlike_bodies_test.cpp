@@ -12,6 +12,7 @@
 #include "microslip/rolling/steady.hpp"
 #include "microslip/scene/model.hpp"
 #include "scene_text.hpp"
+#include "test_name.hpp"
 
 namespace microslip::unlike_bodies_test {
 
@@ -97,7 +98,10 @@ TEST_P(PartialSlips, AgreeWithOtherMethods) {
 INSTANTIATE_TEST_SUITE_P(UnlikeBodies, PartialSlips,
                          testing::Values(PartialSlip{0, 2 * 0.372097, 4e-6, 5},
                                          PartialSlip{0.75, 1.04729 / 2.87667, 2e-5, 3},
-                                         PartialSlip{-0.75, 2.69428 / 2.87667, 7e-6, 3}));
+                                         PartialSlip{-0.75, 2.69428 / 2.87667, 7e-6, 3}),
+                         [](const auto& of) {
+                           return test::place({{"force_ratio", of.param.force_ratio}});
+                         });
 
 // Closed forms and other methods, by the inversion: ten digits, whatever the number of nodes.
 TEST(UnlikeBodies, ByInversionAreExact) {
