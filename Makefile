@@ -1,4 +1,4 @@
-# `make` says what there is. A study is a folder studies/NAME with main.cpp, study.info and quick.info;
+# `make` says what there is. A study is a folder studies/NAME with study.info and quick.info;
 # its figures are plots/NAME_*.gp. Both are found here by their files.
 SHELL := bash
 .SHELLFLAGS := -eu -o pipefail -c

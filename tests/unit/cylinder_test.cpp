@@ -28,13 +28,15 @@ void roll_to(RollingCylinder& body, double distance) {
 
 class EveryIntegrator : public testing::TestWithParam<Integrator> {};
 
+std::string name_of(const testing::TestParamInfo<Integrator>& integrator) {
+  constexpr const char* names[] = {"verlet", "leapfrog", "midpoint"};
+  return names[static_cast<int>(integrator.param)];
+}
+
 INSTANTIATE_TEST_SUITE_P(Integrators, EveryIntegrator,
                          testing::Values(Integrator::verlet, Integrator::leapfrog,
                                          Integrator::midpoint),
-                         [](const auto& of) {
-                           constexpr const char* names[] = {"verlet", "leapfrog", "midpoint"};
-                           return std::string(names[static_cast<int>(of.param)]);
-                         });
+                         name_of);
 
 // In the end it rolls with a constant creepage w, so that (1 - w) dv/dt = R domega/dt = -2 F/m for
 // a solid cylinder.

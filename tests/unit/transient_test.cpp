@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 
 #include <gtest/gtest.h>
