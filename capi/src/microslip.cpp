@@ -9,9 +9,9 @@
 #include <string>
 
 #include "handle.hpp"
-#include "microslip/support/text.hpp"
 #include "microslip/support/require.hpp"
 #include "microslip/support/shown.hpp"
+#include "microslip/support/text.hpp"
 #include "problem.hpp"
 #include "text_file.hpp"
 #include "version.hpp"

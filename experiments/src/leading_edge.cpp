@@ -22,15 +22,14 @@ using namespace leading_edge_study;
 namespace {
 
 Table errors_table(const LeadingEdgeParameters& p, const std::vector<Series>& all) {
-  Table table(
-      "errors", "errors against Carter, c = 1",
-      {{"scheme", "1", "treatment of the leading edge, and basis"},
-       {"leading_offset", "1", "from the last node to the leading edge, in elements"},
-       {"trailing_offset", "1", "from the trailing edge to the first node, in elements"},
-       {"stick_ratio", "1", "a'"},
-       {"elements", "1", "N"},
-       {"traction_error", "N/mm", "1-norm: dx times the sum of |p - exact| over the nodes"},
-       {"force_error", "1", "|force / exact - 1|"}});
+  Table table("errors", "errors against Carter, c = 1",
+              {{"scheme", "1", "treatment of the leading edge, and basis"},
+               {"leading_offset", "1", "from the last node to the leading edge, in elements"},
+               {"trailing_offset", "1", "from the trailing edge to the first node, in elements"},
+               {"stick_ratio", "1", "a'"},
+               {"elements", "1", "N"},
+               {"traction_error", "N/mm", "1-norm: dx times the sum of |p - exact| over the nodes"},
+               {"force_error", "1", "|force / exact - 1|"}});
   for (const Series& s : all) {
     for (std::size_t i = 0; i < p.sizes.size(); ++i) {
       table.add({s.scheme, s.offset, s.trailing_offset, s.stick_ratio, p.sizes[i], s.traction[i],

@@ -11,9 +11,9 @@
 #include <string_view>
 
 #include "microslip/program/memory.hpp"
-#include "microslip/support/text.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/shown.hpp"
+#include "microslip/support/text.hpp"
 #include "provenance.hpp"
 
 namespace microslip::program {

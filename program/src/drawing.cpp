@@ -10,8 +10,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "microslip/support/text.hpp"
 #include "microslip/scene/units.hpp"
+#include "microslip/support/text.hpp"
 #include "outputs.hpp"
 
 namespace microslip::program {

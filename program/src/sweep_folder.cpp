@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "command_line.hpp"
-#include "microslip/support/text.hpp"
 #include "microslip/support/checksum.hpp"
+#include "microslip/support/text.hpp"
 #include "sweep_plan.hpp"
 
 namespace microslip::program {

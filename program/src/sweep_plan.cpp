@@ -10,10 +10,10 @@
 #include "command_line.hpp"
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/sweep.hpp"
-#include "microslip/support/text.hpp"
 #include "microslip/support/checksum.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/shown.hpp"
+#include "microslip/support/text.hpp"
 
 namespace microslip::program {
 

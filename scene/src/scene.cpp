@@ -15,12 +15,12 @@
 #include "info.hpp"
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/sweep.hpp"
-#include "microslip/support/text.hpp"
 #include "microslip/scene/units.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/nearest.hpp"
 #include "microslip/support/require.hpp"
 #include "microslip/support/shown.hpp"
+#include "microslip/support/text.hpp"
 #include "number.hpp"
 
 namespace microslip {

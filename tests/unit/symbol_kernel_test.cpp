@@ -11,6 +11,7 @@
 #include <random>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/transient.hpp"
 
 namespace microslip::symbol_kernel_test {
@@ -219,6 +220,23 @@ TEST(SymbolKernel, RefusesWavesMuchShorterThanElements) {
   const SymbolKernel kernel(VectorXd{{0.1, 2000, 3000}}, VectorXd{{3, 1, 0.9}});
   EXPECT_NO_THROW(influence(kernel, constant_shape(), 0.1, 1));
   EXPECT_THROW(influence(kernel, constant_shape(), 1, 1), std::invalid_argument);
+}
+
+// A search of the partition begins on coarser elements, where these resolve the waves, too.
+TEST(SymbolKernel, WavesHaveToBeResolvedByTheElementsAskedForAlone) {
+  const double first = 1e-3;
+  const auto creepage = [&](double last) {
+    const auto plane = [](double k) { return compliance(material) / k; };
+    return solve_steady(
+               {.contact = {table_of(log_spaced(first, last, 12), plane), HertzBound(1, 1)},
+                .grid = Grid({.half_width = 1, .elements = 800}),
+                .method = Calibrated{},
+                .load = PrescribedForce{-0.8}})
+        .creepage;
+  };
+  const double longest_resolved = 1000 / (2.0 / 800);
+  EXPECT_NEAR(creepage(0.9 * longest_resolved) / creepage(100), 1, 1e-6);
+  EXPECT_THROW(creepage(1.1 * longest_resolved), std::invalid_argument);
 }
 
 }  // namespace microslip::symbol_kernel_test

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 
 #include <gtest/gtest.h>
@@ -11,6 +10,7 @@
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/reference/cattaneo.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/steady.hpp"
 
 namespace microslip::transient_test {

@@ -28,9 +28,10 @@ struct Reach {
 };
 
 /// Length over which a kernel's decay has no more waves than 15 Gauss points integrate  [dx]
+constexpr double most_waves = 1000;  // largest wave number times dx
+
 double longest_panel_of(double largest_wave_number, double spacing) {
   constexpr double longest_phase = 5;
-  constexpr double most_waves = 1000;
   require(largest_wave_number * spacing <= most_waves, "wave_number", largest_wave_number, [&] {
     return fmt::format("at most {} with elements of {} mm", format_short(most_waves / spacing),
                        format_short(spacing));
@@ -172,6 +173,10 @@ double spread_difference(const Kernel& kernel, const ShapeFunction& shape, doubl
 }
 
 }  // namespace
+
+bool resolves_waves(const Kernel& kernel, double spacing) {
+  return kernel.largest_wave_number() * spacing <= most_waves;
+}
 
 void require_step_ratio(double step_ratio, std::string_view name) {
   require(step_ratio >= min_step_ratio, name, step_ratio, "a number >= 1e-15");

@@ -45,7 +45,8 @@ ToeplitzInverse::ToeplitzInverse(const Toeplitz& matrix)
     const int iterations =
         gmres
             .solve([&](const VectorXd& p, VectorXd& y) { product.apply(p, y); },
-                   [&](const VectorXd& p, VectorXd& y) { circulant.apply(p, y); }, unit, smallest_residual, x)
+                   [&](const VectorXd& p, VectorXd& y) { circulant.apply(p, y); }, unit,
+                   smallest_residual, x)
             .iterations;
     product.apply(x, back);
     const double residual = (back - unit).norm();

@@ -100,7 +100,8 @@ std::vector<Zone> zones_of(const SteadyProblem& problem, const Differences& diff
 /// rounds does not grow with the number of elements; on a coarse grid, adhesion everywhere. For a
 /// step shorter than an element it is the partition of a whole step, which differs by few elements.
 /// With a known displacement at the edge it is the partition without that displacement: tractions
-/// next to the edge take the wrong sign, and there may be no way from adhesion.
+/// next to the edge take the wrong sign, and there may be no way from adhesion. A coarser grid has to
+/// resolve the waves of a kernel's table.
 std::vector<Zone> first_zones(const SteadyProblem& problem, const Differences& differences) {
   constexpr Index ratio = 4;
   constexpr Index coarsest = 50;
@@ -113,7 +114,9 @@ std::vector<Zone> first_zones(const SteadyProblem& problem, const Differences& d
     whole.step_ratio = 1;
     return zones_of(problem, whole);
   }
-  if (n < ratio * coarsest) return std::vector<Zone>(static_cast<std::size_t>(n), Zone::adhesion);
+  const double coarse_spacing = static_cast<double>(ratio) * problem.grid.spacing();
+  if (n < ratio * coarsest || !resolves_waves(problem.contact.kernel, 2 * coarse_spacing))
+    return std::vector<Zone>(static_cast<std::size_t>(n), Zone::adhesion);
   SteadyProblem coarse = problem;
   coarse.grid = problem.grid.with_elements(n / ratio);
   const std::vector<Zone> known = zones_of(coarse, differences);

@@ -43,6 +43,9 @@ double influence_difference(const Kernel& kernel, const ShapeFunction& shape, do
 /// Below this a step is lost in the rounding of a position.
 inline constexpr double min_step_ratio = 1e-15;
 
+/// Whether elements are short enough for the waves of a kernel's table, as influence() wants them.
+bool resolves_waves(const Kernel& kernel, double spacing);
+
 /// \param name  of the argument, for the message
 /// \throws std::invalid_argument unless the ratio is in [min_step_ratio, inf)
 void require_step_ratio(double step_ratio, std::string_view name = "step_ratio");

@@ -247,4 +247,8 @@ class SymbolKernel : public CommonKernelTraits {
   double log_factor_ = 0, compliance_ = 0;
 };
 
+static_assert(HalfSpaceKernel<StripKernel> && HalfSpaceKernel<PlaneKernel>);
+static_assert(KernelTraits<WinklerKernel> && KernelTraits<LayeredKernel>);
+static_assert(KernelTraits<SymbolKernel>);
+
 }  // namespace microslip

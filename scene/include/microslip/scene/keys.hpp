@@ -49,7 +49,7 @@ struct Key {
   /// has a role in all scenes.
   std::string_view role = "";
   double fallback = std::numeric_limits<double>::quiet_NaN();  ///< NaN if there is no default
-  std::array<std::string_view, 4> words = {};                  ///< accepted words; unused entries
+  std::array<std::string_view, 8> words = {};                  ///< accepted words; unused entries
                                                                ///< are empty
   /// Gives the accepted words if they come from a catalogue.
   std::vector<std::string_view> (*catalogue)() = nullptr;
