@@ -39,7 +39,9 @@ def table(rows):
 
 
 def cells_of(text):
-    return [[cell.strip() for cell in line.strip().strip("|").split("|")] for line in text.splitlines()]
+    """The cells of a table, with its rows in the order of their names: a folder has the instances of a test in another order."""
+    lines = [[cell.strip() for cell in line.strip().strip("|").split("|")] for line in text.splitlines()]
+    return lines[:2] + sorted(lines[2:], key=lambda row: row[0])
 
 
 def agree(old, new, is_order):
@@ -78,9 +80,8 @@ def renewed(page, tests):
 
 def output_of(tests):
     """Returns what the program of the tests prints, or has left in a folder."""
-    if pathlib.Path(tests).is_dir():  # instances of a test have numbers
-        files = sorted(pathlib.Path(tests).iterdir(), key=lambda file: [int(part) if part.isdigit() else part
-                                                                        for part in re.split(r"(\d+)", file.name)])
+    if pathlib.Path(tests).is_dir():
+        files = sorted(pathlib.Path(tests).iterdir())
         return "".join(file.read_text(encoding="utf-8") for file in files)
     run = subprocess.run([tests], stdout=subprocess.PIPE, text=True)
     if run.returncode != 0:
