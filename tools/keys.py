@@ -37,6 +37,11 @@ LISTS = [
 
 
 def main(program, check):
+    programs = [pathlib.Path(program), *(pathlib.Path(program).parent / study for study in STUDIES)]
+    missing = [file.name for file in programs if not file.exists()]
+    if missing:
+        print(f"tools/keys.py: no program {missing[0]} beside {program}: run make build")
+        return 1
     stale = []
     for name, keys, begin, end in LISTS:
         file = ROOT / name
