@@ -114,11 +114,11 @@ std::vector<Zone> first_zones(const SteadyProblem& problem, const Differences& d
     whole.step_ratio = 1;
     return zones_of(problem, whole);
   }
-  const double coarse_spacing = static_cast<double>(ratio) * problem.grid.spacing();
-  if (n < ratio * coarsest || !resolves_waves(problem.contact.kernel, 2 * coarse_spacing))
-    return std::vector<Zone>(static_cast<std::size_t>(n), Zone::adhesion);
+  const std::vector<Zone> adhesion(static_cast<std::size_t>(n), Zone::adhesion);
+  if (n < ratio * coarsest) return adhesion;
   SteadyProblem coarse = problem;
   coarse.grid = problem.grid.with_elements(n / ratio);
+  if (!resolves_waves(coarse.contact.kernel, coarse.grid.spacing())) return adhesion;
   const std::vector<Zone> known = zones_of(coarse, differences);
   const VectorXd x = problem.grid.nodes();
   const VectorXd coarse_x = coarse.grid.nodes();

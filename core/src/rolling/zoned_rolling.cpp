@@ -238,14 +238,15 @@ SteadySolution sampled(const SteadyProblem& problem, const ZonedField& field, do
 
 std::optional<SteadySolution> solve_by_zones(const SteadyProblem& problem) {
   const auto* table = std::get_if<TabulatedBound>(&problem.contact.bound);
-  const auto [by_force, value] = Prescribed(problem.load);
+  const Prescribed prescribed(problem.load);
+  const auto [by_force, value] = prescribed;
   if (!problem.contact.kernel.is_half_space() || problem.contact.has_unlike_bodies() ||
       value == 0 || (table != nullptr && table->x().size() > static_cast<Index>(most_zoned_rows))) {
     return std::nullopt;
   }
   const auto contact =
       std::make_shared<ZonedContact>(problem.contact.kernel, problem.contact.bound);
-  const double direction = Prescribed(problem.load).direction();
+  const double direction = prescribed.direction();
   ZonesLoad load;
   (by_force ? load.force : load.level) =
       by_force ? std::abs(value) : std::abs(value) / contact->log_factor;

@@ -196,9 +196,8 @@ class LayeredKernel : public CommonKernelTraits {
 };
 
 /// A kernel by its symbol K^, the displacement over the traction of a wave p cos(kappa x); the
-/// symbol of a kernel K is \f$ \hat K(\kappa)=\int K(z)\cos(\kappa z)\,dz \f$. Plane strain has \f$
-/// \pi k/\kappa
-/// \f$ with k = 2 (1 - nu)/(pi G), and a Winkler layer adds C.
+/// symbol of a kernel K is \f$ \hat K(\kappa)=\int K(z)\cos(\kappa z)\,dz \f$. Plane strain has
+/// \f$ \pi k/\kappa \f$ with k = 2 (1 - nu)/(pi G), and a Winkler layer adds C.
 ///
 /// Between the rows of a table, kappa K^ is linear, so that these two and their sum are exact. From
 /// the last row on, it goes on as between the last two: a half-space and a layer, pi k + C kappa;
