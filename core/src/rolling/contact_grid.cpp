@@ -13,12 +13,13 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 ContactGrid::ContactGrid(const TransientProblem& problem)
-    : RollingGrid(influence_operator(problem.contact.kernel, problem.basis, problem.grid.spacing(),
-                                     problem.grid.size(), problem.solver),
-                  problem.basis.weights(problem.grid.spacing(), problem.grid.size()),
-                  problem.solver, problem.contact.pressure_strain),
+    : RollingGrid(problem.basis.weights(problem.grid.spacing(), problem.grid.size()),
+                  problem.contact.pressure_strain),
       scheme_(problem.scheme),
       spacing_(problem.grid.spacing()),
+      active_set_(influence_operator(problem.contact.kernel, problem.basis, spacing_,
+                                     problem.grid.size(), problem.solver),
+                  weights_, problem.solver),
       traction_bound_(problem.contact.bound),
       advection_(problem.contact.kernel, problem.basis, spacing_, problem.grid.size(),
                  problem.scheme, problem.solver) {

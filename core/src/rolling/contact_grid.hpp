@@ -18,6 +18,10 @@ class ContactGrid final : public RollingGrid {
 
   std::unique_ptr<RollingGrid> clone() const override;
   Eigen::VectorXd traction_at_nodes(const TransientState& state) const override;
+  Eigen::VectorXd displacement(const Eigen::VectorXd& traction) override {
+    return active_set_.response() * traction;
+  }
+  double condition() override { return active_set_.condition(); }
   void start_from(const Eigen::VectorXd& traction, TransientState& state) override;
   Shift solve_shift(const TransientState& before, const ShiftLoad& load,
                     TransientState& after) override;
@@ -30,6 +34,7 @@ class ContactGrid final : public RollingGrid {
 
   AdvectionScheme scheme_;
   double spacing_;
+  ActiveSet active_set_;
   TractionBound traction_bound_;
   Eigen::VectorXd mean_bound_;
   Advection advection_;

@@ -8,7 +8,7 @@
 
 #include "contact_grid.hpp"
 #include "microslip/support/require.hpp"
-#include "remembered_grid.hpp"
+#include "remembered/remembered_grid.hpp"
 
 namespace microslip {
 

@@ -3,7 +3,6 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
@@ -34,12 +33,10 @@ class RollingGrid {
   virtual Eigen::VectorXd traction_at_nodes(const TransientState& state) const = 0;
 
   /// A times tractions at the nodes  [mm]
-  virtual Eigen::VectorXd displacement(const Eigen::VectorXd& traction) {
-    return active_set_.response() * traction;
-  }
+  virtual Eigen::VectorXd displacement(const Eigen::VectorXd& traction) = 0;
 
   /// As ActiveSet::condition, for the step that was solved last.
-  double condition() { return active_set_.condition(); }
+  virtual double condition() = 0;
 
   /// Starts from tractions, with nothing rolled.
   /// \param traction  at the nodes of the problem's grid, within the bound  [N/mm^2]
@@ -87,14 +84,10 @@ class RollingGrid {
   virtual void archive(Archive& archive, bool with_solved);
 
  protected:
-  /// \param influence  A, n x n
-  /// \param weights    n, > 0  [mm]
+  /// \param weights          n, > 0  [mm]
   /// \param pressure_strain  of the problem  [mm^2/N]
-  RollingGrid(LinearOperator influence, const Eigen::VectorXd& weights, const Solver& solver,
-              double pressure_strain)
-      : weights_(weights),
-        active_set_(std::move(influence), weights, solver),
-        pressure_strain_(pressure_strain) {}
+  RollingGrid(const Eigen::VectorXd& weights, double pressure_strain)
+      : weights_(weights), pressure_strain_(pressure_strain) {}
 
   bool has_unlike_bodies() const { return pressure_strain_ != 0; }
 
@@ -121,7 +114,6 @@ class RollingGrid {
   Eigen::VectorXd weights_;  ///< of the problem's contact  [mm]
   ContactScale placed_;      ///< the contact of x_ and bound_
   ContactScale target_;      ///< that at the end of the next step
-  ActiveSet active_set_;
   double pressure_strain_;  ///< strain by the pressure, over the bound  [mm^2/N]
 };
 

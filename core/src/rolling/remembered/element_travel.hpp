@@ -8,7 +8,7 @@ namespace microslip {
 
 /// A fraction of an element below this limit counts as zero, because distances are sums with
 /// rounding errors.
-constexpr double substep_rounding = 1e-9;
+inline constexpr double substep_rounding = 1e-9;
 
 /// The distance that a contact has rolled over the elements of its material.
 struct ElementTravel {
@@ -28,7 +28,7 @@ struct ElementTravel {
   }
 };
 
-/// Divides a step into substeps. Each substep ends where an element has been travelled, or at the
+/// Divides a step into substeps. Each of them ends where an element has been travelled, or at the
 /// end of the step. Sums of distances are compensated; otherwise steps of whole elements would be
 /// divided after about ten thousand steps.
 /// \param start    at the beginning of the step
@@ -39,7 +39,7 @@ struct ElementTravel {
 /// \return         the distance_error at the end of the step  [mm]
 /// \throws std::invalid_argument if the length is below min_step_ratio dx
 template <class Substep>
-double for_each_substep(const ElementTravel& start, double length, double spacing,
+double for_each_element(const ElementTravel& start, double length, double spacing,
                         const Substep& substep) {
   require_step_ratio(length / spacing);
   const double added = length - start.distance_error;

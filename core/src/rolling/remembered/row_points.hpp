@@ -10,6 +10,18 @@ namespace microslip {
 /// A cubic needs so many points.
 inline constexpr Eigen::Index fewest_points = 4;
 
+/// The nodes of a row on the problem's contact. On another contact, nodes keep their places over
+/// the half-width. The entry is one element ahead of the last node, the exit one element behind
+/// the first.
+struct RowNodes {
+  Eigen::Index size = 0;  ///< N
+  double spacing = 0;     ///< dx  [mm]
+  double first = 0;       ///< x of the first node over dx
+
+  /// Returns the place of the entry over dx.
+  double entry() const { return first + static_cast<double>(size); }
+};
+
 /// Where nodes stand among the nodes of an earlier time, on the same material: node i is i + of(i)
 /// elements from the first earlier node.
 struct NodeShift {
@@ -19,9 +31,9 @@ struct NodeShift {
   double of(Eigen::Index i) const { return first + stretch * static_cast<double>(i); }
 };
 
-/// Displacements at the nodes, at the entry (one element ahead of the last node) and at the exit
-/// (one element behind the first); or at the points of the material that were there.
-struct RememberedPoints {
+/// Displacements at the nodes, at the entry and at the exit; or at the points of the material that
+/// were there.
+struct RowPoints {
   Eigen::VectorXd at;  ///< N + 1  [mm]
   double exit = 0;     ///< [mm]
 
@@ -54,7 +66,7 @@ inline void take_whole_elements(Eigen::Index& i, double& shift) {
 
 /// Interpolates values at whole indices to i + shift: by a cubic; linearly to the exit.
 /// \param from  only values from this index on are used
-inline double interpolated_at(const RememberedPoints& points, Eigen::Index i, double shift,
+inline double interpolated_at(const RowPoints& points, Eigen::Index i, double shift,
                               Eigen::Index from) {
   const Eigen::VectorXd& values = points.at;
   take_whole_elements(i, shift);
@@ -71,8 +83,7 @@ inline double interpolated_at(const RememberedPoints& points, Eigen::Index i, do
 }
 
 /// Returns the derivative of interpolated_at() by the shift.
-inline double slope_at(const RememberedPoints& points, Eigen::Index i, double shift,
-                       Eigen::Index from) {
+inline double slope_at(const RowPoints& points, Eigen::Index i, double shift, Eigen::Index from) {
   const Eigen::VectorXd& values = points.at;
   take_whole_elements(i, shift);
   if (i < 0) return i == -1 ? values[0] - points.exit : 0;

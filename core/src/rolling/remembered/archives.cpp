@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact_archive.hpp"
+#include "../contact_archive.hpp"
 #include "microslip/support/archive.hpp"
 #include "microslip/support/require.hpp"
 #include "remembered_grid.hpp"
@@ -10,7 +10,7 @@ using Eigen::Index;
 
 namespace {
 
-void archive_points(Archive& archive, RememberedPoints& points, Index size) {
+void archive_points(Archive& archive, RowPoints& points, Index size) {
   archive.numbers("displacements", points.at, size + 1);
   archive.number("displacement_at_exit", points.exit);
 }
@@ -36,7 +36,8 @@ void ShiftMemory::archive(Archive& archive, Index size) {
   archive.whole("leading_kept", leading_kept, 0, size + 1);
 }
 
-void RememberedState::archive(Archive& archive, Index size) {
+void RowMemory::archive(Archive& archive) {
+  const Index size = row.size;
   archive.number("rolled", distance);
   archive.number("rolled_error", distance_error);
   archive.number("origin", origin);
@@ -61,25 +62,36 @@ void RememberedState::archive(Archive& archive, Index size) {
   archive.number("ahead", ahead);
 }
 
-/// A step begins with `state_` and overwrites all other members, so `state_` is all that is stored.
+void RollingRow::archive(Archive& archive) {
+  response_.active_set().archive(archive);
+  stick_slip_point_.archive(archive, grid_.size());
+}
+
+void StandingRow::archive(Archive& archive, Index size) {
+  active_set_.archive(archive);
+  trailing_.archive(archive, size + 1);
+  leading_.archive(archive, size + 1);
+}
+
+/// A step begins with `memory_` and overwrites all other members, so `memory_` is all that is
+/// stored.
 void RememberedGrid::archive(Archive& archive, bool with_solved) {
   ContactScale target = target_;
-  double response_to = response_to_;
+  double response_to = row_.response().half_width();
   archive_contact(archive, target);
   archive.number("response_to", response_to);
   if (archive.reads()) {
     set_contact(target);
     require_positive("response_to", response_to);
-    require_definite(kernel_, response_to * reach_);
-    set_response(response_to);
+    require_definite(row_.response().kernel(), response_to * reach_);
+    row_.set_half_width(response_to);
   }
-  active_set_.archive(archive);
-  stick_slip_point_.archive(archive, nodes_.size);
-  bool has_shifted = standing_.has_value();
-  archive.flag("has_shifted", has_shifted);
-  if (has_shifted) standing().archive(archive, nodes_.size + 1);
-  state_.archive(archive, nodes_.size);
-  if (with_solved) next_.state.archive(archive, nodes_.size);
+  row_.archive(archive);
+  bool shifted = has_shifted();
+  archive.flag("has_shifted", shifted);
+  if (shifted) standing().archive(archive, x_.size());
+  memory_.archive(archive);
+  if (with_solved) row_.step().memory.archive(archive);
   if (archive.reads()) place_nodes();
 }
 

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remembered_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <variant>
+
+#include "microslip/support/interpolation.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+RememberedGrid::RememberedGrid(const TransientProblem& problem)
+    : RememberedGrid(problem, RollingRow(problem)) {}
+
+RememberedGrid::RememberedGrid(const TransientProblem& problem, const RollingRow& row)
+    : RollingGrid(VectorXd::Constant(row.grid().size(), row.grid().spacing()),
+                  problem.contact.pressure_strain),
+      traction_bound_(problem.contact.bound),
+      problem_nodes_(problem.grid.nodes()),
+      problem_x_(row.grid().nodes()),
+      reach_(problem.grid.half_width() + problem.grid.spacing()),
+      row_(row),
+      memory_(row.response().nodes()) {
+  require_filling(problem.grid, fewest_points, "where the material remembers its displacement");
+  x_ = problem_x_;
+  bound_ = row.response().bound();
+}
+
+std::unique_ptr<RollingGrid> RememberedGrid::clone() const {
+  return std::make_unique<RememberedGrid>(*this);
+}
+
+/// Tells whether there has been a shift with the present influence coefficients.
+bool RememberedGrid::has_shifted() const {
+  return standing_ && standing_->version() == row_.response().version();
+}
+
+/// Makes the row of shifts on first use.
+StandingRow& RememberedGrid::standing() {
+  if (!has_shifted()) standing_.emplace(row_.response(), row_.edges(), traction_bound_, problem_x_);
+  return *standing_;
+}
+
+VectorXd RememberedGrid::traction_at_nodes(const TransientState& state) const {
+  const VectorXd at_nodes = state.scale.bound * bound_at(traction_bound_, problem_x_);
+  const LeadingEdgeConstants& edge = row_.edges().constants();
+  VectorXd values(x_.size());
+  for (Index i = 0; i < x_.size(); ++i) {
+    const Zone zone = state.zones[static_cast<std::size_t>(i)];
+    values[i] = zone == Zone::adhesion
+                    ? std::clamp(state.traction[i] / edge.value(x_.size() - 1 - i, 0), -at_nodes[i],
+                                 at_nodes[i])
+                    : static_cast<double>(zone) * at_nodes[i];
+  }
+  return values;
+}
+
+VectorXd RememberedGrid::displacement(const VectorXd& traction) {
+  if (!memory_.scale.carries()) return VectorXd::Zero(traction.size());
+  row_.set_half_width(memory_.scale.half_width);
+  return row_.response().displaced_by(memory_.scale.half_width * traction);
+}
+
+void RememberedGrid::set_contact(const ContactScale& scale) {
+  require_lasting(scale);
+  const Kernel& kernel = row_.response().kernel();
+  if (scale.half_width != 1) require_half_space(kernel, "a contact that changes its half-width");
+  require(scale.half_width >= 0, "half_width_factor", scale.half_width, "a number >= 0");
+  require(scale.bound >= 0, "bound_factor", scale.bound, "a number >= 0");
+  if (scale.carries()) require_definite(kernel, scale.half_width * reach_);
+  target_ = scale;
+}
+
+/// Begins with tractions of another grid: the nodes keep the ratio of tractions to the bound.
+void RememberedGrid::start_from(const VectorXd& traction, TransientState& state) {
+  const VectorXd ratio = ratio_to_bound(traction_bound_, problem_nodes_, traction);
+  row_.set_bound(target_);
+  if (target_.carries()) row_.set_half_width(target_.half_width);
+  memory_ = row_.started(row_.bound().cwiseProduct(interpolated(problem_nodes_, ratio, problem_x_)),
+                         target_);
+  const ContactState contact{
+      .traction = memory_.traction, .slip = VectorXd::Zero(x_.size()), .zones = memory_.zones};
+  fill_state(0, contact, 1, row_.bound(), row_.bound(), state);
+  give_tractions(memory_, state);
+  place_nodes();
+}
+
+/// Writes the tractions on the present contact into a state: the mean over partitions.
+void RememberedGrid::give_tractions(const RowMemory& now, TransientState& state) const {
+  state.scale = now.scale;
+  state.force = weights_.dot(now.traction);
+  state.traction = now.traction;
+  if (now.scale.half_width > 0) state.traction /= now.scale.half_width;
+}
+
+/// Places nodes and bound where they are after a step.
+void RememberedGrid::place_nodes() {
+  if (placed_ == memory_.scale) return;
+  placed_ = memory_.scale;
+  x_ = placed_.half_width * problem_x_;
+  bound_ = placed_.bound * row_.response().bound();
+}
+
+/// Begins a contact that was lost and returns within the step where it returns: as a tiny one,
+/// which grows on the way. Its material is unstrained.
+void RememberedGrid::begin_lost_contact() {
+  constexpr double tiny = 1e-9;
+  if (memory_.scale.carries() || !target_.carries()) return;
+  ContactScale first = memory_.scale;
+  if (!(first.half_width > 0)) first.half_width = tiny * target_.half_width;
+  if (!(first.bound > 0)) first.bound = tiny * target_.bound;
+  const double distance = memory_.distance;
+  row_.set_half_width(first.half_width);
+  row_.set_bound(first);
+  memory_ = row_.started(VectorXd::Zero(x_.size()), first);
+  memory_.distance = memory_.origin = distance;
+}
+
+/// Goes all the way, on the contact as it changes.
+void RememberedGrid::go(const Way& way) {
+  if (memory_.shifts) {
+    row_.set_bound(memory_.scale);
+    ShiftMemory::end(row_.step().memory, row_.bound());
+  }
+  if (memory_.scale.carries() && target_.carries()) {
+    row_.roll(way, memory_, target_);
+  } else {
+    row_.replace(way, memory_, target_);
+  }
+}
+
+void RememberedGrid::solve_step(const TransientState&, double length, const Load& load,
+                                TransientState& after, StepJacobian* jacobian) {
+  if (length > 0 && std::holds_alternative<PrescribedCreepage>(load)) begin_lost_contact();
+  row_.begin(memory_, jacobian != nullptr);
+  go({.length = length, .load = over_length(load, length)});
+  const RowStep& step = row_.step();
+  const RowMemory& memory = step.memory;
+  ContactState& result = row_.result();
+  result.rigid_slip = step.shift;
+  result.zones = memory.zones;
+  result.slip = (result.slip.array().abs() > memory.rounding()).select(result.slip, 0);
+  fill_state(memory.distance, result, length, row_.bound(), row_.bound(), after);
+  give_tractions(memory, after);
+  after.mean_force = step.mean_force / length;
+  after.dissipation = -(step.work + memory.stored - memory_.stored) / length;
+  if (jacobian == nullptr) return;
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  jacobian->by_load = row_.tangent().by_load(after, length);
+  jacobian->by_length = target_ == memory_.scale ? row_.tangent().by_length(after, length)
+                                                 : StepSlopes{unknown, unknown, unknown, unknown};
+}
+
+/// Solves a shift of a contact that stays, or else a step of no length.
+Shift RememberedGrid::solve_shift(const TransientState& before, const ShiftLoad& load,
+                                  TransientState& after) {
+  const bool stays = target_ == memory_.scale && target_.carries();
+  row_.begin(memory_, false);
+  RowStep& step = row_.step();
+  RowMemory& memory = step.memory;
+  ContactState& result = row_.result();
+  if (stays) {
+    row_.set_half_width(target_.half_width);
+    row_.set_bound(target_);
+    step.shift = standing().shift(row_.response(), load, memory_, memory, result);
+  } else {
+    go({.length = 0, .load = load});
+    const bool entered = memory.entry_has_come(row_.edges().constants().offset) &&
+                         sticks(memory.zones, x_.size() - 1);
+    if (target_.carries() && !entered) memory.admit_entry();
+  }
+  const auto* distance = std::get_if<PrescribedShift>(&load);
+  result.rigid_slip = distance != nullptr ? distance->value : step.shift;
+  result.zones = memory.zones;
+  result.traction = memory.traction;
+  const VectorXd slip =
+      stays ? VectorXd(row_.response().displaced_by(memory.traction - memory_.traction).array() +
+                       result.rigid_slip)
+            : result.slip;
+  Shift shift = fill_shift(before.distance, memory_.traction, result, slip, row_.bound(),
+                           row_.bound(), after);
+  give_tractions(memory, after);
+  if (!stays) {
+    shift.work = -step.work;
+    shift.dissipation = shift.work - (memory.stored - memory_.stored);
+  }
+  return shift;
+}
+
+void RememberedGrid::accept_step() {
+  std::swap(memory_, row_.step().memory);
+  place_nodes();
+}
+
+}  // namespace microslip
