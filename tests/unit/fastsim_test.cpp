@@ -56,7 +56,7 @@ TEST(Fastsim, BeginsWithTheSlopeAndEndsInFullSliding) {
 // Carter's force is 2u - u^2 of full sliding at the part u of the creepage where all slides, and
 // FASTSIM's 2u - 4u^2/3 + 8u^3/27: the difference is largest at u = 3/4.
 TEST(Fastsim, IsASixteenthBelowCarterInPlaneStrain) {
-  const Material steel(82000, 0.28);
+  const Material steel{82000, 0.28};
   const HertzBound bound(5, 300);
   const Fastsim fastsim(5, bound.total(), std::numbers::pi * 5 / compliance(steel));
   const double sliding = compliance(steel) * bound.peak();

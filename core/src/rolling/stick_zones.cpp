@@ -247,7 +247,8 @@ double StickZones::leading_root(std::size_t zone) const {
   const auto add = [&](double term) { (term > 0 ? up : down) += std::abs(term); };
   for (Index k = 0; k < lean_.size(); ++k) {
     const auto i = static_cast<std::size_t>(k);
-    const auto& [at, from] = slip_.places[i];
+    const std::size_t at = slip_.places[i].boundary;
+    const double from = slip_.places[i].from;
     if (at == boundary && from > 0) {
       double log_ratio = 0;
       others([&](double away) { log_ratio += std::log1p(from / away); });
