@@ -8,7 +8,7 @@ namespace microslip::bench {
 BenchParameters read_bench(Scene& scene) {
   using enum Key::Type;
   constexpr Range sizes{2, Grid::max_elements};
-  static constexpr auto keys = std::to_array<Key>(
+  scene.declare(
       {{"load.force_ratio", number, "1", "force over full sliding, where a force is prescribed",
         inner_fraction},
        {"solve.tolerance", number, "1", "of GMRES alone", range(1e-15, 1)},
@@ -26,7 +26,6 @@ BenchParameters read_bench(Scene& scene) {
        {"timing.least_time", number, "s", "a repetition takes so long or longer", above_zero},
        {"timing.repetitions", whole, "1", "the median of these counts", range(1, 100)},
        {"timing.once_from", whole, "1", "N from which there is one repetition", range(0, 1e9)}});
-  scene.declare(keys);
   const Material material = read_material(scene);
   const HertzBound bound = read_hertz_bound(scene);
   const StripKernel strip(material, scene.number("kernel.width"));

@@ -47,26 +47,18 @@ double order_if_any(const std::vector<double>& sizes, const std::vector<double>&
 }  // namespace
 
 BasisConvergenceParameters read_basis_convergence(Scene& scene) {
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"grid.sizes", wholes, "1", "numbers N of nodes", range(3, 10000),
-        "two or more, odd, so that a node lies at the centre"},
-       {"load.stick_ratio", number, "1", "part a' of the contact that sticks", inner_fraction}});
-  scene.declare(keys);
-
-  const Material material = read_material(scene);
-  const HertzBound bound = read_hertz_bound(scene);
-  BasisConvergenceParameters parameters{.material = material,
-                                        .length = scene.number("kernel.length"),
-                                        .bound = bound,
-                                        .sizes = scene.wholes("grid.sizes"),
-                                        .leading_offset = scene.number("grid.leading_offset"),
-                                        .trailing_offset = scene.number("grid.trailing_offset"),
-                                        .step_ratio = scene.number("step.ratio"),
-                                        .stick_ratio = scene.number("load.stick_ratio")};
-  demand_odd(scene, "grid.sizes", parameters.sizes);
-  demand_count(scene, "grid.sizes", parameters.sizes, 2);
-  return parameters;
+  using P = BasisConvergenceParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::length, "kernel.length"},
+       {&P::sizes, "grid.sizes", "numbers N of nodes", range(3, 10000),
+        Demand("two or more, odd, so that a node lies at the centre", is_odd, nullptr, 2)},
+       {&P::leading_offset, "grid.leading_offset"},
+       {&P::trailing_offset, "grid.trailing_offset"},
+       {&P::step_ratio, "step.ratio"},
+       {&P::stick_ratio, "load.stick_ratio", "part a' of the contact that sticks",
+        inner_fraction}});
+  return keys.read({.material = read_material(scene), .bound = read_hertz_bound(scene)});
 }
 
 std::vector<Table> basis_convergence(const BasisConvergenceParameters& p,

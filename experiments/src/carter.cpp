@@ -8,10 +8,10 @@
 #include "microslip/experiments/profile.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/reference/carter.hpp"
+#include "microslip/scene/keys.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
-#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
@@ -90,11 +90,9 @@ Table claims_of(const Table& summary, const Table& accuracy) {
 
 CarterParameters read_carter(Scene& scene) {
   using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"step.ratios", list, "1", "c of the tractions shown", range_from(min_step_ratio)},
-       {"accuracy.step_ratios", list, "1", "c of the errors of the force",
-        range_from(min_step_ratio)}});
-  scene.declare(keys);
+  scene.declare({{"step.ratios", list, "1", "c of the tractions shown", range_from(min_step_ratio)},
+                 {"accuracy.step_ratios", list, "1", "c of the errors of the force",
+                  range_from(min_step_ratio)}});
 
   if (scene.has("contact.bound_file")) {
     throw BadParameter("contact.bound_file",

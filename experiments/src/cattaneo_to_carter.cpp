@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/cattaneo_to_carter.hpp"
 
+#include "microslip/scene/keys.hpp"
 #include "microslip/scene/model.hpp"
-#include "study_keys.hpp"
 
 namespace microslip::experiments {
 
@@ -27,12 +27,11 @@ TransientRolling CattaneoToCarter::refined(double elements, Eigen::Index refinem
 
 CattaneoToCarter read_cattaneo_to_carter(Scene& scene) {
   using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>({{.name = "basis",
-                                                    .type = word,
-                                                    .meaning = "traction basis functions",
-                                                    .words = {"constant", "linear"},
-                                                    .first_is_default = true}});
-  scene.declare(keys);
+  scene.declare({{.name = "basis",
+                  .type = word,
+                  .meaning = "traction basis functions",
+                  .words = {"constant", "linear"},
+                  .first_is_default = true}});
 
   const Material material = read_material(scene);
   const HertzBound bound = read_hertz_bound(scene);

@@ -287,7 +287,7 @@ ConvergeScene read_converge(Scene& scene) {
   if (scene.has(elements)) {
     read.elements = scene.wholes(elements);
     for (const Index n : read.elements) scene.demand_in_range(elements, static_cast<double>(n));
-    demand_rising(scene, elements, read.elements);
+    demand(scene, elements, rising, {read.elements.begin(), read.elements.end()});
   } else {
     limit_elements(read, scene);
   }

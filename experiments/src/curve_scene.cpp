@@ -48,7 +48,7 @@ SteadyProblem read_contact_of_curve(Scene& scene) {
 std::vector<double> read_creepages(Scene& scene, const TractionBound& bound) {
   if (!scene.has(creepages_key)) return {};
   const std::vector<double> creepages = scene.numbers(creepages_key);
-  demand_rising(scene, creepages_key, creepages);
+  demand(scene, creepages_key, rising, creepages);
   for (const double creepage : {creepages.front(), creepages.back()}) {
     warn_of_large_creepage(scene, creepages_key, creepage, bound);
   }

@@ -343,41 +343,24 @@ Table claims_of(const Tables& tables, const Parameters& p, double period) {
 }  // namespace
 
 EnergyBalanceParameters read_energy_balance(Scene& scene) {
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"snapshots.positions", list, "mm", "of the tractions shown", range_from(0),
-        "in rising order"},
-       {"error.sizes", wholes, "1", "numbers N of nodes, for the errors of the energy",
-        range(2, Grid::max_elements), "three or more"},
-       {"error.distance", number, "mm", "distance after which errors are taken", above_zero},
-       {"motion.sizes", wholes, "1", "numbers N of nodes, for the errors of the motion",
-        range(2, Grid::max_elements), "three or more"},
-       {"motion.refinement", whole, "1",
-        "elements of the grid taken as exact for each one of the last of motion.sizes",
-        range(2, 1000)},
-       {"control.step_ratios", list, "1", "c of equal steps that a tolerance is held against",
-        above_zero, "in falling order"},
-       {"control.tolerances", list, "1", "motion.tolerance, with the first of control.step_ratios",
-        range_above(0, 1)}});
-  scene.declare(keys);
-
-  const auto sizes = [&](const char* key) {
-    std::vector<Index> all = scene.wholes(key);
-    demand_count(scene, key, all, 3);
-    return all;
-  };
-  EnergyBalanceParameters p{.scene = read_cylinder(scene, Remembered{}, Integrator::midpoint),
-                            .snapshots = scene.numbers("snapshots.positions"),
-                            .sizes = sizes("error.sizes"),
-                            .error_distance = scene.number("error.distance"),
-                            .motion_sizes = sizes("motion.sizes"),
-                            .refinement = scene.whole("motion.refinement"),
-                            .step_ratios = scene.numbers("control.step_ratios"),
-                            .tolerances = scene.numbers("control.tolerances")};
-  demand_rising(scene, "snapshots.positions", p.snapshots);
-  scene.demand("control.step_ratios", p.step_ratios.back(),
-               std::ranges::is_sorted(p.step_ratios, std::greater{}));
-  return p;
+  using P = EnergyBalanceParameters;
+  const StudyKeys<P> keys(
+      scene, {{&P::snapshots, "snapshots.positions", "mm", "of the tractions shown", range_from(0),
+               rising},
+              {&P::sizes, "error.sizes", "numbers N of nodes, for the errors of the energy",
+               range(2, Grid::max_elements), three_or_more},
+              {&P::error_distance, "error.distance", "mm", "distance after which errors are taken",
+               above_zero},
+              {&P::motion_sizes, "motion.sizes", "numbers N of nodes, for the errors of the motion",
+               range(2, Grid::max_elements), three_or_more},
+              {&P::refinement, "motion.refinement",
+               "elements of the grid taken as exact for each one of the last of motion.sizes",
+               range(2, 1000)},
+              {&P::step_ratios, "control.step_ratios",
+               "c of equal steps that a tolerance is held against", above_zero, falling},
+              {&P::tolerances, "control.tolerances",
+               "motion.tolerance, with the first of control.step_ratios", range_above(0, 1)}});
+  return keys.read({.scene = read_cylinder(scene, Remembered{}, Integrator::midpoint)});
 }
 
 std::vector<Table> energy_balance(const EnergyBalanceParameters& p, const Progress& progress) {

@@ -26,7 +26,7 @@ Table claims_of(const Table& steps, const ExtremesParameters& p) {
                          {"elements", static_cast<double>(p.elements)}},
                         "wiggle");
   };
-  const double least = std::ranges::min(p.steps.ratios);
+  const double least = std::ranges::min(p.step_ratios);
   return claims_table(
       {{"the solution wiggles when the step is small against the element", "5", not_given,
         wiggle(least), "1",
@@ -43,80 +43,51 @@ Table claims_of(const Table& steps, const ExtremesParameters& p) {
 
 ExtremesParameters read_extremes(Scene& scene) {
   constexpr double most_elements = 1000001;
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"grid.elements", whole, "1", "N of the ordinary case", range(3, most_elements), "odd"},
-       {"load.stick_ratio", number, "1", "a' of the ordinary case", inner_fraction},
-       {"limits.error", number, "1", "of force or creepage, beyond which a result has failed",
-        above_zero},
-       {"limits.wiggle", number, "1", "amplitude over the peak of the bound, likewise", above_zero},
-       {"limits.operations", number, "1", "of a case; one that is expected to take more is not run",
-        above_zero},
-       {"steps.step_ratios", list, "1", "c of steady rolling", range(1e-15, 1e6)},
-       {"steps.sizes", wholes, "1", "N of steady rolling", range(1, most_elements)},
-       {"steps.large_step_ratios", list, "1", "c with large N", range(1e-2, 1e6)},
-       {"steps.large_sizes", wholes, "1", "large N, run whatever they take",
+  using P = ExtremesParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::length, "kernel.length"},
+       {&P::elements, "grid.elements", "N of the ordinary case", range(3, most_elements), odd},
+       {&P::stick_ratio, "load.stick_ratio", "a' of the ordinary case", inner_fraction},
+       {in(&P::limits, &P::Limits::error), "limits.error",
+        "of force or creepage, beyond which a result has failed", above_zero},
+       {in(&P::limits, &P::Limits::wiggle), "limits.wiggle",
+        "amplitude over the peak of the bound, likewise", above_zero},
+       {in(&P::limits, &P::Limits::operations), "limits.operations",
+        "of a case; one that is expected to take more is not run", above_zero},
+       {&P::step_ratios, "steps.step_ratios", "c of steady rolling", range(1e-15, 1e6)},
+       {&P::sizes, "steps.sizes", "N of steady rolling", range(1, most_elements)},
+       {&P::large_step_ratios, "steps.large_step_ratios", "c with large N", range(1e-2, 1e6)},
+       {&P::large_sizes, "steps.large_sizes", "large N, run whatever they take",
         range(1, most_elements)},
-       {"widths.strip_widths", list, "1", "Dy/dx", range(1e-12, 1e12)},
-       {"widths.poisson_ratios", list, "1", "Poisson ratios of these", range(0, 0.5)},
-       {"loads.stick_ratios", list, "1", "a', from full sliding up", fraction},
-       {"loads.sliding", list, "1", "1 - a', from full stick up", fraction},
-       {"bounds.force_ratios", list, "1",
+       {&P::strip_widths, "widths.strip_widths", "Dy/dx", range(1e-12, 1e12)},
+       {&P::poisson_ratios, "widths.poisson_ratios", "Poisson ratios of these", range(0, 0.5)},
+       {&P::stick_ratios, "loads.stick_ratios", "a', from full sliding up", fraction},
+       {&P::sliding, "loads.sliding", "1 - a', from full stick up", fraction},
+       {&P::bound_loads, "bounds.force_ratios",
         "forces over full sliding, under bounds that are not smooth", range(1e-12, 0.999999)},
-       {"kernels.layers", list, "1", "compliance of a layer of springs over 2 (1 - nu) a/G",
+       {&P::layers, "kernels.layers", "compliance of a layer of springs over 2 (1 - nu) a/G",
         range(1e-12, 1e12)},
-       {"kernels.beta_over_mu", list, "1", "beta/mu of bodies of different material",
+       {&P::strains, "kernels.beta_over_mu", "beta/mu of bodies of different material",
         range(1e-12, 1e6)},
-       {"kernels.force_ratios", list, "1", "forces over full sliding of both",
+       {&P::kernel_loads, "kernels.force_ratios", "forces over full sliding of both",
         range(1e-12, 0.999999)},
-       {"offsets", list, "1", "leading and trailing offsets", fraction},
-       {"transient.step_ratios", list, "1", "c of a shift that rolls on", range(1e-15, 1e6)},
-       {"transient.sizes", wholes, "1", "N of that", range(1, most_elements)},
-       {"transient.elements_rolled", number, "1",
+       {&P::offsets, "offsets", "leading and trailing offsets", fraction},
+       {&P::transient_ratios, "transient.step_ratios", "c of a shift that rolls on",
+        range(1e-15, 1e6)},
+       {&P::transient_sizes, "transient.sizes", "N of that", range(1, most_elements)},
+       {&P::distance, "transient.elements_rolled",
         "distance, in elements, or as far as transient.most_steps go", above_zero},
-       {"transient.most_steps", whole, "1", "steps of that", range(1, 1e9)},
-       {"endurance.step_ratios", list, "1", "c of very many steps", range(1e-15, 1e6)},
-       {"endurance.states", wholes, "1", "steps after which the state is taken", range(1, 1e7),
-        "in rising order"},
-       {"cylinder.force_ratios", list, "1", "slope force over full sliding", range(1e-12, 1e6)},
-       {"cylinder.step_ratios", list, "1", "c of a cylinder", range(1e-3, 1e6)},
-       {"scales", list, "1", "factors of G, a and the bound, one at a time and all at once",
+       {&P::most_steps, "transient.most_steps", "steps of that", range(1, 1e9)},
+       {&P::endurance_ratios, "endurance.step_ratios", "c of very many steps", range(1e-15, 1e6)},
+       {&P::states, "endurance.states", "steps after which the state is taken", range(1, 1e7),
+        rising},
+       {&P::slope_ratios, "cylinder.force_ratios", "slope force over full sliding",
+        range(1e-12, 1e6)},
+       {&P::cylinder_ratios, "cylinder.step_ratios", "c of a cylinder", range(1e-3, 1e6)},
+       {&P::scales, "scales", "factors of G, a and the bound, one at a time and all at once",
         range(1e-100, 1e100)}});
-  scene.declare(keys);
-
-  ExtremesParameters p{.material = read_material(scene),
-                       .bound = read_hertz_bound(scene),
-                       .length = scene.positive("kernel.length"),
-                       .elements = scene.whole("grid.elements"),
-                       .stick_ratio = scene.number("load.stick_ratio"),
-                       .limits = {.error = scene.number("limits.error"),
-                                  .wiggle = scene.number("limits.wiggle"),
-                                  .operations = scene.number("limits.operations")},
-                       .steps = {.ratios = scene.numbers("steps.step_ratios"),
-                                 .sizes = scene.wholes("steps.sizes"),
-                                 .ratios_of_large = scene.numbers("steps.large_step_ratios"),
-                                 .large = scene.wholes("steps.large_sizes")},
-                       .widths = {.ratios = scene.numbers("widths.strip_widths"),
-                                  .poisson_ratios = scene.numbers("widths.poisson_ratios")},
-                       .loads = {.stuck = scene.numbers("loads.stick_ratios"),
-                                 .sliding = scene.numbers("loads.sliding")},
-                       .bounds = scene.numbers("bounds.force_ratios"),
-                       .kernels = {.layers = scene.numbers("kernels.layers"),
-                                   .strains = scene.numbers("kernels.beta_over_mu"),
-                                   .loads = scene.numbers("kernels.force_ratios")},
-                       .offsets = scene.numbers("offsets"),
-                       .transient = {.ratios = scene.numbers("transient.step_ratios"),
-                                     .sizes = scene.wholes("transient.sizes"),
-                                     .distance = scene.number("transient.elements_rolled"),
-                                     .most_steps = scene.whole("transient.most_steps")},
-                       .endurance = {.ratios = scene.numbers("endurance.step_ratios"),
-                                     .states = scene.wholes("endurance.states")},
-                       .cylinder = {.force_ratios = scene.numbers("cylinder.force_ratios"),
-                                    .ratios = scene.numbers("cylinder.step_ratios")},
-                       .scales = scene.numbers("scales")};
-  demand_odd(scene, "grid.elements", {p.elements});
-  demand_rising(scene, "endurance.states", p.endurance.states);
-  return p;
+  return keys.read({.material = read_material(scene), .bound = read_hertz_bound(scene)});
 }
 
 std::vector<Table> extremes(const ExtremesParameters& p, const Progress& progress) {

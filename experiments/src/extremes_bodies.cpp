@@ -90,9 +90,9 @@ Map kernels_map(const ExtremesParameters& p) {
       {1, 0.5},
       {}};
   const double unit = compliance(p.material) * p.bound.half_width();
-  for (const double layer : p.kernels.layers) {
+  for (const double layer : p.layers) {
     const Kernel kernel = LayeredKernel(PlaneKernel(p.material, p.length), layer * unit);
-    for (const double part : p.kernels.loads) {
+    for (const double part : p.kernel_loads) {
       const SteadyProblem problem = problem_of(p, kernel, part);
       const auto truth = std::make_shared<const Creepage>(under_springs(p, problem, layer));
       for (const std::string_view scheme : {"standard", "calibrated"}) {
@@ -113,9 +113,9 @@ Map bodies_map(const ExtremesParameters& p) {
       {}};
   const Kernel kernel = PlaneKernel(p.material, p.length);
   std::vector<double> loads{0};
-  for (const double part : p.kernels.loads) loads.insert(loads.end(), {-part, part});
+  for (const double part : p.kernel_loads) loads.insert(loads.end(), {-part, part});
   std::ranges::sort(loads);
-  for (const double strain : p.kernels.strains) {
+  for (const double strain : p.strains) {
     for (const double part : loads) {
       SteadyProblem problem = problem_of(p, kernel, part);
       problem.contact.pressure_strain = strain * compliance(p.material);

@@ -87,7 +87,7 @@ Map bounds_map(const ExtremesParameters& p) {
   double kind = 0;
   for (const TractionBound& bound : bounds(p.bound)) {
     ++kind;
-    for (const double part : p.bounds) {
+    for (const double part : p.bound_loads) {
       const SteadyProblem contact{
           .contact = {kernel, bound},
           .grid = Grid({.half_width = p.bound.half_width(), .elements = p.elements}),

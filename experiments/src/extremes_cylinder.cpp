@@ -110,8 +110,8 @@ Map cylinder_map(const ExtremesParameters& p) {
           {}};
   const auto truth = std::make_shared<CylinderTruth>(p);
   for (const Scheme& scheme : schemes) {
-    for (const double slope_ratio : p.cylinder.force_ratios) {
-      for (const double c : p.cylinder.ratios) {
+    for (const double slope_ratio : p.slope_ratios) {
+      for (const double c : p.cylinder_ratios) {
         map.cases.push_back(
             {.scheme = scheme.name,
              .place = {slope_ratio, c},

@@ -163,20 +163,20 @@ Map steps_map(const ExtremesParameters& p) {
     }
   };
   const auto add_large = [&](const SteadyChoice& scheme, double c) {
-    for (const Index n : p.steps.large) add(scheme, c, {n});
+    for (const Index n : p.large_sizes) add(scheme, c, {n});
   };
   for (const SteadyChoice& scheme : schemes_except({})) {
     if (!scheme.entry->safe_steps) continue;
-    for (const double c : p.steps.ratios) add(scheme, c, p.steps.sizes);
+    for (const double c : p.step_ratios) add(scheme, c, p.sizes);
   }
   for (const SteadyChoice& scheme :
        schemes_except({"standard quadratic", "known_edge", "trimmed"})) {
     if (!scheme.entry->safe_steps) continue;
-    for (const double c : p.steps.ratios_of_large) add_large(scheme, c);
+    for (const double c : p.large_step_ratios) add_large(scheme, c);
   }
   for (const SteadyChoice& scheme : schemes_except({})) {
     if (scheme.entry->safe_steps) continue;
-    add(scheme, 1, p.steps.sizes);
+    add(scheme, 1, p.sizes);
     add_large(scheme, 1);
   }
   return map;
@@ -189,8 +189,8 @@ Map widths_map(const ExtremesParameters& p) {
           {1000, p.material.poisson_ratio},
           {}};
   const double dx = Grid(grid_of(p, p.elements)).spacing();
-  for (const double nu : p.widths.poisson_ratios) {
-    for (const double width : p.widths.ratios) {
+  for (const double nu : p.poisson_ratios) {
+    for (const double width : p.strip_widths) {
       const Kernel kernel = StripKernel({p.material.shear_modulus, nu}, width * dx);
       const Setting setting{kernel, p.bound, strip_truth(kernel, p.bound, p)};
       for (const SteadyChoice& scheme :
@@ -214,12 +214,12 @@ Map loads_map(const ExtremesParameters& p) {
       map.cases.push_back(case_of(scheme, setting, grid_of(p, p.elements), 1, {stuck, sliding}));
     }
   };
-  for (const double sliding : p.loads.sliding) add(1 - sliding, sliding);
+  for (const double sliding : p.sliding) add(1 - sliding, sliding);
   add(p.stick_ratio, 1 - p.stick_ratio);
-  for (const double stuck : p.loads.stuck) add(stuck, 1 - stuck);
+  for (const double stuck : p.stick_ratios) add(stuck, 1 - stuck);
   // The quantity that is not prescribed follows from a difference of nearly equal numbers: the load
   // and full sliding, or the edges of stick zone and contact.
-  for (const std::vector<double>& parts : {p.loads.sliding, p.loads.stuck}) {
+  for (const std::vector<double>& parts : {p.sliding, p.stick_ratios}) {
     for (const double part : parts) {
       if (part > 0) map.rounding = std::max(map.rounding, 1e-16 / part);
     }

@@ -97,14 +97,14 @@ Map transient_map(const ExtremesParameters& p) {
           {}};
   const auto truth = std::make_shared<TransientTruth>(p);
   for (const AdvectionEntry& scheme : schemes_by_order()) {
-    for (const double c : p.transient.ratios) {
-      for (const Index n : p.transient.sizes) {
-        const double distance = std::max(
-            std::min(p.transient.distance, c * static_cast<double>(p.transient.most_steps)), 2 * c);
+    for (const double c : p.transient_ratios) {
+      for (const Index n : p.transient_sizes) {
+        const double distance =
+            std::max(std::min(p.distance, c * static_cast<double>(p.most_steps)), 2 * c);
         map.cases.push_back({.scheme = std::string(scheme.name),
                              .place = {c, static_cast<double>(n), distance},
                              .size = static_cast<double>(n),
-                             .goes_on = n != p.transient.sizes.front(),
+                             .goes_on = n != p.transient_sizes.front(),
                              .solve = [=] { return roll(p, scheme, n, c, distance, *truth); }});
       }
     }
@@ -118,19 +118,19 @@ Map endurance_map(const ExtremesParameters& p) {
           {{"step_ratio", "1", "c = dq/dx"},
            {"steps", "1", "made so far"},
            {"distance", "dx", "rolled"}},
-          {1, static_cast<double>(p.endurance.states.front()), not_given},
+          {1, static_cast<double>(p.states.front()), not_given},
           {}};
   const auto truth = std::make_shared<TransientTruth>(p);
   for (const AdvectionEntry& scheme : schemes_by_order()) {
-    for (const double c : p.endurance.ratios) {
-      for (const Index steps : p.endurance.states) {
+    for (const double c : p.endurance_ratios) {
+      for (const Index steps : p.states) {
         const double distance = c * static_cast<double>(steps);
         const bool costly = scheme.name == "fractional";
         map.cases.push_back(
             {.scheme = std::string(scheme.name),
              .place = {c, static_cast<double>(steps), distance},
              .size = static_cast<double>(steps),
-             .goes_on = costly && steps != p.endurance.states.front(),
+             .goes_on = costly && steps != p.states.front(),
              .solve = [=] { return roll(p, scheme, p.elements, c, distance, *truth); }});
       }
     }

@@ -185,27 +185,21 @@ Table claims_of(const Parameters& p) {
 }  // namespace
 
 FourierInverseParameters read_fourier_inverse(Scene& scene) {
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{.name = "basis",
-        .type = word,
-        .meaning = "functions of the tables",
-        .words = {"both", "constant", "linear"},
-        .first_is_default = true},
-       {"grid.spacing", number, "mm", "dx", above_zero},
-       {"grid.elements", whole, "1", "size of the matrices shown", range(4, 10000)},
-       {"grid.sizes", wholes, "1", "sizes of the matrices whose errors are measured",
-        range(4, 10000)},
-       {"step.ratios", list, "1", "c, the first large, the last small",
-        range_from(min_step_ratio)}});
-  scene.declare(keys);
-
-  return {.kernel = read_kernel(scene, read_material(scene)),
-          .basis = scene.word("basis"),
-          .spacing = scene.number("grid.spacing"),
-          .elements = scene.whole("grid.elements"),
-          .step_ratios = scene.numbers("step.ratios"),
-          .sizes = scene.wholes("grid.sizes")};
+  using P = FourierInverseParameters;
+  const StudyKeys<P> keys(
+      scene, {{&P::spacing, "grid.spacing", "mm", "dx", above_zero},
+              {&P::elements, "grid.elements", "size of the matrices shown", range(4, 10000)},
+              {&P::step_ratios, "step.ratios", "c, the first large, the last small",
+               range_from(min_step_ratio)},
+              {&P::sizes, "grid.sizes", "sizes of the matrices whose errors are measured",
+               range(4, 10000)}});
+  scene.declare({{.name = "basis",
+                  .type = Key::Type::word,
+                  .meaning = "functions of the tables",
+                  .words = {"both", "constant", "linear"},
+                  .first_is_default = true}});
+  const Kernel kernel = read_kernel(scene, read_material(scene));
+  return keys.read({.kernel = kernel, .basis = scene.word("basis")});
 }
 
 std::vector<Table> fourier_inverse(const FourierInverseParameters& p, const Progress& progress) {

@@ -203,38 +203,29 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const CostTabl
 }  // namespace
 
 FractionalPowerParameters read_fractional_power(Scene& scene) {
+  using P = FractionalPowerParameters;
   using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"grid.elements", whole, "1", "number N of nodes", range(3, Grid::max_elements), "odd"},
-       {"step.ratios", list, "1", "c; the first is a whole number", range_from(1e-6)},
-       {"step.ratio", number, "1",
+  scene.declare(
+      {{"grid.elements", whole, "1", "number N of nodes", range(3, Grid::max_elements), "odd"}});
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::step_ratios, "step.ratios", "c; the first is a whole number", range_from(1e-6)},
+       {&P::distances, "motion.elements_rolled", "distances, in elements", above_zero},
+       {&P::step_ratio, "step.ratio",
         "c of the shapes, of the tractions at the last distance and of the cost", inner_fraction},
-       {"motion.elements_rolled", list, "1", "distances, in elements", above_zero},
-       {"reference.refinement", whole, "1", "elements of the reference for each one",
+       {&P::refinement, "reference.refinement", "elements of the reference for each one",
         range(2, 1000)},
-       {"shapes.elements", whole, "1", "N of the shapes that travel", range(51, Grid::max_elements),
-        "odd"},
-       {"shapes.steps", wholes, "1", "steps after which they are shown",
-        range(1, Grid::max_elements), "in rising order"},
-       {"cost.sizes", wholes, "1", "numbers N of nodes, for the cost", range(3, Grid::max_elements),
-        "odd"},
-       {"cost.largest_schur", whole, "1", "N up to which the Schur method is tried",
+       {&P::shape_elements, "shapes.elements", "N of the shapes that travel",
+        range(51, Grid::max_elements), odd},
+       {&P::steps, "shapes.steps", "steps after which they are shown", range(1, Grid::max_elements),
+        rising},
+       {&P::cost_sizes, "cost.sizes", "numbers N of nodes, for the cost",
+        range(3, Grid::max_elements), odd},
+       {&P::largest_schur, "cost.largest_schur", "N up to which the Schur method is tried",
         range(1, Grid::max_elements), "at least the third of cost.sizes"}});
-  scene.declare(keys);
-
-  FractionalPowerParameters p{.rolling = read_cattaneo_to_carter(scene),
-                              .step_ratios = scene.numbers("step.ratios"),
-                              .distances = scene.numbers("motion.elements_rolled"),
-                              .step_ratio = scene.number("step.ratio"),
-                              .refinement = scene.whole("reference.refinement"),
-                              .shape_elements = scene.whole("shapes.elements"),
-                              .steps = scene.wholes("shapes.steps"),
-                              .cost_sizes = scene.wholes("cost.sizes"),
-                              .largest_schur = scene.whole("cost.largest_schur")};
-  demand_odd(scene, "grid.elements", {p.rolling.grid.size()});
-  demand_odd(scene, "shapes.elements", {p.shape_elements});
-  demand_odd(scene, "cost.sizes", p.cost_sizes);
-  demand_rising(scene, "shapes.steps", p.steps);
+  P p = keys.read({.rolling = read_cattaneo_to_carter(scene)});
+  const Index elements = p.rolling.grid.size();
+  scene.demand("grid.elements", static_cast<double>(elements), elements % 2 == 1);
   const auto tried =
       std::ranges::count_if(p.cost_sizes, [&](Index size) { return size <= p.largest_schur; });
   scene.demand("cost.largest_schur", static_cast<double>(p.largest_schur), tried >= 3);

@@ -126,64 +126,43 @@ Complex winkler_response(double kappa) {
 }
 
 FrequencyResponseParameters read_frequency_response(Scene& scene) {
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"waves.period", number, "1", "in half-widths, in which all waves return", range(1, 1000)},
-       {"waves.numbers", wholes, "1", "of waves in the period, all at once", range(1, 64)},
-       {"waves.amplitude", number, "1", "of all together, over the creepage of the state",
+  using P = FrequencyResponseParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::period, "waves.period", "in half-widths, in which all waves return", range(1, 1000)},
+       {&P::waves, "waves.numbers", "of waves in the period, all at once", range(1, 64)},
+       {&P::amplitude, "waves.amplitude", "of all together, over the creepage of the state",
         range(1e-6, 0.1)},
-       {"waves.adhesion", number, "1",
+       {&P::adhesion_amplitude, "waves.adhesion",
         "the same over the creepage of full sliding, where all adheres", range(1e-10, 1e-3)},
-       {"adhesion.sizes", wholes, "1", "numbers N of nodes where all adheres", range(3, 2000),
-        "two or more, in rising order"},
-       {"states.stick_ratios", list, "1", "parts a' of the contact that stick", range(0.1, 0.99)},
-       {"states.sizes", wholes, "1",
+       {&P::sizes, "adhesion.sizes", "numbers N of nodes where all adheres", range(3, 2000),
+        two_or_more_rising},
+       {&P::stick_ratios, "states.stick_ratios", "parts a' of the contact that stick",
+        range(0.1, 0.99)},
+       {&P::state_sizes, "states.sizes",
         "numbers N of nodes of these, with c = 1; the first two with other c", range(3, 2000),
-        "two or more, in rising order"},
-       {"states.alignments", whole, "1", "of the stick-slip point in an element", range(1, 20)},
-       {"step.ratios", list, "1", "c", range(0.01, 1), "the first is 1"},
-       {"motion.sizes", wholes, "1", "numbers N of nodes, for steps of creepage and force",
-        range(3, 2000), "two or more, in rising order"},
-       {"curve.shortest", number, "1", "shortest wavelength over the half-width", range(0.05, 100)},
-       {"curve.longest", number, "1", "longest wavelength over the half-width", range(0.06, 1e6),
+        two_or_more_rising},
+       {&P::alignments, "states.alignments", "of the stick-slip point in an element", range(1, 20)},
+       {&P::step_ratios, "step.ratios", "c", range(0.01, 1), "the first is 1"},
+       {&P::motion_sizes, "motion.sizes", "numbers N of nodes, for steps of creepage and force",
+        range(3, 2000), two_or_more_rising},
+       {&P::shortest, "curve.shortest", "shortest wavelength over the half-width",
+        range(0.05, 100)},
+       {&P::longest, "curve.longest", "longest wavelength over the half-width", range(0.06, 1e6),
         "more than curve.shortest"},
-       {"curve.points", whole, "1", "wavelengths of a curve", range(2, 10000)},
-       {"limit.operations", number, "1", "of a run; one that is expected to take more is left out",
-        range(1e6, 1e15)}});
-  scene.declare(keys);
-
-  const auto sizes = [&](const char* key) {
-    const std::vector<Eigen::Index> all = scene.wholes(key);
-    demand_count(scene, key, all, 2);
-    demand_rising(scene, key, all);
-    return all;
-  };
+       {&P::points, "curve.points", "wavelengths of a curve", range(2, 10000)},
+       {&P::operations, "limit.operations",
+        "of a run; one that is expected to take more is left out", range(1e6, 1e15)}});
   const Material material = read_material(scene);
   const HertzBound bound = read_hertz_bound(scene);
-  const double a = bound.half_width();
   const PlaneKernel plane(material, scene.number("kernel.length"));
-  require(plane.length() >= 0.62 * a, "kernel.length", plane.length(),
+  require(plane.length() >= 0.62 * bound.half_width(), "kernel.length", plane.length(),
           "at least 0.62 half-widths of the contact");
   const StripKernel strip(material, scene.number("kernel.width"));
-  FrequencyResponseParameters p{.bound = bound,
-                                .plane = plane,
-                                .strip = strip,
-                                .period = a * scene.number("waves.period"),
-                                .waves = scene.wholes("waves.numbers"),
-                                .amplitude = scene.number("waves.amplitude"),
-                                .adhesion_amplitude = scene.number("waves.adhesion"),
-                                .sizes = sizes("adhesion.sizes"),
-                                .stick_ratios = scene.numbers("states.stick_ratios"),
-                                .state_sizes = sizes("states.sizes"),
-                                .alignments = static_cast<int>(scene.whole("states.alignments")),
-                                .step_ratios = scene.numbers("step.ratios"),
-                                .motion_sizes = sizes("motion.sizes"),
-                                .shortest = a * scene.number("curve.shortest"),
-                                .longest = a * scene.number("curve.longest"),
-                                .points = static_cast<int>(scene.whole("curve.points")),
-                                .operations = scene.number("limit.operations")};
-  scene.demand("curve.longest", p.longest / a, p.longest > p.shortest);
+  P p = keys.read({.bound = bound, .plane = plane, .strip = strip});
   scene.demand("step.ratios", p.step_ratios.front(), p.step_ratios.front() == 1);
+  scene.demand("curve.longest", p.longest, p.longest > p.shortest);
+  for (double* length : {&p.period, &p.shortest, &p.longest}) *length *= bound.half_width();
   return p;
 }
 

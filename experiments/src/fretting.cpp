@@ -329,53 +329,32 @@ Table claims_of(const Parameters& p, const Table& loops, const Errors& errors, c
 }  // namespace
 
 FrettingParameters read_fretting(Scene& scene) {
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"grid.sizes", wholes, "1", "numbers N of nodes", range(8, 2000),
-        "two or more, in rising order"},
-       {"cycle.force_ratios", list, "1", "amplitudes of the loops, over full sliding",
-        inner_fraction, "in rising order"},
-       {"cycle.points", whole, "1", "of a loop, on each way", range(2, 1000)},
-       {"cycle.error_force_ratios", list, "1",
-        "amplitudes over which errors are taken, over full sliding", inner_fraction,
-        "in rising order"},
-       {"cycle.all_force_ratios", list, "1",
-        "amplitudes of the curve of dissipation, over full sliding", inner_fraction,
-        "in rising order"},
-       {"cycle.lengths", list, "1", "L0, in half-widths", range(1, 1e9)},
-       {"run.elements", whole, "1", "N of the run, and of other L0", range(8, 2000)},
-       {"run.force_ratio", number, "1", "force under which the bodies roll, over full sliding",
-        range_inside(-1, 1), "not 0"},
-       {"run.swing", number, "1", "amplitude about it at standstill, over full sliding", above_zero,
-        "less than 1 together with the size of run.force_ratio"},
-       {"run.elements_rolled", number, "1", "distance rolled each time, in elements",
+  using P = FrettingParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::sizes, "grid.sizes", "numbers N of nodes", range(8, 2000), two_or_more_rising},
+       {&P::forces, "cycle.force_ratios", "amplitudes of the loops, over full sliding",
+        inner_fraction, rising},
+       {&P::points, "cycle.points", "of a loop, on each way", range(2, 1000)},
+       {&P::error_forces, "cycle.error_force_ratios",
+        "amplitudes over which errors are taken, over full sliding", inner_fraction, rising},
+       {&P::all_forces, "cycle.all_force_ratios",
+        "amplitudes of the curve of dissipation, over full sliding", inner_fraction, rising},
+       {&P::lengths, "cycle.lengths", "L0, in half-widths", range(1, 1e9)},
+       {&P::run_elements, "run.elements", "N of the run, and of other L0", range(8, 2000)},
+       {&P::run_force, "run.force_ratio", "force under which the bodies roll, over full sliding",
+        range_inside(-1, 1), Demand("not 0", [](double force) { return force != 0; })},
+       {&P::run_swing, "run.swing", "amplitude about it at standstill, over full sliding",
+        above_zero, "less than 1 together with the size of run.force_ratio"},
+       {&P::run_distance, "run.elements_rolled", "distance rolled each time, in elements",
         range_above(0, 1e4)},
-       {"run.step_ratio", number, "1", "c of the run", range(1e-3, 5)}});
-  scene.declare(keys);
-
-  FrettingParameters p{.material = read_material(scene),
-                       .length = scene.number("kernel.length"),
-                       .bound = read_polynomial_bound(scene),
-                       .sizes = scene.wholes("grid.sizes"),
-                       .forces = scene.numbers("cycle.force_ratios"),
-                       .points = static_cast<int>(scene.whole("cycle.points")),
-                       .error_forces = scene.numbers("cycle.error_force_ratios"),
-                       .all_forces = scene.numbers("cycle.all_force_ratios"),
-                       .lengths = scene.numbers("cycle.lengths"),
-                       .run_elements = scene.whole("run.elements"),
-                       .run_force = scene.number("run.force_ratio"),
-                       .run_swing = scene.number("run.swing"),
-                       .run_distance = scene.number("run.elements_rolled"),
-                       .run_step_ratio = scene.number("run.step_ratio")};
-  demand_count(scene, "grid.sizes", p.sizes, 2);
-  demand_rising(scene, "grid.sizes", p.sizes);
-  demand_rising(scene, "cycle.force_ratios", p.forces);
-  demand_rising(scene, "cycle.error_force_ratios", p.error_forces);
-  demand_rising(scene, "cycle.all_force_ratios", p.all_forces);
+       {&P::run_step_ratio, "run.step_ratio", "c of the run", range(1e-3, 5)}});
+  P p = keys.read({.material = read_material(scene),
+                   .length = scene.number("kernel.length"),
+                   .bound = read_polynomial_bound(scene)});
   require(p.length >= p.bound.half_width(), "kernel.length", p.length, [&] {
     return fmt::format("at least half_width = {} mm", format_short(p.bound.half_width()));
   });
-  scene.demand("run.force_ratio", p.run_force, p.run_force != 0);
   scene.demand("run.swing", p.run_swing, std::abs(p.run_force) + p.run_swing < 1);
   return p;
 }

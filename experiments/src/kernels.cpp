@@ -343,41 +343,27 @@ Table claims_of(const Parameters& p, const Curves& curves, const Table& noise, c
 }  // namespace
 
 KernelsParameters read_kernels(Scene& scene) {
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"layers.softness", list, "1", "C over 2 (1 - nu)/G a of the layers", range(1e-6, 1e6),
-        "in rising order"},
-       {"curve.points", whole, "1", "creepages of a curve", range(2, 10000)},
-       {"noise.elements", whole, "1", "least number N of wiggles", range(20, 1000)},
-       {"noise.step", number, "1", "least step c of wiggles", range(1e-12, 0.5)},
-       {"noise.points", whole, "1", "steps, evenly spaced in their logarithm", range(2, 1000)},
-       {"edge.points", whole, "1", "compliances of which the edge is measured", range(2, 1000)},
-       {"load.force_ratio", number, "1", "of wiggles, errors and transients, over full sliding",
+  using P = KernelsParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::length, "kernel.length"},
+       {&P::softness, "layers.softness", "C over 2 (1 - nu)/G a of the layers", range(1e-6, 1e6),
+        rising},
+       {&P::elements, "grid.elements"},
+       {&P::points, "curve.points", "creepages of a curve", range(2, 10000)},
+       {&P::noise_elements, "noise.elements", "least number N of wiggles", range(20, 1000)},
+       {&P::noise_step, "noise.step", "least step c of wiggles", range(1e-12, 0.5)},
+       {&P::noise_points, "noise.points", "steps, evenly spaced in their logarithm",
+        range(2, 1000)},
+       {&P::edge_points, "edge.points", "compliances of which the edge is measured",
+        range(2, 1000)},
+       {&P::force_ratio, "load.force_ratio", "of wiggles, errors and transients, over full sliding",
         range(0.05, 0.95)},
-       {"error.sizes", wholes, "1", "numbers N of nodes", range(11, 10000),
-        "two or more, in rising order"}});
-  scene.declare(keys);
-
-  const Material material = read_material(scene);
-  const HertzBound bound = read_hertz_bound(scene);
-  KernelsParameters p{.material = material,
-                      .bound = bound,
-                      .length = scene.number("kernel.length"),
-                      .softness = scene.numbers("layers.softness"),
-                      .elements = scene.whole("grid.elements"),
-                      .points = static_cast<int>(scene.whole("curve.points")),
-                      .noise_elements = scene.whole("noise.elements"),
-                      .noise_step = scene.number("noise.step"),
-                      .noise_points = static_cast<int>(scene.whole("noise.points")),
-                      .edge_points = static_cast<int>(scene.whole("edge.points")),
-                      .force_ratio = scene.number("load.force_ratio"),
-                      .sizes = scene.wholes("error.sizes")};
+       {&P::sizes, "error.sizes", "numbers N of nodes", range(11, 10000), two_or_more_rising}});
+  P p = keys.read({.material = read_material(scene), .bound = read_hertz_bound(scene)});
   require(p.elements >= 11 && p.elements <= 10000, "grid.elements", static_cast<double>(p.elements),
           "a whole number from 11 to 10000");
-  require_definite(PlaneKernel(material, p.length), 2 * bound.half_width());
-  demand_rising(scene, "layers.softness", p.softness);
-  demand_count(scene, "error.sizes", p.sizes, 2);
-  demand_rising(scene, "error.sizes", p.sizes);
+  require_definite(PlaneKernel(p.material, p.length), 2 * p.bound.half_width());
   return p;
 }
 

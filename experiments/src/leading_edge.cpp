@@ -348,36 +348,25 @@ Table claims_of(const LeadingEdgeParameters& p, const std::vector<Series>& all,
 }  // namespace
 
 LeadingEdgeParameters read_leading_edge(Scene& scene) {
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"grid.sizes", wholes, "1", "numbers N of nodes", range(3, 10000),
-        "two or more, each twice the one before"},
-       {"grid.leading_offsets", list, "1",
+  using P = LeadingEdgeParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::length, "kernel.length"},
+       {&P::sizes, "grid.sizes", "numbers N of nodes", range(3, 10000), two_or_more_doubling},
+       {&P::leading_offsets, "grid.leading_offsets",
         "distances from the last node to the leading edge, in elements", range_above(0, 1)},
-       {"grid.trailing_offsets", list, "1",
+       {&P::trailing_offsets, "grid.trailing_offsets",
         "distances from the trailing edge to the first node, in elements", fraction},
-       {"load.stick_ratios", list, "1", "parts a' of the contact that stick", inner_fraction},
-       {"profile.elements", whole, "1", "N of the tractions shown", range(1, Grid::max_elements)},
-       {"profile.stick_ratio", number, "1",
+       {&P::stick_ratios, "load.stick_ratios", "parts a' of the contact that stick",
+        inner_fraction},
+       {&P::profile_elements, "profile.elements", "N of the tractions shown",
+        range(1, Grid::max_elements)},
+       {&P::profile_stick_ratio, "profile.stick_ratio",
         "a' of the tractions shown, and of the numbers of the thesis", inner_fraction,
         "one of load.stick_ratios"},
-       {"profile.leading_offset", number, "1", "leading offset of the trimmed hat shown",
+       {&P::profile_offset, "profile.leading_offset", "leading offset of the trimmed hat shown",
         inner_fraction}});
-  scene.declare(keys);
-
-  const Material material = read_material(scene);
-  const HertzBound bound = read_hertz_bound(scene);
-  LeadingEdgeParameters p{.material = material,
-                          .length = scene.number("kernel.length"),
-                          .bound = bound,
-                          .sizes = scene.wholes("grid.sizes"),
-                          .leading_offsets = scene.numbers("grid.leading_offsets"),
-                          .trailing_offsets = scene.numbers("grid.trailing_offsets"),
-                          .stick_ratios = scene.numbers("load.stick_ratios"),
-                          .profile_elements = scene.whole("profile.elements"),
-                          .profile_stick_ratio = scene.number("profile.stick_ratio"),
-                          .profile_offset = scene.number("profile.leading_offset")};
-  demand_doubling(scene, "grid.sizes", p.sizes);
+  P p = keys.read({.material = read_material(scene), .bound = read_hertz_bound(scene)});
   scene.demand("profile.stick_ratio", p.profile_stick_ratio,
                std::ranges::count(p.stick_ratios, p.profile_stick_ratio) == 1);
   return p;

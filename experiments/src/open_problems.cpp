@@ -103,66 +103,33 @@ Table claims_of(const OpenProblemsParameters& p, const SteadyTables& steady,
 
 }  // namespace
 
-namespace {
-
-/// This is not written within the braces of the parameters, because GCC 12 destroys a nested
-/// aggregate twice if a later member throws.
-CattaneoToCarter read_motion(Scene& scene, const PolynomialBound& bound, const Kernel& kernel) {
-  return {
-      .kernel = kernel,
-      .bound = hertz_like(bound),
-      .grid = Grid({.half_width = bound.half_width(), .elements = scene.whole("motion.elements")}),
-      .basis = constant_basis(),
-      .force = scene.number("load.force")};
-}
-
-}  // namespace
+namespace {}  // namespace
 
 OpenProblemsParameters read_open_problems(Scene& scene) {
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"grid.sizes", wholes, "1", "numbers N of nodes", range(3, 2000),
-        "two or more, each twice the one before"},
-       {"cases.number", whole, "1", "of random parts of adhesion and alignments of the grid",
+  using P = OpenProblemsParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::length, "kernel.length"},
+       {&P::stick_ratios, "cases.stick_ratios", "least and largest a' of the cases", inner_fraction,
+        Demand("two, in rising order", nullptr, is_above, 2)},
+       {&P::sizes, "grid.sizes", "numbers N of nodes", range(3, 2000), two_or_more_doubling},
+       {&P::cases, "cases.number", "of random parts of adhesion and alignments of the grid",
         range(1, 1000)},
-       {"cases.stick_ratios", list, "1", "least and largest a' of the cases", inner_fraction,
-        "two, in rising order"},
-       {"steady.elements", whole, "1", "N of the case for all steps", range(1, Grid::max_elements)},
-       {"steady.stick_ratio", number, "1", "a' of that", inner_fraction},
-       {"steady.step_ratios", list, "1", "c of that", range_from(min_step_ratio)},
-       {"motion.elements", whole, "1", "N of the transient", range(1, Grid::max_elements)},
-       {"motion.elements_rolled", whole, "1", "distance, in elements", range(1, 1000)},
-       {"motion.refinement", whole, "1", "elements of the reference for each one", range(2, 32)},
-       {"motion.step_ratios", list, "1", "c of the transient", range(1e-4, 5)},
-       {"curve.widths", list, "1", "of strips, in half-widths", range_from(1)},
-       {"curve.points", whole, "1", "of a curve of creepage and force", range(2, 10000)},
-       {"curve.unknowns", wholes, "1", "of the Chebyshev collocation", range(1, 63)}});
-  scene.declare(keys);
-
-  const Material material = read_material(scene);
-  const PolynomialBound bound = read_polynomial_bound(scene);
-  const double length = scene.number("kernel.length");
-  const std::vector<double> stick_ratios = scene.numbers("cases.stick_ratios");
-  demand_rising(scene, "cases.stick_ratios", stick_ratios);
-  scene.demand("cases.stick_ratios", stick_ratios.front(), stick_ratios.size() == 2);
-  OpenProblemsParameters p{.material = material,
-                           .length = length,
-                           .bound = bound,
-                           .sizes = scene.wholes("grid.sizes"),
-                           .cases = static_cast<int>(scene.whole("cases.number")),
-                           .least_stick_ratio = stick_ratios[0],
-                           .most_stick_ratio = stick_ratios[1],
-                           .steady_elements = scene.whole("steady.elements"),
-                           .steady_stick_ratio = scene.number("steady.stick_ratio"),
-                           .steady_ratios = scene.numbers("steady.step_ratios"),
-                           .motion = read_motion(scene, bound, PlaneKernel(material, length)),
-                           .distance = static_cast<double>(scene.whole("motion.elements_rolled")),
-                           .refinement = scene.whole("motion.refinement"),
-                           .motion_ratios = scene.numbers("motion.step_ratios"),
-                           .widths = scene.numbers("curve.widths"),
-                           .curve_points = static_cast<int>(scene.whole("curve.points")),
-                           .unknowns = scene.wholes("curve.unknowns")};
-  demand_doubling(scene, "grid.sizes", p.sizes);
+       {&P::steady_elements, "steady.elements", "N of the case for all steps",
+        range(1, Grid::max_elements)},
+       {&P::steady_stick_ratio, "steady.stick_ratio", "a' of that", inner_fraction},
+       {&P::steady_ratios, "steady.step_ratios", "c of that", range_from(min_step_ratio)},
+       {&P::motion_elements, "motion.elements", "N of the transient", range(1, Grid::max_elements)},
+       {&P::force, "load.force"},
+       {&P::distance, "motion.elements_rolled", "distance, in elements", range(1, 1000)},
+       {&P::refinement, "motion.refinement", "elements of the reference for each one",
+        range(2, 32)},
+       {&P::motion_ratios, "motion.step_ratios", "c of the transient", range(1e-4, 5)},
+       {&P::widths, "curve.widths", "of strips, in half-widths", range_from(1)},
+       {&P::curve_points, "curve.points", "of a curve of creepage and force", range(2, 10000)},
+       {&P::unknowns, "curve.unknowns", "of the Chebyshev collocation", range(1, 63)}});
+  P p = keys.read({.material = read_material(scene), .bound = read_polynomial_bound(scene)});
+  scene.demand("cases.stick_ratios", p.stick_ratios.back(), p.stick_ratios.size() == 2);
   return p;
 }
 

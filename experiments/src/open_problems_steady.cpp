@@ -35,7 +35,7 @@ std::vector<Case> cases_of(const OpenProblemsParameters& p) {
   std::vector<Case> cases;
   for (int i = 1; i <= p.cases; ++i) {
     const double place = fraction(i, std::sqrt(2.0));
-    cases.push_back({(1 - place) * p.least_stick_ratio + place * p.most_stick_ratio,
+    cases.push_back({(1 - place) * p.stick_ratios[0] + place * p.stick_ratios[1],
                      1 - fraction(i, std::sqrt(3.0)), fraction(i, std::sqrt(5.0))});
   }
   return cases;

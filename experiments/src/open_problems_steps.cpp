@@ -51,15 +51,22 @@ StepTables step_tables(const OpenProblemsParameters& p, const Progress& progress
                     {"step_ratio", "1", "c = dq/dx"},
                     {"x", "mm", "position; the leading edge is at x = +half_width"},
                     {"traction", "N/mm^2", "|p|"}}}};
-  CattaneoToCarter fine = p.motion;
-  fine.grid = Grid(
-      {.half_width = p.motion.grid.half_width(), .elements = p.refinement * p.motion.grid.size()});
+  const CattaneoToCarter motion{
+      .kernel = PlaneKernel(p.material, p.length),
+      .bound = hertz_like(p.bound),
+      .grid = Grid({.half_width = p.bound.half_width(), .elements = p.motion_elements}),
+      .basis = constant_basis(),
+      .force = p.force};
+  const auto distance = static_cast<double>(p.distance);
+  CattaneoToCarter fine = motion;
+  fine.grid =
+      Grid({.half_width = motion.grid.half_width(), .elements = p.refinement * motion.grid.size()});
   const Rolled reference =
-      roll(fine, Remembered{}, 1, p.distance * static_cast<double>(p.refinement));
-  const double dx = p.motion.grid.spacing();
+      roll(fine, Remembered{}, 1, distance * static_cast<double>(p.refinement));
+  const double dx = motion.grid.spacing();
   const auto add_traction = [&](const char* name, double c, const Rolled& rolled) {
     for (Index i = 0; i < rolled.x.size(); ++i) {
-      if (std::abs(rolled.x[i]) > p.motion.grid.half_width() && rolled.traction[i] == 0) continue;
+      if (std::abs(rolled.x[i]) > motion.grid.half_width() && rolled.traction[i] == 0) continue;
       tables.traction.add({name, c, rolled.x[i], rolled.traction[i]});
     }
   };
@@ -72,18 +79,18 @@ StepTables step_tables(const OpenProblemsParameters& p, const Progress& progress
   for (const char* name : names) {
     const AdvectionEntry& entry = advection_scheme(name);
     const AdvectionScheme scheme = entry.scheme(1);
-    const Rolled unit = roll(p.motion, scheme, 1, p.distance);
+    const Rolled unit = roll(motion, scheme, 1, distance);
     for (const double c : p.motion_ratios) {
       ++done;
       if (c > largest_ratio(entry)) continue;
-      const Rolled rolled = roll(p.motion, scheme, c, p.distance);
+      const Rolled rolled = roll(motion, scheme, c, distance);
       add_traction(name, c, rolled);
       const VectorXd exact = interpolated(reference.x, reference.traction, rolled.x);
       const VectorXd same = interpolated(unit.x, unit.traction, rolled.x);
-      const double threshold = 1e-6 * p.motion.bound.peak();
+      const double threshold = 1e-6 * motion.bound.peak();
       tables.steps.add({name, c, dx * (rolled.traction - exact).lpNorm<1>(),
                         dx * (rolled.traction - same).lpNorm<1>(),
-                        peak_near(rolled, peak_at, p.motion.grid.half_width()) / peak,
+                        peak_near(rolled, peak_at, motion.grid.half_width()) / peak,
                         total_variation(rolled.traction),
                         turning_points(rolled.traction, threshold),
                         std::abs(rolled.creep.tail(1)[0] - reference.creep.tail(1)[0])});

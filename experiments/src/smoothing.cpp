@@ -196,25 +196,18 @@ Table claims_of(const Parameters& p, const Table& summary) {
 }  // namespace
 
 SmoothingParameters read_smoothing(Scene& scene) {
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"step.ratios", list, "1", "c; the first is a whole number", range_from(min_step_ratio)},
-       {"motion.elements_rolled", number, "1", "distance, in elements", above_zero},
-       {"pulse.elements", whole, "1", "N of the pulse, which starts in the middle", range(3, 2001),
-        "odd"},
-       {"spectrum.frequencies", whole, "1", "of the amplification factor", range(8, 1000)},
-       {"reference.refinement", whole, "1", "elements of the reference for each one",
+  using P = SmoothingParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::step_ratios, "step.ratios", "c; the first is a whole number",
+        range_from(min_step_ratio)},
+       {&P::distance, "motion.elements_rolled", "distance, in elements", above_zero},
+       {&P::pulse_elements, "pulse.elements", "N of the pulse, which starts in the middle",
+        range(3, 2001), odd},
+       {&P::frequencies, "spectrum.frequencies", "of the amplification factor", range(8, 1000)},
+       {&P::refinement, "reference.refinement", "elements of the reference for each one",
         range(2, 1000)}});
-  scene.declare(keys);
-
-  SmoothingParameters p{.rolling = read_cattaneo_to_carter(scene),
-                        .step_ratios = scene.numbers("step.ratios"),
-                        .distance = scene.number("motion.elements_rolled"),
-                        .pulse_elements = scene.whole("pulse.elements"),
-                        .frequencies = scene.whole("spectrum.frequencies"),
-                        .refinement = scene.whole("reference.refinement")};
-  demand_odd(scene, "pulse.elements", {p.pulse_elements});
-  return p;
+  return keys.read({.rolling = read_cattaneo_to_carter(scene)});
 }
 
 std::vector<Table> smoothing(const SmoothingParameters& p, const Progress& progress) {

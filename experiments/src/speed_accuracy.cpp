@@ -111,81 +111,54 @@ Table claims_of(const std::vector<Run>& runs) {
 }  // namespace
 
 SpeedAccuracyParameters read_speed_accuracy(Scene& scene) {
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"grid.sizes", wholes, "1", "numbers N of nodes", range(1, 200000),
-        "odd multiples of three, in rising order"},
-       {"timing.repeats", number, "s", "runs are repeated until they took so long together",
+  using P = SpeedAccuracyParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::length, "kernel.length"},
+       {&P::width, "kernel.width"},
+       {&P::sizes, "grid.sizes", "numbers N of nodes", range(1, 200000),
+        Demand(
+            "odd multiples of three, in rising order",
+            [](double n) { return std::fmod(n, 6) == 3; }, is_above)},
+       {&P::repeats, "timing.repeats", "s", "runs are repeated until they took so long together",
         above_zero},
-       {"steady.operations", number, "1",
+       {&P::steady_operations, "steady.operations",
         "of a solution; runs that are expected to take more are only listed", above_zero},
-       {"steady.stick_ratios", list, "1",
+       {&P::stick_ratios, "steady.stick_ratios",
         "a' of steady rolling, of whose errors the largest counts", range_above(0, 0.99)},
-       {"steady.step_ratios", list, "1", "c of steady rolling; the first of them for strips",
+       {&P::step_ratios, "steady.step_ratios", "c of steady rolling; the first of them for strips",
         range_above(0, 4)},
-       {"steady.unknowns", wholes, "1", "of the Chebyshev collocation", range(1, 64)},
-       {"transient.operations", number, "1", "as steady.operations", above_zero},
-       {"transient.force_ratio", number, "1", "force over full sliding", range_above(0, 0.99)},
-       {"transient.step_ratios", list, "1", "c of the transient", range_above(0, 4)},
-       {"transient.reference", whole, "1", "N of the run that is taken as exact",
+       {&P::unknowns, "steady.unknowns", "of the Chebyshev collocation", range(1, 64)},
+       {&P::transient_operations, "transient.operations", "as steady.operations", above_zero},
+       {&P::force, "transient.force_ratio", "force over full sliding", range_above(0, 0.99)},
+       {&P::transient_ratios, "transient.step_ratios", "c of the transient", range_above(0, 4)},
+       {&P::transient_reference, "transient.reference", "N of the run that is taken as exact",
         range(1, Grid::max_elements)},
-       {"cylinder.operations", number, "1", "as steady.operations", above_zero},
-       {"cylinder.length", number, "mm", "L0, which sets the stiffness of the contact", above_zero},
-       {"cylinder.distance", number, "mm", "distance from rest", above_zero},
-       {"cylinder.step_ratios", list, "1", "c of the cylinder", range_above(0, 4)},
-       {"cylinder.reference", whole, "1", "N of the run that is taken as exact",
+       {&P::cylinder_operations, "cylinder.operations", "as steady.operations", above_zero},
+       {in(&P::cylinder, &Cylinder::mass), "cylinder.mass"},
+       {in(&P::cylinder, &Cylinder::inertia), "cylinder.inertia"},
+       {in(&P::cylinder, &Cylinder::radius), "cylinder.radius"},
+       {in(&P::cylinder, &Cylinder::slope_force), "cylinder.slope_force"},
+       {&P::cylinder_length, "cylinder.length", "mm", "L0, which sets the stiffness of the contact",
+        above_zero},
+       {&P::distance, "cylinder.distance", "mm", "distance from rest", above_zero},
+       {&P::cylinder_ratios, "cylinder.step_ratios", "c of the cylinder", range_above(0, 4)},
+       {&P::cylinder_reference, "cylinder.reference", "N of the run that is taken as exact",
         range(1, Grid::max_elements)},
-       {"rough.hursts", list, "1", "Hurst exponents of rough bounds", range_above(0, 1)},
-       {"rough.amplitude", number, "1", "root of the mean square of the roughness over the bound",
+       {&P::hursts, "rough.hursts", "Hurst exponents of rough bounds", range_above(0, 1)},
+       {&P::roughness, "rough.amplitude", "root of the mean square of the roughness over the bound",
         range(0, 10)},
-       {"rough.seed", whole, "1", "of the profiles", range(0, 4294967295)},
-       {"rough.rows", whole, "1", "of the rough bounds", range(9, 1000001)},
-       {"rough.force_ratio", number, "1", "force over full sliding", range_above(0, 0.99)},
-       {"rough.sizes", wholes, "1", "numbers N of elements", range(11, Grid::max_elements)},
-       {"rough.reference", whole, "1", "N of the solution that is taken as exact",
+       {&P::seed, "rough.seed", "of the profiles", range(0, 4294967295)},
+       {&P::rough_rows, "rough.rows", "of the rough bounds", range(9, 1000001)},
+       {&P::rough_load, "rough.force_ratio", "force over full sliding", range_above(0, 0.99)},
+       {&P::rough_sizes, "rough.sizes", "numbers N of elements", range(11, Grid::max_elements)},
+       {&P::rough_reference, "rough.reference", "N of the solution that is taken as exact",
         range(11, Grid::max_elements)}});
-  scene.declare(keys);
-
   const Material material = read_material(scene);
   const PolynomialBound bound = read_polynomial_bound(scene);
   const HertzBound hertz = hertz_like(bound);
-  const double full = full_sliding_force(hertz);
-  SpeedAccuracyParameters p{
-      .bound = bound,
-      .material = material,
-      .length = scene.number("kernel.length"),
-      .width = scene.positive("kernel.width"),
-      .sizes = scene.wholes("grid.sizes"),
-      .repeats = scene.number("timing.repeats"),
-      .steady = {.limit = {scene.number("steady.operations")},
-                 .stick_ratios = scene.numbers("steady.stick_ratios"),
-                 .step_ratios = scene.numbers("steady.step_ratios"),
-                 .unknowns = scene.wholes("steady.unknowns")},
-      .transient = {.limit = {scene.number("transient.operations")},
-                    .bound = hertz,
-                    .force = full * scene.number("transient.force_ratio"),
-                    .step_ratios = scene.numbers("transient.step_ratios"),
-                    .reference = scene.whole("transient.reference")},
-      .rolling = {.limit = {scene.number("cylinder.operations")},
-                  .cylinder = {.mass = scene.positive("cylinder.mass"),
-                               .inertia = scene.positive("cylinder.inertia"),
-                               .radius = scene.positive("cylinder.radius"),
-                               .slope_force = scene.positive("cylinder.slope_force")},
-                  .length = scene.number("cylinder.length"),
-                  .distance = scene.number("cylinder.distance"),
-                  .step_ratios = scene.numbers("cylinder.step_ratios"),
-                  .reference = scene.whole("cylinder.reference")},
-      .rough = {.hursts = scene.numbers("rough.hursts"),
-                .amplitude = scene.number("rough.amplitude"),
-                .seed = static_cast<unsigned>(scene.whole("rough.seed")),
-                .rows = scene.whole("rough.rows"),
-                .force_ratio = scene.number("rough.force_ratio"),
-                .sizes = scene.wholes("rough.sizes"),
-                .reference = scene.whole("rough.reference")}};
-  for (const Index n : p.sizes) {
-    scene.demand("grid.sizes", static_cast<double>(n), n % 2 == 1 && n % 3 == 0);
-  }
-  demand_rising(scene, "grid.sizes", p.sizes);
+  P p = keys.read({.bound = bound, .material = material, .hertz = hertz});
+  p.force *= full_sliding_force(hertz);
   return p;
 }
 

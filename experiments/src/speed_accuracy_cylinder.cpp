@@ -24,15 +24,15 @@ struct Motion {
 
 Motion let_go(const SpeedAccuracyParameters& p, Index elements, const AdvectionScheme& scheme,
               Integrator integrator, double step_ratio, Solver::Type type) {
-  const HertzBound& bound = p.transient.bound;
-  RollingCylinder body({.contact = {PlaneKernel(p.material, p.rolling.length), bound},
+  const HertzBound& bound = p.hertz;
+  RollingCylinder body({.contact = {PlaneKernel(p.material, p.cylinder_length), bound},
                         .grid = Grid({.half_width = bound.half_width(), .elements = elements}),
                         .basis = constant_basis(),
                         .scheme = scheme,
                         .solver = {.type = type}},
-                       p.rolling.cylinder, integrator, step_ratio);
+                       p.cylinder, integrator, step_ratio);
   std::vector<double> position{0}, velocity{0};
-  while (body.state().position < p.rolling.distance) {
+  while (body.state().position < p.distance) {
     body.step();
     position.push_back(body.state().position);
     velocity.push_back(body.state().velocity);
@@ -45,7 +45,7 @@ Motion let_go(const SpeedAccuracyParameters& p, Index elements, const AdvectionS
 /// square root from rest.
 VectorXd velocities(const SpeedAccuracyParameters& p, const Motion& motion) {
   constexpr Index places = 21;
-  const double end = p.rolling.distance;
+  const double end = p.distance;
   return interpolated(motion.position, motion.velocity, VectorXd::LinSpaced(places, end / 2, end));
 }
 
@@ -62,8 +62,8 @@ Judgement judge(const SpeedAccuracyParameters& p, const Motion& motion, const Mo
 }  // namespace
 
 std::vector<RunSeries> cylinder_contest(const SpeedAccuracyParameters& p) {
-  const auto reference = std::make_shared<const Motion>(
-      let_go(p, p.rolling.reference, Remembered{}, Integrator::verlet, 1, Solver::Type::automatic));
+  const auto reference = std::make_shared<const Motion>(let_go(
+      p, p.cylinder_reference, Remembered{}, Integrator::verlet, 1, Solver::Type::automatic));
   const std::vector<std::pair<std::string, Integrator>> integrators{
       {"verlet", Integrator::verlet},
       {"leapfrog", Integrator::leapfrog},
@@ -73,7 +73,7 @@ std::vector<RunSeries> cylinder_contest(const SpeedAccuracyParameters& p) {
     const AdvectionScheme scheme = advection_scheme(frame).scheme(1);
     for (const auto& [rule, integrator] : integrators) {
       for (const auto type : {Solver::Type::dense, Solver::Type::fft}) {
-        for (const double c : p.rolling.step_ratios) {
+        for (const double c : p.cylinder_ratios) {
           const Solve solve = [=, by = integrator](Index elements) {
             return [=, motion = let_go(p, elements, scheme, by, c, type)] {
               return judge(p, motion, *reference);
@@ -83,7 +83,7 @@ std::vector<RunSeries> cylinder_contest(const SpeedAccuracyParameters& p) {
               {{"cylinder", fmt::format("{} {}", frame, rule),
                 frame == "remembered" ? "calibrated" : "standard", "constant", c, name_of(type)},
                p.sizes,
-               p.rolling.limit,
+               p.cylinder_operations,
                1,
                solve});
         }

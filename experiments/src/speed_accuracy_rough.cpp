@@ -35,7 +35,7 @@ Solved solved(const SpeedAccuracyParameters& p, const TractionBound& bound, Inde
       solve_steady({.contact = {PlaneKernel(p.material, p.length), bound},
                     .grid = Grid({.half_width = half_width_of(bound), .elements = elements}),
                     .method = Calibrated{},
-                    .load = PrescribedForce{-p.rough.force_ratio * full_sliding_force(bound)}});
+                    .load = PrescribedForce{-p.rough_load * full_sliding_force(bound)}});
   return {std::move(solution), count.operations()};
 }
 
@@ -52,11 +52,10 @@ Table rough_table(const SpeedAccuracyParameters& p) {
                {"rounds", "1", "stick/slip partitions tried on the last grid"},
                {"work", "1", "counted floating-point operations"}});
   const HertzBound smooth(p.bound.half_width(), 1);
-  for (const double hurst : p.rough.hursts) {
-    const TractionBound bound =
-        rough_bound(smooth, {p.rough.amplitude, hurst, p.rough.seed, p.rough.rows});
-    const double truth = solved(p, bound, p.rough.reference).solution.creepage;
-    for (const Index elements : p.rough.sizes) {
+  for (const double hurst : p.hursts) {
+    const TractionBound bound = rough_bound(smooth, {p.roughness, hurst, p.seed, p.rough_rows});
+    const double truth = solved(p, bound, p.rough_reference).solution.creepage;
+    for (const Index elements : p.rough_sizes) {
       const auto [found, work] = solved(p, bound, elements);
       table.add({hurst, elements, std::abs(found.creepage / truth - 1), stick_zones(found.zones),
                  found.iterations, work});

@@ -35,8 +35,7 @@ bool Contestant::of_thesis() const {
 
 std::vector<Run> runs_of(const RunSeries& series, double repeats) {
   std::vector<Run> all;
-  Runs runs(
-      {.operations = series.limit.operations, .repeats = repeats, .solutions = series.solutions});
+  Runs runs({.operations = series.operations, .repeats = repeats, .solutions = series.solutions});
   for (const Eigen::Index elements : series.sizes) {
     Run run{series.contestant, elements, {}};
     if (!all.empty() && all.back().status.starts_with(not_there)) {
@@ -45,7 +44,7 @@ std::vector<Run> runs_of(const RunSeries& series, double repeats) {
       std::function<Judgement()> judge;
       const Attempt attempt =
           runs.run(static_cast<double>(elements), [&] { judge = series.solve(elements); });
-      run.status = status_of(attempt, series.limit.operations);
+      run.status = status_of(attempt, series.operations);
       run.work = attempt.work;
       run.time = attempt.time;
       if (attempt.status == Status::ok) run.judgement = judge();

@@ -53,8 +53,8 @@ using Solve = std::function<std::function<Judgement()>(Eigen::Index elements)>;
 struct RunSeries {
   Contestant contestant;
   std::vector<Eigen::Index> sizes;
-  WorkLimit limit;
-  double solutions;  ///< number of solutions in a run
+  double operations;  ///< a run that is expected to take more is left out
+  double solutions;   ///< number of solutions in a run
   Solve solve;
 };
 

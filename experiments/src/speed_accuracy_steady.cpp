@@ -30,7 +30,7 @@ std::shared_ptr<const Problem> make_problem(const SpeedAccuracyParameters& p, st
                                             const Kernel& kernel) {
   const ChebyshevRolling reference(kernel, p.bound);
   std::vector<Truth> truths;
-  for (const double stick_ratio : p.steady.stick_ratios) {
+  for (const double stick_ratio : p.stick_ratios) {
     truths.push_back(truth_of(reference, p.bound.half_width(), stick_ratio));
   }
   return std::make_shared<const Problem>(Problem{std::move(name), kernel, p.bound, truths});
@@ -147,7 +147,7 @@ void add_problem(const SpeedAccuracyParameters& p, const std::shared_ptr<const P
                  const std::vector<double>& step_ratios, std::vector<RunSeries>& all) {
   const auto loads = static_cast<double>(problem->truths.size());
   const auto add = [&](const Contestant& who, const std::vector<Index>& sizes, const Solve& solve) {
-    all.push_back({who, sizes, p.steady.limit, loads, solve});
+    all.push_back({who, sizes, p.steady_operations, loads, solve});
   };
   for (const SteadyEntry& scheme : steady_schemes()) {
     if (scheme.by_elements || scheme.name == "chebyshev") continue;
@@ -163,7 +163,7 @@ void add_problem(const SpeedAccuracyParameters& p, const std::shared_ptr<const P
           steady_solve(problem, entrant, type));
     }
   }
-  add({problem->name, "chebyshev", "none", "none", not_given, "none"}, p.steady.unknowns,
+  add({problem->name, "chebyshev", "none", "none", not_given, "none"}, p.unknowns,
       chebyshev_solve(problem));
 }
 
@@ -171,10 +171,9 @@ void add_problem(const SpeedAccuracyParameters& p, const std::shared_ptr<const P
 
 std::vector<RunSeries> steady_contest(const SpeedAccuracyParameters& p) {
   std::vector<RunSeries> all;
-  add_problem(p, make_problem(p, "plane", PlaneKernel(p.material, p.length)), p.steady.step_ratios,
-              all);
+  add_problem(p, make_problem(p, "plane", PlaneKernel(p.material, p.length)), p.step_ratios, all);
   add_problem(p, make_problem(p, "strip", StripKernel(p.material, p.width)),
-              {p.steady.step_ratios.front()}, all);
+              {p.step_ratios.front()}, all);
   return all;
 }
 

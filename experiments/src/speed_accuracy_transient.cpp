@@ -35,12 +35,11 @@ TransientEntrant finest() { return {Remembered{}, constant_basis(), 1, Solver::T
 
 CattaneoToCarter start_of(const SpeedAccuracyParameters& p, Index elements,
                           const TransientEntrant& by) {
-  const auto& motion = p.transient;
   return {.kernel = PlaneKernel(p.material, p.length),
-          .bound = motion.bound,
-          .grid = Grid({.half_width = motion.bound.half_width(), .elements = elements}),
+          .bound = p.hertz,
+          .grid = Grid({.half_width = p.hertz.half_width(), .elements = elements}),
           .basis = by.basis,
-          .force = motion.force,
+          .force = p.force,
           .solver = {.type = by.type}};
 }
 
@@ -62,10 +61,10 @@ Answer answer_to_creepage(const SpeedAccuracyParameters& p, Index elements,
   const CattaneoToCarter start = start_of(p, elements, by);
   TransientRolling rolling(start.problem(by.scheme), CattaneoShift{start.force});
   const double dx = start.grid.spacing();
-  const Carter carter = Carter::from_force(p.material, p.transient.bound, start.force);
+  const Carter carter = Carter::from_force(p.material, p.hertz, start.force);
   std::vector<double> distance{0}, force{start.force};
   Answer answer;
-  rolling.roll(p.transient.bound.half_width() * 2 / parts, {by.step_ratio * dx},
+  rolling.roll(p.hertz.half_width() * 2 / parts, {by.step_ratio * dx},
                PrescribedCreepage{carter.creepage()}, [&](const TransientState& state) {
                  distance.push_back(state.distance);
                  force.push_back(state.force);
@@ -79,8 +78,8 @@ Answer answer_to_creepage(const SpeedAccuracyParameters& p, Index elements,
 /// Returns the place of the peak, which starts at the leading end of the stick zone, k = (1 -
 /// F)^1/2 of the half-width from the centre.
 double peak_place(const SpeedAccuracyParameters& p) {
-  const double a = p.transient.bound.half_width();
-  const double part = p.transient.force / full_sliding_force(p.transient.bound);
+  const double a = p.hertz.half_width();
+  const double part = p.force / full_sliding_force(p.hertz);
   return a * (std::sqrt(1 - part) - 2.0 / parts);
 }
 
@@ -110,7 +109,7 @@ Judgement judge(const SpeedAccuracyParameters& p, const Rolled& rolled, const Ro
   const double spacing = rolled.x[1] - rolled.x[0];
   double height = 0, exact_height = 0;
   for (Index i = 0; i < rolled.x.size(); ++i) {
-    if (std::abs(rolled.x[i] - peak_place(p)) > p.transient.bound.half_width() / 5) continue;
+    if (std::abs(rolled.x[i] - peak_place(p)) > p.hertz.half_width() / 5) continue;
     height = std::max(height, rolled.traction[i]);
     exact_height = std::max(exact_height, exact[i]);
   }
@@ -119,7 +118,7 @@ Judgement judge(const SpeedAccuracyParameters& p, const Rolled& rolled, const Ro
                                       std::sqrt(static_cast<double>(creep.size() - 1)) /
                                       reference.creep.tail(1)[0];
   judgement.errors[Quantity::noise] = noise_of(rolled, creep);
-  judgement.errors[Quantity::traction] = spacing * difference.sum() / p.transient.force;
+  judgement.errors[Quantity::traction] = spacing * difference.sum() / p.force;
   judgement.errors[Quantity::peak] = std::abs(height / exact_height - 1);
   return judgement;
 }
@@ -145,10 +144,10 @@ std::vector<RunSeries> all_entrants(const SpeedAccuracyParameters& p, const std:
     for (const auto type : {Solver::Type::dense, Solver::Type::fft}) {
       for (const std::string_view name : basis_names()) {
         const Basis basis = make_basis(name);
-        for (const double c : p.transient.step_ratios) {
+        for (const double c : p.transient_ratios) {
           all.push_back({{problem, std::string(entry.name), edge, basis.name(), c, name_of(type)},
                          p.sizes,
-                         p.transient.limit,
+                         p.transient_operations,
                          1,
                          solve_by(TransientEntrant{scheme, basis, c, type})});
         }
@@ -162,7 +161,7 @@ std::vector<RunSeries> all_entrants(const SpeedAccuracyParameters& p, const std:
 
 std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p) {
   const auto reference =
-      std::make_shared<const Rolled>(roll_a_part(p, p.transient.reference, finest()));
+      std::make_shared<const Rolled>(roll_a_part(p, p.transient_reference, finest()));
   return all_entrants(p, "transient", [&](const TransientEntrant& by) -> Solve {
     return [=](Index elements) {
       return [=, rolled = roll_a_part(p, elements, by)] { return judge(p, rolled, *reference); };
@@ -172,7 +171,7 @@ std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p) {
 
 std::vector<RunSeries> creepage_contest(const SpeedAccuracyParameters& p) {
   const auto reference =
-      std::make_shared<const Answer>(answer_to_creepage(p, p.transient.reference, finest()));
+      std::make_shared<const Answer>(answer_to_creepage(p, p.transient_reference, finest()));
   return all_entrants(p, "creepage", [&](const TransientEntrant& by) -> Solve {
     return [=](Index elements) {
       return

@@ -192,34 +192,25 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const Paramete
 }  // namespace
 
 UnderRelaxationParameters read_under_relaxation(Scene& scene) {
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"step.ratios", list, "1", "c of the tractions shown; the first is c*", range_from(1e-6),
-        "at most step.relaxation"},
-       {"motion.elements_rolled", list, "1", "distances, in elements", above_zero,
-        "in rising order"},
-       {"reference.refinement", whole, "1", "elements of the reference for each one",
+  using P = UnderRelaxationParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::relaxation, "step.relaxation"},
+       {&P::step_ratios, "step.ratios", "c of the tractions shown; the first is c*",
+        range_from(1e-6), "at most step.relaxation"},
+       {&P::distances, "motion.elements_rolled", "distances, in elements", above_zero, rising},
+       {&P::refinement, "reference.refinement", "elements of the reference for each one",
         range(2, 1000)},
-       {"comparison.step_ratio", number, "1",
+       {&P::compared_step_ratio, "comparison.step_ratio",
         "c at which relaxation of A' and of the tractions are compared", range_from(1e-6),
         "at most step.relaxation"},
-       {"wiggles.elements", whole, "1", "N of the grid on which wiggles are counted",
+       {&P::small_elements, "wiggles.elements", "N of the grid on which wiggles are counted",
         range(1, Grid::max_elements)},
-       {"wiggles.relaxed_step_ratios", list, "1", "c there, of the relaxed scheme",
+       {&P::relaxed_step_ratios, "wiggles.relaxed_step_ratios", "c there, of the relaxed scheme",
         range_from(1e-6), "at most step.relaxation"},
-       {"wiggles.direct_step_ratios", list, "1", "c there, of the direct scheme", range_from(1e-6),
-        "at most step.relaxation"}});
-  scene.declare(keys);
-
-  UnderRelaxationParameters p{.rolling = read_cattaneo_to_carter(scene),
-                              .relaxation = scene.number("step.relaxation"),
-                              .step_ratios = scene.numbers("step.ratios"),
-                              .distances = scene.numbers("motion.elements_rolled"),
-                              .refinement = scene.whole("reference.refinement"),
-                              .compared_step_ratio = scene.number("comparison.step_ratio"),
-                              .small_elements = scene.whole("wiggles.elements"),
-                              .relaxed_step_ratios = scene.numbers("wiggles.relaxed_step_ratios"),
-                              .direct_step_ratios = scene.numbers("wiggles.direct_step_ratios")};
+       {&P::direct_step_ratios, "wiggles.direct_step_ratios", "c there, of the direct scheme",
+        range_from(1e-6), "at most step.relaxation"}});
+  P p = keys.read({.rolling = read_cattaneo_to_carter(scene)});
   const auto demand = [&](const char* key, const std::vector<double>& ratios) {
     for (const double c : ratios) scene.demand(key, c, c <= p.relaxation);
   };
@@ -227,7 +218,6 @@ UnderRelaxationParameters read_under_relaxation(Scene& scene) {
   demand("comparison.step_ratio", {p.compared_step_ratio});
   demand("wiggles.relaxed_step_ratios", p.relaxed_step_ratios);
   demand("wiggles.direct_step_ratios", p.direct_step_ratios);
-  demand_rising(scene, "motion.elements_rolled", p.distances);
   return p;
 }
 

@@ -193,35 +193,23 @@ Table claims_of(const Parameters& p, const Curves& curves, const Errors& found) 
 }  // namespace
 
 UnlikeBodiesParameters read_unlike_bodies(Scene& scene) {
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"free.smallest", number, "1", "least beta/mu of free rolling", range(1e-3, 1)},
-       {"free.largest", number, "1", "largest", range(1.5, 1e5)},
-       {"free.points", whole, "1", "number of ratios, evenly spaced in their logarithms",
+  using P = UnlikeBodiesParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::elements, "grid.elements"},
+       {&P::smallest, "free.smallest", "least beta/mu of free rolling", range(1e-3, 1)},
+       {&P::largest, "free.largest", "largest", range(1.5, 1e5)},
+       {&P::free_points, "free.points", "number of ratios, evenly spaced in their logarithms",
         range(2, 10000)},
-       {"tractive.beta_over_mu", list, "1", "beta/mu of tractive rolling", range(1e-3, 1e5)},
-       {"tractive.zones_of", number, "1", "beta/mu of zones and errors, one of those",
+       {&P::ratios, "tractive.beta_over_mu", "beta/mu of tractive rolling", range(1e-3, 1e5)},
+       {&P::zones_ratio, "tractive.zones_of", "beta/mu of zones and errors, one of those",
         range(1e-3, 1e5)},
-       {"tractive.points", whole, "1", "forces from -0.95 to 0.95 of full sliding",
+       {&P::tractive_points, "tractive.points", "forces from -0.95 to 0.95 of full sliding",
         range(2, 10000)},
-       {"error.sizes", wholes, "1", "numbers N of nodes", range(11, 100000),
-        "two or more, in rising order"}});
-  scene.declare(keys);
-
-  UnlikeBodiesParameters p{.material = read_material(scene),
-                           .bound = read_hertz_bound(scene),
-                           .elements = scene.whole("grid.elements"),
-                           .smallest = scene.number("free.smallest"),
-                           .largest = scene.number("free.largest"),
-                           .free_points = static_cast<int>(scene.whole("free.points")),
-                           .ratios = scene.numbers("tractive.beta_over_mu"),
-                           .zones_ratio = scene.number("tractive.zones_of"),
-                           .tractive_points = static_cast<int>(scene.whole("tractive.points")),
-                           .sizes = scene.wholes("error.sizes")};
+       {&P::sizes, "error.sizes", "numbers N of nodes", range(11, 100000), two_or_more_rising}});
+  P p = keys.read({.material = read_material(scene), .bound = read_hertz_bound(scene)});
   require(p.elements >= 11 && p.elements <= 1000000, "grid.elements",
           static_cast<double>(p.elements), "a whole number from 11 to 1000000");
-  demand_count(scene, "error.sizes", p.sizes, 2);
-  demand_rising(scene, "error.sizes", p.sizes);
   return p;
 }
 

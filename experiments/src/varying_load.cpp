@@ -354,53 +354,31 @@ Table claims_of(const VaryingLoadParameters& p, const SmallWaves& small, const L
 }  // namespace
 
 VaryingLoadParameters read_varying_load(Scene& scene) {
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"small.stick_ratios", list, "1", "a'/a of Carter's solution under the mean load",
+  using P = VaryingLoadParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::length, "kernel.length"},
+       {&P::stick_ratios, "small.stick_ratios", "a'/a of Carter's solution under the mean load",
         range(0.05, 0.99)},
-       {"small.wavelengths", list, "1", "of small waves over the half-width", range(0.2, 1000),
-        "in rising order"},
-       {"small.amplitude", number, "1", "of small waves, over the mean load", range(1e-6, 0.1)},
-       {"small.alignments", whole, "1", "of the stick-slip point in an element", range(1, 20)},
-       {"grid.sizes", wholes, "1", "numbers N of nodes", range(5, 2000),
-        "two or more, in rising order"},
-       {"step.ratios", list, "1", "c", range(0.01, 10)},
-       {"large.stick_ratio", number, "1", "a'/a of the state about which large waves are",
+       {&P::wavelengths, "small.wavelengths", "of small waves over the half-width",
+        range(0.2, 1000), rising},
+       {&P::amplitude, "small.amplitude", "of small waves, over the mean load", range(1e-6, 0.1)},
+       {&P::alignments, "small.alignments", "of the stick-slip point in an element", range(1, 20)},
+       {&P::sizes, "grid.sizes", "numbers N of nodes", range(5, 2000), two_or_more_rising},
+       {&P::step_ratios, "step.ratios", "c", range(0.01, 10)},
+       {&P::large_amplitude, "large.amplitude", "of large waves, over the mean load",
+        range(0.01, 0.99)},
+       {&P::large_stick_ratio, "large.stick_ratio", "a'/a of the state about which large waves are",
         range(0.05, 0.99)},
-       {"large.amplitude", number, "1", "of large waves, over the mean load", range(0.01, 0.99)},
-       {"large.wavelengths", list, "1", "of waves of which the force is shown, over the half-width",
-        range(0.2, 1000), "in rising order"},
-       {"curve.shortest", number, "1", "shortest wavelength over the half-width", range(0.2, 100)},
-       {"curve.longest", number, "1", "longest wavelength over the half-width", range(0.3, 1e4),
+       {&P::shown, "large.wavelengths", "of waves of which the force is shown, over the half-width",
+        range(0.2, 1000), rising},
+       {&P::shortest, "curve.shortest", "shortest wavelength over the half-width", range(0.2, 100)},
+       {&P::longest, "curve.longest", "longest wavelength over the half-width", range(0.3, 1e4),
         "more than curve.shortest"},
-       {"curve.points", whole, "1", "wavelengths of a curve", range(2, 10000)}});
-  scene.declare(keys);
-
-  const auto rising = [&](const char* key) {
-    const std::vector<double> all = scene.numbers(key);
-    demand_rising(scene, key, all);
-    return all;
-  };
-  const Material material = read_material(scene);
-  VaryingLoadParameters p{.material = material,
-                          .bound = read_hertz_bound(scene),
-                          .length = scene.number("kernel.length"),
-                          .stick_ratios = scene.numbers("small.stick_ratios"),
-                          .wavelengths = rising("small.wavelengths"),
-                          .amplitude = scene.number("small.amplitude"),
-                          .alignments = static_cast<int>(scene.whole("small.alignments")),
-                          .sizes = scene.wholes("grid.sizes"),
-                          .step_ratios = scene.numbers("step.ratios"),
-                          .large_amplitude = scene.number("large.amplitude"),
-                          .large_stick_ratio = scene.number("large.stick_ratio"),
-                          .shown = rising("large.wavelengths"),
-                          .shortest = scene.number("curve.shortest"),
-                          .longest = scene.number("curve.longest"),
-                          .points = static_cast<int>(scene.whole("curve.points"))};
-  demand_count(scene, "grid.sizes", p.sizes, 2);
-  demand_rising(scene, "grid.sizes", p.sizes);
+       {&P::points, "curve.points", "wavelengths of a curve", range(2, 10000)}});
+  P p = keys.read({.material = read_material(scene), .bound = read_hertz_bound(scene)});
   scene.demand("curve.longest", p.longest, p.longest > p.shortest);
-  require_definite(PlaneKernel(material, p.length), 2 * p.bound.half_width());
+  require_definite(PlaneKernel(p.material, p.length), 2 * p.bound.half_width());
   return p;
 }
 

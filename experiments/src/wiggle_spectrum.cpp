@@ -236,30 +236,21 @@ double diagonal_crossing(const Kernel& kernel, const ShapeFunction& shape, doubl
 }
 
 WiggleSpectrumParameters read_wiggle_spectrum(Scene& scene) {
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"grid.spacing", number, "mm", "dx", above_zero},
-       {"grid.elements", whole, "1", "size of the matrices; of the spectra also one more",
+  using P = WiggleSpectrumParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::spacing, "grid.spacing", "mm", "dx", above_zero},
+       {&P::elements, "grid.elements", "size of the matrices; of the spectra also one more",
         range(3, 1000)},
-       {"step.ratios", list, "1", "c of the matrices shown", range_from(min_step_ratio)},
-       {"step.samples", whole, "1", "of the diagonals, c = 1/samples ... 1", range(1, 100000)},
-       {"functions.shift", number, "1", "of the functions shown, in elements", inner_fraction},
-       {"spectrum.smallest_step_ratio", number, "1", "c that spectra begin with",
+       {&P::step_ratios, "step.ratios", "c of the matrices shown", range_from(min_step_ratio)},
+       {&P::shift, "functions.shift", "of the functions shown, in elements", inner_fraction},
+       {&P::samples, "step.samples", "of the diagonals, c = 1/samples ... 1", range(1, 100000)},
+       {&P::smallest_step_ratio, "spectrum.smallest_step_ratio", "c that spectra begin with",
         range_below(min_step_ratio, 1)},
-       {"spectrum.per_decade", whole, "1", "spectra a decade of c", range(1, 100)},
-       {"crossing.strip_widths", list, "1",
+       {&P::per_decade, "spectrum.per_decade", "spectra a decade of c", range(1, 100)},
+       {&P::strip_widths, "crossing.strip_widths",
         "Dy/dx of strips whose crossing B11 = B21 is sought, too", above_zero}});
-  scene.declare(keys);
-
-  return {.kernel = read_kernel(scene, read_material(scene)),
-          .spacing = scene.number("grid.spacing"),
-          .elements = scene.whole("grid.elements"),
-          .step_ratios = scene.numbers("step.ratios"),
-          .shift = scene.number("functions.shift"),
-          .samples = scene.whole("step.samples"),
-          .smallest_step_ratio = scene.number("spectrum.smallest_step_ratio"),
-          .per_decade = scene.whole("spectrum.per_decade"),
-          .strip_widths = scene.numbers("crossing.strip_widths")};
+  return keys.read({.kernel = read_kernel(scene, read_material(scene))});
 }
 
 std::vector<Table> wiggle_spectrum(const WiggleSpectrumParameters& p, const Progress& progress) {

@@ -240,53 +240,39 @@ Table claims_of(const Tables& tables, const Parameters& p) {
 }  // namespace
 
 WorldFixedParameters read_world_fixed(Scene& scene) {
-  using enum Key::Type;
-  static constexpr auto keys = std::to_array<Key>(
-      {{"creepage.step_ratio", number, "1", "c of the creepage shown", range(1e-3, 0.5)},
-       {"creepage.elements_rolled", number, "1", "end of the way that is shown, in elements",
+  using P = WorldFixedParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::step_ratio, "creepage.step_ratio", "c of the creepage shown", range(1e-3, 0.5)},
+       {&P::shown, "creepage.elements_rolled", "end of the way that is shown, in elements",
         above_zero, "less than are rolled"},
-       {"creepage.part", number, "1",
+       {&P::part, "creepage.part",
         "of an element by which the contact is longer, so that edges reach elements in turn",
         range_below(0, 1)},
-       {"noise.distance", number, "1", "rolled before, in half-widths", above_zero,
+       {&P::distance, "noise.distance", "rolled before, in half-widths", above_zero,
         "four elements or more, on every grid"},
-       {"noise.sizes", wholes, "1", "numbers N of nodes, for the noise against N",
-        range(10, Grid::max_elements), "two or more, in rising order"},
-       {"noise.largest_cut", whole, "1",
+       {&P::elements, "noise.sizes", "numbers N of nodes, for the noise against N",
+        range(10, Grid::max_elements), two_or_more_rising},
+       {&P::largest_cut, "noise.largest_cut",
         "largest N of elements that are cut, whose steps cost O(N^3)",
         range(10, Grid::max_elements), "at least the second of noise.sizes"},
-       {"noise.step_ratio", number, "1", "c of the noise against N", range(1e-3, 0.5)},
-       {"noise.elements", whole, "1", "N of the noise against c", range(10, Grid::max_elements)},
-       {"noise.step_ratios", list, "1", "c of the noise against c", range(1e-3, 1),
+       {&P::noise_step_ratio, "noise.step_ratio", "c of the noise against N", range(1e-3, 0.5)},
+       {&P::noise_elements, "noise.elements", "N of the noise against c",
+        range(10, Grid::max_elements)},
+       {&P::step_ratios, "noise.step_ratios", "c of the noise against c", range(1e-3, 1),
         "1 and noise.step_ratio among them"},
-       {"error.step_ratios", list, "1", "c of the errors", range(1e-3, 1)},
-       {"error.elements_rolled", whole, "1", "distance before errors are measured, in elements",
-        range(1, 1000000)},
-       {"error.refinement", whole, "1", "elements of the reference for each one", range(2, 1000)}});
-  scene.declare(keys);
-
-  WorldFixedParameters p{.rolling = read_cattaneo_to_carter(scene),
-                         .step_ratio = scene.number("creepage.step_ratio"),
-                         .shown = scene.number("creepage.elements_rolled"),
-                         .part = scene.number("creepage.part"),
-                         .distance = scene.number("noise.distance"),
-                         .elements = scene.numbers("noise.sizes"),
-                         .largest_cut = scene.whole("noise.largest_cut"),
-                         .noise_step_ratio = scene.number("noise.step_ratio"),
-                         .noise_elements = scene.whole("noise.elements"),
-                         .step_ratios = scene.numbers("noise.step_ratios"),
-                         .error_step_ratios = scene.numbers("error.step_ratios"),
-                         .error_distance = scene.whole("error.elements_rolled"),
-                         .refinement = scene.whole("error.refinement")};
+       {&P::error_step_ratios, "error.step_ratios", "c of the errors", range(1e-3, 1)},
+       {&P::error_distance, "error.elements_rolled",
+        "distance before errors are measured, in elements", range(1, 1000000)},
+       {&P::refinement, "error.refinement", "elements of the reference for each one",
+        range(2, 1000)}});
+  P p = keys.read({.rolling = read_cattaneo_to_carter(scene)});
   for (const double c : {1.0, p.noise_step_ratio}) {
     scene.demand("noise.step_ratios", c, std::ranges::count(p.step_ratios, c) > 0);
   }
-  for (const double n : p.elements) scene.demand("noise.sizes", n, n == std::round(n));
-  demand_rising(scene, "noise.sizes", p.elements);
-  demand_count(scene, "noise.sizes", p.elements, 2);
-  const auto largest_cut = static_cast<double>(p.largest_cut);
-  scene.demand("noise.largest_cut", largest_cut, largest_cut >= p.elements[1]);
-  const auto fewest = std::min<Index>(static_cast<Index>(p.elements.front()), p.noise_elements);
+  scene.demand("noise.largest_cut", static_cast<double>(p.largest_cut),
+               p.largest_cut >= p.elements[1]);
+  const Index fewest = std::min(p.elements.front(), p.noise_elements);
   scene.demand("noise.distance", p.distance, distance_on(p, fewest) >= 4);
   scene.demand("creepage.elements_rolled", p.shown,
                p.shown < distance_on(p, p.rolling.grid.size()));
@@ -305,12 +291,11 @@ std::vector<Table> world_fixed(const Parameters& p, const Progress& progress) {
   progress(++done, total);
   for (const std::string treatment : treatments) {
     std::vector<double> sizes, deviations, noises;
-    for (const double n : p.elements) {
+    for (const Index n : p.elements) {
       progress(++done, total);
-      const auto elements = static_cast<Index>(n);
-      if (treatment == "cut" && elements > p.largest_cut) continue;
-      const Noise noise = add_noise(tables, p, treatment, "elements", elements, p.noise_step_ratio);
-      sizes.push_back(n);
+      if (treatment == "cut" && n > p.largest_cut) continue;
+      const Noise noise = add_noise(tables, p, treatment, "elements", n, p.noise_step_ratio);
+      sizes.push_back(static_cast<double>(n));
       deviations.push_back(noise.deviation);
       noises.push_back(noise.noise);
     }

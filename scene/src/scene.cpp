@@ -223,10 +223,14 @@ std::string Scene::one_of(const std::vector<std::string>& keys) const {
   reject_missing(*this, keys, nearest(keys.front(), this->keys()));
 }
 
+void Scene::declare(std::vector<Key> keys) {
+  declared_.push_back(std::make_shared<const std::vector<Key>>(std::move(keys)));
+}
+
 const Key* Scene::known(std::string_view key) const {
   for (auto keys = declared_.rbegin(); keys != declared_.rend(); ++keys) {
-    const auto found = std::ranges::find(*keys, key, &Key::name);
-    if (found != keys->end()) return &*found;
+    const auto found = std::ranges::find(**keys, key, &Key::name);
+    if (found != (*keys)->end()) return &*found;
   }
   return find_key(key);
 }

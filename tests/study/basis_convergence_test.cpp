@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/basis_convergence.hpp"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include "study_tables.hpp"
@@ -8,16 +9,9 @@
 namespace microslip::experiments::basis_convergence_test {
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> found = basis_convergence({.material = {1, 0.28},
-                                                             .length = 200,
-                                                             .bound = HertzBound(1, 1),
-                                                             .sizes = {15, 31, 63, 127, 255, 511},
-                                                             .leading_offset = 1,
-                                                             .trailing_offset = 1,
-                                                             .step_ratio = 1,
-                                                             .stick_ratio = 0.6},
-                                                            [](std::size_t, std::size_t) {});
-  return found;
+  static const std::vector<Table> all =
+      tables_of("basis_convergence", read_basis_convergence, basis_convergence);
+  return all;
 }
 
 double force_error_at_511(std::size_t basis) {
@@ -49,15 +43,9 @@ TEST(BasisConvergence, Verdicts) {
 // Below a' = 1/2 the point x = 0 slips: its traction is the bound, without an error.
 TEST(BasisConvergence, TakesAnyStickRatio) {
   for (const double stick_ratio : {0.1, 0.3, 0.5, 0.9}) {
-    const std::vector<Table> found = basis_convergence({.material = {1, 0.28},
-                                                        .length = 200,
-                                                        .bound = HertzBound(1, 1),
-                                                        .sizes = {63, 127, 255},
-                                                        .leading_offset = 1,
-                                                        .trailing_offset = 1,
-                                                        .step_ratio = 1,
-                                                        .stick_ratio = stick_ratio},
-                                                       [](std::size_t, std::size_t) {});
+    const std::vector<Table> found =
+        tables_of("basis_convergence", read_basis_convergence, basis_convergence,
+                  {"grid.sizes=63 127 255", fmt::format("load.stick_ratio={}", stick_ratio)});
     for (const std::size_t basis : {0U, 1U, 2U}) {
       EXPECT_NEAR(found[1].number(basis, "force_order"), 1.1, 0.1) << stick_ratio;
       EXPECT_EQ(std::isnan(found[1].number(basis, "point_order")), stick_ratio < 0.5)

@@ -11,15 +11,8 @@ namespace microslip::experiments::carter_test {
 
 constexpr Material material{1, 0.28};
 
-std::vector<Table> tables_for(const char* basis) {
-  return carter({.problem = {.contact = {PlaneKernel(material, 200), HertzBound(1, 1)},
-                             .grid = Grid({.half_width = 1, .elements = 50}),
-                             .basis = make_basis(basis),
-                             .method = Differences{},
-                             .load = PrescribedCreepage{0.576}},
-                 .step_ratios = {1, 0.5, 0.1, 0.05, 0.01},
-                 .accuracy_step_ratios = {0.3, 0.4, 0.5, 0.55, 0.6, 0.7, 0.8, 1}},
-                [](std::size_t, std::size_t) {});
+std::vector<Table> tables_for(const std::string& basis) {
+  return tables_of("carter", read_carter, carter, {"basis=" + basis});
 }
 
 // Thesis Fig. 1.1: small steps wiggle, c = 1 does not.

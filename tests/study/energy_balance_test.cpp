@@ -11,23 +11,11 @@
 namespace microslip::experiments::energy_balance_test {
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> all = energy_balance(
-      {.scene = {.problem = {.contact = {PlaneKernel({1.44, 0.28}, 10), HertzBound(1, 1)},
-                             .grid = Grid({.half_width = 1, .elements = 60}),
-                             .basis = constant_basis(),
-                             .scheme = Remembered{}},
-                 .cylinder = {.mass = 1, .inertia = 5000, .radius = 100, .slope_force = 0.3},
-                 .integrator = Integrator::midpoint,
-                 .step_ratio = 1,
-                 .distance = 20},
-       .snapshots = {0.1, 1, 3},
-       .sizes = {100, 200, 400},
-       .error_distance = 2,
-       .motion_sizes = {20, 40, 80},
-       .refinement = 12,
-       .step_ratios = {4, 2, 1},
-       .tolerances = {1e-4, 1e-5}},
-      [](std::size_t, std::size_t) {});
+  static const std::vector<Table> all =
+      tables_of("energy_balance", read_energy_balance, energy_balance,
+                {"grid.elements=60", "snapshots.positions=0.1 1 3", "error.sizes=100 200 400",
+                 "motion.sizes=20 40 80", "motion.refinement=12", "control.step_ratios=4 2 1",
+                 "control.tolerances=1e-4 1e-5"});
   return all;
 }
 

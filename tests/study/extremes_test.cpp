@@ -14,37 +14,33 @@
 namespace microslip::experiments::extremes_test {
 
 /// Fewer places than in the study, but those on which the safe ranges rest.
-ExtremesParameters parameters() {
-  return {.material = {1, 0.28},
-          .bound = HertzBound(1, 1),
-          .length = 10,
-          .elements = 51,
-          .stick_ratio = 0.6,
-          .limits = {.error = 0.1, .wiggle = 0.01, .operations = 1e8},
-          .steps = {.ratios = {1e-12, 1e-6, 1e-3, 0.1, 0.3, 0.7, 1, 1.5, 2, 10, 1000},
-                    .sizes = {1, 2, 11, 21, 51, 101},
-                    .ratios_of_large = {1},
-                    .large = {10001}},
-          .widths = {.ratios = {1e-3, 0.1, 1, 10, 1000, 1e8}, .poisson_ratios = {0, 0.28, 0.5}},
-          .loads = {.stuck = {0, 1e-6, 1e-3, 0.1}, .sliding = {0, 1e-12, 1e-9, 1e-6, 1e-3, 0.1}},
-          .bounds = {1e-6, 1e-3, 0.1, 0.5, 0.9, 0.99},
-          .kernels = {.layers = {1e-12, 1e-3, 1, 1e3, 1e12},
-                      .strains = {1e-12, 1e-3, 0.3, 1, 3, 1e4},
-                      .loads = {1e-6, 1e-3, 0.1, 0.5, 0.9, 0.99}},
-          .offsets = {0, 1e-9, 0.5, 0.8253, 1},
-          .transient = {.ratios = {1e-12, 1e-3, 0.01, 0.1, 0.3, 0.5, 0.8, 1, 1.3, 2, 100, 1000},
-                        .sizes = {11, 25, 51},
-                        .distance = 20,
-                        .most_steps = 2000},
-          .endurance = {.ratios = {1, 0.3}, .states = {1000, 10000}},
-          .cylinder = {.force_ratios = {0.01, 0.1, 1.5, 10}, .ratios = {0.3, 1, 10}},
-          .scales = {1e-12, 1e12}};
-}
+const std::vector<std::string> places{
+    "limits.operations=1e8",
+    "steps.step_ratios=1e-12 1e-6 1e-3 0.1 0.3 0.7 1 1.5 2 10 1000",
+    "steps.sizes=1 2 11 21 51 101",
+    "steps.large_step_ratios=1",
+    "steps.large_sizes=10001",
+    "widths.strip_widths=1e-3 0.1 1 10 1000 1e8",
+    "loads.stick_ratios=0 1e-6 1e-3 0.1",
+    "loads.sliding=0 1e-12 1e-9 1e-6 1e-3 0.1",
+    "bounds.force_ratios=1e-6 1e-3 0.1 0.5 0.9 0.99",
+    "kernels.layers=1e-12 1e-3 1 1e3 1e12",
+    "kernels.beta_over_mu=1e-12 1e-3 0.3 1 3 1e4",
+    "kernels.force_ratios=1e-6 1e-3 0.1 0.5 0.9 0.99",
+    "offsets=0 1e-9 0.5 0.8253 1",
+    "transient.step_ratios=1e-12 1e-3 0.01 0.1 0.3 0.5 0.8 1 1.3 2 100 1000",
+    "transient.sizes=11 25 51",
+    "transient.most_steps=2000",
+    "endurance.step_ratios=1 0.3",
+    "endurance.states=1000 10000",
+    "cylinder.force_ratios=0.01 0.1 1.5 10",
+    "cylinder.step_ratios=0.3 1 10",
+    "scales=1e-12 1e12"};
 
 class Extremes : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    tables_ = new std::vector<Table>(extremes(parameters(), [](std::size_t, std::size_t) {}));
+    tables_ = new std::vector<Table>(tables_of("extremes", read_extremes, extremes, places));
   }
   static void TearDownTestSuite() { delete tables_; }
 

@@ -9,14 +9,9 @@
 namespace microslip::experiments::fourier_inverse_test {
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> found = fourier_inverse({.kernel = PlaneKernel({1, 0.28}, 1),
-                                                           .basis = "both",
-                                                           .spacing = 1,
-                                                           .elements = 60,
-                                                           .step_ratios = {1, 0.01},
-                                                           .sizes = {16, 32, 64, 128, 256}},
-                                                          [](std::size_t, std::size_t) {});
-  return found;
+  static const std::vector<Table> all = tables_of("fourier_inverse", read_fourier_inverse,
+                                                  fourier_inverse, {"grid.sizes=16 32 64 128 256"});
+  return all;
 }
 
 // Away from the boundary the error is a constant from the zero frequency, whatever the size;

@@ -13,20 +13,8 @@ constexpr Material material{1, 0.28};
 
 const std::vector<Table>& tables() {
   static const std::vector<Table> all =
-      fractional_power({.rolling = {.kernel = PlaneKernel(material, 200),
-                                    .bound = HertzBound(1, 1),
-                                    .grid = Grid({.half_width = 1, .elements = 147}),
-                                    .basis = constant_basis(),
-                                    .force = 0.64 * HertzBound(1, 1).total()},
-                        .step_ratios = {1, 0.8, 0.5, 0.2},
-                        .distances = {25, 38.4},
-                        .step_ratio = 0.8,
-                        .refinement = 5,
-                        .shape_elements = 151,
-                        .steps = {1, 33, 133},
-                        .cost_sizes = {51, 101, 201, 401},
-                        .largest_schur = 101},
-                       [](std::size_t, std::size_t) {});
+      tables_of("fractional_power", read_fractional_power, fractional_power,
+                {"reference.refinement=5", "cost.sizes=51 75 101 201 401", "cost.largest_schur=101"});
   return all;
 }
 

@@ -17,27 +17,12 @@ using Complex = std::complex<double>;
 using std::numbers::pi;
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> all = [] {
-    const Material material{1.44, 0.28};
-    return frequency_response({.bound = HertzBound(1, 1),
-                               .plane = PlaneKernel(material, 10),
-                               .strip = StripKernel(material, 2),
-                               .period = 20,
-                               .waves = {2, 4, 8},
-                               .amplitude = 1e-3,
-                               .adhesion_amplitude = 1e-7,
-                               .sizes = {21, 41, 81},
-                               .stick_ratios = {0.6},
-                               .state_sizes = {21, 41, 81},
-                               .alignments = 6,
-                               .step_ratios = {1, 0.3},
-                               .motion_sizes = {21, 41, 81},
-                               .shortest = 1,
-                               .longest = 100,
-                               .points = 3,
-                               .operations = 2e9},
-                              [](std::size_t, std::size_t) {});
-  }();
+  static const std::vector<Table> all =
+      tables_of("frequency_response", read_frequency_response, frequency_response,
+                {"material.shear_modulus=1.44", "waves.numbers=2 4 8", "adhesion.sizes=21 41 81",
+                 "states.stick_ratios=0.6", "states.sizes=21 41 81", "states.alignments=6",
+                 "step.ratios=1 0.3", "motion.sizes=21 41 81", "curve.shortest=1",
+                 "curve.longest=100", "curve.points=3"});
   return all;
 }
 

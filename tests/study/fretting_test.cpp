@@ -15,38 +15,34 @@ namespace microslip::experiments::fretting_test {
 
 const Material material{1.44, 0.28};  // 2 (1 - nu)/G = 1
 
-FrettingParameters parameters() {
-  return {.material = material,
-          .length = 20,
-          .bound = PolynomialBound(2, 3, (Eigen::VectorXd(4) << 1, -0.4, 0.1, 0.2).finished()),
-          .sizes = {30, 60},
-          .forces = {0.3, 0.8},
-          .points = 7,
-          .error_forces = {0.5, 0.9},
-          .all_forces = {0.001, 0.05, 0.1, 0.3, 0.9},
-          .lengths = {2, 1e4},
-          .run_elements = 40,
-          .run_force = 0.3,
-          .run_swing = 0.6,
-          .run_distance = 11.7,
-          .run_step_ratio = 0.7};
-}
-
-const auto no_progress = [](std::size_t, std::size_t) {};
+/// The contact of these tests, another one than that of the study.
+const std::vector<std::string> contact{
+    "material.shear_modulus=1.44", "contact.half_width=2", "contact.peak_traction=3",
+    "contact.bound_polynomial=1 -0.4 0.1 0.2", "kernel.length=20"};
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> all = fretting(parameters(), no_progress);
+  static const std::vector<Table> all = [] {
+    std::vector<std::string> changes{"grid.sizes=30 60",
+                                     "cycle.force_ratios=0.3 0.8",
+                                     "cycle.points=7",
+                                     "cycle.error_force_ratios=0.5 0.9",
+                                     "cycle.all_force_ratios=0.001 0.05 0.1 0.3 0.9",
+                                     "cycle.lengths=2 1e4",
+                                     "run.elements=40",
+                                     "run.force_ratio=0.3",
+                                     "run.swing=0.6",
+                                     "run.elements_rolled=11.7",
+                                     "run.step_ratio=0.7"};
+    changes.insert(changes.end(), contact.begin(), contact.end());
+    return tables_of("fretting", read_fretting, fretting, changes);
+  }();
   return all;
 }
 
 // Errors depend on where the ends of the stick zones lie in their elements, so that it takes many
 // amplitudes to tell an order.
 TEST(FrettingStudy, OrdersErrorsAndVerdicts) {
-  FrettingParameters many = parameters();
-  many.sizes = {36, 50, 72, 144};
-  many.error_forces.clear();
-  for (int i = 0; i < 41; ++i) many.error_forces.push_back(0.352 + 0.0147 * i);
-  const std::vector<Table> found = fretting(many, no_progress);
+  const std::vector<Table> found = tables_of("fretting", read_fretting, fretting, contact);
   const auto order = [&](const char* bound, const char* scheme, const char* column) {
     return table_named(found, "orders").latest({{"bound", bound}, {"scheme", scheme}}, column);
   };

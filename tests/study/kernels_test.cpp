@@ -11,19 +11,12 @@
 namespace microslip::experiments::kernels_test {
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> all = kernels({.material = {3, 0.3},
-                                                 .bound = HertzBound(2, 0.1),
-                                                 .length = 40,
-                                                 .softness = {0.01, 1},
-                                                 .elements = 200,
-                                                 .points = 16,
-                                                 .noise_elements = 50,
-                                                 .noise_step = 1e-3,
-                                                 .noise_points = 4,
-                                                 .edge_points = 4,
-                                                 .force_ratio = 0.6,
-                                                 .sizes = {50, 100, 200}},
-                                                [](std::size_t, std::size_t) {});
+  static const std::vector<Table> all =
+      tables_of("kernels", read_kernels, kernels,
+                {"material.shear_modulus=3", "material.poisson_ratio=0.3", "contact.half_width=2",
+                 "contact.peak_traction=0.1", "kernel.length=40", "layers.softness=0.01 1",
+                 "grid.elements=200", "curve.points=16", "noise.step=1e-3", "noise.points=4",
+                 "edge.points=4", "error.sizes=50 100 200"});
   return all;
 }
 

@@ -9,18 +9,11 @@ namespace microslip::experiments::leading_edge_test {
 
 // A part of the study's settings, with those that come nearest to the thesis's numbers.
 const std::vector<Table>& tables() {
-  static const std::vector<Table> found = leading_edge({.material = {1, 0.28},
-                                                        .length = 200,
-                                                        .bound = HertzBound(1, 1),
-                                                        .sizes = {15, 30, 60, 120, 240},
-                                                        .leading_offsets = {0.1, 0.3, 0.5, 0.7, 1},
-                                                        .trailing_offsets = {0, 0.25, 1},
-                                                        .stick_ratios = {0.3, 0.5, 0.6, 0.9},
-                                                        .profile_elements = 15,
-                                                        .profile_stick_ratio = 0.6,
-                                                        .profile_offset = 0.4},
-                                                       [](std::size_t, std::size_t) {});
-  return found;
+  static const std::vector<Table> all =
+      tables_of("leading_edge", read_leading_edge, leading_edge,
+                {"grid.leading_offsets=0.1 0.3 0.5 0.7 1", "grid.trailing_offsets=0 0.25 1",
+                 "load.stick_ratios=0.3 0.5 0.6 0.9"});
+  return all;
 }
 
 const Table& table(const std::string& name) { return table_named(tables(), name); }

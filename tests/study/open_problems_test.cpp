@@ -11,32 +11,12 @@
 namespace microslip::experiments::open_problems_test {
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> all = [] {
-    const Material material{1, 0.28};
-    const PolynomialBound bound(1, 1, (Eigen::VectorXd(3) << 1, 0.3, 0.2).finished());
-    return open_problems({.material = material,
-                          .length = 200,
-                          .bound = bound,
-                          .sizes = {15, 30, 60, 120, 240},
-                          .cases = 12,
-                          .least_stick_ratio = 0.05,
-                          .most_stick_ratio = 0.98,
-                          .steady_elements = 60,
-                          .steady_stick_ratio = 0.6,
-                          .steady_ratios = {1e-12, 1e-3, 0.1, 1, 1000},
-                          .motion = {.kernel = PlaneKernel(material, 200),
-                                     .bound = HertzBound(1, 1),
-                                     .grid = Grid({.half_width = 1, .elements = 100}),
-                                     .basis = constant_basis(),
-                                     .force = 0.64 * HertzBound(1, 1).total()},
-                          .distance = 50,
-                          .refinement = 4,
-                          .motion_ratios = {2.5, 1, 0.9, 0.75, 0.5, 0.31, 0.1, 0.01},
-                          .widths = {1, 5},
-                          .curve_points = 20,
-                          .unknowns = {4, 8, 16, 28, 40}},
-                         [](std::size_t, std::size_t) {});
-  }();
+  static const std::vector<Table> all =
+      tables_of("open_problems", read_open_problems, open_problems,
+                {"grid.sizes=15 30 60 120 240", "cases.number=12", "steady.elements=60",
+                 "steady.step_ratios=1e-12 1e-3 0.1 1 1000", "motion.refinement=4",
+                 "motion.step_ratios=2.5 1 0.9 0.75 0.5 0.31 0.1 0.01", "curve.widths=1 5",
+                 "curve.points=20", "curve.unknowns=4 8 16 28 40"});
   return all;
 }
 
@@ -78,7 +58,7 @@ TEST(OpenProblemsStudy, SteadyRollingHasNoStep) {
   EXPECT_EQ(found, 5);
 }
 
-// 50 elements rolled on 100 elements.
+// 50 elements rolled on 147 elements.
 TEST(OpenProblemsStudy, RememberedStepsOfAnyLengthGiveTheSame) {
   const Table& steps = table_named(tables(), "steps");
   const auto value = [&](const char* scheme, double c, const char* column) {

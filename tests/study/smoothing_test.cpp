@@ -10,18 +10,7 @@ namespace microslip::experiments::smoothing_test {
 constexpr Material material{1, 0.28};
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> all =
-      smoothing({.rolling = {.kernel = PlaneKernel(material, 200),
-                             .bound = HertzBound(1, 1),
-                             .grid = Grid({.half_width = 1, .elements = 147}),
-                             .basis = constant_basis(),
-                             .force = 0.64 * HertzBound(1, 1).total()},
-                 .step_ratios = {1, 0.8, 0.5, 0.2, 0.05},
-                 .distance = 50,
-                 .pulse_elements = 201,
-                 .frequencies = 32,
-                 .refinement = 5},
-                [](std::size_t, std::size_t) {});
+  static const std::vector<Table> all = tables_of("smoothing", read_smoothing, smoothing);
   return all;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/speed_accuracy.hpp"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,37 +18,14 @@ namespace microslip::experiments::speed_accuracy_test {
 constexpr double steady_limit = 2e7;
 
 std::vector<Table> measured() {
-  const HertzBound hertz(1, 1.15);
-  return speed_accuracy(
-      {.bound = PolynomialBound(1, 1, (Eigen::VectorXd(3) << 1, 0.3, 0.2).finished()),
-       .material = {1.44, 0.28},
-       .length = 200,
-       .width = 2,
-       .sizes = {15, 33, 63, 129, 255},
-       .repeats = 1e-9,
-       .steady = {.limit = {steady_limit},
-                  .stick_ratios = {0.31, 0.59, 0.83},
-                  .step_ratios = {1, 0.1},
-                  .unknowns = {1, 3, 6, 12}},
-       .transient = {.limit = {1e7},
-                     .bound = hertz,
-                     .force = 0.64 * full_sliding_force(hertz),
-                     .step_ratios = {1, 0.5, 2},
-                     .reference = 1023},
-       .rolling = {.limit = {3e6},
-                   .cylinder = {.mass = 1, .inertia = 5000, .radius = 100, .slope_force = 0.3},
-                   .length = 10,
-                   .distance = 0.5,
-                   .step_ratios = {1},
-                   .reference = 129},
-       .rough = {.hursts = {0.8, 0.3},
-                 .amplitude = 0.5,
-                 .seed = 1,
-                 .rows = 2049,
-                 .force_ratio = 0.8,
-                 .sizes = {63, 255, 1023},
-                 .reference = 8191}},
-      [](std::size_t, std::size_t) {});
+  return tables_of(
+      "speed_accuracy", read_speed_accuracy, speed_accuracy,
+      {fmt::format("steady.operations={}", steady_limit), "grid.sizes=15 33 63 129 255",
+       "timing.repeats=1e-9", "steady.step_ratios=1 0.1", "steady.unknowns=1 3 6 12",
+       "transient.operations=1e7", "transient.step_ratios=1 0.5 2", "transient.reference=1023",
+       "cylinder.operations=3e6", "cylinder.distance=0.5", "cylinder.step_ratios=1",
+       "cylinder.reference=129", "rough.hursts=0.8 0.3", "rough.rows=2049",
+       "rough.sizes=63 255 1023", "rough.reference=8191"});
 }
 
 const std::vector<Table>& tables() {

@@ -20,16 +20,10 @@ CattaneoToCarter rolling_on(Eigen::Index n, const Basis& basis = constant_basis(
 
 const std::vector<Table>& tables() {
   static const std::vector<Table> all =
-      under_relaxation({.rolling = rolling_on(147),
-                        .relaxation = 1,
-                        .step_ratios = {1, 0.8, 0.5, 0.2, 0.01},
-                        .distances = {24, 25},
-                        .refinement = 5,
-                        .compared_step_ratio = 0.5,
-                        .small_elements = 25,
-                        .relaxed_step_ratios = {1, 0.1, 0.01, 0.001, 0.0001},
-                        .direct_step_ratios = {1, 0.1, 0.01, 0.001}},
-                       [](std::size_t, std::size_t) {});
+      tables_of("under_relaxation", read_under_relaxation, under_relaxation,
+                {"step.ratios=1 0.8 0.5 0.2 0.01", "reference.refinement=5",
+                 "wiggles.relaxed_step_ratios=1 0.1 0.01 0.001 0.0001",
+                 "wiggles.direct_step_ratios=1 0.1 0.01 0.001"});
   return all;
 }
 

@@ -10,17 +10,11 @@
 namespace microslip::experiments::unlike_bodies_test {
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> all = unlike_bodies({.material = {3, 0.3},
-                                                       .bound = HertzBound(2, 0.1),
-                                                       .elements = 301,
-                                                       .smallest = 0.05,
-                                                       .largest = 50,
-                                                       .free_points = 13,
-                                                       .ratios = {0.5, 2.87667},
-                                                       .zones_ratio = 2.87667,
-                                                       .tractive_points = 39,
-                                                       .sizes = {100, 200, 400, 800}},
-                                                      [](std::size_t, std::size_t) {});
+  static const std::vector<Table> all = tables_of(
+      "unlike_bodies", read_unlike_bodies, unlike_bodies,
+      {"material.shear_modulus=3", "material.poisson_ratio=0.3", "contact.half_width=2",
+       "contact.peak_traction=0.1", "grid.elements=301", "free.points=13",
+       "tractive.beta_over_mu=0.5 2.87667", "tractive.points=39", "error.sizes=100 200 400 800"});
   return all;
 }
 

@@ -13,28 +13,17 @@
 
 namespace microslip::experiments::varying_load_test {
 
-const Material material{1.44, 0.28};  // 2 (1 - nu)/G = 1
-
 VaryingLoadParameters parameters() {
-  return {.material = material,
-          .bound = HertzBound(2, 3),
-          .length = 20,
-          .stick_ratios = {0.6},
-          .wavelengths = {5, 30},
-          .amplitude = 1e-3,
-          .alignments = 3,
-          .sizes = {25, 50, 100},
-          .step_ratios = {1},
-          .large_amplitude = 0.4,
-          .large_stick_ratio = 0.6,
-          .shown = {5, 300},
-          .shortest = 1,
-          .longest = 1000,
-          .points = 5};
+  return parameters_of(
+      "varying_load", read_varying_load,
+      {"material.shear_modulus=1.44", "contact.half_width=2", "contact.peak_traction=3",
+       "kernel.length=20", "small.stick_ratios=0.6", "small.wavelengths=5 30", "small.alignments=3",
+       "step.ratios=1", "large.amplitude=0.4", "large.wavelengths=5 300", "curve.shortest=1",
+       "curve.longest=1000", "curve.points=5"});  // 2 (1 - nu)/G = 1
 }
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> all = varying_load(parameters(), [](std::size_t, std::size_t) {});
+  static const std::vector<Table> all = varying_load(parameters(), no_progress);
   return all;
 }
 
@@ -63,7 +52,7 @@ TEST(VaryingLoadStudy, TakesStatesThatNearlyAdhereEverywhere) {
   nearly.stick_ratios = {0.995};
   nearly.wavelengths = {5};
   nearly.sizes = {25, 50};
-  const std::vector<Table> found = varying_load(nearly, [](std::size_t, std::size_t) {});
+  const std::vector<Table> found = varying_load(nearly, no_progress);
   EXPECT_LT(table_named(found, "measured").number(1, "error"), 0.05);
 }
 
@@ -92,6 +81,10 @@ TEST(VaryingLoadStudy, BristlesAnswerSmallWavesAsTheClosedFormDoes) {
   };
   const double slope = (steady(1.1) - steady(0.9)) / 0.2 / full_sliding_force(bristles.bound);
   EXPECT_NEAR(bristles.force_by_normal_load(1e6).real() / slope, 1, 0.01);
+}
+
+TEST(VaryingLoadStudy, Verdicts) {
+  EXPECT_EQ(verdicts(tables()), std::vector<std::string>(5, "ours"));
 }
 
 }  // namespace microslip::experiments::varying_load_test

@@ -10,17 +10,10 @@ namespace microslip::experiments::wiggle_spectrum_test {
 constexpr Material material{1, 0.28};
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> found = wiggle_spectrum({.kernel = PlaneKernel(material, 1),
-                                                           .spacing = 1,
-                                                           .elements = 31,
-                                                           .step_ratios = {1, 0.01},
-                                                           .shift = 0.1,
-                                                           .samples = 100,
-                                                           .smallest_step_ratio = 1e-6,
-                                                           .per_decade = 1,
-                                                           .strip_widths = {40}},
-                                                          [](std::size_t, std::size_t) {});
-  return found;
+  static const std::vector<Table> all =
+      tables_of("wiggle_spectrum", read_wiggle_spectrum, wiggle_spectrum,
+                {"step.samples=100", "spectrum.per_decade=1", "crossing.strip_widths=40"});
+  return all;
 }
 
 const Table& table(const std::string& name) { return table_named(tables(), name); }

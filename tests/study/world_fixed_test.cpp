@@ -27,20 +27,10 @@ CattaneoToCarter rolling_on(Eigen::Index n) {
 }
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> all = world_fixed({.rolling = rolling_on(100),
-                                                     .step_ratio = 0.05,
-                                                     .shown = 3,
-                                                     .part = 0.4,
-                                                     .distance = 0.5,
-                                                     .elements = {25, 50, 100, 200},
-                                                     .largest_cut = 200,
-                                                     .noise_step_ratio = 0.1,
-                                                     .noise_elements = 200,
-                                                     .step_ratios = {1, 0.5, 0.2, 0.1, 0.01},
-                                                     .error_step_ratios = {1, 0.2, 0.1},
-                                                     .error_distance = 25,
-                                                     .refinement = 8},
-                                                    [](std::size_t, std::size_t) {});
+  static const std::vector<Table> all =
+      tables_of("world_fixed", read_world_fixed, world_fixed,
+                {"noise.sizes=25 50 100 200", "noise.step_ratios=1 0.5 0.2 0.1 0.01",
+                 "error.step_ratios=1 0.2 0.1", "error.refinement=8"});
   return all;
 }
 

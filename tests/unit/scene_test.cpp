@@ -23,7 +23,7 @@ TEST(Scene, ReadsNestedKeys) {
 
 TEST(Scene, HoldsValuesToTheKeysThatAReaderDeclares) {
   using enum Key::Type;
-  static constexpr auto own = std::to_array<Key>(
+  static const std::vector<Key> own(
       {{"error.distance", number, "mm", "", above_zero},
        {"part", number, "1", "", inner_fraction},
        {"step.ratios", list, "1", "", range_above(0, 4)},

@@ -16,13 +16,13 @@ namespace microslip::experiments {
 /// integration limits as printed in (B.30).
 struct BasisConvergenceParameters {
   Material material;
-  double length;  ///< L0 of the plane kernel  [mm]
+  double length = 0;  ///< L0 of the plane kernel  [mm]
   HertzBound bound;
-  std::vector<Eigen::Index> sizes;  ///< N, odd, ascending, at least two
-  double leading_offset;            ///< last node to leading edge, in (0, 1]  [dx]
-  double trailing_offset;           ///< trailing edge to first node, in [0, 1]  [dx]
-  double step_ratio;                ///< c  [1]
-  double stick_ratio;               ///< a', in (0, 1)
+  std::vector<Eigen::Index> sizes{};  ///< N, odd, ascending, at least two
+  double leading_offset = 0;          ///< last node to leading edge, in (0, 1]  [dx]
+  double trailing_offset = 0;         ///< trailing edge to first node, in [0, 1]  [dx]
+  double step_ratio = 0;              ///< c  [1]
+  double stick_ratio = 0;             ///< a', in (0, 1)
 };
 
 /// The keys that `basis_convergence --print-keys` lists, each checked against its listed range.

@@ -16,11 +16,11 @@ namespace microslip::experiments {
 /// functions.
 struct FourierInverseParameters {
   Kernel kernel;
-  std::string basis;                ///< of the tables: constant, linear or both; claims take both
-  double spacing;                   ///< dx, in (0, inf)  [mm]
-  Eigen::Index elements;            ///< size of the matrices shown, in [4, 10000]
-  std::vector<double> step_ratios;  ///< c, each >= 1e-15; the first large, the last small  [1]
-  std::vector<Eigen::Index> sizes;  ///< sizes for the errors, each in [4, 10000]
+  std::string basis{};                ///< of the tables: constant, linear or both; claims take both
+  double spacing = 0;                 ///< dx, in (0, inf)  [mm]
+  Eigen::Index elements = 0;          ///< size of the matrices shown, in [4, 10000]
+  std::vector<double> step_ratios{};  ///< c, each >= 1e-15; the first large, the last small  [1]
+  std::vector<Eigen::Index> sizes{};  ///< sizes for the errors, each in [4, 10000]
 };
 
 /// The keys that `fourier_inverse --print-keys` lists, each checked against its listed range.

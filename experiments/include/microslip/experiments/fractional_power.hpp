@@ -13,16 +13,16 @@ namespace microslip::experiments {
 /// Do fractional powers of A^-1 A* keep travelling peaks sharp, and is their cost a reason to
 /// reject them? Thesis chapter 8.
 struct FractionalPowerParameters {
-  CattaneoToCarter rolling;              ///< odd number of elements
-  std::vector<double> step_ratios;       ///< c of Fig. 8.3, each >= 1e-6, the first a whole number
-  std::vector<double> distances;         ///< in elements: of Figs. 8.3 and 8.4
-  double step_ratio;                     ///< c in all other tables, in (0, 1)
-  Eigen::Index refinement;               ///< elements of the reference for each element, >= 2
-  Eigen::Index shape_elements;           ///< of Figs. 8.1 and 8.2, odd, >= 51
-  std::vector<Eigen::Index> steps;       ///< numbers of steps after which shapes are shown,
-                                         ///< ascending
-  std::vector<Eigen::Index> cost_sizes;  ///< N, odd
-  Eigen::Index largest_schur;            ///< N up to which the Schur method is tried, >= 3 of them
+  CattaneoToCarter rolling;           ///< odd number of elements
+  std::vector<double> step_ratios{};  ///< c of Fig. 8.3, each >= 1e-6, the first a whole number
+  std::vector<double> distances{};    ///< in elements: of Figs. 8.3 and 8.4
+  double step_ratio = 0;              ///< c in all other tables, in (0, 1)
+  Eigen::Index refinement = 0;        ///< elements of the reference for each element, >= 2
+  Eigen::Index shape_elements = 0;    ///< of Figs. 8.1 and 8.2, odd, >= 51
+  std::vector<Eigen::Index> steps{};  ///< numbers of steps after which shapes are shown,
+                                      ///< ascending
+  std::vector<Eigen::Index> cost_sizes{};  ///< N, odd
+  Eigen::Index largest_schur = 0;  ///< N up to which the Schur method is tried, >= 3 of them
 };
 
 /// The keys that `fractional_power --print-keys` lists, each checked against its listed range.

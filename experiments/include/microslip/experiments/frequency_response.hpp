@@ -19,21 +19,21 @@ struct FrequencyResponseParameters {
   HertzBound bound;
   PlaneKernel plane;
   StripKernel strip;
-  double period;                           ///< common period of all waves  [mm]
-  std::vector<Eigen::Index> waves;         ///< wave numbers: waves in the period, each 1 to 64
-  double amplitude;                        ///< of all waves over the creepage of a state, (0, 0.1]
-  double adhesion_amplitude;               ///< amplitude about full adhesion, over the creepage of
-                                           ///< full sliding, (0, 1e-3]
-  std::vector<Eigen::Index> sizes;         ///< N for full adhesion, 3 to 2000, at least two
-  std::vector<double> stick_ratios;        ///< a' of Carter's states, each in [0.1, 0.99]
-  std::vector<Eigen::Index> state_sizes;   ///< N for these states, with c = 1; other c use the
-                                           ///< first two N
-  int alignments;                          ///< of the stick-slip point in an element, 1 to 20
-  std::vector<double> step_ratios;         ///< c, each in [0.01, 1], the first one 1
-  std::vector<Eigen::Index> motion_sizes;  ///< N of the steps, at least two
-  double shortest, longest;                ///< wavelengths of the curves  [mm]
-  int points;                              ///< number of points of the curves, 2 to 10000
-  double operations;                       ///< a run that is expected to take more is left out
+  double period = 0;                        ///< common period of all waves  [mm]
+  std::vector<Eigen::Index> waves{};        ///< wave numbers: waves in the period, each 1 to 64
+  double amplitude = 0;                     ///< of all waves over the creepage of a state, (0, 0.1]
+  double adhesion_amplitude = 0;            ///< amplitude about full adhesion, over the creepage of
+                                            ///< full sliding, (0, 1e-3]
+  std::vector<Eigen::Index> sizes{};        ///< N for full adhesion, 3 to 2000, at least two
+  std::vector<double> stick_ratios{};       ///< a' of Carter's states, each in [0.1, 0.99]
+  std::vector<Eigen::Index> state_sizes{};  ///< N for these states, with c = 1; other c use the
+                                            ///< first two N
+  int alignments = 0;                       ///< of the stick-slip point in an element, 1 to 20
+  std::vector<double> step_ratios{};        ///< c, each in [0.01, 1], the first one 1
+  std::vector<Eigen::Index> motion_sizes{};  ///< N of the steps, at least two
+  double shortest = 0, longest = 0;          ///< wavelengths of the curves  [mm]
+  int points = 0;                            ///< number of points of the curves, 2 to 10000
+  double operations = 0;                     ///< a run that is expected to take more is left out
 };
 
 /// The keys that `frequency_response --print-keys` lists, each checked against its listed range.

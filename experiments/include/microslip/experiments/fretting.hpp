@@ -18,21 +18,21 @@ namespace microslip::experiments {
 /// sliding.
 struct FrettingParameters {
   Material material;
-  double length;                     ///< L0 of plane strain  [mm]
-  PolynomialBound bound;             ///< a bound that is not Hertzian; the Hertzian bound has the
-                                     ///< same force and half-width
-  std::vector<Eigen::Index> sizes;   ///< N, ascending; loops have the last
-  std::vector<double> forces;        ///< amplitudes of the loops, ascending in (0, 1)
-  int points;                        ///< of a loop on each way, >= 2
-  std::vector<double> error_forces;  ///< amplitudes over which errors are taken, likewise
-  std::vector<double> all_forces;    ///< amplitudes of the curve of dissipation, likewise
-  std::vector<double> lengths;       ///< of plane strain, other L0, >= 1  [half-widths]
-  Eigen::Index run_elements;         ///< N of the run, and of other L0
-  double run_force;                  ///< force during rolling, in (-1, 1), not 0
-  double run_swing;                  ///< amplitude about run_force at standstill; the sum of both
-                                     ///< is below 1
-  double run_distance;               ///< rolled each time  [elements]
-  double run_step_ratio;             ///< c, in [1e-3, 5]
+  double length = 0;                   ///< L0 of plane strain  [mm]
+  PolynomialBound bound;               ///< a bound that is not Hertzian; the Hertzian bound has the
+                                       ///< same force and half-width
+  std::vector<Eigen::Index> sizes{};   ///< N, ascending; loops have the last
+  std::vector<double> forces{};        ///< amplitudes of the loops, ascending in (0, 1)
+  int points = 0;                      ///< of a loop on each way, >= 2
+  std::vector<double> error_forces{};  ///< amplitudes over which errors are taken, likewise
+  std::vector<double> all_forces{};    ///< amplitudes of the curve of dissipation, likewise
+  std::vector<double> lengths{};       ///< of plane strain, other L0, >= 1  [half-widths]
+  Eigen::Index run_elements = 0;       ///< N of the run, and of other L0
+  double run_force = 0;                ///< force during rolling, in (-1, 1), not 0
+  double run_swing = 0;                ///< amplitude about run_force at standstill; the sum of both
+                                       ///< is below 1
+  double run_distance = 0;             ///< rolled each time  [elements]
+  double run_step_ratio = 0;           ///< c, in [1e-3, 5]
 };
 
 /// The keys that `fretting --print-keys` lists, each checked against its listed range.

@@ -18,16 +18,16 @@ namespace microslip::experiments {
 struct KernelsParameters {
   Material material;
   HertzBound bound;
-  double length;                    ///< L0 of plane strain  [mm]
-  std::vector<double> softness;     ///< of the layers, rising  [1]
-  Eigen::Index elements;            ///< N of curves and transients
-  int points;                       ///< creepages of a curve
-  Eigen::Index noise_elements;      ///< least N of wiggles
-  double noise_step;                ///< least c of wiggles
-  int noise_points;                 ///< evenly spaced in its logarithm up to 1
-  int edge_points;                  ///< compliances of which the edge is measured
-  double force_ratio;               ///< of wiggles, errors and transients
-  std::vector<Eigen::Index> sizes;  ///< N of errors, rising
+  double length = 0;                  ///< L0 of plane strain  [mm]
+  std::vector<double> softness{};     ///< of the layers, rising  [1]
+  Eigen::Index elements = 0;          ///< N of curves and transients
+  int points = 0;                     ///< creepages of a curve
+  Eigen::Index noise_elements = 0;    ///< least N of wiggles
+  double noise_step = 0;              ///< least c of wiggles
+  int noise_points = 0;               ///< evenly spaced in its logarithm up to 1
+  int edge_points = 0;                ///< compliances of which the edge is measured
+  double force_ratio = 0;             ///< of wiggles, errors and transients
+  std::vector<Eigen::Index> sizes{};  ///< N of errors, rising
 };
 
 /// The keys that `kernels --print-keys` lists, each held to what that says it accepts.

@@ -16,15 +16,15 @@ namespace microslip::experiments {
 /// gain? Thesis chapter 10 and appendix C, on the Carter-Fromm problem in plane strain with c = 1.
 struct LeadingEdgeParameters {
   Material material;
-  double length;  ///< L0 of the plane kernel  [mm]
+  double length = 0;  ///< L0 of the plane kernel  [mm]
   HertzBound bound;
-  std::vector<Eigen::Index> sizes;       ///< N, each twice its predecessor, at least two
-  std::vector<double> leading_offsets;   ///< the thesis's alpha, each in (0, 1]  [dx]
-  std::vector<double> trailing_offsets;  ///< each in [0, 1]  [dx]
-  std::vector<double> stick_ratios;      ///< a', each in (0, 1)
-  Eigen::Index profile_elements;         ///< N of the tractions shown
-  double profile_stick_ratio;            ///< a' of the tractions shown, and of the thesis's numbers
-  double profile_offset;  ///< leading offset of the trimmed hat shown, thesis Fig. 10.3
+  std::vector<Eigen::Index> sizes{};       ///< N, each twice its predecessor, at least two
+  std::vector<double> leading_offsets{};   ///< the thesis's alpha, each in (0, 1]  [dx]
+  std::vector<double> trailing_offsets{};  ///< each in [0, 1]  [dx]
+  std::vector<double> stick_ratios{};      ///< a', each in (0, 1)
+  Eigen::Index profile_elements = 0;       ///< N of the tractions shown
+  double profile_stick_ratio = 0;  ///< a' of the tractions shown, and of the thesis's numbers
+  double profile_offset = 0;       ///< leading offset of the trimmed hat shown, thesis Fig. 10.3
 };
 
 /// The keys that `leading_edge --print-keys` lists, each checked against its listed range.

@@ -15,22 +15,22 @@ namespace microslip::experiments {
 /// of a reference.
 struct OpenProblemsParameters {
   Material material;
-  double length;                      ///< L0 of plane strain  [mm]
+  double length = 0;                  ///< L0 of plane strain  [mm]
   PolynomialBound bound;              ///< of the steady cases
-  std::vector<Eigen::Index> sizes;    ///< N, each twice its predecessor
-  int cases;                          ///< number of combinations of stick ratio and alignment, >= 1
-  double least_stick_ratio;           ///< a', in (0, 1)
-  double most_stick_ratio;            ///< above least_stick_ratio, below 1
-  Eigen::Index steady_elements;       ///< of the case for all steps
-  double steady_stick_ratio;          ///< a' there, in (0, 1)
-  std::vector<double> steady_ratios;  ///< c there, one of them 1
-  CattaneoToCarter motion;
-  double distance;                     ///< rolled, in elements
-  Eigen::Index refinement;             ///< elements of the reference for each element, >= 2
-  std::vector<double> motion_ratios;   ///< c, each in [1e-4, 5], one of them 1
-  std::vector<double> widths;          ///< of strips  [half-widths]
-  int curve_points;                    ///< >= 2
-  std::vector<Eigen::Index> unknowns;  ///< of the Chebyshev collocation, each 1 to 63
+  std::vector<Eigen::Index> sizes{};  ///< N, each twice its predecessor
+  int cases = 0;                      ///< number of combinations of stick ratio and alignment, >= 1
+  std::vector<double> stick_ratios{};    ///< least and largest a', in (0, 1)
+  Eigen::Index steady_elements = 0;      ///< of the case for all steps
+  double steady_stick_ratio = 0;         ///< a' there, in (0, 1)
+  std::vector<double> steady_ratios{};   ///< c there, one of them 1
+  Eigen::Index motion_elements = 0;      ///< of the transient
+  double force = 0;                      ///< of the transient [N/mm]
+  Eigen::Index distance = 0;             ///< rolled, in elements
+  Eigen::Index refinement = 0;           ///< elements of the reference for each element, >= 2
+  std::vector<double> motion_ratios{};   ///< c, each in [1e-4, 5], one of them 1
+  std::vector<double> widths{};          ///< of strips  [half-widths]
+  int curve_points = 0;                  ///< >= 2
+  std::vector<Eigen::Index> unknowns{};  ///< of the Chebyshev collocation, each 1 to 63
 };
 
 /// The keys that `open_problems --print-keys` lists, each checked against its listed range.

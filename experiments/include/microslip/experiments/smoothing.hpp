@@ -13,12 +13,12 @@ namespace microslip::experiments {
 /// How does a traction peak change that travels in steps that are not whole numbers of elements?
 /// Thesis chapter 4, for the direct scheme with constant and linear functions.
 struct SmoothingParameters {
-  CattaneoToCarter rolling;         ///< its kernel and spacing are used for the pulse, too
-  std::vector<double> step_ratios;  ///< c, each >= 1e-15; the first is a whole number  [1]
-  double distance;                  ///< of Figs. 4.2 and 4.3, in elements
-  Eigen::Index pulse_elements;      ///< size of A^-1 A', odd; the pulse starts in the middle
-  Eigen::Index frequencies;         ///< of the amplification factor, in [8, 1000]
-  Eigen::Index refinement;          ///< elements of the reference for each element, >= 2
+  CattaneoToCarter rolling;           ///< its kernel and spacing are used for the pulse, too
+  std::vector<double> step_ratios{};  ///< c, each >= 1e-15; the first is a whole number  [1]
+  double distance = 0;                ///< of Figs. 4.2 and 4.3, in elements
+  Eigen::Index pulse_elements = 0;    ///< size of A^-1 A', odd; the pulse starts in the middle
+  Eigen::Index frequencies = 0;       ///< of the amplification factor, in [8, 1000]
+  Eigen::Index refinement = 0;        ///< elements of the reference for each element, >= 2
 };
 
 /// The keys that `smoothing --print-keys` lists, each checked against its listed range.

@@ -10,60 +10,45 @@
 
 namespace microslip::experiments {
 
-/// Runs that double N until the next one is expected to take more operations than this.
-struct WorkLimit {
-  double operations;  ///< of a run, see microslip/support/work.hpp
-};
-
 /// Measures the cost of a given accuracy for each scheme, basis, edge treatment, step ratio and
 /// solver, all with the same list of N.
 struct SpeedAccuracyParameters {
   PolynomialBound bound;  ///< of steady rolling; not Hertzian, because calibration is exact for the
                           ///< Hertzian bound
   Material material;
-  double length;                    ///< L0 of plane strain  [mm]
-  double width;                     ///< of the strip  [mm]
-  std::vector<Eigen::Index> sizes;  ///< N: odd multiples of three
-  double repeats;                   ///< runs are repeated until they have taken this time together
-                                    ///< [s]
+  HertzBound hertz;                   ///< of transients
+  double length = 0;                  ///< L0 of plane strain  [mm]
+  double width = 0;                   ///< of the strip  [mm]
+  std::vector<Eigen::Index> sizes{};  ///< N: odd multiples of three
+  double repeats = 0;                 ///< runs are repeated until they took so long together  [s]
 
-  /// Steady rolling.
-  struct Steady {
-    WorkLimit limit;
-    std::vector<double> stick_ratios;    ///< a' of the loads; the errors are the largest over them
-    std::vector<double> step_ratios;     ///< c of differences in plane strain
-    std::vector<Eigen::Index> unknowns;  ///< of Chebyshev collocation
-  } steady;
+  // Steady rolling. Operations are those of a run, see microslip/support/work.hpp.
+  double steady_operations = 0;
+  std::vector<double> stick_ratios{};    ///< a' of the loads; the errors are the largest over them
+  std::vector<double> step_ratios{};     ///< c of differences in plane strain
+  std::vector<Eigen::Index> unknowns{};  ///< of Chebyshev collocation
 
-  /// Cattaneo to Carter over a third of the contact, N/3 elements: 50 for N = 150.
-  struct Transient {
-    WorkLimit limit;
-    HertzBound bound;
-    double force;  ///< [N/mm]
-    std::vector<double> step_ratios;
-    Eigen::Index reference;  ///< N of the reference, which is remembered with c = 1
-  } transient;
+  // Cattaneo to Carter over a third of the contact, N/3 elements: 50 for N = 150.
+  double transient_operations = 0;
+  double force = 0;                        ///< [N/mm]
+  std::vector<double> transient_ratios{};  ///< c
+  Eigen::Index transient_reference = 0;    ///< N of the reference, which is remembered with c = 1
 
-  /// The cylinder.
-  struct Rolling {
-    WorkLimit limit;
-    Cylinder cylinder;
-    double length;    ///< L0  [mm]
-    double distance;  ///< from rest  [mm]
-    std::vector<double> step_ratios;
-    Eigen::Index reference;  ///< N of the reference for the motion, which is remembered with Verlet
-  } rolling;
+  double cylinder_operations = 0;
+  Cylinder cylinder{};
+  double cylinder_length = 0;             ///< L0  [mm]
+  double distance = 0;                    ///< from rest  [mm]
+  std::vector<double> cylinder_ratios{};  ///< c
+  Eigen::Index cylinder_reference = 0;    ///< N of the reference, remembered with Verlet
 
-  /// Steady rolling under bounds that are rough at all scales, see Roughness.
-  struct Rough {
-    std::vector<double> hursts;
-    double amplitude;
-    unsigned seed;
-    Eigen::Index rows;
-    double force_ratio;
-    std::vector<Eigen::Index> sizes;
-    Eigen::Index reference;  ///< N of the solution that is taken as exact
-  } rough;
+  // Steady rolling under bounds that are rough at all scales, see Roughness.
+  std::vector<double> hursts{};
+  double roughness = 0;  ///< root of its mean square over the bound
+  unsigned seed = 0;
+  Eigen::Index rough_rows = 0;
+  double rough_load = 0;                    ///< force over full sliding
+  std::vector<Eigen::Index> rough_sizes{};  ///< N
+  Eigen::Index rough_reference = 0;         ///< N of the solution that is taken as exact
 };
 
 /// The keys that `speed_accuracy --print-keys` lists, each checked against its listed range.

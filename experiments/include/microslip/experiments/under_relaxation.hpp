@@ -14,15 +14,15 @@ namespace microslip::experiments {
 /// Cattaneo shift that turns to Carter's solution.
 struct UnderRelaxationParameters {
   CattaneoToCarter rolling;
-  double relaxation;                ///< c*, at least each c below
-  std::vector<double> step_ratios;  ///< c of the tractions shown, each >= 1e-6; the first is c*
-  std::vector<double> distances;    ///< in elements, ascending: of Figs. 7.1 and 7.2
-  Eigen::Index refinement;          ///< elements of the reference for each element, >= 2
-  double compared_step_ratio;       ///< c at which (7.4) and (7.10) are compared
-  Eigen::Index small_elements;      ///< of the grid on which wiggles are counted
-  std::vector<double> relaxed_step_ratios;  ///< c on that grid, falling, each >= 1e-6
-  std::vector<double> direct_step_ratios;   ///< c of the direct scheme on that grid, falling, each
-                                            ///< >= 1e-6
+  double relaxation = 0;              ///< c*, at least each c below
+  std::vector<double> step_ratios{};  ///< c of the tractions shown, each >= 1e-6; the first is c*
+  std::vector<double> distances{};    ///< in elements, ascending: of Figs. 7.1 and 7.2
+  Eigen::Index refinement = 0;        ///< elements of the reference for each element, >= 2
+  double compared_step_ratio = 0;     ///< c at which (7.4) and (7.10) are compared
+  Eigen::Index small_elements = 0;    ///< of the grid on which wiggles are counted
+  std::vector<double> relaxed_step_ratios{};  ///< c on that grid, falling, each >= 1e-6
+  std::vector<double> direct_step_ratios{};  ///< c of the direct scheme on that grid, falling, each
+                                             ///< >= 1e-6
 };
 
 /// The keys that `under_relaxation --print-keys` lists, each checked against its listed range.

@@ -17,13 +17,13 @@ namespace microslip::experiments {
 struct UnlikeBodiesParameters {
   Material material;  ///< combined constants
   HertzBound bound;
-  Eigen::Index elements;            ///< N of curves and zones
-  double smallest, largest;         ///< beta/mu of free rolling
-  int free_points;                  ///< evenly spaced in its logarithm
-  std::vector<double> ratios;       ///< beta/mu of tractive rolling
-  double zones_ratio;               ///< beta/mu of the zones of tractive rolling, and of errors
-  int tractive_points;              ///< forces
-  std::vector<Eigen::Index> sizes;  ///< N of errors, rising
+  Eigen::Index elements = 0;          ///< N of curves and zones
+  double smallest = 0, largest = 0;   ///< beta/mu of free rolling
+  int free_points = 0;                ///< evenly spaced in its logarithm
+  std::vector<double> ratios{};       ///< beta/mu of tractive rolling
+  double zones_ratio = 0;             ///< beta/mu of the zones of tractive rolling, and of errors
+  int tractive_points = 0;            ///< forces
+  std::vector<Eigen::Index> sizes{};  ///< N of errors, rising
 };
 
 /// The keys that `unlike_bodies --print-keys` lists, each held to what that says it accepts.

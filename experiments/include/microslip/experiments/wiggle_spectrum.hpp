@@ -17,14 +17,14 @@ namespace microslip::experiments {
 /// alone.
 struct WiggleSpectrumParameters {
   Kernel kernel;
-  double spacing;                    ///< dx, in (0, inf)  [mm]
-  Eigen::Index elements;             ///< size of the matrices, in [3, 1000]
-  std::vector<double> step_ratios;   ///< c of the matrices shown  [1]
-  double shift;                      ///< of the functions shown, Fig. 5.1, in (0, 1)  [dx]
-  Eigen::Index samples;              ///< c = 1/samples ... 1 of the diagonals, in [1, 100000]
-  double smallest_step_ratio;        ///< of the spectra, in [1e-15, 1)  [1]
-  Eigen::Index per_decade;           ///< step ratios per decade of the spectra, in [1, 100]
-  std::vector<double> strip_widths;  ///< Dy/dx of further crossings, each in (0, inf)  [1]
+  double spacing = 0;                  ///< dx, in (0, inf)  [mm]
+  Eigen::Index elements = 0;           ///< size of the matrices, in [3, 1000]
+  std::vector<double> step_ratios{};   ///< c of the matrices shown  [1]
+  double shift = 0;                    ///< of the functions shown, Fig. 5.1, in (0, 1)  [dx]
+  Eigen::Index samples = 0;            ///< c = 1/samples ... 1 of the diagonals, in [1, 100000]
+  double smallest_step_ratio = 0;      ///< of the spectra, in [1e-15, 1)  [1]
+  Eigen::Index per_decade = 0;         ///< step ratios per decade of the spectra, in [1, 100]
+  std::vector<double> strip_widths{};  ///< Dy/dx of further crossings, each in (0, inf)  [1]
 };
 
 /// The keys that `wiggle_spectrum --print-keys` lists, each checked against its listed range.

@@ -5,8 +5,8 @@
 #include <functional>
 #include <iosfwd>
 #include <map>
+#include <memory>
 #include <optional>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -81,8 +81,7 @@ class Scene {
 
   /// Declares further keys, which take precedence over keys of scenes with the same name. The
   /// readers below check the ranges of declared keys; the model checks the ranges of scene keys.
-  /// \param keys  must live as long as the scene and its copies
-  void declare(std::span<const Key> keys) { declared_.push_back(keys); }
+  void declare(std::vector<Key> keys);
 
   /// The last declared key of this name, otherwise the key of scenes; null if there is neither.
   const Key* known(std::string_view key) const;
@@ -230,7 +229,7 @@ class Scene {
   std::size_t next_order_ = 0;
   Parameters parameters_;
   std::vector<Warning> warnings_;
-  std::vector<std::span<const Key>> declared_;
+  std::vector<std::shared_ptr<const std::vector<Key>>> declared_;
   FileReader read_file_;
 };
 
