@@ -57,23 +57,28 @@ Compared compared(const SteadyProblem& problem, const Truth& truth) {
 }
 
 Rolled roll(const CattaneoToCarter& start, const AdvectionScheme& scheme, double step_ratio,
-            double elements) {
+            double elements, const Load& load) {
   TransientRolling rolling(start.problem(scheme), CattaneoShift{start.force});
   const double dx = start.grid.spacing();
-  std::vector<double> distance{0}, creep{0};
+  std::vector<double> distance{0}, creep{0}, force{start.force};
   Rolled rolled;
-  rolling.roll(elements * dx, {step_ratio * dx}, PrescribedForce{start.force},
-               [&](const TransientState& state) {
-                 creep.push_back(creep.back() +
-                                 std::abs(state.creepage) * (state.distance - distance.back()));
-                 distance.push_back(state.distance);
-                 rolled.rounds += state.iterations;
-               });
+  rolling.roll(elements * dx, {step_ratio * dx}, load, [&](const TransientState& state) {
+    creep.push_back(creep.back() + std::abs(state.creepage) * (state.distance - distance.back()));
+    distance.push_back(state.distance);
+    force.push_back(state.force);
+    rolled.rounds += state.iterations;
+  });
   rolled.x = rolling.x();
   rolled.traction = rolling.traction_at_nodes().cwiseAbs();
   rolled.distance = VectorXd::Map(distance.data(), static_cast<Index>(distance.size()));
   rolled.creep = VectorXd::Map(creep.data(), static_cast<Index>(creep.size()));
+  rolled.force = VectorXd::Map(force.data(), static_cast<Index>(force.size()));
   return rolled;
+}
+
+Rolled roll(const CattaneoToCarter& start, const AdvectionScheme& scheme, double step_ratio,
+            double elements) {
+  return roll(start, scheme, step_ratio, elements, PrescribedForce{start.force});
 }
 
 namespace {

@@ -52,16 +52,21 @@ Compared compared(const SteadyProblem& problem, const Truth& truth);
 /// at an edge, and a flattened peak.
 double wiggle_of(const Eigen::VectorXd& error);
 
-/// A run from a Cattaneo shift on: the tractions at its end, and the creep on the way.
+/// A run from a Cattaneo shift on: the tractions at its end, creep and force on the way.
 struct Rolled {
   Eigen::VectorXd x;
   Eigen::VectorXd traction;  ///< absolute values at the nodes
   Eigen::VectorXd distance;  ///< after each step, and 0
   Eigen::VectorXd creep;     ///< integral of |w| until there  [mm]
+  Eigen::VectorXd force;     ///< at the same places  [N/mm]
   double rounds = 0;         ///< stick/slip partitions tried
 };
 
 /// \param elements  distance, in elements
+Rolled roll(const CattaneoToCarter& start, const AdvectionScheme& scheme, double step_ratio,
+            double elements, const Load& load);
+
+/// The same under the force of the shift.
 Rolled roll(const CattaneoToCarter& start, const AdvectionScheme& scheme, double step_ratio,
             double elements);
 

@@ -43,36 +43,18 @@ CattaneoToCarter start_of(const SpeedAccuracyParameters& p, Index elements,
           .solver = {.type = by.type}};
 }
 
-Rolled roll_a_part(const SpeedAccuracyParameters& p, Index elements, const TransientEntrant& by) {
+/// Rolls from the shift on under its force.
+Rolled under_force(const SpeedAccuracyParameters& p, Index elements, const TransientEntrant& by) {
   return roll(start_of(p, elements, by), by.scheme, by.step_ratio,
               static_cast<double>(elements / parts));
 }
 
-/// The forces on the way under a constant creepage.
-struct Answer {
-  VectorXd distance;  ///< after each step, and 0
-  VectorXd force;
-  double rounds = 0;  ///< stick/slip partitions tried
-};
-
-/// Rolls from the shift on under the creepage with which Carter's solution has the same force.
-Answer answer_to_creepage(const SpeedAccuracyParameters& p, Index elements,
-                          const TransientEntrant& by) {
-  const CattaneoToCarter start = start_of(p, elements, by);
-  TransientRolling rolling(start.problem(by.scheme), CattaneoShift{start.force});
-  const double dx = start.grid.spacing();
-  const Carter carter = Carter::from_force(p.material, p.hertz, start.force);
-  std::vector<double> distance{0}, force{start.force};
-  Answer answer;
-  rolling.roll(p.hertz.half_width() * 2 / parts, {by.step_ratio * dx},
-               PrescribedCreepage{carter.creepage()}, [&](const TransientState& state) {
-                 distance.push_back(state.distance);
-                 force.push_back(state.force);
-                 answer.rounds += state.iterations;
-               });
-  answer.distance = VectorXd::Map(distance.data(), static_cast<Index>(distance.size()));
-  answer.force = VectorXd::Map(force.data(), static_cast<Index>(force.size()));
-  return answer;
+/// Rolls likewise under the creepage with which Carter's solution has the same force.
+Rolled under_creepage(const SpeedAccuracyParameters& p, Index elements,
+                      const TransientEntrant& by) {
+  const Carter carter = Carter::from_force(p.material, p.hertz, p.force);
+  return roll(start_of(p, elements, by), by.scheme, by.step_ratio,
+              static_cast<double>(elements / parts), PrescribedCreepage{carter.creepage()});
 }
 
 /// Returns the place of the peak, which starts at the leading end of the stick zone, k = (1 -
@@ -102,7 +84,8 @@ double noise_of(const Rolled& rolled, const VectorXd& exact_creep) {
   return noise.norm() / std::sqrt(static_cast<double>(noise.size())) / exact.mean();
 }
 
-Judgement judge(const SpeedAccuracyParameters& p, const Rolled& rolled, const Rolled& reference) {
+Judgement judge_under_force(const SpeedAccuracyParameters& p, const Rolled& rolled,
+                            const Rolled& reference) {
   const VectorXd exact = interpolated(reference.x, reference.traction, rolled.x);
   const VectorXd difference = (rolled.traction - exact).cwiseAbs();
   const VectorXd creep = interpolated(reference.distance, reference.creep, rolled.distance);
@@ -123,20 +106,23 @@ Judgement judge(const SpeedAccuracyParameters& p, const Rolled& rolled, const Ro
   return judgement;
 }
 
-Judgement judge(const Answer& answer, const Answer& reference) {
-  const VectorXd exact = interpolated(reference.distance, reference.force, answer.distance);
-  Judgement judgement{.errors = {}, .rounds = answer.rounds};
-  judgement.errors[Quantity::force] = (answer.force - exact).norm() /
+Judgement judge_under_creepage(const SpeedAccuracyParameters&, const Rolled& rolled,
+                               const Rolled& reference) {
+  const VectorXd exact = interpolated(reference.distance, reference.force, rolled.distance);
+  Judgement judgement{.errors = {}, .rounds = rolled.rounds};
+  judgement.errors[Quantity::force] = (rolled.force - exact).norm() /
                                       std::sqrt(static_cast<double>(exact.size() - 1)) /
                                       std::abs(reference.force[0]);
   return judgement;
 }
 
 /// Lists the runs of all schemes, bases, step ratios and solvers.
-/// \param solve_by  gives what an Entrant solves
-template <class SolveBy>
+/// \param run    rolls with so many elements by an entrant
+/// \param judge  compares with the reference
+template <class Run, class Judge>
 std::vector<RunSeries> all_entrants(const SpeedAccuracyParameters& p, const std::string& problem,
-                                    const SolveBy& solve_by) {
+                                    Run run, Judge judge) {
+  const auto reference = std::make_shared<const Rolled>(run(p, p.transient_reference, finest()));
   std::vector<RunSeries> all;
   for (const AdvectionEntry& entry : advection_schemes()) {
     const AdvectionScheme scheme = entry.scheme(1);
@@ -145,11 +131,15 @@ std::vector<RunSeries> all_entrants(const SpeedAccuracyParameters& p, const std:
       for (const std::string_view name : basis_names()) {
         const Basis basis = make_basis(name);
         for (const double c : p.transient_ratios) {
+          const Solve solve = [=](Index elements) {
+            const Rolled rolled = run(p, elements, TransientEntrant{scheme, basis, c, type});
+            return [=] { return judge(p, rolled, *reference); };
+          };
           all.push_back({{problem, std::string(entry.name), edge, basis.name(), c, name_of(type)},
                          p.sizes,
                          p.transient_operations,
                          1,
-                         solve_by(TransientEntrant{scheme, basis, c, type})});
+                         solve});
         }
       }
     }
@@ -160,24 +150,11 @@ std::vector<RunSeries> all_entrants(const SpeedAccuracyParameters& p, const std:
 }  // namespace
 
 std::vector<RunSeries> transient_contest(const SpeedAccuracyParameters& p) {
-  const auto reference =
-      std::make_shared<const Rolled>(roll_a_part(p, p.transient_reference, finest()));
-  return all_entrants(p, "transient", [&](const TransientEntrant& by) -> Solve {
-    return [=](Index elements) {
-      return [=, rolled = roll_a_part(p, elements, by)] { return judge(p, rolled, *reference); };
-    };
-  });
+  return all_entrants(p, "transient", under_force, judge_under_force);
 }
 
 std::vector<RunSeries> creepage_contest(const SpeedAccuracyParameters& p) {
-  const auto reference =
-      std::make_shared<const Answer>(answer_to_creepage(p, p.transient_reference, finest()));
-  return all_entrants(p, "creepage", [&](const TransientEntrant& by) -> Solve {
-    return [=](Index elements) {
-      return
-          [=, answer = answer_to_creepage(p, elements, by)] { return judge(answer, *reference); };
-    };
-  });
+  return all_entrants(p, "creepage", under_creepage, judge_under_creepage);
 }
 
 }  // namespace microslip::experiments::speed_accuracy_study
