@@ -49,15 +49,14 @@ double order_if_any(const std::vector<double>& sizes, const std::vector<double>&
 BasisConvergenceParameters read_basis_convergence(Scene& scene) {
   using P = BasisConvergenceParameters;
   const StudyKeys<P> keys(
-      scene,
-      {{&P::length, "kernel.length"},
-       {&P::sizes, "grid.sizes", "numbers N of nodes", range(3, 10000),
-        Demand("two or more, odd, so that a node lies at the centre", is_odd, nullptr, 2)},
-       {&P::leading_offset, "grid.leading_offset"},
-       {&P::trailing_offset, "grid.trailing_offset"},
-       {&P::step_ratio, "step.ratio"},
-       {&P::stick_ratio, "load.stick_ratio", "part a' of the contact that sticks",
-        inner_fraction}});
+      scene, {{&P::length, "kernel.length"},
+              {&P::sizes, "grid.sizes", "numbers N of nodes", range(3, 10000),
+               Demand("two or more, odd, so that a node lies at the centre", is_odd, nullptr, 2)},
+              {&P::leading_offset, "grid.leading_offset"},
+              {&P::trailing_offset, "grid.trailing_offset"},
+              {&P::step_ratio, "step.ratio"},
+              {&P::stick_ratio, "load.stick_ratio", "part a' of the contact that sticks",
+               inner_fraction}});
   return keys.read({.material = read_material(scene), .bound = read_hertz_bound(scene)});
 }
 

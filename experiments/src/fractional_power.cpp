@@ -16,6 +16,7 @@
 #include "microslip/support/format.hpp"
 #include "rolled_tables.hpp"
 #include "study_keys.hpp"
+#include "table_values.hpp"
 
 namespace microslip::experiments {
 
@@ -138,7 +139,7 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const CostTabl
   };
   const double pulse = below_zero("pulse");
   const double pyramid = below_zero("pyramid");
-  double spot = 0, trailing = 0, worst_difference = 0, odd_residual = 0, even_residual = 0;
+  double spot = 0, trailing = 0;
   const Table& summary = rolled.summary();
   for (std::size_t i = 0; i < summary.rows(); ++i) {
     if (std::get<std::string>(summary.at(i, "scheme")) != "fractional") continue;
@@ -146,14 +147,10 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const CostTabl
     spot = std::max(spot, summary.number(i, "from_unit_step_inside"));
     trailing = std::max(trailing, summary.number(i, "from_unit_step"));
   }
-  for (std::size_t i = 0; i < costs.agreement.rows(); ++i) {
-    const bool even = costs.agreement.number(i, "negative_eigenvalue") == 1;
-    double& residual = even ? even_residual : odd_residual;
-    residual = std::max(residual, costs.agreement.number(i, "schur_residual"));
-    if (!even) {
-      worst_difference = std::max(worst_difference, costs.agreement.number(i, "difference"));
-    }
-  }
+  const Cells odd{{"negative_eigenvalue", 0.0}}, even{{"negative_eigenvalue", 1.0}};
+  const double worst_difference = most(costs.agreement, "difference", odd);
+  const double odd_residual = most(costs.agreement, "schur_residual", odd);
+  const double even_residual = most(costs.agreement, "schur_residual", even);
   const double part = p.distances.back();
   const auto at_end = [&](const std::string& scheme, const std::string& column) {
     return rolled.summary().latest({{"scheme", scheme}, {"distance", part}}, column);

@@ -64,20 +64,15 @@ std::string text(const Table& table, std::size_t row, const char* column) {
 
 Table claims_of(const FrequencyResponseParameters& p, const Table& curves, const WaveTables& waves,
                 const MotionTables& motions) {
-  const auto adhering = [&](const char* scheme) {
-    return [&waves, scheme](std::size_t i) {
-      return text(waves.orders, i, "scheme") == scheme &&
-             waves.orders.number(i, "stick_ratio") == all_adheres;
-    };
+  const auto adhering = [](const char* scheme) {
+    return Cells{{"scheme", scheme}, {"stick_ratio", all_adheres}};
   };
   const double order_about_states = extreme(waves.orders, "order", true, [&](std::size_t i) {
     return text(waves.orders, i, "scheme") == "remembered" &&
            waves.orders.number(i, "step_ratio") == 1 &&
            waves.orders.number(i, "stick_ratio") != all_adheres;
   });
-  const auto half_space = [&](std::size_t i) {
-    return text(curves, i, "case") == "plane" && curves.number(i, "stick_ratio") == all_adheres;
-  };
+  const Cells half_space{{"case", "plane"}, {"stick_ratio", all_adheres}};
   const double elements = static_cast<double>(p.motion_sizes.back());
   const auto motion = [&](const char* scheme, const char* column) {
     return motions.errors.latest({{"scheme", scheme}, {"step_ratio", 1.0}, {"elements", elements}},
@@ -87,13 +82,12 @@ Table claims_of(const FrequencyResponseParameters& p, const Table& curves, const
   return claims_table(
       {{"where everything adheres, the remembered scheme answers waves in second order, for any "
         "step",
-        "none", 2, extreme(waves.orders, "order", true, adhering("remembered")), "1",
+        "none", 2, least(waves.orders, "order", adhering("remembered")), "1",
         ours_if({within(0.3, 2)}),
         "least order of the remembered scheme over kernels and step ratios",
         "frequency_response_errors"},
        {"where everything adheres, the scheme of the thesis answers waves in first order", "none",
-        1, extreme(waves.orders, "order", false, adhering("direct")), "1",
-        ours_if({within(0.3, 1)}),
+        1, most(waves.orders, "order", adhering("direct")), "1", ours_if({within(0.3, 1)}),
         "largest order of the direct scheme over kernels and step ratios",
         "frequency_response_errors"},
        {"where the stick-slip point lies anywhere within an element, a state with slip answers in "
@@ -102,8 +96,7 @@ Table claims_of(const FrequencyResponseParameters& p, const Table& curves, const
         "least order of the remembered scheme over states, c = 1", "frequency_response_errors"},
        {"a foundation of springs with the same steady slope, as in FASTSIM, has another frequency "
         "response",
-        "none", not_given, extreme(curves, "from_winkler", false, half_space), "1",
-        ours_if({above(0.2)}),
+        "none", not_given, most(curves, "from_winkler", half_space), "1", ours_if({above(0.2)}),
         fmt::format("largest difference of H where everything adheres, L0 = {} a",
                     format_short(p.plane.length() / p.bound.half_width())),
         "frequency_response_nyquist"},

@@ -297,13 +297,8 @@ Table claims_of(const Parameters& p, const Curves& curves, const Table& noise, c
     misplaced =
         std::max(misplaced, std::abs(edges.number(i, "measured") - edges.number(i, "offset")));
   }
-  const double of_half_space =
-      extreme(noise, "wiggle", false, [&](std::size_t i) { return is(noise, i, "half-space"); });
-  const auto order = [&](const char* scheme, bool least) {
-    return extreme(found.orders, "order", least, [&](std::size_t i) {
-      return std::get<std::string>(found.orders.at(i, "scheme")) == scheme;
-    });
-  };
+  const double of_half_space = most(noise, "wiggle", {{"kernel", "half-space"}});
+  const Cells standard{{"scheme", "standard"}};
   const auto swing = [&](const char* kernel) {
     double largest = 0;
     for (std::size_t i = 0; i < transients.rows(); ++i) {
@@ -326,11 +321,12 @@ Table claims_of(const Parameters& p, const Curves& curves, const Table& noise, c
         ours_if({below(2e-3)}),
         "largest difference of the measured offset from it, with 40 elements", "kernels_error"},
        {"with the edge where it is felt, the force is of second order on any kernel", "none", 2,
-        order("calibrated", true), "1", ours_if({above(1.6)}), "least fitted order",
-        "kernels_error"},
+        least(found.orders, "order", {{"scheme", "calibrated"}}), "1", ours_if({above(1.6)}),
+        "least fitted order", "kernels_error"},
        {"the scheme of CONTACT is of first order on any kernel", "none", 1,
-        order("standard", false), "1",
-        ours_if({between(0.8, 1.2), {"the least", order("standard", true), between(0.8, 1.2)}}),
+        most(found.orders, "order", standard), "1",
+        ours_if({between(0.8, 1.2),
+                 {"the least", least(found.orders, "order", standard), between(0.8, 1.2)}}),
         "largest fitted order", "kernels_error"},
        {"under a force, springs alone come to steady rolling later than a half-space", "none",
         not_given, swing("brush"), "1",

@@ -15,21 +15,13 @@
 #include "open_problems_steady.hpp"
 #include "open_problems_steps.hpp"
 #include "study_keys.hpp"
+#include "table_values.hpp"
 
 namespace microslip::experiments {
 
 using namespace open_problems_study;
 
 namespace {
-
-double largest_of(const Table& table, const std::string& scheme, const std::string& column) {
-  double largest = 0;
-  for (std::size_t i = 0; i < table.rows(); ++i) {
-    if (std::get<std::string>(table.at(i, "scheme")) != scheme) continue;
-    largest = std::max(largest, table.number(i, column));
-  }
-  return largest;
-}
 
 /// Recommends a scheme for each need, with its measured errors.
 Table schemes_table(const OpenProblemsParameters& p, const SteadyTables& steady,
@@ -77,9 +69,9 @@ Table claims_of(const OpenProblemsParameters& p, const SteadyTables& steady,
   const double order = steady.orders.latest({{"scheme", "calibrated"}}, "force_order");
   const double gain = steady.errors.latest({{"scheme", "standard"}}, "force_median") /
                       steady.errors.latest({{"scheme", "calibrated"}}, "force_median");
-  const double between = largest_of(steps.steps, "remembered", "from_unit_step");
-  const double remembered = largest_of(steps.steps, "remembered", "error");
-  const double direct = largest_of(steps.steps, "direct", "error");
+  const double between = most(steps.steps, "from_unit_step", {{"scheme", "remembered"}});
+  const double remembered = most(steps.steps, "error", {{"scheme", "remembered"}});
+  const double direct = most(steps.steps, "error", {{"scheme", "direct"}});
   return claims_table(
       {{"second order is expected in theory, but not observed", "11", 2, order, "1",
         corrected_if({within(0.1, 2)}, "reproduced"),

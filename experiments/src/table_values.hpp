@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "microslip/experiments/rule.hpp"
@@ -47,6 +49,21 @@ double extreme(const Table& table, const char* column, bool least, const Wanted&
     found = least ? std::fmin(found, value) : std::fmax(found, value);
   }
   return found;
+}
+
+using Cells = std::vector<std::pair<std::string, Cell>>;
+
+inline bool has(const Table& table, std::size_t row, const Cells& cells) {
+  return std::ranges::all_of(
+      cells, [&](const auto& cell) { return table.at(row, cell.first) == cell.second; });
+}
+
+/// The least and the largest number of a column, among the rows with the given cells.
+inline double least(const Table& table, const char* column, const Cells& cells) {
+  return extreme(table, column, true, [&](std::size_t i) { return has(table, i, cells); });
+}
+inline double most(const Table& table, const char* column, const Cells& cells) {
+  return extreme(table, column, false, [&](std::size_t i) { return has(table, i, cells); });
 }
 
 }  // namespace microslip::experiments

@@ -12,6 +12,7 @@
 #include "microslip/support/format.hpp"
 #include "rolled_tables.hpp"
 #include "study_keys.hpp"
+#include "table_values.hpp"
 
 namespace microslip::experiments {
 
@@ -143,11 +144,7 @@ Table claims_of(const Tables& tables, const RolledTables& rolled, const Paramete
   const double relaxed_turns = tables.wiggles.latest({{"scheme", "relaxed"}}, "turning_points");
   const double direct_turns = tables.wiggles.latest({{"scheme", "direct"}}, "turning_points");
   const double expected = tables.wiggles.number(0, "turning_points");
-  double worst = 0;
-  for (std::size_t i = 0; i < tables.wiggles.rows(); ++i) {
-    if (std::get<std::string>(tables.wiggles.at(i, "scheme")) != "relaxed") continue;
-    worst = std::max(worst, tables.wiggles.number(i, "turning_points"));
-  }
+  const double worst = most(tables.wiggles, "turning_points", {{"scheme", "relaxed"}});
   const std::vector<std::pair<std::string, Cell>> smallest = {{"scheme", "relaxed"},
                                                               {"distance", p.distances.back()}};
   const double near = rolled.summary().latest(smallest, "near_unit_step");

@@ -19,9 +19,8 @@ struct EnergyBalanceParameters {
   double error_distance = 0;                 ///< at which errors are taken  [mm]
   std::vector<Eigen::Index> motion_sizes{};  ///< N whose motion is compared with a finer one
   Eigen::Index refinement = 0;               ///< elements of the finer one over the last N, >= 2
-  std::vector<double> step_ratios{};  ///< c of equal steps that are compared with a tolerance,
-                                      ///< falling
-  std::vector<double> tolerances{};   ///< motion.tolerance, with the first c  [1]
+  std::vector<double> step_ratios{};         ///< c of equal steps beside a tolerance, falling
+  std::vector<double> tolerances{};          ///< motion.tolerance, with the first c  [1]
 };
 
 /// The keys that `energy_balance --print-keys` lists, each checked against its listed range.

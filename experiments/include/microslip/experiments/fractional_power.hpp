@@ -19,8 +19,7 @@ struct FractionalPowerParameters {
   double step_ratio = 0;              ///< c in all other tables, in (0, 1)
   Eigen::Index refinement = 0;        ///< elements of the reference for each element, >= 2
   Eigen::Index shape_elements = 0;    ///< of Figs. 8.1 and 8.2, odd, >= 51
-  std::vector<Eigen::Index> steps{};  ///< numbers of steps after which shapes are shown,
-                                      ///< ascending
+  std::vector<Eigen::Index> steps{};  ///< after which shapes are shown, rising
   std::vector<Eigen::Index> cost_sizes{};  ///< N, odd
   Eigen::Index largest_schur = 0;  ///< N up to which the Schur method is tried, >= 3 of them
 };

@@ -22,12 +22,10 @@ struct FrequencyResponseParameters {
   double period = 0;                        ///< common period of all waves  [mm]
   std::vector<Eigen::Index> waves{};        ///< wave numbers: waves in the period, each 1 to 64
   double amplitude = 0;                     ///< of all waves over the creepage of a state, (0, 0.1]
-  double adhesion_amplitude = 0;            ///< amplitude about full adhesion, over the creepage of
-                                            ///< full sliding, (0, 1e-3]
+  double adhesion_amplitude = 0;            ///< the same over the creepage of full sliding
   std::vector<Eigen::Index> sizes{};        ///< N for full adhesion, 3 to 2000, at least two
   std::vector<double> stick_ratios{};       ///< a' of Carter's states, each in [0.1, 0.99]
-  std::vector<Eigen::Index> state_sizes{};  ///< N for these states, with c = 1; other c use the
-                                            ///< first two N
+  std::vector<Eigen::Index> state_sizes{};  ///< N for these states; c != 1 has the first two
   int alignments = 0;                       ///< of the stick-slip point in an element, 1 to 20
   std::vector<double> step_ratios{};        ///< c, each in [0.01, 1], the first one 1
   std::vector<Eigen::Index> motion_sizes{};  ///< N of the steps, at least two

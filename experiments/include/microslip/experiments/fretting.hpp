@@ -29,8 +29,7 @@ struct FrettingParameters {
   std::vector<double> lengths{};       ///< of plane strain, other L0, >= 1  [half-widths]
   Eigen::Index run_elements = 0;       ///< N of the run, and of other L0
   double run_force = 0;                ///< force during rolling, in (-1, 1), not 0
-  double run_swing = 0;                ///< amplitude about run_force at standstill; the sum of both
-                                       ///< is below 1
+  double run_swing = 0;                ///< amplitude about run_force at standstill
   double run_distance = 0;             ///< rolled each time  [elements]
   double run_step_ratio = 0;           ///< c, in [1e-3, 5]
 };

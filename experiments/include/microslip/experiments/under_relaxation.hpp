@@ -21,8 +21,7 @@ struct UnderRelaxationParameters {
   double compared_step_ratio = 0;     ///< c at which (7.4) and (7.10) are compared
   Eigen::Index small_elements = 0;    ///< of the grid on which wiggles are counted
   std::vector<double> relaxed_step_ratios{};  ///< c on that grid, falling, each >= 1e-6
-  std::vector<double> direct_step_ratios{};  ///< c of the direct scheme on that grid, falling, each
-                                             ///< >= 1e-6
+  std::vector<double> direct_step_ratios{};   ///< c of the direct scheme on that grid, falling
 };
 
 /// The keys that `under_relaxation --print-keys` lists, each checked against its listed range.

@@ -16,17 +16,14 @@ namespace microslip::experiments {
 struct WorldFixedParameters {
   CattaneoToCarter rolling;  ///< with the grid of the creepage shown and of the errors
   double step_ratio = 0;     ///< c of the creepage shown, in (0, 0.5]
-  double shown = 0;          ///< distance at the end over which the creepage is shown, in
-                             ///< elements, > 0
-  double part = 0;           ///< fraction of an element by which the contact is longer then,
-                             ///< [0, 1)
+  double shown = 0;          ///< end of the way on which the creepage is shown  [elements]
+  double part = 0;           ///< of an element, by which the contact is longer then
   double distance = 0;       ///< rolled when the noise is measured, in half-widths, > 0
-  std::vector<Eigen::Index>
-      elements{};                     ///< N of the noise against N, whole, two or more, ascending
-  Eigen::Index largest_cut = 0;       ///< largest N of cut elements, whose steps cost O(N^3)
-  double noise_step_ratio = 0;        ///< c of the noise against N, in (0, 0.5]
-  Eigen::Index noise_elements = 0;    ///< N of the noise against c
-  std::vector<double> step_ratios{};  ///< c of the noise against c, each in [1e-3, 1]
+  std::vector<Eigen::Index> elements{};     ///< N of the noise against N, rising
+  Eigen::Index largest_cut = 0;             ///< largest N of cut elements, whose steps cost O(N^3)
+  double noise_step_ratio = 0;              ///< c of the noise against N, in (0, 0.5]
+  Eigen::Index noise_elements = 0;          ///< N of the noise against c
+  std::vector<double> step_ratios{};        ///< c of the noise against c, each in [1e-3, 1]
   std::vector<double> error_step_ratios{};  ///< c of the errors, each in [1e-3, 1]
   Eigen::Index error_distance = 0;  ///< rolled when the errors are measured, in elements, > 0
   Eigen::Index refinement = 0;      ///< elements of the reference for each element, >= 2
