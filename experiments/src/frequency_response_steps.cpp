@@ -42,24 +42,16 @@ class Motions {
 
   double lambda() const { return std::log(2 * p_.plane.length() / a_); }
 
-  TransientProblem problem(const AdvectionEntry& entry, Index n) const {
-    return {.contact = {p_.plane, p_.bound},
-            .grid = Grid({.half_width = a_, .elements = n}),
-            .basis = constant_basis(),
-            .scheme = entry.scheme(1)};
-  }
-
   /// Returns the force at the end of each step, after a step of the creepage.
   Answer after_creepage(const AdvectionEntry& entry, double c, Index n) const {
-    TransientRolling rolling(problem(entry, n));
     const double creepage = tiny() * log_compliance() * pi * p_.bound.peak();
     const double steady = -creepage * a_ / log_compliance();
+    const Rolled rolled = whole_steps(entry, c, n, 0, PrescribedCreepage{creepage});
     Answer answer;
-    rolling.roll(distance(c * spacing(n)), {c * spacing(n)}, PrescribedCreepage{creepage},
-                 [&](const TransientState& state) {
-                   answer.distance.push_back(state.distance / a_);
-                   answer.value.push_back(state.force / steady);
-                 });
+    for (Index i = 1; i < rolled.distance.size(); ++i) {
+      answer.distance.push_back(rolled.distance[i] / a_);
+      answer.value.push_back(rolled.force[i] / steady);
+    }
     return answer;
   }
 
@@ -67,18 +59,10 @@ class Motions {
   /// middle.
   Answer after_force(const AdvectionEntry& entry, double c, Index n) const {
     const double force = -tiny() * full_sliding_force(p_.bound);
-    TransientRolling rolling(problem(entry, n), CattaneoShift{force});
     const double steady = -force * log_compliance() / a_;
     const double dx = spacing(n);
-    std::vector<double> distances{0}, creeps{0};
-    rolling.roll(distance(c * dx), {c * dx}, PrescribedForce{force},
-                 [&](const TransientState& state) {
-                   const double length = state.distance - distances.back();
-                   creeps.push_back(creeps.back() + length * state.creepage);
-                   distances.push_back(state.distance);
-                 });
-    const VectorXd q = VectorXd::Map(distances.data(), static_cast<Index>(distances.size()));
-    const VectorXd creep = VectorXd::Map(creeps.data(), q.size());
+    const Rolled rolled = whole_steps(entry, c, n, force, PrescribedForce{force});
+    const VectorXd &q = rolled.distance, &creep = rolled.creep;
     Answer answer;
     for (Index i = 0; i < q.size(); ++i) {
       if (q[i] < (1 - 1e-6) * dx) continue;
@@ -88,12 +72,20 @@ class Motions {
     return answer;
   }
 
-  /// Returns the longest distance that consists of whole steps.
-  double distance(double step) const { return std::floor(farthest * a_ / step) * step; }
-
   double spacing(Index n) const { return 2 * a_ / static_cast<double>(n); }
 
  private:
+  /// Rolls from a shift to the force on, as far as whole steps go.
+  Rolled whole_steps(const AdvectionEntry& entry, double c, Index n, double force,
+                     const Load& load) const {
+    const CattaneoToCarter start{.kernel = p_.plane,
+                                 .bound = p_.bound,
+                                 .grid = Grid({.half_width = a_, .elements = n}),
+                                 .basis = constant_basis(),
+                                 .force = force};
+    return roll(start, entry.scheme(1), c, std::floor(farthest * a_ / (c * spacing(n))) * c, load);
+  }
+
   double tiny() const { return p_.adhesion_amplitude; }
   double log_compliance() const { return p_.plane.log_factor(); }
 
