@@ -12,9 +12,9 @@ namespace microslip::experiments::fractional_power_test {
 constexpr Material material{1, 0.28};
 
 const std::vector<Table>& tables() {
-  static const std::vector<Table> all =
-      tables_of("fractional_power", read_fractional_power, fractional_power,
-                {"reference.refinement=5", "cost.sizes=51 75 101 201 401", "cost.largest_schur=101"});
+  static const std::vector<Table> all = tables_of(
+      "fractional_power", read_fractional_power, fractional_power,
+      {"reference.refinement=5", "cost.sizes=51 75 101 201 401", "cost.largest_schur=101"});
   return all;
 }
 

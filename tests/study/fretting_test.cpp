@@ -62,6 +62,11 @@ TEST(FrettingStudy, OrdersErrorsAndVerdicts) {
   EXPECT_EQ(verdicts(found), std::vector<std::string>(12, "ours"));
 }
 
+TEST(FrettingStudy, VerdictsOnTheContactOfTheStudy) {
+  EXPECT_EQ(verdicts(tables_of("fretting", read_fretting, fretting)),
+            std::vector<std::string>(12, "ours"));
+}
+
 TEST(FrettingStudy, LoopsAreClosedAndExact) {
   const Table& loops = table_named(tables(), "loops");
   EXPECT_EQ(loops.rows(), 2U * 3 * 8);

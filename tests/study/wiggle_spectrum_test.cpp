@@ -73,7 +73,7 @@ TEST(WiggleSpectrum, TheConditionNumberGrowsForOddNumbersOfElementsOnly) {
 }
 
 TEST(WiggleSpectrum, Verdicts) {
-  EXPECT_EQ(verdicts(tables()),
+  EXPECT_EQ(verdicts(tables_of("wiggle_spectrum", read_wiggle_spectrum, wiggle_spectrum)),
             (std::vector<std::string>{"reproduced", "reproduced", "reproduced", "corrected",
                                       "reproduced", "reproduced", "corrected", "reproduced"}));
 }
