@@ -39,6 +39,11 @@ class InputError(Error, ValueError):
         return type(self), (str(self), self.key, self.value, self.expected)
 
     @classmethod
+    def of(cls, key: str, value: str, expected: str) -> "InputError":
+        """Says what was given, and what is accepted."""
+        return cls(f"{key} = {value}: expected {expected}", key, value, expected)
+
+    @classmethod
     def from_message(cls, message: str, key: str = "") -> "InputError":
         """Takes a line of the library apart: "[place: ]key = value: expected what is accepted"."""
         if "expected only one of" in message:

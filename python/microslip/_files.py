@@ -17,8 +17,19 @@ def as_path(path: Path) -> bytes:
     """Returns a path as the library takes it."""
     name = os.fsencode(path)
     if b"\0" in name:
-        raise InputError(f"path = {path!r}: expected a path without NUL", "path", repr(path), "a path without NUL")
+        raise InputError.of("path", repr(path), "a path without NUL")
     return name
+
+
+def read_text(path: Path, what: str, argument: str) -> str:
+    """Reads a file of UTF-8; a message says what it is."""
+    try:
+        with open(path, encoding="utf-8-sig") as file:
+            return file.read()
+    except (OSError, UnicodeDecodeError) as error:
+        why = error.strerror if isinstance(error, OSError) else "expected UTF-8"
+        raise InputError(f"{what} '{path!s}': cannot read it: {why}", argument, str(path),
+                         "a file that can be read") from None
 
 
 def write_text(path: Path, text: str) -> None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import ctypes as c
 import pathlib
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Dict, Optional
 
 import numpy as np
 
@@ -54,82 +54,54 @@ class SceneText(c.Structure):
 
 PROGRESS = c.CFUNCTYPE(c.c_int, c.c_size_t, c.c_size_t)
 
+# Functions by the types of their result and arguments: - for nothing, i int, s size_t, d double, t text, p other pointers.
+TYPES = {"-": None, "i": c.c_int, "s": c.c_size_t, "d": c.c_double, "t": c.c_char_p, "p": c.c_void_p}
+FUNCTIONS = {
+    "t": "version py_error_key py_error_message py_keys",
+    "i": "py_error_status",
+    "-p": "destroy py_cases_destroy py_tables_destroy py_steady_destroy",
+    "tp": "message method warning py_save py_steady_warnings py_swept",
+    "sp": "size py_table_count py_steady_size",
+    "dp": "py_full_sliding",
+    "pp": "py_rolling py_steady_read",
+    "tt": "py_writable_target",
+    "ipt": "save restore py_restore",
+    "ipp": "copy get_state get_elastic_energy get_full_sliding",
+    "ipd": "set_creepage set_force advance",
+    "ppi": "py_read",
+    "tps": "py_warnings py_table_name py_table_text",
+    "ppsp": "py_solve",
+    "ippp": "roll",
+    "ipdd": "set_contact",
+    "ipdp": "start_from_shift shift_to_force shift_by_distance attempt",
+    "ipps": "get_nodes get_traction get_bound get_slip get_displacement get_zones",
+    "ipdpp": "attempt_with_jacobian",
+    "ipdpsp": "py_fastsim",
+    "tpips": "py_steady_doubt",
+    "ipipsippps": "py_steady_solve",
+}
 
-def _load() -> c.CDLL:
+
+def _load() -> Dict[str, Any]:
     file = pathlib.Path(__file__).with_name("_microslip.so")
     try:
         library = c.CDLL(str(file))
     except OSError as error:
         raise ImportError(f"{error}; expected the package as 'pip install .' or 'make build' makes it") from None
-    handle, scene, number, size, text = c.c_void_p, c.POINTER(SceneText), c.c_double, c.c_size_t, c.c_char_p
-    array = c.c_void_p
-    functions: dict[str, tuple[Any, tuple[Any, ...]]] = {
-        "version": (text, ()),
-        "copy": (c.c_int, (handle, c.POINTER(handle))),
-        "save": (c.c_int, (handle, text)),
-        "restore": (c.c_int, (handle, text)),
-        "destroy": (None, (handle,)),
-        "message": (text, (handle,)),
-        "method": (text, (handle,)),
-        "warning": (text, (handle,)),
-        "size": (size, (handle,)),
-        "set_creepage": (c.c_int, (handle, number)),
-        "set_force": (c.c_int, (handle, number)),
-        "set_contact": (c.c_int, (handle, number, number)),
-        "start_from_shift": (c.c_int, (handle, number, array)),
-        "shift_to_force": (c.c_int, (handle, number, array)),
-        "shift_by_distance": (c.c_int, (handle, number, array)),
-        "advance": (c.c_int, (handle, number)),
-        "roll": (c.c_int, (handle, c.POINTER(Steps), array)),
-        "attempt": (c.c_int, (handle, number, array)),
-        "attempt_with_jacobian": (c.c_int, (handle, number, array, array)),
-        "get_state": (c.c_int, (handle, array)),
-        "get_elastic_energy": (c.c_int, (handle, array)),
-        "get_full_sliding": (c.c_int, (handle, array)),
-        **{f"get_{values}": (c.c_int, (handle, array, size))
-           for values in ("nodes", "traction", "bound", "slip", "displacement", "zones")},
-        "py_error_status": (c.c_int, ()),
-        "py_error_key": (text, ()),
-        "py_error_message": (text, ()),
-        "py_keys": (text, ()),
-        "py_read": (handle, (scene, c.c_int)),
-        "py_cases_destroy": (None, (handle,)),
-        "py_case_count": (size, (handle,)),
-        "py_swept_count": (size, (handle,)),
-        "py_swept_key": (text, (handle, size)),
-        "py_swept_value": (text, (handle, size, size)),
-        "py_warnings": (text, (handle, size)),
-        "py_solve": (handle, (handle, size, PROGRESS)),
-        "py_tables_destroy": (None, (handle,)),
-        "py_table_count": (size, (handle,)),
-        "py_table_name": (text, (handle, size)),
-        "py_table_text": (text, (handle, size)),
-        "py_rolling": (handle, (scene,)),
-        "py_save": (text, (handle,)),
-        "py_restore": (c.c_int, (handle, text)),
-        "py_writable_target": (text, (text,)),
-        "py_steady_read": (handle, (scene,)),
-        "py_steady_destroy": (None, (handle,)),
-        "py_steady_size": (size, (handle,)),
-        "py_full_sliding": (number, (handle,)),
-        "py_steady_warnings": (text, (handle,)),
-        "py_steady_doubt": (text, (handle, c.c_int, array, size)),
-        "py_fastsim": (c.c_int, (handle, number, array, size, array)),
-        "py_steady_solve": (c.c_int, (handle, c.c_int, array, size, c.c_int, array, c.POINTER(SteadyNodes),
-                                      array, size)),
-    }
-    for name, (result, arguments) in functions.items():
-        function = getattr(library, f"microslip_{name}")
-        function.restype, function.argtypes = result, arguments
-    return library
+    functions = {}
+    for types, names in FUNCTIONS.items():
+        prototype = c.CFUNCTYPE(*(TYPES[one] for one in types))
+        for name in names.split():
+            functions[name] = prototype((f"microslip_{name}", library))
+    return functions
 
 
-_library = _load()
+_functions = _load()
 
 
 def call(name: str, *arguments: Any) -> Any:
     """Calls the function microslip_NAME and returns its result."""
-    return getattr(_library, f"microslip_{name}")(*arguments)
+    return _functions[name](*arguments)
 
 
 def text_of(name: str, *arguments: Any) -> str:

@@ -16,7 +16,7 @@ from . import _plot
 from ._errors import LoadWarning
 from ._library import as_progress, call, require, text_of
 from ._scene import Scene, SceneArguments
-from ._table import Table, html_table
+from ._table import Table
 
 _EVIDENCE = ("residual", "bound_violation", "slip_violation", "bound_resolution", "dissipation_error", "condition")
 
@@ -143,15 +143,11 @@ class Cases:
         self._handle = require(call("py_read", self.arguments.in_c(), is_swept))
         weakref.finalize(self, call, "py_cases_destroy", self._handle).atexit = False  # a thread may still solve
 
+        rows = text_of("py_swept", self._handle).split("\x1e")[:-1]
+        self.keys, *self.values = [row.split("\x1f")[:-1] for row in rows]
+
     def __len__(self) -> int:
-        return call("py_case_count", self._handle)
-
-    @property
-    def swept(self) -> List[str]:
-        return [text_of("py_swept_key", self._handle, k) for k in range(call("py_swept_count", self._handle))]
-
-    def values(self, case: int) -> List[str]:
-        return [text_of("py_swept_value", self._handle, case, k) for k in range(len(self.swept))]
+        return len(self.values)
 
     def warnings(self, case: int) -> List[str]:
         return text_of("py_warnings", self._handle, case).splitlines()
@@ -220,6 +216,3 @@ def solve(scene: Scene = None, *, progress: Progress = None, **overrides: Any) -
     result = cases.solve(0, shown_progress(progress))
     warn_of(line for line in result.warnings if line not in cases.warnings(0))
     return result
-
-
-__all__ = ["Result", "solve", "html_table"]

@@ -13,13 +13,13 @@ import numpy as np
 from ._arrays import NotNumber, is_number, shown, text_of_number
 from ._columns import NAMES_KEY, is_table, names_text, table_text
 from ._errors import InputError
+from ._files import read_text
 from ._keys import keys
 from ._library import SceneText
 from ._table import Table
 
 #: A file's name, a scene's text, or a dictionary of its keys.
 Scene = Union[str, "os.PathLike[str]", Mapping[str, Any], None]
-
 
 
 def _bad(key: str, value: Any, expected: str) -> InputError:
@@ -79,7 +79,7 @@ class SceneArguments:
         elif isinstance(scene, (str, os.PathLike)):
             name = os.fspath(scene)
             folder = os.path.join(os.path.dirname(name), "")
-            text = _text_of_file(name)
+            text = read_text(name, "scene", "scene")
         elif scene is not None:
             raise _bad("scene", scene, "a file's name, a text or a dictionary")
         if "\0" in text:
@@ -143,20 +143,11 @@ class SceneArguments:
             self._files[name] = value if isinstance(value, bytes) else table_text(key, value, names)
         return name
 
-    def in_c(self) -> SceneText:
+    def in_c(self) -> Any:
         text, name, folder = self._texts
         assignments = (c.c_char_p * len(self._assignments))(*self._assignments)
         names = (c.c_char_p * len(self._files))(*(one.encode() for one in self._files))
         texts = (c.c_char_p * len(self._files))(*self._files.values())
         scene = SceneText(text, name, folder, assignments, len(assignments), names, texts, len(names))
-        scene.keep = (assignments, names, texts)  # as long as what points to them
-        return scene
-
-
-def _text_of_file(name: str) -> str:
-    try:
-        with open(name, encoding="utf-8-sig", newline=None) as file:
-            return file.read()
-    except (OSError, UnicodeDecodeError) as error:
-        why = error.strerror if isinstance(error, OSError) else "expected UTF-8"
-        raise InputError(f"scene '{name}': cannot read it: {why}", "scene", name, "a file that can be read") from None
+        scene.keep = (assignments, names, texts)  # as long as the scene
+        return c.byref(scene)

@@ -7,7 +7,7 @@ import ctypes as c
 import html
 import os
 import weakref
-from typing import Any, Dict, List, Optional
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 
@@ -134,8 +134,13 @@ def threads_of(threads: Optional[int]) -> int:
         return len(os.sched_getaffinity(0))
     if isinstance(threads, int) and threads >= 1:
         return threads
-    raise InputError(f"threads = {threads!r}: expected a whole number >= 1", "threads", repr(threads),
-                     "a whole number >= 1")
+    raise InputError.of("threads", repr(threads), "a whole number >= 1")
+
+
+def require_word(name: str, value: Any, accepted: Tuple[Any, ...]) -> None:
+    """Rejects what is none of the words."""
+    if value not in accepted:
+        raise InputError.of(name, repr(value), " or ".join(map(repr, accepted)))
 
 
 def steady(scene: Scene = None, *, creepage: Values = None, force: Values = None, threads: Optional[int] = None,
@@ -177,9 +182,7 @@ def steady(scene: Scene = None, *, creepage: Values = None, force: Values = None
     if (creepage is None) == (force is None):
         raise InputError("creepage: expected either creepages or forces", "creepage", str(creepage),
                          "either creepages or forces")
-    if missing not in ("raise", "nan"):
-        raise InputError(f"missing = {missing!r}: expected 'raise' or 'nan'", "missing", repr(missing),
-                         "'raise' or 'nan'")
+    require_word("missing", missing, ("raise", "nan"))
     contact = _read(scene, overrides)
     name, loads = ("creepage", creepage) if force is None else ("force", force)
     found = contact.solve(CREEPAGE if force is None else FORCE, numbers(name, loads), threads_of(threads),
@@ -235,14 +238,10 @@ def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, b
     array([ 0.  , -0.31, -0.55, -0.75, -0.89, -0.97, -1.  , -1.  , -1.  ])
     """
     if not isinstance(points, (int, np.integer)) or points < 5:
-        raise InputError(f"points = {points!r}: expected a whole number >= 5", "points", repr(points),
-                         "a whole number >= 5")
+        raise InputError.of("points", repr(points), "a whole number >= 5")
     if not 0 < most < 1:
-        raise InputError(f"most = {most!r}: expected a number above 0, below 1", "most", repr(most),
-                         "a number above 0, below 1")
-    if beside not in (None, "fastsim"):
-        raise InputError(f"beside = {beside!r}: expected None or 'fastsim'", "beside", repr(beside),
-                         "None or 'fastsim'")
+        raise InputError.of("most", repr(most), "a number above 0, below 1")
+    require_word("beside", beside, (None, "fastsim"))
     for load in ("creepage", "force"):
         if load in overrides:
             raise InputError(f"{load}: expected no loads, because a curve has its own; "

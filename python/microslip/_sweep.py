@@ -10,12 +10,12 @@ from typing import Any, Dict, List, Mapping, Optional
 
 import numpy as np
 
-from ._errors import Error, InputError, NoSolution
+from ._errors import Error, NoSolution
 from ._keys import keys as all_keys
 from ._result import Cases, Progress, Result, shown_progress, warn_of
 from ._scene import Scene
-from ._steady import threads_of
-from ._table import html_table, to_pandas
+from ._steady import require_word, threads_of
+from ._table import column_of, html_table, structured, to_pandas
 
 
 class Sweep:
@@ -64,23 +64,13 @@ class Sweep:
 
 
 def _table_of(keys: List[str], values: List[List[str]], results: List[Optional[Result]]) -> np.ndarray:
-    columns: Dict[str, Any] = {key: _texts_or_numbers([row[k] for row in values]) for k, key in enumerate(keys)}
+    columns: Dict[str, Any] = {key: column_of([row[k] for row in values]) for k, key in enumerate(keys)}
     solved = [result.summary for result in results if result is not None]
     names = [name for name in (solved[0].dtype.names if solved else ())
              if all(name in one.dtype.names and one.dtype[name] == float for one in solved)]
     for name in names:
         columns[name] = np.array([np.nan if result is None else result.summary[name] for result in results])
-    table = np.empty(len(results), [(name, column.dtype) for name, column in columns.items()])
-    for name, column in columns.items():
-        table[name] = column
-    return table
-
-
-def _texts_or_numbers(texts: List[str]) -> np.ndarray:
-    try:
-        return np.array([float(text) for text in texts])
-    except ValueError:
-        return np.array(texts)
+    return structured(list(columns), list(columns.values()), len(results))
 
 
 def sweep(scene: Scene = None, over: Optional[Mapping[str, Any]] = None, *, threads: Optional[int] = None,
@@ -122,16 +112,14 @@ def sweep(scene: Scene = None, over: Optional[Mapping[str, Any]] = None, *, thre
     >>> cases["creepage"].round(6)
     array([0.00069 , 0.001536, 0.000521, 0.001128])
     """
-    if missing not in ("raise", "nan"):
-        raise InputError(f"missing = {missing!r}: expected 'raise' or 'nan'", "missing", repr(missing),
-                         "'raise' or 'nan'")
+    require_word("missing", missing, ("raise", "nan"))
     cores = threads_of(threads)
     given = {f"sweep.{key}": value for key, value in (over or {}).items()}
     removed = {key: None for key in (over or {})}
     cases = Cases(scene, {**removed, **overrides, **given}, True)
     warn_of(_warnings_of(cases))
     results, errors = _solve_all(cases, cores, shown_progress(progress), missing)
-    return Sweep(cases.swept, [cases.values(case) for case in range(len(cases))], results, errors)
+    return Sweep(cases.keys, cases.values, results, errors)
 
 
 def _warnings_of(cases: Cases) -> List[str]:

@@ -4,24 +4,16 @@
 from __future__ import annotations
 
 import html
-import io
 import os
 import pathlib
 import re
-from typing import Any, Dict, List, NamedTuple, Tuple, Union
+from typing import Any, Dict, List, Tuple, Union
 
 import numpy as np
 
 from ._errors import InputError
-from ._files import write_text
-
-
-class Column(NamedTuple):
-    """Name, unit and meaning of a column."""
-
-    name: str
-    unit: str  #: "1" if it has none
-    meaning: str
+from ._files import read_text, write_text
+from ._head import Column, read_head
 
 
 class Table:
@@ -47,10 +39,15 @@ class Table:
 
     def __init__(self, name: str, text: str):
         self.name, self.text = name, text
-        comments, rest = _split(name, text)
-        self.description, self.parameters, self.warnings, self.columns = _read_comments(comments)
+        head, rest = read_head(text)
+        if not rest:
+            raise InputError(f"{name}: expected a line of column names, as microslip writes tables", "path", name,
+                             "a table")
         header, self.data = _read_rows(name, rest)
-        self.columns.update({column.name: column for column in header if column.name not in self.columns})
+        self.description = head.description
+        self.parameters = {key: value for key, value in head.parameters if key != "warning"}
+        self.warnings = [value for key, value in head.parameters if key == "warning"]
+        self.columns = {column.name: column for column in (*header, *head.columns)}
         self.units: Dict[str, str] = {column.name: column.unit for column in self.columns.values()}
 
     def __getitem__(self, which: Any) -> Any:
@@ -82,39 +79,6 @@ class Table:
         write_text(path, self.text)
 
 
-def _split(name: str, text: str) -> Tuple[List[str], str]:
-    comments, at = [], 0
-    while text.startswith("#", at):
-        end = text.find("\n", at)
-        end = len(text) if end < 0 else end
-        comments.append(text[at + 1:end].rstrip())
-        at = end + 1
-    if at >= len(text):
-        raise InputError(f"{name}: expected a line of column names, as microslip writes tables", "path", name,
-                         "a table")
-    return comments, text[at:]
-
-
-def _read_comments(comments: List[str]) -> Tuple[str, Dict[str, str], List[str], Dict[str, Column]]:
-    """Reads description, parameters, warnings and columns; tables of other programs may have none."""
-    description = comments[0].strip().partition(": ")[2] if comments else ""
-    part, parameters, warnings, columns = "", {}, [], {}
-    for line in comments[1:]:
-        if not line.startswith("   "):
-            part = line.strip()
-        elif part == "parameters":
-            key, _, value = line.strip().partition(" = ")
-            if key == "warning":
-                warnings.append(value)
-            else:
-                parameters[key] = value
-        elif part == "columns":
-            column, _, rest = line.strip().partition(" [")
-            unit, _, meaning = rest.partition("]: ")
-            columns[column] = Column(column, unit, meaning)
-    return description, parameters, warnings, columns
-
-
 def _read_rows(name: str, text: str) -> Tuple[List[Column], np.ndarray]:
     """Reads the columns of the header, perhaps with units, and the rows, separated by tabs or by blanks."""
     header, _, rows = text.partition("\n")
@@ -122,10 +86,15 @@ def _read_rows(name: str, text: str) -> Tuple[List[Column], np.ndarray]:
     named = [_named(one) for one in (header.split("\t") if separator else re.sub(r"\s+\[", "[", header).split())]
     lines = [line for line in rows.splitlines() if line and not line.startswith("#")]
     columns = _columns_of_lines(name, [line.split(separator) for line in lines], len(named))
-    data = np.empty(len(lines), [(one.name, column.dtype) for one, column in zip(named, columns)])
-    for one, column in zip(named, columns):
-        data[one.name] = column
-    return named, data
+    return named, structured([one.name for one in named], columns, len(lines))
+
+
+def structured(names: List[str], columns: List[np.ndarray], rows: int) -> np.ndarray:
+    """Makes a structured array of columns."""
+    data = np.empty(rows, [(name, column.dtype) for name, column in zip(names, columns)])
+    for name, column in zip(names, columns):
+        data[name] = column
+    return data
 
 
 def _named(header: str) -> Column:
@@ -139,17 +108,18 @@ def _columns_of_lines(name: str, cells: List[List[str]], width: int) -> List[np.
         if len(row) != width:
             raise InputError(f"{name}, row {number}: expected {width} cells, not {len(row)}", "path", name,
                              "as many cells as columns")
-    return [_column(list(texts)) for texts in zip(*cells)] or [np.empty(0) for _ in range(width)]
+    return [column_of(list(texts)) for texts in zip(*cells)] or [np.empty(0) for _ in range(width)]
 
 
-def _column(texts: List[str]) -> np.ndarray:
+def column_of(texts: List[str]) -> np.ndarray:
+    """Turns texts into numbers, if all of them are."""
     try:
         return np.array(texts, dtype=float)
     except ValueError:
         return np.array(texts)
 
 
-def read_table(path: Union[str, "os.PathLike[str]", io.TextIOBase]) -> Table:
+def read_table(path: Union[str, "os.PathLike[str]"]) -> Table:
     """Reads a table that microslip wrote, with its units and parameters.
 
     Parameters
@@ -173,13 +143,7 @@ def read_table(path: Union[str, "os.PathLike[str]", io.TextIOBase]) -> Table:
     >>> table["x"][:2], table.units["x"], table.parameters["load.force"]
     (array([-4.9, -4.7]), 'mm', '-500')
     """
-    try:
-        text = pathlib.Path(path).read_text(encoding="utf-8")  # type: ignore[arg-type]
-    except (OSError, UnicodeDecodeError) as error:
-        why = error.strerror if isinstance(error, OSError) else "expected UTF-8"
-        raise InputError(f"table '{path}': cannot read it: {why}", "path", str(path),
-                         "a file that can be read") from None
-    return Table(pathlib.Path(path).stem, text)  # type: ignore[arg-type]
+    return Table(pathlib.Path(path).stem, read_text(path, "table", "path"))
 
 
 def to_pandas(data: np.ndarray, units: Dict[str, str]) -> Any:

@@ -21,11 +21,9 @@ microslip_rolling* microslip_py_rolling(const microslip_py_scene* scene) {
 }
 
 const char* microslip_py_save(microslip_rolling* rolling) {
-  static thread_local std::string text;
-  return or_null([&] {
+  return text_or_null([&] {
     const std::lock_guard lock(rolling->mutex);
-    text = rolling->contact->save();
-    return text.c_str();
+    return rolling->contact->save();
   });
 }
 
@@ -37,11 +35,7 @@ int microslip_py_restore(microslip_rolling* rolling, const char* text) {
 }
 
 const char* microslip_py_writable_target(const char* path) {
-  static thread_local std::string text;
-  return or_null([&] {
-    text = capi::target_of(path).string();
-    return text.c_str();
-  });
+  return text_or_null([&] { return capi::target_of(path).string(); });
 }
 
 struct microslip_py_steady {
@@ -86,11 +80,8 @@ const char* microslip_py_steady_warnings(const microslip_py_steady* steady) {
 
 const char* microslip_py_steady_doubt(const microslip_py_steady* steady, int load_type,
                                       const double* loads, std::size_t count) {
-  static thread_local std::string text;
-  return or_null([&] {
-    text = capi::doubt_of_loads(steady->problem, load_type, loads, count);
-    return text.c_str();
-  });
+  return text_or_null(
+      [&] { return capi::doubt_of_loads(steady->problem, load_type, loads, count); });
 }
 
 int microslip_py_steady_solve(const microslip_py_steady* steady, int load_type, const double* loads,

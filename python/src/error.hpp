@@ -25,6 +25,16 @@ auto or_null(const Work& work) noexcept -> decltype(work()) {
   }
 }
 
+/// Likewise of one that returns a text, which is valid until its thread does the same work again.
+template <class Work>
+const char* text_or_null(const Work& work) noexcept {
+  static thread_local std::string text;
+  return or_null([&] {
+    text = work();
+    return text.c_str();
+  });
+}
+
 /// Likewise of one that returns a status.
 template <class Work>
 int status_of(const Work& work) noexcept {

@@ -42,11 +42,9 @@ MICROSLIP_API const char* microslip_py_keys(void);
 struct microslip_py_cases;
 MICROSLIP_API microslip_py_cases* microslip_py_read(const microslip_py_scene* scene, int is_swept);
 MICROSLIP_API void microslip_py_cases_destroy(microslip_py_cases* cases);
-MICROSLIP_API std::size_t microslip_py_case_count(const microslip_py_cases* cases);
-MICROSLIP_API std::size_t microslip_py_swept_count(const microslip_py_cases* cases);
-MICROSLIP_API const char* microslip_py_swept_key(const microslip_py_cases* cases, std::size_t key);
-MICROSLIP_API const char* microslip_py_swept_value(const microslip_py_cases* cases, std::size_t at,
-                                                   std::size_t key);
+/// The swept keys, and their values in each case: rows that end with the control character RS, of
+/// cells that end with US.
+MICROSLIP_API const char* microslip_py_swept(const microslip_py_cases* cases);
 /// Doubts about values, a line each, as they are told before a case is solved.
 MICROSLIP_API const char* microslip_py_warnings(const microslip_py_cases* cases, std::size_t at);
 

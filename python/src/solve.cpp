@@ -66,9 +66,8 @@ Progress progress_by(microslip_py_progress call) {
 }  // namespace
 
 struct microslip_py_cases {
-  std::vector<Case> all;
-  std::vector<std::string> keys = {};
-  std::vector<std::vector<std::string>> values = {};  ///< of each case
+  std::vector<Case> all = {};
+  std::string swept = "\x1e\x1e";  ///< see microslip_py_swept(); no keys, and one case
 };
 
 struct microslip_py_tables {
@@ -79,10 +78,11 @@ namespace {
 
 microslip_py_cases read_sweep(const Scene& scene) {
   const Sweep sweep = placed(scene, [&] { return Sweep(scene); });
-  microslip_py_cases cases{.all = {}};
-  for (const SweptKey& key : sweep.keys()) cases.keys.push_back(key.key);
+  microslip_py_cases cases{.swept = ""};
+  for (const SweptKey& key : sweep.keys()) cases.swept += key.key + '\x1f';
   for (std::size_t i = 0; i < sweep.size(); ++i) {
-    cases.values.push_back(sweep.values(i));
+    cases.swept += '\x1e';
+    for (const std::string& value : sweep.values(i)) cases.swept += value + '\x1f';
     try {
       cases.all.push_back(read_case(sweep.scene(i)));
     } catch (const BadParameter& error) {
@@ -91,6 +91,7 @@ microslip_py_cases read_sweep(const Scene& scene) {
       throw std::invalid_argument(label(sweep, i) + error.what());
     }
   }
+  cases.swept += '\x1e';
   return cases;
 }
 
@@ -107,18 +108,7 @@ microslip_py_cases* microslip_py_read(const microslip_py_scene* scene, int is_sw
 
 void microslip_py_cases_destroy(microslip_py_cases* cases) { delete cases; }
 
-std::size_t microslip_py_case_count(const microslip_py_cases* cases) { return cases->all.size(); }
-
-std::size_t microslip_py_swept_count(const microslip_py_cases* cases) { return cases->keys.size(); }
-
-const char* microslip_py_swept_key(const microslip_py_cases* cases, std::size_t key) {
-  return cases->keys[key].c_str();
-}
-
-const char* microslip_py_swept_value(const microslip_py_cases* cases, std::size_t at,
-                                     std::size_t key) {
-  return cases->values[at][key].c_str();
-}
+const char* microslip_py_swept(const microslip_py_cases* cases) { return cases->swept.c_str(); }
 
 const char* microslip_py_warnings(const microslip_py_cases* cases, std::size_t at) {
   return cases->all[at].warnings.c_str();

@@ -39,6 +39,19 @@ def test_structures_have_the_fields_of_the_header(name, file, kind, source):
     assert [field for field, *_ in kind._fields_] == fields
 
 
+def test_functions_have_the_types_of_the_headers(source):
+    headers = "".join((source / file).read_text() for file in ("capi/include/microslip.h", "python/src/interface.hpp"))
+    headers = re.sub(r"/\*.*?\*/|//[^\n]*", "", headers, flags=re.DOTALL)
+    kinds = {"void": "-", "int": "i", "enum microslip_status": "i", "size_t": "s", "std::size_t": "s", "double": "d",
+             "const char*": "t", "microslip_py_progress": "p"}
+    declared = {}
+    for result, name, arguments in re.findall(r"MICROSLIP_API ([\w: ]+?\*?) ?microslip_(\w+)\((.*?)\);", headers, re.DOTALL):
+        words = [result, *(" ".join(one.split()).rpartition(" ")[0] for one in arguments.split(",") if one != "void")]
+        declared[name] = "".join(kinds.get(word, "p" if "*" in word else "?") for word in words)
+    taken = {name: types for types, names in _library.FUNCTIONS.items() for name in names.split()}
+    assert taken == {name: declared[name] for name in taken}
+
+
 @pytest.mark.parametrize("module", [name for _, name, _ in pkgutil.iter_modules(microslip.__path__)
                                     if name != "_microslip"])
 def test_examples_in_docstrings(module):
