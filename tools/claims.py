@@ -10,14 +10,15 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # the folder holds sources only
-ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "tools/report"))
-from tables import ReportError, read_study, read_table, studies_of
+sys.path.insert(0, str(Path(__file__).with_name("report")))
+from tables import ROOT, ReportError, questions, read_study, read_table, run
+
+USAGE = "one PROGRAMS WORK_FOLDER NAME, or all RESULTS"
 
 
 def known_claims():
     """Name, study and statement of each claim; the tables of quick runs have all of them."""
-    for study, _ in studies_of(ROOT / "README.md"):
+    for study in questions():
         rows = read_table(ROOT / f"tests/reference_tables/{study}/claims.tsv").rows
         for i, row in enumerate(rows, 1):
             yield f"{study}-{i}", study, row[0]
@@ -38,8 +39,7 @@ def number(value):
 
 
 def measured(claim):
-    rounding = abs(claim.measured_value) <= claim.rounding
-    return f"nothing but rounding, below {claim.rounding:.1g}" if rounding else number(claim.measured_value)
+    return f"nothing but rounding, below {claim.rounding:.1g}" if claim.is_rounding else number(claim.measured_value)
 
 
 def cost(study):
@@ -51,7 +51,7 @@ def one(programs, work, name):
     name, study, _ = find(name)
     out = Path(work) / study
     subprocess.run([Path(programs) / study, "--quiet", "--out", out], check=True)
-    result = read_study(work, study, "")
+    result = read_study(work, study)
     claim = next(claim for claim in result.claims if claim.id == name)
     where = "ours" if claim.section == "none" else f"thesis, {claim.section}"
     unit = "" if claim.unit == "1" else f" {claim.unit}"
@@ -69,8 +69,8 @@ def one(programs, work, name):
 def every(results):
     print(f"{'name':24}{'verdict':16}{'time':>10}{'memory':>10}  statement")
     counts = {}
-    for study, _ in studies_of(ROOT / "README.md"):
-        result = read_study(results, study, "")
+    for study in questions():
+        result = read_study(results, study)
         seconds, memory = cost(result)
         for claim in result.claims:
             counts[claim.verdict] = counts.get(claim.verdict, 0) + 1
@@ -79,22 +79,11 @@ def every(results):
     print("Time and memory are those of the study, which judges all of its claims in one run.")
 
 
-def main(arguments):
-    ways = {("one", 4): one, ("all", 2): every}
-    way = ways.get((arguments[0] if arguments else "", len(arguments)))
-    if way is None:
-        print("claims: expected one PROGRAMS WORK_FOLDER NAME, or all RESULTS", file=sys.stderr)
-        return 1
-    try:
-        way(*arguments[1:])
-    except ReportError as error:
-        print(f"claims: {error}", file=sys.stderr)
-        return 1
-    except (OSError, subprocess.CalledProcessError) as error:
-        print(f"claims: {error}", file=sys.stderr)
-        return 1
-    return 0
+def main(way, *arguments):
+    if (way, len(arguments)) not in (("one", 3), ("all", 1)):
+        raise ReportError(f"expected {USAGE}")
+    (one if way == "one" else every)(*arguments)
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    run("claims", USAGE, main, (2, 4))

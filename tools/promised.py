@@ -19,6 +19,9 @@ RECORD = ROOT / "tests/promised.txt"
 TABLES = ROOT / "tests/reference_tables"
 HEADER = ROOT / "capi/include/microslip.h"
 PACKAGE = ROOT / "python/microslip"
+sys.dont_write_bytecode = True  # the folder holds sources only
+sys.path.append(str(PACKAGE))
+from _head import read_head
 
 
 def text_of(file):
@@ -56,13 +59,11 @@ def exit_statuses(_program):
 
 
 def columns_of(file, table):
-    lines = text_of(file).splitlines()
-    header = "\n".join(line for line in lines if line.startswith("#")).partition("# columns\n")[2]
-    for name, unit in re.findall(r"^#   (\S+) \[([^]]*)\]:", header, re.MULTILINE):
-        yield f"column {table} {name} [{unit}]"
-    rows = [line.split("\t") for line in lines if not line.startswith("#")]
-    if rows[0] == ["quantity", "value", "unit"]:
-        yield from (f"row {table} {quantity} [{unit}]" for quantity, _, unit in rows[1:])
+    head, rows = read_head(text_of(file))
+    yield from (f"column {table} {column.name} [{column.unit}]" for column in head.columns)
+    header, *rows = [line.split("\t") for line in rows.splitlines()]
+    if header == ["quantity", "value", "unit"]:
+        yield from (f"row {table} {quantity} [{unit}]" for quantity, _, unit in rows)
 
 
 def tables(program):

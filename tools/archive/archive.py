@@ -9,18 +9,16 @@ report, which shows them. Each has SHA256SUMS. Errors go to stderr in one line, 
 import hashlib
 import io
 import json
-import os
 import re
 import sys
 import tarfile
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # the folder holds sources only
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools/report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "report"))
 from crate import codemeta, crate
 from figures import shows_measured_times
-from tables import ReportError, read_study, studies_of
+from tables import ROOT, ReportError, questions, read_study, run, write_whole
 
 
 def version():
@@ -73,18 +71,13 @@ def write_tar(path, folder, files):
             member = tarfile.TarInfo(f"{folder}/{name}")
             member.size, member.mode = len(files[name]), 0o644
             tar.addfile(member, io.BytesIO(files[name]))
-    partial = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        partial.write_bytes(data.getvalue())
-        partial.replace(path)
-    finally:
-        partial.unlink(missing_ok=True)
+    write_whole(path, data.getvalue())
     print(f"{path}: {len(files)} files, {len(data.getvalue()) / 1e6:.1f} MB")
 
 
-def make(results, out):
-    studies = [read_study(results, name, question) for name, question in studies_of(ROOT / "README.md")]
+def main(results, out):
+    results, out = Path(results), Path(out)
+    studies = [read_study(results, name) for name in questions()]
     lasting, measured = collect(results, studies)
     lasting["codemeta.json"] = as_json(codemeta(ROOT, version()))
     lasting["ro-crate-metadata.json"] = as_json(crate(ROOT, version(), studies, lasting))
@@ -93,17 +86,5 @@ def make(results, out):
         write_tar(out / f"{name}.tar", name, with_sums(files))
 
 
-def main(arguments):
-    if len(arguments) != 2:
-        print("archive: expected RESULTS OUT_FOLDER", file=sys.stderr)
-        return 1
-    try:
-        make(*map(Path, arguments))
-    except (ReportError, OSError) as error:
-        print(f"archive: {error}", file=sys.stderr)
-        return 1
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    run("archive", "RESULTS OUT_FOLDER", main, (2,))

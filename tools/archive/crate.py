@@ -37,7 +37,7 @@ def file_entity(name, data, what):
 
 
 def claim_entity(study, claim):
-    measured = "nothing but rounding" if abs(claim.measured_value) <= claim.rounding else repr(claim.measured_value)
+    measured = "nothing but rounding" if claim.is_rounding else repr(claim.measured_value)
     entity = {"@id": f"#{claim.id}", "@type": "Claim", "name": claim.claim, "appearance": {"@id": f"tables/{study.name}/claims.tsv"},
               "description": f"{claim.verdict.replace('_', ' ')}: measured {measured}. Rule: {claim.rule}. {claim.note}"}
     if not math.isnan(claim.thesis_value):

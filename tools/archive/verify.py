@@ -9,8 +9,12 @@ import sys
 import tarfile
 from pathlib import Path
 
+sys.dont_write_bytecode = True  # the folder holds sources only
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "report"))
+from tables import ReportError, run
 
-class Damaged(Exception):
+
+class Damaged(ValueError):
     """Says what is wrong with an archive, in one line."""
 
 
@@ -65,21 +69,15 @@ def rerun(folder, programs, work, study):
     return f"{study}: {len(names)} tables agree, {len(names) - len(other)} of them with the same bytes"
 
 
-def main(arguments):
-    if len(arguments) < 3:
-        print("verify-archive: expected ARCHIVE.tar PROGRAMS WORK_FOLDER [STUDY ...]", file=sys.stderr)
-        return 1
-    archive, programs, work = map(Path, arguments[:3])
+def main(archive, programs, work, *studies):
     try:
-        folder = unpack(archive, work)
+        folder = unpack(archive, Path(work))
         print(f"{archive}: {check_sums(folder)} files have their sums")
-        for study in arguments[3:]:
-            print(rerun(folder, programs, work, study))
-    except (Damaged, OSError, ValueError, tarfile.TarError, subprocess.CalledProcessError) as error:
-        print(f"verify-archive: {archive}: {error}", file=sys.stderr)
-        return 1
-    return 0
+        for study in studies:
+            print(rerun(folder, Path(programs), Path(work), study))
+    except (OSError, ValueError, tarfile.TarError, subprocess.CalledProcessError) as error:
+        raise ReportError(f"{archive}: {error}") from None
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    run("verify-archive", "ARCHIVE.tar PROGRAMS WORK_FOLDER [STUDY ...]", main, range(3, sys.maxsize))

@@ -18,10 +18,9 @@ import sys
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # the folder holds sources only
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tools/report"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "report"))
 from figures import shows_measured_times
-from tables import ReportError, read_study, read_table, studies_of
+from tables import ROOT, ReportError, questions, read_study, read_table, run
 
 BRACED = r"\{((?:[^{}]|\{[^{}]*\})*)\}"
 # Places in the thesis: Fig. 6.9, Figs. 7.1 and 7.2, chapter 9, (B.30), Example 5.8.
@@ -74,20 +73,19 @@ class Results:
 
     def __init__(self, folder):
         self.folder = Path(folder)
-        self.names = [name for name, _ in studies_of(ROOT / "README.md")]
         self.tables = {}
 
     def table(self, study, name):
         if (study, name) not in self.tables:
-            if study not in self.names:
-                raise ReportError(f"no study '{study}'; expected one of {', '.join(self.names)}")
+            if study not in questions():
+                raise ReportError(f"no study '{study}'; expected one of {', '.join(questions())}")
             self.tables[study, name] = read_table(self.folder / study / f"{name}.tsv")
         return self.tables[study, name]
 
     def claims(self):
         """(study, claim) for all claims."""
-        for name in self.names:
-            for claim in read_study(self.folder, name, "").claims:
+        for name in questions():
+            for claim in read_study(self.folder, name).claims:
                 yield name, claim
 
 
@@ -210,7 +208,7 @@ def in_tex(text):
 def value_in_table(claim):
     if math.isnan(claim.measured_value):
         return "--"
-    if abs(claim.measured_value) <= claim.rounding:
+    if claim.is_rounding:
         return "rounding"
     return shown(claim.measured_value, 3)
 
@@ -276,25 +274,15 @@ def keys_of(text):
     return list(dict.fromkeys(keys))
 
 
-def main(arguments):
-    if len(arguments) not in (2, 3):
-        print("article: expected RESULTS ARTICLE.tex [OUTPUT.tex]", file=sys.stderr)
-        return 1
-    article = Path(arguments[1])
-    text = article.read_text(encoding="utf-8")
-    errors = checked(text, article.name)
-    try:
-        output, more = definitions(Results(arguments[0]), keys_of(text)) if len(arguments) == 3 else ("", [])
-    except ReportError as error:
-        output, more = "", [str(error)]
-    for error in errors + more:
-        print(f"article: {error}", file=sys.stderr)
-    if errors or more:
-        return 1
+def main(results, article, output=None):
+    text = Path(article).read_text(encoding="utf-8")
+    errors = checked(text, Path(article).name)
+    defined, more = definitions(Results(results), keys_of(text)) if output else ("", [])
+    if errors + more:
+        raise ReportError("\narticle: ".join(errors + more))
     if output:
-        Path(arguments[2]).write_text(output, encoding="utf-8")
-    return 0
+        Path(output).write_text(defined, encoding="utf-8")
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    run("article", "RESULTS ARTICLE.tex [OUTPUT.tex]", main, (2, 3))

@@ -1,11 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The studies, and what they wrote: tables, provenance, claims."""
+"""The studies, and what they wrote: tables, provenance, claims. Programs that read it begin by run()."""
+import functools
+import importlib
+import os
 import re
 import shlex
+import subprocess
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-ROUNDING = "# nothing but rounding"
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "python/microslip"))
+from _head import read_head
+
 NOT_JUDGED = "not_judged"
 GIVEN = ("reproduced", "corrected", "refuted", "not_comparable", "ours")  # by the rule of a claim
 VERDICTS = (*GIVEN, NOT_JUDGED)
@@ -15,6 +23,36 @@ CLAIM_COLUMNS = ("claim", "section", "thesis_value", "measured_value", "unit", "
 
 class ReportError(Exception):
     """Says what is wrong, and what is expected, in one line."""
+
+
+def run(name, usage, work, counts):
+    """Works on the arguments of the command line, as many as `counts` has; an error is one line and exit status 1."""
+    try:
+        if len(sys.argv) - 1 not in counts:
+            raise ReportError(f"expected {usage}")
+        work(*sys.argv[1:])
+    except (ReportError, OSError, subprocess.CalledProcessError) as error:
+        sys.exit(f"{name}: {error}")
+
+
+def module(name):
+    """A module of a Debian package, for any Python."""
+    sys.path.append("/usr/lib/python3/dist-packages")
+    try:
+        return importlib.import_module(name)
+    except ImportError as error:
+        sys.exit(f"report: {error}; `tools/deps.sh report` installs it")
+
+
+def write_whole(path, data):
+    """Writes all bytes of a file, or nothing."""
+    partial = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        partial.write_bytes(data)
+        partial.replace(path)
+    finally:
+        partial.unlink(missing_ok=True)
 
 
 def read_text(path):
@@ -32,37 +70,25 @@ class Table:
     description: str
     parameters: list  # of (key, value)
     columns: list  # of (name, unit, meaning)
-    rows: list  # of cells, as text
     rounding: dict  # bounds up to which numbers are nothing but rounding, by column and first cell or None
+    rows: list  # of cells, as text
 
 
 def read_table(path):
-    """A table as scene/src/table.cpp writes it."""
     def bad(expected):
         return ReportError(f"{path}: not a whole table: expected {expected}")
 
     text = read_text(path)
     if not text.endswith("\n"):
         raise bad("an end of the last line")
-    lines = text.splitlines()
-    comments = [line for line in lines if line.startswith("#")]
-    first = re.fullmatch(r"# (\S+): (.+)", comments[0]) if comments else None
-    if not first or "# parameters" not in comments or "# columns" not in comments:
+    head, text = read_head(text)
+    if not all(head[:3]):
         raise bad("a comment with description, parameters and columns")
-    at = comments.index("# columns")
-    parameters = [tuple(line[4:].split(" = ", 1)) for line in comments[2:at]]
-    end = comments.index(ROUNDING) if ROUNDING in comments[at:] else len(comments)
-    columns = [re.fullmatch(r"#   (\S+) \[(.*?)\]: (.*)", line) for line in comments[at + 1:end]]
-    bounds = [re.fullmatch(r"#   (\S+) up to (\S+)(?: where \S+ = (.*))?", line) for line in comments[end + 1:]]
-    if not all(columns + bounds) or any(len(parameter) != 2 for parameter in parameters):
-        raise bad("`key = value` and `column [unit]: meaning`")
-    rounding = {(column, name): float(bound) for column, bound, name in (line.groups() for line in bounds)}
-    columns = [column.groups() for column in columns]
-    names = [column[0] for column in columns]
-    rows = [line.split("\t") for line in lines[len(comments):]]
-    if not rows or rows[0] != names or any(len(row) != len(names) for row in rows):
+    names = [column.name for column in head.columns]
+    header, *rows = [line.split("\t") for line in text.splitlines()] or [[]]
+    if header != names or any(len(row) != len(names) for row in rows):
         raise bad("rows of " + ", ".join(names))
-    return Table(Path(path).stem, first[2], parameters, columns, rows[1:], rounding)
+    return Table(Path(path).stem, *head, rows)
 
 
 @dataclass
@@ -88,6 +114,10 @@ class Claim:
         if self.verdict not in VERDICTS:
             raise ValueError(f"unknown verdict '{self.verdict}'; known: {', '.join(VERDICTS)}")
 
+    @property
+    def is_rounding(self):
+        return 0 < self.rounding >= abs(self.measured_value)
+
 
 @dataclass
 class Study:
@@ -98,22 +128,24 @@ class Study:
     tables: list
     claims: list
     not_judged: str  # why, or empty
-    introduction: str  # in Markdown
+    introduction: str = ""  # in Markdown
 
     @property
     def parameters(self):
         return self.tables[0].parameters
 
 
-def studies_of(readme):
-    """Name and question of each study, in the order of the README's table."""
-    studies = re.findall(r"^\| \[(\w+)\]\(docs/studies\.md#\1\) \| (.+?) \| ", read_text(readme), re.MULTILINE)
-    if not studies:
+@functools.lru_cache(maxsize=None)
+def questions():
+    """The question of each study by its name, in the order of the table in README, from which CMake has them as well."""
+    readme = ROOT / "README.md"
+    rows = re.findall(r"^\| \[(\w+)\]\(docs/studies\.md#\1\) \| (.+?) \| ", read_text(readme), re.MULTILINE)
+    if not rows:
         raise ReportError(f"{readme}: expected a table of studies, | [name](docs/studies.md#name) | question | ...")
-    return studies
+    return dict(rows)
 
 
-def read_study(results, name, question, introduction=""):
+def read_study(results, name):
     folder = Path(results) / name
     claims_file = folder / "claims.tsv"
     table = read_table(claims_file)
@@ -140,4 +172,4 @@ def read_study(results, name, question, introduction=""):
     except ValueError as error:
         raise ReportError(f"{path}: command: {error}") from None
     tables = [read_table(folder / file) for file in provenance["tables"].split()]
-    return Study(name, question, command, provenance, tables, claims, not_judged, introduction)
+    return Study(name, questions()[name], command, provenance, tables, claims, not_judged)
