@@ -92,7 +92,7 @@ $(foreach study,$(STUDIES),$(eval $(call study_rules,$(study),results,)))
 $(foreach study,$(STUDIES),$(eval $(call study_rules,$(study),results/quick, --quick)))
 $(foreach study,$(STUDIES),$(eval $(study): results/$(study)/provenance.txt $(call figures_of,$(study),results)))
 
-results/report.html: README.md $(wildcard tools/report/*.py tools/report/*.css) $(foreach study,$(STUDIES),results/$(study)/provenance.txt $(call figures_of,$(study),results))
+results/report.html: README.md $(wildcard tools/report/*.*) $(foreach study,$(STUDIES),results/$(study)/provenance.txt $(call figures_of,$(study),results))
 	tools/report/report.py results $@
 
 results/article.pdf: $(wildcard article/*) $(wildcard tools/article/*) plots/style.gp plots/draw.sh $(foreach study,$(STUDIES),results/$(study)/provenance.txt)

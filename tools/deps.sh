@@ -23,7 +23,12 @@ libgtest-dev /usr/include/gtest/gtest.h
 LIST
       ;;
     figures) echo "gnuplot-nox gnuplot" ;;
-    report) echo "python3 python3" ;;
+    report) cat <<'LIST'
+python3 python3
+python3-jinja2 /usr/lib/python3/dist-packages/jinja2
+python3-markdown /usr/lib/python3/dist-packages/markdown
+LIST
+      ;;
     article) echo "texlive-latex-base pdflatex" ;;
     browser) printf '%s\n' "chromium chromium" "chromium-driver chromedriver" ;;
     bench) echo "libbenchmark-dev /usr/include/benchmark/benchmark.h" ;;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The report by its text, and what bad input makes of it.
 Usage: page_test.py PROGRAMS_FOLDER FIGURES_FOLDER WORK_FOLDER"""
+import os
 import re
 import subprocess
 import sys
@@ -83,7 +84,7 @@ class Page(unittest.TestCase):
 
     def test_states_claims_in_full(self):
         """Claim, measured value with its meaning, rule and verdict stand in one row."""
-        row = re.search(r'<tr><td class="statement"><a href="#carter-1">.*?</tr>', self.text)[0]
+        row = re.search(r'<tr><td class="statement"><a href="#carter-1">.*?</tr>', self.text, re.DOTALL)[0].replace("\n", "")
         self.assertRegex(row, r"wiggles arise.*<b>\d+</b>: local extrema of the traction.*"
                               r"reproduced if the measured value is above 5.*</span></td></tr>")
 
@@ -144,7 +145,7 @@ class Prose(unittest.TestCase):
         text = ("![c](a.svg)\n\n*One* is `a < b` for c\\* and 2e-3, see [b](#b) and\n[other](x.md).\n\n| h | k |\n|---|---|\n"
                 "| 1 | **2** |\n\n- x^2\n- y\n  z")
         html = "".join(html for html, _ in parts_of(text, [], {"#b": "b"}))
-        self.assertEqual(html.replace("\N{NON-BREAKING HYPHEN}", "-"),
+        self.assertEqual(re.sub("(?<=>)\n(?=<[^pdu])", "", html.replace("\N{NON-BREAKING HYPHEN}", "-")),
                          '<p><em>One</em> is <code>a &lt; b</code> for c* and 2e-3, see <a href="#b">b</a> and\nother.</p>\n'
                          '<div class="scrolls" tabindex="0"><table><thead><tr><th>h</th><th>k</th></tr></thead><tbody>'
                          "<tr><td>1</td><td><strong>2</strong></td></tr></tbody></table></div>\n"
@@ -252,6 +253,14 @@ class BadInput(unittest.TestCase):
         file = WORK / "file"
         file.write_text("")
         self.refused(link_results(FIGURES, WORK / "damaged"), "cannot be written", file / "report.html")
+
+    def test_no_package(self):
+        for name in ("jinja2", "markdown"):
+            (WORK / "lacks" / name).mkdir(parents=True, exist_ok=True)
+            (WORK / "lacks" / name / f"{name}.py").write_text(f"raise ImportError('no {name}')\n")
+            run = subprocess.run([sys.executable, ROOT / "tools/report/report.py"], capture_output=True, text=True,
+                                 env={**os.environ, "PYTHONPATH": str(WORK / "lacks" / name)})
+            self.assertEqual((run.returncode, run.stderr), (1, f"report: no {name}; `tools/deps.sh report` installs it\n"))
 
     def test_no_arguments(self):
         run = subprocess.run([sys.executable, ROOT / "tools/report/report.py"], capture_output=True, text=True)
