@@ -10,7 +10,7 @@ import functools
 import os
 import threading
 import weakref
-from typing import Any, Callable, Dict, Iterator, Mapping, NamedTuple, Optional, TypeVar, Union, cast
+from typing import Any, Callable, Dict, Iterator, Mapping, NamedTuple, Optional, Tuple, TypeVar, Union, cast
 
 import numpy as np
 
@@ -320,15 +320,12 @@ class Rolling:
         """
         self._require_load(creepage, force)
         length = number("dq", dq)
-        state, slopes = np.zeros((), STATE), np.zeros((), JACOBIAN)
         with self._settings_kept():
             self._set_load(creepage, force)
-            if jacobian:
-                self._call("attempt_with_jacobian", length, state.ctypes.data, slopes.ctypes.data)
-            else:
-                self._call("attempt", length, state.ctypes.data)
+            found = (self._filled("attempt_with_jacobian", length, into=(STATE, JACOBIAN)) if jacobian
+                     else self._filled("attempt", length, into=(STATE,))[0])
         self._tell_once(text_of("warning", self._handle))
-        return (record(state), record(slopes)) if jacobian else record(state)
+        return found
 
     def _tell_once(self, doubt: str) -> None:
         """Warns the user who called, three frames above; once, as steps are many."""
@@ -380,9 +377,7 @@ class Rolling:
         float
             The rigid shift  [mm].
         """
-        shift = np.zeros(())
-        self._call("start_from_shift", number("force", force), shift.ctypes.data)
-        return float(shift)
+        return self._filled("start_from_shift", number("force", force), into=(float,))[0]
 
     @_alone
     def shift(self, *, force: Optional[float] = None, distance: Optional[float] = None) -> Any:
@@ -403,31 +398,26 @@ class Rolling:
         if (force is None) == (distance is None):
             raise InputError("force: expected either a force or a distance", "force", str(force),
                              "either a force or a distance")
-        shift = np.zeros((), SHIFT)
         if force is not None:
-            self._call("shift_to_force", number("force", force), shift.ctypes.data)
-        else:
-            self._call("shift_by_distance", number("distance", distance), shift.ctypes.data)
-        return record(shift)
+            return self._filled("shift_to_force", number("force", force), into=(SHIFT,))[0]
+        return self._filled("shift_by_distance", number("distance", distance), into=(SHIFT,))[0]
 
     # The present state
 
     @property
     def state(self) -> Any:
         """The present state, and the step that led to it: a numpy.record, see ``Rolling.units``."""
-        state = np.zeros((), STATE)
-        self._call("get_state", state.ctypes.data)
-        return record(state)
+        return self._filled("get_state", into=(STATE,))[0]
 
     @property
     def elastic_energy(self) -> float:
         """The energy stored in the bodies  [N]. It costs about as much as a step."""
-        return self._number("get_elastic_energy")
+        return self._filled("get_elastic_energy", into=(float,))[0]
 
     @property
     def full_sliding(self) -> float:
         """The largest force that the bound of the contact that is set allows  [N/mm]."""
-        return self._number("get_full_sliding")
+        return self._filled("get_full_sliding", into=(float,))[0]
 
     @property
     @_in_turn
@@ -513,10 +503,11 @@ class Rolling:
     def _call(self, name: str, *arguments: Any) -> None:
         self._check(call(name, self._open(), *arguments))
 
-    def _number(self, name: str) -> float:
-        number = np.zeros(())
-        self._call(name, number.ctypes.data)
-        return float(number)
+    def _filled(self, name: str, *arguments: Any, into: Tuple[Any, ...]) -> Tuple[Any, ...]:
+        """Calls a function that fills a number or record of each type in `into`, and returns them."""
+        places = [np.zeros((), kind) for kind in into]
+        self._call(name, *arguments, *(place.ctypes.data for place in places))
+        return tuple(record(place) if place.dtype.names else float(place) for place in places)
 
     @_in_turn
     def _values(self, name: str, kind: Any = float) -> np.ndarray:
