@@ -11,6 +11,7 @@ rounding, w for words.
 
 The output defines all of them, and \\claims and \\figuretable. A number typed by hand is an error; so is a figure that
 is not a study's. Without OUTPUT the article is only checked. Errors go to stderr, one a line, with exit status 1."""
+import functools
 import math
 import re
 import statistics
@@ -69,24 +70,20 @@ def typed_numbers(text):
 
 
 class Results:
-    """Tables of the studies, each read once."""
+    """Tables and claims of the studies, each read once."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
-        self.tables = {}
 
+    @functools.lru_cache(maxsize=None)
     def table(self, study, name):
-        if (study, name) not in self.tables:
-            if study not in questions():
-                raise ReportError(f"no study '{study}'; expected one of {', '.join(questions())}")
-            self.tables[study, name] = read_table(self.folder / study / f"{name}.tsv")
-        return self.tables[study, name]
+        if study not in questions():
+            raise ReportError(f"no study '{study}'; expected one of {', '.join(questions())}")
+        return read_table(self.folder / study / f"{name}.tsv")
 
+    @functools.lru_cache(maxsize=None)
     def claims(self):
-        """(study, claim) for all claims."""
-        for name in questions():
-            for claim in read_study(self.folder, name).claims:
-                yield name, claim
+        return [claim for study in questions() for claim in read_study(self.folder, study).claims]
 
 
 def same(cell, wanted):
@@ -119,7 +116,7 @@ def cells(results, place):
     study, name, conditions, column = match.groups()
     conditions = [part for part in (conditions or "").split(";") if part.strip()]
     if study is None:
-        rows = [vars(claim) for _, claim in results.claims()]
+        rows = [vars(claim) for claim in results.claims()]
         column, bounds = column or "claim", {}
     else:
         table = results.table(study, name)
@@ -215,12 +212,10 @@ def value_in_table(claim):
 
 def claims_of_the_thesis(results):
     rows = []
-    for study, claim in results.claims():
+    for claim in results.claims():
         if claim.section == "none" or claim.verdict == "ours":
             continue
-        given = "--" if math.isnan(claim.thesis_value) else shown(claim.thesis_value, 5 if claim.thesis_value % 1 else 1)
-        if not math.isnan(claim.thesis_value) and claim.thesis_value % 1:
-            given = f"{claim.thesis_value:.5g}"
+        given = "--" if math.isnan(claim.thesis_value) else f"\\ensuremath{{{claim.thesis_value:.5g}}}"
         rows.append(f"{in_tex(claim.section)} & {in_tex(claim.claim)} & {given} & {value_in_table(claim)} & "
                     f"{in_tex(claim.verdict.replace('_', ' '))} \\\\")
     return "\n".join(rows)
