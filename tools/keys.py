@@ -16,12 +16,8 @@ def printed(*command):
     return subprocess.run(command, check=True, capture_output=True).stdout.decode()
 
 
-def of_scenes(program):
-    return printed(program, "keys", "--format", "markdown")
-
-
-def of_scenes_in_man(program):
-    return printed(program, "keys", "--format", "man")
+def of_scenes(form):
+    return lambda program: printed(program, "keys", "--format", form)
 
 
 def of_studies(program):
@@ -30,9 +26,9 @@ def of_studies(program):
 
 
 LISTS = [
-    ("docs/scenes.md", of_scenes, "<!-- microslip keys -->\n", "<!-- end of keys -->\n"),
+    ("docs/scenes.md", of_scenes("markdown"), "<!-- microslip keys -->\n", "<!-- end of keys -->\n"),
     ("docs/study_keys.md", of_studies, "<!-- keys of studies -->\n", "<!-- end of keys -->\n"),
-    ("packaging/man/microslip-scene.5", of_scenes_in_man, '.\\" microslip keys\n', '.\\" end of keys\n'),
+    ("packaging/man/microslip-scene.5", of_scenes("man"), '.\\" microslip keys\n', '.\\" end of keys\n'),
 ]
 
 

@@ -10,7 +10,6 @@ with status 1 if something has; --add writes what is new into it."""
 import ast
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 
@@ -22,14 +21,11 @@ PACKAGE = ROOT / "python/microslip"
 sys.dont_write_bytecode = True  # the folder holds sources only
 sys.path.append(str(PACKAGE))
 from _head import read_head
+from keys import printed
 
 
 def text_of(file):
     return file.read_text(encoding="utf-8")
-
-
-def printed(*command):
-    return subprocess.run(command, check=True, capture_output=True).stdout.decode()
 
 
 def keys(program):
