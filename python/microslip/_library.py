@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import ctypes as c
 import pathlib
+import weakref
 from typing import Any, Callable, Dict, Optional
 
 import numpy as np
@@ -107,6 +108,16 @@ def call(name: str, *arguments: Any) -> Any:
 def text_of(name: str, *arguments: Any) -> str:
     """Calls a function that returns a text."""
     return call(name, *arguments).decode()
+
+
+def free_with(owner: Any, name: str, handle: int) -> weakref.finalize:
+    """Frees a handle by the function microslip_NAME when nobody uses its owner any more.
+
+    It is not freed when the interpreter ends, as a thread may still use it then.
+    """
+    finalizer = weakref.finalize(owner, call, name, handle)
+    finalizer.atexit = False
+    return finalizer
 
 
 def error_of(status: int, message: str, key: str = "") -> Exception:

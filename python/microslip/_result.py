@@ -7,14 +7,13 @@ import html
 import os
 import pathlib
 import warnings
-import weakref
 from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Union
 
 import numpy as np
 
 from . import _plot
 from ._errors import LoadWarning
-from ._library import as_progress, call, require, text_of
+from ._library import as_progress, call, free_with, require, text_of
 from ._scene import Scene, SceneArguments
 from ._table import Table
 
@@ -141,7 +140,7 @@ class Cases:
     def __init__(self, scene: Scene, overrides: Mapping[str, Any], is_swept: bool):
         self.arguments = SceneArguments(scene, overrides)
         self._handle = require(call("py_read", self.arguments.in_c(), is_swept))
-        weakref.finalize(self, call, "py_cases_destroy", self._handle).atexit = False  # a thread may still solve
+        free_with(self, "py_cases_destroy", self._handle)
 
         rows = text_of("py_swept", self._handle).split("\x1e")[:-1]
         self.keys, *self.values = [row.split("\x1f")[:-1] for row in rows]

@@ -9,7 +9,6 @@ import ctypes as c
 import functools
 import os
 import threading
-import weakref
 from typing import Any, Callable, Dict, Iterator, Mapping, NamedTuple, Optional, Tuple, TypeVar, Union, cast
 
 import numpy as np
@@ -18,7 +17,7 @@ from . import _plot
 from ._arrays import Values, broadcast, number, numbers, record
 from ._errors import Error, InputError
 from ._files import as_path
-from ._library import (JACOBIAN, SHIFT, STATE, Steps, call, error_of, require, require_ok, text_of)
+from ._library import (JACOBIAN, SHIFT, STATE, Steps, call, error_of, free_with, require, require_ok, text_of)
 from ._result import Progress, shown_progress, warn_of
 from ._scene import Scene, SceneArguments
 from ._table import html_table
@@ -44,28 +43,21 @@ class _Turns:
         self.is_rolling = False  # an array of steps, the progress of which is being told
 
 
-def _in_turn(method: _Method) -> _Method:
+def _in_turn(method: _Method, changes: bool = False) -> _Method:
     """Makes a method wait until no other thread uses the contact."""
 
     @functools.wraps(method)
     def waiting(self: "Rolling", *arguments: Any, **named: Any) -> Any:
         with self._turns.lock:
-            return method(self, *arguments, **named)
-
-    return cast(_Method, waiting)
-
-
-def _alone(method: _Method) -> _Method:
-    """The same for a method that changes the contact, which `progress` cannot do while it rolls."""
-
-    @functools.wraps(method)
-    def waiting(self: "Rolling", *arguments: Any, **named: Any) -> Any:
-        with self._turns.lock:
-            if self._turns.is_rolling:
+            if changes and self._turns.is_rolling:
                 raise Error("this contact is rolling: expected no change of it by `progress`")
             return method(self, *arguments, **named)
 
     return cast(_Method, waiting)
+
+
+# The same for a method that changes the contact, which `progress` cannot do while it rolls.
+_alone = functools.partial(_in_turn, changes=True)
 
 
 class Load(NamedTuple):
@@ -124,8 +116,7 @@ class Rolling:
     def _own(self, handle: int) -> None:
         vars(self).setdefault("_turns", _Turns())
         self._handle = handle
-        self._finalizer = weakref.finalize(self, call, "destroy", handle)
-        self._finalizer.atexit = False  # a thread may still roll when the interpreter ends
+        self._finalizer = free_with(self, "destroy", handle)
 
     # Life
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 import ctypes as c
 import os
 from collections.abc import Mapping
-from typing import Any, Dict, Iterator, List, Optional, Tuple, Union
+from typing import Any, Dict, Iterator, List, Tuple, Union
 
 import numpy as np
 

@@ -6,7 +6,6 @@ from __future__ import annotations
 import ctypes as c
 import html
 import os
-import weakref
 from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
@@ -14,8 +13,8 @@ import numpy as np
 from . import _plot
 from ._arrays import Values, numbers
 from ._errors import InputError
-from ._library import (CREEPAGE, FORCE, STATUS_OF_NO_SOLUTION, STEADY, SteadyNodes, call, error_of, require, require_ok,
-                       text_of)
+from ._library import (CREEPAGE, FORCE, STATUS_OF_NO_SOLUTION, STEADY, SteadyNodes, call, error_of, free_with, require,
+                       require_ok, text_of)
 from ._result import Progress, shown_progress, warn_of
 from ._scene import Scene, SceneArguments
 from ._table import html_table, to_pandas
@@ -88,7 +87,7 @@ class _Contact:
 
     def __init__(self, scene: Scene, overrides: Any):
         self.handle = require(call("py_steady_read", SceneArguments(scene, overrides).in_c()))
-        weakref.finalize(self, call, "py_steady_destroy", self.handle).atexit = False  # a thread may still solve
+        free_with(self, "py_steady_destroy", self.handle)
         self.nodes = call("py_steady_size", self.handle)
         self.full_sliding = call("py_full_sliding", self.handle)
 
