@@ -40,6 +40,7 @@ def read_head(text: str) -> Tuple[Head, str]:
         elif part == "columns":
             column, _, rest = found.partition(" [")
             head.columns.append(Column(column, *rest.partition("]: ")[::2]))
-        elif part == "nothing but rounding" and (bound := re.fullmatch(r"(\S+) up to (\S+)(?: where \S+ = (.*))?", found)):
-            head.rounding[bound[1], bound[3]] = float(bound[2])
+        elif part == "nothing but rounding":
+            for column, bound, row in re.findall(r"^(\S+) up to (\S+)(?: where \S+ = (.*))?$", found):
+                head.rounding[column, row or None] = float(bound)
     return head, text[len(comments):]

@@ -55,7 +55,8 @@ class SceneText(c.Structure):
 
 PROGRESS = c.CFUNCTYPE(c.c_int, c.c_size_t, c.c_size_t)
 
-# Functions by the types of their result and arguments: - for nothing, i int, s size_t, d double, t text, p other pointers.
+# Functions by the types of their result and arguments: - stands for nothing, i for int, s for size_t, d for double,
+# t for a text, and p for another pointer.
 TYPES = {"-": None, "i": c.c_int, "s": c.c_size_t, "d": c.c_double, "t": c.c_char_p, "p": c.c_void_p}
 FUNCTIONS = {
     "t": "version py_error_key py_error_message py_keys",

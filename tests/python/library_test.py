@@ -45,7 +45,8 @@ def test_functions_have_the_types_of_the_headers(source):
     kinds = {"void": "-", "int": "i", "enum microslip_status": "i", "size_t": "s", "std::size_t": "s", "double": "d",
              "const char*": "t", "microslip_py_progress": "p"}
     declared = {}
-    for result, name, arguments in re.findall(r"MICROSLIP_API ([\w: ]+?\*?) ?microslip_(\w+)\((.*?)\);", headers, re.DOTALL):
+    declaration = re.compile(r"MICROSLIP_API ([\w: ]+?\*?) ?microslip_(\w+)\((.*?)\);", re.DOTALL)
+    for result, name, arguments in declaration.findall(headers):
         words = [result, *(" ".join(one.split()).rpartition(" ")[0] for one in arguments.split(",") if one != "void")]
         declared[name] = "".join(kinds.get(word, "p" if "*" in word else "?") for word in words)
     taken = {name: types for types, names in _library.FUNCTIONS.items() for name in names.split()}
