@@ -176,7 +176,8 @@ mutants: deps
 # one for each test takes as long as the tests themselves.
 LONG_RUNS := Cost.*:*TurnsToCarter*:*HasNoNoiseWhereItIsSteep*:*SlipLosesTheEnergy*
 LONG_RUNS := $(LONG_RUNS):*IsOfSecondOrderForAnyStep*:*NarrowStripsAreEstimated*:*EstimateIsHonest*
-sanitize: deps
+sanitize:
+	@tools/deps.sh build clang
 	@$(call cmake_build,debug,--target unit_tests capi_tests corpus)
 	ctest --preset debug -L 'capi|corpus' -j $(JOBS)
 	seq 0 $$(($(JOBS) - 1)) | GTEST_TOTAL_SHARDS=$(JOBS) xargs -P $(JOBS) -I {} env GTEST_SHARD_INDEX={} \
@@ -186,7 +187,7 @@ sanitize: deps
 
 # Input that ends a reader is written to build/fuzz/findings; new input stays in build/fuzz/corpus.
 fuzz:
-	@tools/deps.sh build fuzz
+	@tools/deps.sh build clang
 	@$(call cmake_build,fuzz,--target corpus)
 	@mkdir -p build/fuzz/findings $(READERS:%=build/fuzz/corpus/%)
 	@for reader in $(READERS); do \

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what the project needs and this machine lacks. Usage: tools/deps.sh GROUP ...
-# Groups: build, figures, report, article, languages, docs, browser, package, bench, fuzz, coverage.
+# Groups: build, figures, report, article, languages, docs, browser, package, bench, clang, coverage.
 # Does nothing, and prints nothing, when all is there. DEPS=skip turns it off. DEPS_ARCHIVE is the address of a Debian
 # archive, as that of one date, from which alone packages are taken then; DEPS_SUITE is its suite, bookworm if not given.
 set -euo pipefail
@@ -32,10 +32,9 @@ LIST
     article) echo "texlive-latex-base pdflatex" ;;
     browser) printf '%s\n' "chromium chromium" "chromium-driver chromedriver" ;;
     bench) echo "libbenchmark-dev /usr/include/benchmark/benchmark.h" ;;
-    fuzz) cat <<'LIST'
+    clang) cat <<'LIST'
 clang clang++
 libclang-rt-14-dev /usr/lib/llvm-14/lib/clang/14.0.6/include/fuzzer/FuzzedDataProvider.h
-libomp-14-dev /usr/lib/llvm-14/lib/libomp.so
 LIST
       ;;
     coverage) echo "gcovr gcovr" ;;

@@ -266,7 +266,7 @@ TEST(ActiveSet, FactorsNextToSingularAreNotKept) {
       const SlipEquations equations = steady_equations(n, constant_basis(), c);
       const SlipConditions conditions{
           .bound = equations.bound, .offset = equations.offset, .reference = equations.offset};
-      for (const std::size_t slipping : {1, 2, 3, 4}) {
+      for (const int slipping : {1, 2, 3, 4}) {
         const Load load = PrescribedCreepage{0.05 * static_cast<double>(slipping)};
         try {
           solve_active_set(equations, load);
