@@ -12,7 +12,6 @@
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
-#include <utility>
 
 #include "folder_lock.hpp"
 #include "microslip/support/format.hpp"
@@ -26,12 +25,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Processes on several machines may write to one folder, so that a process number would not do.
-fs::path beside(const fs::path& target, const std::string& ending) {
+fs::path part_of(const fs::path& target) {
   static const unsigned own = std::random_device{}();
-  return target.parent_path() / fmt::format(".{}.{}{}", target.filename().string(), own, ending);
+  return target.parent_path() / fmt::format(".{}.{}.part", target.filename().string(), own);
 }
-fs::path part_of(const fs::path& target) { return beside(target, ".part"); }
-fs::path former_of(const fs::path& target) { return beside(target, ".former"); }
 
 std::runtime_error cannot_write(const fs::path& path, const std::string& why) {
   return std::runtime_error(fmt::format("cannot write {}: {}", shown(path.string()), why));
@@ -68,36 +65,18 @@ std::vector<fs::path> outdated(const fs::path& folder, const std::vector<OutputF
   return tables;
 }
 
-/// Renames the temporary files of all targets, or of none: on a failure the previous files are
-/// restored. A single file is replaced atomically. Of several files, the last one is removed first
-/// and put in place last, so that a folder with the last file has all files of the same run, even
-/// if the process is killed in between.
-/// \param removed  files to remove once the others are in place
+/// Renames the temporary files, each of which replaces a previous file atomically. Of several files,
+/// the last one is removed first and put in place last, so that a folder with the last file has all
+/// files of the same run, even if the process is killed in between.
+/// \param removed  files to remove
 void put_in_place(const std::vector<fs::path>& targets, const std::vector<fs::path>& removed) {
-  std::vector<std::pair<fs::path, fs::path>> moved;
-  const auto move = [&](const fs::path& from, const fs::path& to, const fs::path& target) {
+  if (targets.size() > 1) fs::remove(targets.back());
+  for (const fs::path& table : removed) fs::remove(table);
+  for (const fs::path& target : targets) {
     std::error_code error;
-    fs::rename(from, to, error);
+    fs::rename(part_of(target), target, error);
     if (error) throw cannot_write(target, error.message());
-    moved.emplace_back(from, to);
-  };
-  std::vector<fs::path> former = removed;
-  former.insert(former.end(), targets.begin(), targets.end());
-  std::error_code ignored;
-  try {
-    for (auto target = former.rbegin(); target != former.rend(); ++target) {
-      if (fs::is_directory(*target)) throw cannot_write(*target, std::strerror(EISDIR));
-      const bool there = fs::exists(fs::symlink_status(*target));
-      if (former.size() > 1 && there) move(*target, former_of(*target), *target);
-    }
-    for (const fs::path& target : targets) move(part_of(target), target, target);
-  } catch (const std::exception&) {
-    for (auto move = moved.rbegin(); move != moved.rend(); ++move) {
-      fs::rename(move->second, move->first, ignored);
-    }
-    throw;
   }
-  for (const fs::path& target : former) fs::remove(former_of(target), ignored);
 }
 
 /// Makes a folder, and removes it again, together with parents that were made, if the folder

@@ -29,8 +29,8 @@ OutputFile provenance_of(const std::string& text, const std::vector<OutputFile>&
 /// \throws std::invalid_argument if it has no name, std::runtime_error that names it
 void require_writable(const std::filesystem::path& folder);
 
-/// Writes all files under temporary names, which are this process's own, then renames them; on a
-/// failure it removes what it wrote, and what was there before stays. A name that is a link to a
+/// Writes all files under temporary names, which are this process's own, then renames them; if one
+/// cannot be written, it removes what it wrote, and what was there before stays. A name that is a link to a
 /// file stays a link; one of a device, a pipe or a folder is an error. Makes the folder if needed.
 /// Processes that share a folder write one after the other. If
 /// provenance.txt is the last of the files, tables are removed that the previous provenance.txt

@@ -49,7 +49,7 @@ for signal in INT TERM; do
   wait $! || status=$?
   [ $status -ne 0 ] || fail "status 0 after SIG$signal"
 
-  left=$(find . -name '.*.part' -o -name '.*.former')
+  left=$(find . -name '.*.part')
   [ -z "$left" ] || fail "left behind: $left"
   finished=()
   for study in "${studies[@]}"; do
