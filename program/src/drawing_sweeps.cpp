@@ -53,10 +53,7 @@ class Cases {
     return number_of(written_.table.at(row, column)).value_or(NAN);
   }
 
-  bool has(const std::string& column) const {
-    return std::ranges::find(written_.table.columns(), column, &Column::name) !=
-           written_.table.columns().end();
-  }
+  bool has(const std::string& column) const { return written_.table.has(column); }
 
   std::string unit(const std::string& column) const {
     return std::ranges::find(written_.table.columns(), column, &Column::name)->unit;

@@ -17,10 +17,8 @@ namespace {
 
 const Table* table_named(const std::vector<Table>& tables, const std::string& name,
                          const std::string& column) {
-  const auto found = std::ranges::find_if(tables, [&](const Table& table) {
-    return table.name() == name &&
-           std::ranges::find(table.columns(), column, &Column::name) != table.columns().end();
-  });
+  const auto found = std::ranges::find_if(
+      tables, [&](const Table& table) { return table.name() == name && table.has(column); });
   return found == tables.end() ? nullptr : &*found;
 }
 

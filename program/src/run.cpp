@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -49,13 +48,9 @@ Options options_of(const Program& program) {
   return known;
 }
 
-bool has_column(const Table& table, const std::string& name) {
-  return std::ranges::find(table.columns(), name, &Column::name) != table.columns().end();
-}
-
 /// The first doubt that a summary names, if it does.
 std::optional<std::string> warning_of(const Table& table) {
-  if (table.name() != "summary" || !has_column(table, "quantity")) return std::nullopt;
+  if (table.name() != "summary" || !table.has("quantity")) return std::nullopt;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     const auto* quantity = std::get_if<std::string>(&table.at(i, "quantity"));
     if (quantity == nullptr || *quantity != "warning") continue;

@@ -41,8 +41,7 @@ std::string status_in(const WrittenTable& row) {
 void add_columns(std::vector<Column>& known, const std::vector<Column>& columns) {
   auto before = known.begin();
   for (const Column& column : columns) {
-    const auto same = [&](const Column& other) { return other.name == column.name; };
-    auto found = std::find_if(known.begin(), known.end(), same);
+    auto found = std::ranges::find(known, column.name, &Column::name);
     if (found == known.end()) found = known.insert(before, column);
     before = found + 1;
   }
@@ -53,9 +52,7 @@ std::vector<Cell> cells_in(const Table& table, std::size_t row,
                            const std::vector<Column>& columns) {
   std::vector<Cell> cells;
   for (const Column& column : columns) {
-    const auto same = [&](const Column& other) { return other.name == column.name; };
-    const bool has = std::any_of(table.columns().begin(), table.columns().end(), same);
-    cells.push_back(has ? table.at(row, column.name) : Cell("nan"));
+    cells.push_back(table.has(column.name) ? table.at(row, column.name) : Cell("nan"));
   }
   return cells;
 }

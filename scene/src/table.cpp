@@ -29,6 +29,10 @@ std::string text_of(const Cell& cell) {
 Table::Table(std::string name, std::string description, std::vector<Column> columns)
     : name_(std::move(name)), description_(std::move(description)), columns_(std::move(columns)) {}
 
+bool Table::has(const std::string& column) const {
+  return std::ranges::find(columns_, column, &Column::name) != columns_.end();
+}
+
 void Table::add(std::vector<Cell> row) {
   if (row.size() != columns_.size()) {
     throw std::logic_error(
@@ -160,8 +164,7 @@ std::multimap<std::string, Rounding> read_rounding(Lines& lines, std::vector<Col
     const std::string name = lines.up_to(" up to ");
     const std::string line = lines.up_to("\n") + '\n';
     Lines rest(line);
-    const auto column = std::find_if(columns.begin(), columns.end(),
-                                     [&](const Column& one) { return one.name == name; });
+    const auto column = std::ranges::find(columns, name, &Column::name);
     if (column == columns.end()) throw std::invalid_argument("expected the name of a column");
     const bool of_row = line.find(' ') != std::string::npos;
     const auto bound = finite_number(rest.up_to(of_row ? " where " : "\n"));

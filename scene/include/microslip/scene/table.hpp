@@ -44,6 +44,7 @@ class Table {
 
   const std::string& name() const { return name_; }
   const std::vector<Column>& columns() const { return columns_; }
+  bool has(const std::string& column) const;
   std::size_t rows() const { return rows_.size(); }
 
   /// \throws std::logic_error if the numbers of cells and columns differ
