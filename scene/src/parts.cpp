@@ -190,8 +190,9 @@ Grid read_grid(Scene& scene, double half_width) {
 
 Basis read_basis(Scene& scene, const Grid& grid) {
   const Basis basis = make_basis(scene.word("basis"));
-  require(basis.name() != "quadratic" || grid.size() % 2 == 1, "grid.elements",
-          static_cast<double>(grid.size()), "an odd number for quadratic functions");
+  const bool alternates = basis.pattern() == Basis::Pattern::alternating;
+  require(!alternates || grid.size() % 2 == 1, "grid.elements", static_cast<double>(grid.size()),
+          [&] { return fmt::format("an odd number for {} functions", basis.name()); });
   return basis;
 }
 

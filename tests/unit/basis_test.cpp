@@ -6,6 +6,8 @@
 #include <functional>
 #include <stdexcept>
 
+#include "microslip/halfspace/leading_edge.hpp"
+
 namespace microslip::basis_test {
 
 TEST(ShapeFunction, ValuesOfTheHat) {
@@ -75,6 +77,15 @@ TEST(ShapeFunction, IntegralsAcrossPiecesAreExact) {
 
 TEST(ShapeFunction, ShortIntegralsKeepTheirDigits) {
   EXPECT_DOUBLE_EQ(linear_shape().integral(0.25, 1e-12), (0.75 - 0.5e-12) * 1e-12);
+}
+
+TEST(Basis, IsKnownByItsFunctions) {
+  const Basis hats("hats", Basis::Pattern::uniform, {linear_shape()});
+  EXPECT_TRUE(hats.has_only(linear_shape()));
+  EXPECT_FALSE(hats.has_only(constant_shape()));
+  EXPECT_FALSE(trimmed_linear_basis(0.5).has_only(linear_shape()));
+  EXPECT_EQ(leading_edge_constants(hats, 0).offset,
+            leading_edge_constants(linear_basis(), 0).offset);
 }
 
 TEST(Basis, RejectsAnUnknownName) { EXPECT_THROW(make_basis("cubic"), std::invalid_argument); }

@@ -158,8 +158,8 @@ double softness(const Kernel& kernel, double spacing) {
 }
 
 LeadingEdgeConstants leading_edge_constants(const Basis& basis, double softness) {
-  if (basis.name() == "constant") return with_layer(constant_less_one, softness);
-  if (basis.name() == "linear") return with_layer(linear_less_one, softness);
+  if (basis.has_only(constant_shape())) return with_layer(constant_less_one, softness);
+  if (basis.has_only(linear_shape())) return with_layer(linear_less_one, softness);
   reject("basis", basis.name(), "constant or linear");
 }
 

@@ -26,7 +26,7 @@ void know_the_edge(SteadyProblem& problem) {
 }
 
 void trim_the_last(SteadyProblem& problem) {
-  if (problem.basis.name() != "linear") {
+  if (!problem.basis.has_only(linear_shape())) {
     reject("basis", problem.basis.name(), "linear where the last function is trimmed");
   }
   problem.basis = trimmed_linear_basis(problem.grid.leading_offset());
@@ -149,7 +149,8 @@ std::span<const SteadyEntry> steady_schemes() { return steady; }
 std::vector<std::string_view> leading_edge_names() {
   std::vector<std::string_view> names;
   for (const SteadyEntry& entry : steady) {
-    if (entry.name != "chebyshev") names.push_back(entry.name);
+    const bool has_edge = !std::holds_alternative<ChebyshevCollocation>(entry.method(1));
+    if (has_edge) names.push_back(entry.name);
   }
   return names;
 }

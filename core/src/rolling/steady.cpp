@@ -80,7 +80,7 @@ VectorXd pressed_bound_of(const SteadyProblem& problem, const Differences& diffe
   const double reach = differences.step_ratio * problem.grid.spacing();
   VectorXd means =
       mean_bound_around(problem.contact.bound, (x.array() + reach / 2).matrix(), reach);
-  if (problem.basis.name() == "constant") means[x.size() - 1] *= pressure_seen_at_edge;
+  if (problem.basis.has_only(constant_shape())) means[x.size() - 1] *= pressure_seen_at_edge;
   return means;
 }
 

@@ -26,7 +26,13 @@ class Basis {
   Basis(std::string name, Pattern pattern, std::vector<ShapeFunction> shapes);
 
   const std::string& name() const { return name_; }
+  Pattern pattern() const { return pattern_; }
   const std::vector<ShapeFunction>& shapes() const { return shapes_; }
+
+  /// Whether all nodes have this function.
+  bool has_only(const ShapeFunction& shape) const {
+    return pattern_ == Pattern::uniform && shapes_.front() == shape;
+  }
 
   /// Index into shapes() of node i of n, 0 <= i < n.
   std::size_t shape_of(Eigen::Index i, Eigen::Index n) const;

@@ -16,6 +16,8 @@ class ShapeFunction {
     double begin;
     double end;
     std::array<double, 3> c;
+
+    bool operator==(const Piece&) const = default;
   };
 
   /// \param pieces  in ascending order; gaps between them count as zero
@@ -25,6 +27,8 @@ class ShapeFunction {
 
   /// Ends of the pieces, ascending, without repeats.
   std::span<const double> breakpoints() const { return breakpoints_; }
+
+  bool operator==(const ShapeFunction&) const = default;
 
   /// Value at s; at a jump, the value of the piece to the right.
   double value(double s) const;
