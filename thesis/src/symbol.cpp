@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/support/gauss_points.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip {
@@ -29,19 +30,14 @@ constexpr double lowest_wave = pi / 64;
 /// singularity: of the coefficients, at y = 0 and +-clear beside the line, and of 1/(exp(2 pi y) -
 /// 1) at multiples of i.
 void add_panels(double clear, std::vector<double>& heights, std::vector<double>& weights) {
-  using Gauss = boost::math::quadrature::gauss<double, 15>;
   const double end = negligible / lowest;
   for (double y = 0; y < end;) {
     const double nearest = std::min(std::hypot(margin, y), std::hypot(margin, y - clear));
     const double length = std::min(std::max(1.0, y), nearest / 2);
-    for (std::size_t i = 0; i < Gauss::abscissa().size(); ++i) {
-      for (const double sign : {-1.0, 1.0}) {
-        const double at = Gauss::abscissa()[i];
-        if (at == 0 && sign > 0) continue;
-        heights.push_back(y + length / 2 * (1 + sign * at));
-        weights.push_back(length / 2 * Gauss::weights()[i]);
-      }
-    }
+    for_gauss_points<15>(y, y + length, [&](double height, double weight) {
+      heights.push_back(height);
+      weights.push_back(weight);
+    });
     y += length;
   }
 }

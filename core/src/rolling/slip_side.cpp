@@ -2,10 +2,10 @@
 #include "slip_side.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 
+#include "microslip/support/gauss_points.hpp"
 #include "microslip/support/work.hpp"
 
 namespace microslip {
@@ -24,30 +24,20 @@ namespace {
 
 using Edge = SidedBound::Edge;
 
-template <int points, class Take>
-void legendre(const Take& take) {
-  using Gauss = boost::math::quadrature::gauss<double, points>;
-  for (std::size_t i = 0; i < Gauss::abscissa().size(); ++i) {
-    const double x = Gauss::abscissa()[i];
-    take(x, Gauss::weights()[i]);
-    if (x != 0) take(-x, Gauss::weights()[i]);
-  }
-}
-
-/// Calls take(position, weight) for the points of Gauss and Legendre on [-1, 1].
+/// for_gauss_points with one of the numbers of points that are used here.
 template <class Take>
-void legendre(int points, const Take& take) {
+void lay_points(int points, double begin, double end, const Take& take) {
   switch (points) {
     case 2:
-      return legendre<2>(take);
+      return for_gauss_points<2>(begin, end, take);
     case 3:
-      return legendre<3>(take);
+      return for_gauss_points<3>(begin, end, take);
     case 5:
-      return legendre<5>(take);
+      return for_gauss_points<5>(begin, end, take);
     case 8:
-      return legendre<8>(take);
+      return for_gauss_points<8>(begin, end, take);
     default:
-      return legendre<16>(take);
+      return for_gauss_points<16>(begin, end, take);
   }
 }
 
@@ -105,12 +95,10 @@ SlipSide::SlipSide(const SidedBound& bound, double extent, double half_length, c
 /// Adds the nodes of a panel.
 template <class Bound>
 void SlipSide::lay(double from, double to, int points, const Bound& bound) {
-  const double half = (to - from) / 2;
-  legendre(points, [&](double position, double weight) {
-    const double theta = from + half * (1 + position);
+  lay_points(points, from, to, [&](double theta, double weight) {
     thetas_.push_back(theta);
-    weights_.push_back(half * weight);
-    loads_.push_back(half * weight * bound(theta));
+    weights_.push_back(weight);
+    loads_.push_back(weight * bound(theta));
   });
 }
 
@@ -174,12 +162,11 @@ void SlipSide::lay_smooth(const Panels& panels) {
   }
   edge_nodes_ = static_cast<Index>(thetas_.size());
   std::vector<double> roots;
-  legendre(smooth_points, [&](double position, double weight) {
-    const double root = (1 + position) / 2;
+  for_gauss_points<smooth_points>(0, 1, [&](double root, double weight) {
     const double theta = extent_ - last * root * root;
     roots.push_back(root);
     thetas_.push_back(theta);
-    weights_.push_back(last * root * weight);
+    weights_.push_back(2 * last * root * weight);
     const double from_edge = std::sinh((extent_ + theta) / 2) * std::sinh(last * root * root / 2);
     loads_.push_back(weights_.back() * (*bound_)(2 * half_length_ * from_edge));
   });

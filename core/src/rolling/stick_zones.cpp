@@ -2,11 +2,11 @@
 #include "stick_zones.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "microslip/support/gauss_points.hpp"
 #include "microslip/support/work.hpp"
 
 namespace microslip {
@@ -19,17 +19,6 @@ namespace {
 
 /// Ratio of the ends of a panel, from the end of a zone: 12 Gauss points leave 2e-14.
 constexpr double panel_growth = 3;
-
-/// Calls with the positions in (0, 1) and the weights of a Gauss rule.
-template <unsigned points, class Take>
-void gauss_points(const Take& take) {
-  using Rule = boost::math::quadrature::gauss<double, points>;
-  for (std::size_t k = 0; k < Rule::abscissa().size(); ++k) {
-    const double x = Rule::abscissa()[k], w = Rule::weights()[k] / 2;
-    take(0.5 - x / 2, w);
-    if (x != 0) take(0.5 + x / 2, w);
-  }
-}
 
 }  // namespace
 
@@ -147,11 +136,12 @@ StickZones::Points StickZones::points_of(const std::vector<Interval>& intervals,
       if (end > begin) {
         const double width = end - begin;
         if (begin == 0) {
-          gauss_points<12>([&](double r, double w) { take(width * r * r, 2 * width * r * w); });
+          for_gauss_points<12>(0, 1,
+                               [&](double r, double w) { take(width * r * r, 2 * width * r * w); });
         } else if (4 * width <= begin) {
-          gauss_points<6>([&](double r, double w) { take(begin + width * r, width * w); });
+          for_gauss_points<6>(begin, end, take);
         } else {
-          gauss_points<12>([&](double r, double w) { take(begin + width * r, width * w); });
+          for_gauss_points<12>(begin, end, take);
         }
       }
       begin = end;

@@ -2,11 +2,11 @@
 #include "unlike_zones.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "microslip/support/gauss_points.hpp"
 #include "microslip/support/work.hpp"
 
 namespace microslip {
@@ -39,30 +39,20 @@ int halvings_for(double ratio) {
   return static_cast<int>(std::min<double>(most, halvings));
 }
 
-template <class Rule>
-void add_panel(double begin, double end, std::vector<double>& angles,
-               std::vector<double>& weights) {
-  const double half = (end - begin) / 2;
-  for (std::size_t k = 0; k < Rule::abscissa().size(); ++k) {
-    for (const double side : {-1.0, 1.0}) {
-      if (Rule::abscissa()[k] == 0 && side > 0) continue;
-      angles.push_back((begin + end) / 2 + side * half * Rule::abscissa()[k]);
-      weights.push_back(half * Rule::weights()[k]);
-    }
-  }
-}
-
 }  // namespace
 
 void graded_angles(int from, int to, unsigned points, ArrayXd& angles, ArrayXd& weights) {
-  using boost::math::quadrature::gauss;
   std::vector<double> ends{0}, at, by;
   for (int k = from; k >= 0; --k) ends.push_back(std::ldexp(pi / 2, -k));
   for (int k = 1; k <= to; ++k) ends.push_back(pi - std::ldexp(pi / 2, -k));
   ends.push_back(pi);
   for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-    points == 10 ? add_panel<gauss<double, 10>>(ends[k], ends[k + 1], at, by)
-                 : add_panel<gauss<double, 15>>(ends[k], ends[k + 1], at, by);
+    const auto add = [&](double angle, double weight) {
+      at.push_back(angle);
+      by.push_back(weight);
+    };
+    points == 10 ? for_gauss_points<10>(ends[k], ends[k + 1], add)
+                 : for_gauss_points<15>(ends[k], ends[k + 1], add);
   }
   angles = Eigen::Map<const ArrayXd>(at.data(), static_cast<Index>(at.size()));
   weights = Eigen::Map<const ArrayXd>(by.data(), static_cast<Index>(by.size()));
