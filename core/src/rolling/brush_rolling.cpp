@@ -151,21 +151,18 @@ class RollingBrush {
 
 /// The growth m under which the springs carry a force.
 double growth_under(const RollingBrush& brush, double force, double half_width) {
-  double low = force / (2 * half_width * half_width), high = low;
-  const auto excess = [&](double log_growth) {
-    return std::log(brush.force(std::exp(log_growth)) / force);
-  };
-  while (excess(std::log(high)) < 0) {
-    low = high;
-    high *= 4;
-    if (!(high < 1e300)) throw NotConverged("steady rolling: no creepage carries the force", 0, 1);
-  }
-  while (excess(std::log(low)) > 0) low /= 4;
-  if (low >= high) return high;
+  namespace tools = boost::math::tools;
+  const auto excess = [&](double growth) { return std::log(brush.force(growth) / force); };
+  constexpr double factor = 4;
   std::uintmax_t most = 200;
-  const auto found = boost::math::tools::toms748_solve(
-      excess, std::log(low), std::log(high), boost::math::tools::eps_tolerance<double>(52), most);
-  return std::exp((found.first + found.second) / 2);
+  try {
+    const auto found =
+        tools::bracket_and_solve_root(excess, force / (2 * half_width * half_width), factor, true,
+                                      tools::eps_tolerance<double>(52), most);
+    return (found.first + found.second) / 2;
+  } catch (const boost::math::evaluation_error&) {
+    throw NotConverged("steady rolling: no creepage carries the force", 0, 1);
+  }
 }
 
 }  // namespace
