@@ -10,12 +10,8 @@ namespace microslip {
 namespace {
 
 std::string escaped(std::string_view bytes) {
-  constexpr std::string_view digits = "0123456789abcdef";
   std::string all;
-  for (const char byte : bytes) {
-    const auto value = static_cast<unsigned char>(byte);
-    all += {'\\', 'x', digits[value / 16], digits[value % 16]};
-  }
+  for (const char byte : bytes) all += fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
   return all;
 }
 
