@@ -179,8 +179,8 @@ void StickZone::complete() {
         },
         contact_->kernel);
   };
-  regular_.emplace(at, -a, a,
-                   6 + static_cast<std::size_t>(contact_->fineness * terms_for(clear, a)));
+  const auto terms = static_cast<Index>(contact_->fineness * terms_for(clear, a)) + 6;
+  regular_.emplace(chebyshev_points(a, terms + 1).unaryExpr(at), a);
 }
 
 double StickZone::regular_strain(double x) const { return regular_ ? (*regular_)(x) : 0; }

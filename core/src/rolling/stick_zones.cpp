@@ -304,7 +304,7 @@ double StickZones::traction(std::size_t zone, const BoundaryPlace& place) const 
   return -sign * root * sum / pi;
 }
 
-void StickZones::add_strain(std::shared_ptr<const ChebyshevSeries> strain, std::size_t terms) {
+void StickZones::add_strain(std::shared_ptr<const ChebyshevSeries> strain, Index terms) {
   constexpr double digits = 18;
   constexpr double most = 2000;
   strain_ = std::move(strain);
@@ -315,9 +315,9 @@ void StickZones::add_strain(std::shared_ptr<const ChebyshevSeries> strain, std::
     const double behind = j > 0 ? between_(b - 1, b) : HUGE_VAL;
     const double ahead = j + 1 < size() ? between_(b + 1, b + 2) : HUGE_VAL;
     const double clear = std::acosh(1 + 2 * std::min(behind, ahead) / width);
-    const auto count = terms + static_cast<std::size_t>(std::min(most, digits / clear));
+    const auto count = terms + static_cast<Index>(std::min(most, digits / clear));
     const double sign = (size() - 1 - j) % 2 == 0 ? 1 : -1;
-    for (std::size_t n = 0; n < count; ++n) {
+    for (Index n = 0; n < count; ++n) {
       const double angle = pi * (static_cast<double>(n) + 0.5) / static_cast<double>(count);
       const double behind = width * std::pow(std::sin(angle / 2), 2);
       const double ahead = width * std::pow(std::cos(angle / 2), 2);

@@ -101,7 +101,7 @@ class StickZones {
   /// kernel.
   /// \param strain  a function over the whole contact  [N/mm^2]
   /// \param terms   number of Chebyshev points that resolve it in a zone without neighbours
-  void add_strain(std::shared_ptr<const ChebyshevSeries> strain, std::size_t terms);
+  void add_strain(std::shared_ptr<const ChebyshevSeries> strain, Eigen::Index terms);
   double added_strain(double x) const { return strain_ ? (*strain_)(x) : 0; }
 
  private:

@@ -18,7 +18,7 @@ struct ZonesLoad {
 /// A smooth strain over k that is added to plane strain; empty without one.
 struct AddedStrain {
   std::shared_ptr<const ChebyshevSeries> series;
-  std::size_t terms = 0;  ///< that resolve it in a zone without neighbours
+  Eigen::Index terms = 0;  ///< that resolve it in a zone without neighbours
 };
 
 /// Given zones, with the strain.

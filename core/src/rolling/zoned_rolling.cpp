@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graded_elements.hpp"
+#include "microslip/support/chebyshev_series.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "stick_zones_search.hpp"
 #include "zoned_field.hpp"
@@ -67,51 +68,6 @@ std::vector<ZoneEnds> zones_of(const GradedState& found, const BoundRows& rows,
   }
   return zones;
 }
-
-/// The smooth strain of a strip's kernel over the contact, as values at Chebyshev points.
-class StripStrain {
- public:
-  explicit StripStrain(const ZonedContact& contact)
-      : half_width_(contact.rows.half_width()),
-        terms_(6 + static_cast<std::size_t>(22 / std::asinh(contact.clear / half_width_))) {}
-
-  std::size_t terms() const { return terms_; }
-
-  VectorXd places() const {
-    return VectorXd::NullaryExpr(static_cast<Index>(terms_) + 1, [&](Index i) {
-      return half_width_ *
-             std::cos(M_PI * (static_cast<double>(i) + 0.5) / static_cast<double>(terms_ + 1));
-    });
-  }
-
-  template <class Function>
-  VectorXd values(const Function& strain) const {
-    return places().unaryExpr(strain);
-  }
-
-  /// Interpolates between the values, by the barycentric formula.
-  std::shared_ptr<const ChebyshevSeries> series(const VectorXd& values) const {
-    const VectorXd x = places();
-    const auto at = [&](double place) {
-      double above = 0, below = 0;
-      for (Index i = 0; i < x.size(); ++i) {
-        const double away = place - x[i];
-        if (std::abs(away) < 1e-14 * half_width_) return values[i];
-        const double sign = i % 2 == 0 ? 1 : -1;
-        const double angle = M_PI * (static_cast<double>(i) + 0.5) / static_cast<double>(x.size());
-        const double weight = sign * std::sin(angle) / away;
-        above += weight * values[i];
-        below += weight;
-      }
-      return above / below;
-    };
-    return std::make_shared<ChebyshevSeries>(at, -half_width_, half_width_, terms_);
-  }
-
- private:
-  double half_width_;
-  std::size_t terms_;
-};
 
 /// Anderson's acceleration of a fixed point x = g(x).
 class Anderson {
@@ -173,17 +129,19 @@ std::optional<ZonedField> strip_field(const std::shared_ptr<const ZonedContact>&
                                       std::vector<ZoneEnds> guess) {
   constexpr int most = 30;
   constexpr double enough = 1e-12, settled = 1e-10;
-  const StripStrain strip(*contact);
+  const double a = contact->rows.half_width();
+  const auto terms = static_cast<Index>(22 / std::asinh(contact->clear / a)) + 6;
+  const VectorXd places = chebyshev_points(a, terms + 1);
   VectorXd values =
-      strip.values([&](double x) { return strain_by_elements(*contact, elements, x); });
+      places.unaryExpr([&](double x) { return strain_by_elements(*contact, elements, x); });
   Anderson anderson;
   double before = HUGE_VAL;
   for (int i = 0; i < most; ++i) {
-    const AddedStrain strain{strip.series(values), strip.terms()};
+    const AddedStrain strain{std::make_shared<ChebyshevSeries>(values, a), terms};
     if (!move_ends(contact, load, strain, guess)) return std::nullopt;
     const ZonedField field =
         field_of(zones_with(contact, guess, strain, StickZones::for_strain), load);
-    const VectorXd image = strip.values([&](double x) { return field.regular_strain(x); });
+    const VectorXd image = places.unaryExpr([&](double x) { return field.regular_strain(x); });
     const double change = (image - values).lpNorm<Eigen::Infinity>();
     const double scale = std::max(image.lpNorm<Eigen::Infinity>(), field.level());
     if (change <= enough * scale || (change <= settled * scale && change > before / 2)) {

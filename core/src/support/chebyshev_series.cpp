@@ -1,39 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/support/chebyshev_series.hpp"
 
-#include <gsl/gsl_chebyshev.h>
+#include <boost/math/special_functions/chebyshev.hpp>
+#include <numbers>
 
-#include <stdexcept>
-
-#include "gsl.hpp"
+#include "microslip/support/require.hpp"
 #include "microslip/support/work.hpp"
 
 namespace microslip {
 
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::VectorXd;
+
 namespace {
 
-std::shared_ptr<gsl_cheb_series> empty_series(std::size_t order) {
-  return gsl::owned<gsl_cheb_series>([&] { return gsl_cheb_alloc(order); }, gsl_cheb_free);
+ArrayXd angles(Index n) {
+  const auto count = static_cast<double>(n);
+  return std::numbers::pi * (ArrayXd::LinSpaced(n, 0, count - 1) + 0.5) / count;
 }
 
 }  // namespace
 
-ChebyshevSeries::ChebyshevSeries(const std::function<double(double)>& function, double begin,
-                                 double end, std::size_t order) {
-  // GSL's status is always success here.
-  if (!(begin < end)) throw std::invalid_argument("Chebyshev series: expected begin < end");
-  const gsl::Function values(function);
-  const auto series = empty_series(order);
-  const int status =
-      gsl::quietly([&] { return gsl_cheb_init(series.get(), values.get(), begin, end); });
-  values.rethrow();
-  gsl::require_success(status, "Chebyshev series");
-  series_ = series;
+VectorXd chebyshev_points(double half_length, Index n) { return half_length * angles(n).cos(); }
+
+ChebyshevSeries::ChebyshevSeries(const VectorXd& values, double half_length)
+    : half_length_(half_length) {
+  require_positive("half_length", half_length);
+  const Index n = values.size();
+  require(n > 0, "values", 0, "at least one");
+  const ArrayXd at = angles(n);
+  coefficients_ = VectorXd::NullaryExpr(n, [&](Index k) {
+    return 2 * (values.array() * (static_cast<double>(k) * at).cos()).mean();
+  });
 }
 
 double ChebyshevSeries::operator()(double x) const {
-  count_work(3 * static_cast<double>(gsl_cheb_order(series_.get())));
-  return gsl_cheb_eval(series_.get(), x);  // reports no errors
+  const auto size = static_cast<std::size_t>(coefficients_.size());
+  count_work(3 * static_cast<double>(size - 1));
+  return boost::math::chebyshev_clenshaw_recurrence(coefficients_.data(), size, x / half_length_);
 }
 
 }  // namespace microslip

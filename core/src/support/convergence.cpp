@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/support/convergence.hpp"
 
-#include <gsl/gsl_fit.h>
-
+#include <Eigen/Core>
 #include <cmath>
 #include <stdexcept>
-#include <vector>
-
-#include "gsl.hpp"
 
 namespace microslip {
 
@@ -15,18 +11,12 @@ double fitted_order(std::span<const double> sizes, std::span<const double> error
   if (sizes.size() < 2 || sizes.size() != errors.size()) {
     throw std::invalid_argument("fitted_order: expected as many errors as sizes, at least two");
   }
-  std::vector<double> x;
-  std::vector<double> y;
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    x.push_back(std::log(sizes[i]));
-    y.push_back(-std::log(std::abs(errors[i])));
-  }
-  double intercept = 0, slope = 0, c00 = 0, c01 = 0, c11 = 0, residual = 0;
-  gsl::require_success(gsl::quietly([&] {
-                         return gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &intercept,
-                                               &slope, &c00, &c01, &c11, &residual);
-                       }),
-                       "fitted_order");
+  using Values = Eigen::Map<const Eigen::ArrayXd>;
+  const auto count = static_cast<Eigen::Index>(sizes.size());
+  Eigen::ArrayXd x = (Values(sizes.data(), count) / sizes[0]).log();
+  x -= x.mean();
+  const Eigen::ArrayXd y = Values(errors.data(), count).abs().log();
+  const double slope = -(x * (y - y.mean())).sum() / x.square().sum();
   if (!std::isfinite(slope))
     throw std::invalid_argument("fitted_order: no slope through the errors");
   return slope;

@@ -3,8 +3,6 @@
 
 #include <limits>
 #include <mutex>
-#include <stdexcept>
-#include <string>
 
 namespace microslip::gsl {
 
@@ -24,12 +22,6 @@ HandlerOff::HandlerOff() {
 HandlerOff::~HandlerOff() {
   const std::lock_guard lock(mutex);
   if (--users == 0) gsl_set_error_handler(found);
-}
-
-void require_success(int status, const char* what) {
-  if (status == GSL_SUCCESS) return;
-  if (status == GSL_ENOMEM) throw std::bad_alloc();
-  throw std::invalid_argument(std::string(what) + ": " + gsl_strerror(status));
 }
 
 double Function::call(double x, void* self) noexcept {

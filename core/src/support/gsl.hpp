@@ -10,9 +10,9 @@
 #include <new>
 
 /// \file
-/// All calls of GSL go through this file. GSL reports errors to a handler that belongs to the whole
-/// process; GSL's default handler ends the program. Here each call returns a status instead, an
-/// error status is thrown, and a program that uses this library keeps its own handler.
+/// Calls of GSL that may fail go through this file. GSL reports errors to a handler that belongs to
+/// the whole process; GSL's default handler ends the program. Here each call returns a status
+/// instead, and a program that uses this library keeps its own handler.
 namespace microslip::gsl {
 
 /// Switches GSL's handler off while at least one of these objects lives in any thread. The last
@@ -31,10 +31,6 @@ auto quietly(const Call& call) {
   const HandlerOff off;
   return call();
 }
-
-/// \param what  the name of the function that called GSL, for the message
-/// \throws std::bad_alloc if the status is GSL_ENOMEM, std::invalid_argument if it is another error
-void require_success(int status, const char* what);
 
 /// Owner of an object that GSL allocates and frees.
 template <class T>

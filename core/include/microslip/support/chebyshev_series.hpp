@@ -1,29 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cstddef>
-#include <functional>
-#include <memory>
-
-struct gsl_cheb_series_struct;
+#include <Eigen/Core>
 
 namespace microslip {
 
-/// Interpolates a function on an interval between its values at Chebyshev points.
+/// n Chebyshev points in (-half_length, half_length), descending.
+Eigen::VectorXd chebyshev_points(double half_length, Eigen::Index n);
+
+/// Interpolates between values at the Chebyshev points of an interval about 0.
 class ChebyshevSeries {
  public:
-  /// \param end    > begin
-  /// \param order  the degree; the function is evaluated order + 1 times
+  /// \param values       at chebyshev_points(half_length, values.size()), at least one
+  /// \param half_length  > 0
   /// \throws std::invalid_argument outside the range
-  ChebyshevSeries(const std::function<double(double)>& function, double begin, double end,
-                  std::size_t order);
+  ChebyshevSeries(const Eigen::VectorXd& values, double half_length);
 
   double operator()(double x) const;
 
  private:
-  using Series = std::shared_ptr<const gsl_cheb_series_struct>;
-
-  Series series_;
+  double half_length_;
+  Eigen::VectorXd coefficients_;  ///< of T_0, of which half counts, T_1, ...
 };
 
 }  // namespace microslip
