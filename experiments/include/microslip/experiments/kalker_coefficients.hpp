@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "microslip/scene/scene.hpp"
+#include "microslip/scene/table.hpp"
+#include "microslip/support/progress.hpp"
+
+namespace microslip::experiments {
+
+/// Which forces do small creepages and spin of a contact ellipse make? Kalker's coefficients by
+/// joined rows, their convergence beside the standard scheme's, and the table that Kalker printed.
+struct KalkerCoefficientsParameters {
+  std::vector<double> ratios{};            ///< a/b
+  std::vector<double> poisson_ratios{};    ///< nu
+  Eigen::Index cells = 0;                  ///< about so many
+  std::vector<double> converged_ratios{};  ///< a/b of the convergence
+  double poisson_ratio = 0;                ///< of the convergence
+  std::vector<Eigen::Index> sizes{};       ///< cells along the shorter axis, rising
+  std::vector<Eigen::Index> rectangles{};  ///< N, rising
+  Eigen::Index reference = 0;              ///< the same, of the reference
+};
+
+/// The keys that `kalker_coefficients --print-keys` lists, each checked against its listed range.
+KalkerCoefficientsParameters read_kalker_coefficients(Scene& scene);
+
+/// Tables: coefficients (with Kalker's), errors (of joined rows and of the standard scheme), orders,
+/// claims.
+std::vector<Table> kalker_coefficients(const KalkerCoefficientsParameters& parameters,
+                                       const Progress& progress);
+
+}  // namespace microslip::experiments

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/kalker_coefficients.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "kalker_printed.hpp"
+#include "microslip/experiments/claims.hpp"
+#include "microslip/experiments/standard_patch.hpp"
+#include "microslip/patch/patch_response.hpp"
+#include "microslip/support/convergence.hpp"
+#include "study_keys.hpp"
+#include "table_values.hpp"
+
+namespace microslip::experiments {
+
+using Eigen::Index;
+
+namespace {
+
+constexpr std::array<const char*, 4> names{"C11", "C22", "C23", "C33"};
+using Coefficients = std::array<double, 4>;
+
+/// C23 is the mean of both that should be equal by reciprocity.
+Coefficients coefficients_of(const Eigen::Matrix3d& linear) {
+  return {-linear(0, 0), -linear(1, 1), (linear(2, 1) - linear(1, 2)) / 2, -linear(2, 2)};
+}
+
+/// Rows whose cells are about as long as they are wide.
+JoinedRows matched_rows(double ratio, double cells) {
+  constexpr Index fewest = 5;
+  const auto rows = static_cast<Index>(std::lround(std::sqrt(cells / ratio)));
+  const auto elements = static_cast<Index>(std::lround(std::sqrt(cells * ratio)));
+  return {ratio, std::max(fewest, rows), std::max(fewest, elements)};
+}
+
+/// The same, with so many cells along the shorter axis.
+JoinedRows rows_of_side(double ratio, Index side) {
+  const auto along = [&](double by) {
+    return std::max<Index>(side, std::lround(static_cast<double>(side) * by));
+  };
+  return {ratio, along(1 / ratio), along(ratio)};
+}
+
+Coefficients by_rows(const JoinedRows& rows, double poisson_ratio) {
+  return coefficients_of(PatchResponse(rows, poisson_ratio).linear());
+}
+
+Table coefficients_table(const KalkerCoefficientsParameters& p, const Progress& progress,
+                         std::size_t steps) {
+  Table table("coefficients", "creep coefficients of the ellipse, by joined rows",
+              {{"ratio", "1", "a/b, a along the rolling"},
+               {"poisson_ratio", "1", "nu"},
+               {"coefficient", "1",
+                "C11: F_x by creepage; C22: F_y by lateral creepage; C23: F_y "
+                "by spin and M_z by lateral creepage; C33: M_z by spin"},
+               {"value", "1",
+                "F_x = -G c^2 C11 xi, F_y = -G c^2 C22 eta - G c^3 C23 phi, M_z = G "
+                "c^3 C23 eta - G c^4 C33 phi, c^2 = a b"},
+               {"change", "1", "relative change from half as many cells", 1e-7},
+               {"printed", "1", "by Kalker (1990), table E3; nan where it has none"},
+               {"difference", "1", "of the printed value, relative"},
+               {"last_digits", "1", "the same, in units of its last digit"}});
+  for (const double nu : p.poisson_ratios) {
+    for (const double ratio : p.ratios) {
+      const auto cells = static_cast<double>(p.cells);
+      const Coefficients fine = by_rows(matched_rows(ratio, cells), nu);
+      const Coefficients coarse = by_rows(matched_rows(ratio, cells / 2), nu);
+      const auto printed = kalker_printed(ratio, nu);
+      for (std::size_t k = 0; k < names.size(); ++k) {
+        const double value = printed ? (*printed)[k].value : not_given;
+        const double unit = printed ? 2 * (*printed)[k].rounding : not_given;
+        table.add({ratio, nu, names[k], fine[k], std::abs(coarse[k] / fine[k] - 1), value,
+                   value / fine[k] - 1, (value - fine[k]) / unit});
+      }
+      progress(table.rows() / names.size(), steps);
+    }
+  }
+  return table;
+}
+
+struct Convergence {
+  Table errors;
+  Table orders;
+};
+
+Convergence convergence(const KalkerCoefficientsParameters& p, const Progress& progress,
+                        std::size_t steps) {
+  std::vector<Column> columns{{"scheme", "1", "joined: rows; standard: equal rectangles"},
+                              {"ratio", "1", "a/b"},
+                              {"elements", "1", "cells along the shorter axis; N of rectangles"},
+                              {"cells", "1", "number of cells"}};
+  for (const char* name : names) {
+    columns.push_back({name, "1", "relative error, against the finest joined rows", 1e-6});
+  }
+  Convergence found{
+      {"errors", "errors of the coefficients against the number of cells", columns},
+      {"orders",
+       "orders of the errors in the number of cells along an axis, fitted over all of them",
+       {{"scheme", "1", "joined: rows; standard: equal rectangles"},
+        {"ratio", "1", "a/b"},
+        {"order", "1", "of the largest error of the four coefficients", 0.05}}}};
+  std::size_t done = p.ratios.size() * p.poisson_ratios.size();
+  for (const double ratio : p.converged_ratios) {
+    const Coefficients exact = by_rows(rows_of_side(ratio, p.reference), p.poisson_ratio);
+    const auto series = [&](const char* scheme, const std::vector<Index>& sizes,
+                            const auto& solve) {
+      std::vector<double> sides, errors;
+      for (const Index size : sizes) {
+        const auto [cells, of] = solve(size);
+        std::array<double, 4> error{};
+        for (std::size_t k = 0; k < names.size(); ++k) error[k] = std::abs(of[k] / exact[k] - 1);
+        found.errors.add({scheme, ratio, size, cells, error[0], error[1], error[2], error[3]});
+        sides.push_back(static_cast<double>(size));
+        errors.push_back(std::ranges::max(error));
+        progress(++done, steps);
+      }
+      found.orders.add({scheme, ratio, fitted_order(sides, errors)});
+    };
+    using Solved = std::pair<Index, Coefficients>;
+    series("joined", p.sizes, [&](Index size) -> Solved {
+      const JoinedRows rows = rows_of_side(ratio, size);
+      return {rows.cells(), by_rows(rows, p.poisson_ratio)};
+    });
+    series("standard", p.rectangles, [&](Index size) -> Solved {
+      const StandardPatch patch = standard_patch(ratio, size, p.poisson_ratio);
+      return {patch.cells, coefficients_of(patch.linear)};
+    });
+  }
+  return found;
+}
+
+/// The largest error of all coefficients over a/b, with at least so many cells along an axis.
+double largest_error(const Table& errors, const char* scheme, double elements) {
+  double largest = not_given;
+  for (const char* name : names) {
+    largest = std::fmax(largest, extreme(errors, name, false, [&](std::size_t i) {
+                          return errors.at(i, "scheme") == Cell(scheme) &&
+                                 errors.number(i, "elements") >= elements;
+                        }));
+  }
+  return largest;
+}
+
+Table claims_of(const Table& coefficients, const Convergence& found) {
+  const auto printed = [&](const char* column, bool least, double from, double to) {
+    return extreme(coefficients, column, least, [&](std::size_t i) {
+      const double ratio = coefficients.number(i, "ratio");
+      return !std::isnan(coefficients.number(i, "printed")) && ratio >= from && ratio <= to;
+    });
+  };
+  const auto off = [&](double from, double to) {
+    return std::fmax(printed("difference", false, from, to),
+                     -printed("difference", true, from, to));
+  };
+  double worse = 0, all = 0;
+  for (std::size_t i = 0; i < coefficients.rows(); ++i) {
+    if (std::isnan(coefficients.number(i, "printed"))) continue;
+    all += 1;
+    worse += std::abs(coefficients.number(i, "last_digits")) > 1 ? 1 : 0;
+  }
+  return claims_table(
+      {{"joined rows with five cells along the shorter axis give all coefficients to a thousandth",
+        "none", not_given, largest_error(found.errors, "joined", 0), "1", ours_if({below(1e-3)}),
+        "largest relative error of the coefficients over a/b, for any number of cells",
+        "kalker_coefficients_error"},
+       {"with ten cells along it, to two ten-thousandths", "none", not_given,
+        largest_error(found.errors, "joined", 10), "1", ours_if({below(2e-4)}),
+        "largest relative error over a/b, from 10 cells on", "kalker_coefficients_error"},
+       {"the standard scheme has a percent on 28 x 28 rectangles", "none", not_given,
+        largest_error(found.errors, "standard", 28), "1", ours_if({above(0.01)}),
+        "largest relative error over a/b", "kalker_coefficients_error"},
+       {"joined rows are of about second order", "none", 2,
+        least(found.orders, "order", {{"scheme", "joined"}}), "1", ours_if({above(1.5)}),
+        "least order over a/b, of the largest error", "kalker_coefficients_error"},
+       {"Kalker's printed coefficients are right to about half a percent where the ellipse is "
+        "nearly a circle",
+        "none", not_given, off(0.7, 1.5), "1", ours_if({below(6e-3)}),
+        "largest relative difference of the printed values, a/b from 0.7 to 1/0.7",
+        "kalker_coefficients_printed"},
+       {"Kalker's printed coefficients are up to one percent off where the ellipse is slender",
+        "none", not_given, off(0, 1e3), "1", ours_if({between(5e-3, 0.015)}),
+        "largest relative difference of the printed values", "kalker_coefficients_printed"},
+       {"many of Kalker's printed coefficients are not right in their last digit", "none",
+        not_given, worse / all, "1", ours_if({above(0.1)}),
+        "part of the printed values that differ by more than a unit of their last digit",
+        "kalker_coefficients_printed"}});
+}
+
+}  // namespace
+
+KalkerCoefficientsParameters read_kalker_coefficients(Scene& scene) {
+  using P = KalkerCoefficientsParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::ratios, "ellipse.ratios", "a/b, a along the rolling", range(0.05, 20)},
+       {&P::poisson_ratios, "ellipse.poisson_ratios", "nu", range(0, 0.5)},
+       {&P::cells, "ellipse.cells", "about the number of cells in joined rows", range(50, 2500)},
+       {&P::converged_ratios, "convergence.ratios", "a/b", range(0.2, 5)},
+       {&P::poisson_ratio, "convergence.poisson_ratio", "nu", range(0, 0.5)},
+       {&P::sizes, "convergence.sizes", "cells of joined rows along the shorter axis", range(5, 50),
+        two_or_more_rising},
+       {&P::rectangles, "convergence.rectangles",
+        "N of the standard scheme, along the longest row and across", range(5, 50),
+        two_or_more_rising},
+       {&P::reference, "convergence.reference",
+        "cells of the reference, joined rows, along the shorter axis", range(10, 40)}});
+  return keys.read({});
+}
+
+std::vector<Table> kalker_coefficients(const KalkerCoefficientsParameters& p,
+                                       const Progress& progress) {
+  const std::size_t steps = p.ratios.size() * p.poisson_ratios.size() +
+                            p.converged_ratios.size() * (p.sizes.size() + p.rectangles.size());
+  const Table coefficients = coefficients_table(p, progress, steps);
+  const Convergence found = convergence(p, progress, steps);
+  return {coefficients, found.errors, found.orders, claims_of(coefficients, found)};
+}
+
+}  // namespace microslip::experiments
