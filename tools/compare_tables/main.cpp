@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// compare_tables TABLES REFERENCES [STUDY]  compares the tables of all studies, or of one, with
-//                                           references: exit status 1 if one differs
-// compare_tables --update TABLES REFERENCES [STUDY]  makes them the references, and says what
-// changed Both folders hold one of each study, with tables *.tsv; *_timing.tsv are left out. The
-// tolerances are those of tolerances.txt among the references.
+// compare_tables TABLES REFERENCES [STUDY]
+//   compares the tables of all studies, or of one, with references: exit status 1 if one differs.
+// compare_tables --update TABLES REFERENCES [STUDY]
+//   makes those that differ the references, and says what has changed.
+// Both folders hold one of each study, with tables *.tsv; *_timing.tsv are left out. The tolerances
+// are those of tolerances.txt among the references.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -71,7 +72,9 @@ bool compare(const std::string& study, const Tables& tables, const Tables& refer
     const std::string table = fmt::format("{}/{}", study, name);
     std::cout << table << ": ";
     if (tables.count(name) == 0 || references.count(name) == 0) {
-      std::cout << "differs: " << (tables.count(name) == 0 ? "no table" : "no reference") << '\n';
+      std::cout << "differs: "
+                << (tables.count(name) == 0 ? "no table" : "no reference; make references makes it")
+                << '\n';
       all = false;
       continue;
     }
@@ -87,10 +90,21 @@ bool compare(const std::string& study, const Tables& tables, const Tables& refer
   return all;
 }
 
-void update(const std::string& study, const Tables& tables, const fs::path& folder) {
-  fs::remove_all(folder);
+/// Makes tables the references, unless they agree with those that are there: another processor
+/// rounds otherwise.
+void update(const std::string& study, const Tables& tables, const Tables& references,
+            const tools::Tolerances& tolerances, const fs::path& folder) {
+  for (const auto& [name, reference] : references) {
+    if (tables.count(name) == 0) fs::remove(folder / (name + ".tsv"));
+  }
   if (!tables.empty()) fs::create_directories(folder);
   for (const auto& [name, written] : tables) {
+    const auto reference = references.find(name);
+    if (reference != references.end()) {
+      const auto found =
+          tools::compare(fmt::format("{}/{}", study, name), written, reference->second, tolerances);
+      if (found.verdict != tools::Verdict::differs) continue;
+    }
     const fs::path file = folder / (name + ".tsv");
     std::ofstream out(file);
     const WrittenTable kept = tools::without_rounding(written);
@@ -123,8 +137,9 @@ int run(std::vector<std::string> words) {
   for (const std::string& study :
        words.size() == 3 ? std::set{words[2]} : studies_in(tables, references)) {
     const Tables made = tables_in(tables / study, tolerances);
-    all = compare(study, made, tables_in(references / study, tolerances), tolerances) && all;
-    if (updates) update(study, made, references / study);
+    const Tables former = tables_in(references / study, tolerances);
+    all = compare(study, made, former, tolerances) && all;
+    if (updates) update(study, made, former, tolerances, references / study);
   }
   return all || updates ? 0 : 1;
 }
