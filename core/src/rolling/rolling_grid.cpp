@@ -113,7 +113,7 @@ std::vector<Zone> zones_at(const VectorXd& traction, const VectorXd& bound) {
 std::unique_ptr<RollingGrid> rolling_grid(const TransientProblem& problem) {
   const bool remembered = std::holds_alternative<Remembered>(problem.scheme);
   if (!remembered) return std::make_unique<ContactGrid>(problem);
-  if (problem.basis.name() != "constant") {
+  if (!problem.basis.has_only(constant_shape())) {
     reject("basis", problem.basis.name(), "constant where the material remembers its displacement");
   }
   return std::make_unique<RememberedGrid>(problem);
