@@ -123,8 +123,8 @@ TEST(PatchResponse, IsReciprocal) {
   }
 }
 
-// Rows of an ellipse that is narrow along the rolling are those of the line contact: C11 and C22 are
-// pi^2/4 over 1 - nu and over 1.
+// Rows of an ellipse that is narrow along the rolling are those of the line contact: C11 and C22
+// are pi^2/4 over 1 - nu and over 1.
 TEST(PatchResponse, TendsToTheLineContact) {
   const Eigen::Matrix3d linear = PatchResponse(JoinedRows(1e-3, 40, 6), 0.3).linear();
   EXPECT_NEAR(-linear(0, 0), pi * pi / 4 / 0.7, 5e-3);

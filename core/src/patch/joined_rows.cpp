@@ -4,11 +4,11 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
+#include "microslip/support/gauss_points.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip {
@@ -136,18 +136,12 @@ struct Rule {
   std::vector<double> angles, weights;
 
   /// Adds Gauss's points between two angles, graded by a power towards the first.
-  template <int Points>
+  template <unsigned Points>
   void add(double from, double to, int power) {
-    using Gauss = boost::math::quadrature::gauss<double, Points>;
-    const auto put = [&](double t, double weight) {
+    for_gauss_points<Points>(0, 1, [&](double t, double weight) {
       angles.push_back(from + (to - from) * std::pow(t, power));
-      weights.push_back(std::abs(to - from) * power * std::pow(t, power - 1) * weight / 2);
-    };
-    for (std::size_t i = 0; i < Gauss::abscissa().size(); ++i) {
-      const double at = Gauss::abscissa()[i];
-      put((1 + at) / 2, Gauss::weights()[i]);
-      if (at != 0) put((1 - at) / 2, Gauss::weights()[i]);
-    }
+      weights.push_back(std::abs(to - from) * power * std::pow(t, power - 1) * weight);
+    });
   }
 };
 
