@@ -3,7 +3,7 @@
 coefficients = tables."/coefficients.tsv"
 names = "C11 C22 C23 C33"
 ratios = "0 0.25 0.5"
-of(name, nu) = strcol("coefficient") eq name && abs(column("poisson_ratio") - nu) < 1e-9 ? column("ratio") : NaN
+of(name, nu) = strcol("coefficient") eq name && abs(column("poisson_ratio") - nu) < 1e-9 ? column("aspect") : NaN
 
 eval page(800, 640)
 set multiplot layout 2,2 margins 0.105,0.98,0.115,0.93 spacing 0.115,0.14

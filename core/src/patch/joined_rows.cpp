@@ -145,14 +145,16 @@ struct Rule {
   }
 };
 
-/// The kernels are singular across the row of the point, psi = at, and steep next to it.
+/// The kernels are singular across the row of the point, psi = at, and steep next to it. There the
+/// sides of cells are slanted, most in rows near the ends of a long ellipse: 14 points instead of 25
+/// leave errors of 5e-4 at a/b = 5.
 Rule rule_over(const SubRow& part, double at) {
   Rule rule;
   const double width = part.to - part.from;
   const double away = std::abs((part.from + part.to) / 2 - at) / width;  // in sub-rows
   if (away < 0.5) {
-    rule.add<14>(at, part.from, 3);
-    rule.add<14>(at, part.to, 3);
+    rule.add<25>(at, part.from, 3);
+    rule.add<25>(at, part.to, 3);
   } else if (away < 1.5) {
     const bool above = part.from > at;
     rule.add<10>(above ? part.from : part.to, above ? part.to : part.from, 2);

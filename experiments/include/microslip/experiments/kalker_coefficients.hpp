@@ -13,14 +13,14 @@ namespace microslip::experiments {
 /// Which forces do small creepages and spin of a contact ellipse make? Kalker's coefficients by
 /// joined rows, their convergence beside the standard scheme's, and the table that Kalker printed.
 struct KalkerCoefficientsParameters {
-  std::vector<double> ratios{};            ///< a/b
-  std::vector<double> poisson_ratios{};    ///< nu
-  Eigen::Index cells = 0;                  ///< about so many
-  std::vector<double> converged_ratios{};  ///< a/b of the convergence
-  double poisson_ratio = 0;                ///< of the convergence
-  std::vector<Eigen::Index> sizes{};       ///< cells along the shorter axis, rising
-  std::vector<Eigen::Index> rectangles{};  ///< N, rising
-  Eigen::Index reference = 0;              ///< the same, of the reference
+  std::vector<double> aspects{};            ///< a/b
+  std::vector<double> poisson_ratios{};     ///< nu
+  Eigen::Index elements = 0;                ///< joined rows, and cells of each
+  std::vector<double> converged_aspects{};  ///< a/b of the convergence
+  double poisson_ratio = 0;                 ///< of the convergence
+  std::vector<Eigen::Index> sizes{};        ///< joined rows, and cells of each, rising
+  std::vector<Eigen::Index> rectangles{};   ///< N, rising
+  Eigen::Index reference = 0;               ///< the same, of the reference
 };
 
 /// The keys that `kalker_coefficients --print-keys` lists, each checked against its listed range.
