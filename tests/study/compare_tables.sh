@@ -48,6 +48,15 @@ expect 1 'study/result: differs: columns y \[mm\]*, reference x \[mm\]*' 's/#   
 expect 1 'study/result: differs: columns x \[m\]*' 's/\[mm\]/[m]/'
 expect 1 'compare_tables: *result.tsv: expected *' '$s/\t.*//'
 
+# A table that agrees stays as it is; another one becomes the reference.
+update() {
+  sed "$1" "$original" >"$table"
+  "$compare" --update "$work/tables" "$work/references" >/dev/null
+  grep -v '^#' "$work/references/study/result.tsv" | sed -n 2p
+}
+[ "$(update 's/^1\.5\t/1.5000000005\t/' | cut -f1)" = 1.5 ] || { echo "a table that agrees was written" >&2; exit 1; }
+[ "$(update 's/^1\.5\t/1.6\t/' | cut -f1)" = 1.6 ] || { echo "a table that differs was not written" >&2; exit 1; }
+
 # Numbers that are nothing but rounding: the reference has no digits of them, and they have a bound.
 {
   printf '%s\n' '# study: a result' '# parameters' '# columns' '#   name [1]: of a quantity' \
@@ -75,7 +84,7 @@ cp "$original" "$table"
 cp "$original" "$work/tables/study/more.tsv"
 cp "$original" "$work/tables/study/more_timing.tsv"
 said=$("$compare" "$work/tables" "$work/references") && exit 1
-[ "$said" = $'study/more: differs: no reference\nstudy/result: identical' ]
+[ "$said" = $'study/more: differs: no reference; make references makes it\nstudy/result: identical' ]
 rm -r "$work/tables/study"
 said=$("$compare" "$work/tables" "$work/references") && exit 1
 [ "$said" = 'study/result: differs: no table' ]
