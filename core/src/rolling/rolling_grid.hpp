@@ -114,7 +114,7 @@ class RollingGrid {
   Eigen::VectorXd weights_;  ///< of the problem's contact  [mm]
   ContactScale placed_;      ///< the contact of x_ and bound_
   ContactScale target_;      ///< that at the end of the next step
-  double pressure_strain_;  ///< strain by the pressure, over the bound  [mm^2/N]
+  double pressure_strain_;   ///< strain by the pressure, over the bound  [mm^2/N]
 };
 
 /// \throws std::invalid_argument unless null
