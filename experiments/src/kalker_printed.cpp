@@ -45,7 +45,7 @@ double ratio_of(std::size_t i) {
 
 /// All values have three digits.
 Printed printed(double value) {
-  return {value, 0.5 * std::pow(10, std::floor(std::log10(value)) - 2)};
+  return {value, std::pow(10, std::floor(std::log10(value)) - 2)};
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 
 namespace microslip::experiments {
 
-/// A coefficient as it is printed, and half a unit of its last digit.
+/// A coefficient as it is printed, and a unit of its last digit.
 struct Printed {
   double value;
-  double rounding;
+  double digit;
 };
 
 /// C11, C22, C23 and C33 of Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990),

@@ -156,8 +156,10 @@ void print_keys_of_study(const Program& study, const std::string& format) {
     }
   }
   print_keys(keys, format);
-  if (format == "markdown")
-    std::cout << "\nOf [scenes](scenes.md): " << joined(of_scenes, ", ") << ".\n";
+  if (format == "markdown" && !of_scenes.empty()) {
+    std::cout << "\nThe study takes keys of [scenes](scenes.md), too: " << joined(of_scenes, ", ")
+              << ".\n";
+  }
 }
 
 int keys(const std::string& name, int argc, const char* const* argv) {

@@ -65,8 +65,8 @@ std::vector<fs::path> outdated(const fs::path& folder, const std::vector<OutputF
   return tables;
 }
 
-/// Renames the temporary files, each of which replaces a previous file atomically. Of several files,
-/// the last one is removed first and put in place last, so that a folder with the last file has all
+/// Renames the temporary files, each of which replaces a previous file atomically. The last one of
+/// several is removed first and put in place last, so that a folder with the last file has all
 /// files of the same run, even if the process is killed in between.
 /// \param removed  files to remove
 void put_in_place(const std::vector<fs::path>& targets, const std::vector<fs::path>& removed) {

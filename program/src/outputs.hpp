@@ -30,11 +30,11 @@ OutputFile provenance_of(const std::string& text, const std::vector<OutputFile>&
 void require_writable(const std::filesystem::path& folder);
 
 /// Writes all files under temporary names, which are this process's own, then renames them; if one
-/// cannot be written, it removes what it wrote, and what was there before stays. A name that is a link to a
-/// file stays a link; one of a device, a pipe or a folder is an error. Makes the folder if needed.
-/// Processes that share a folder write one after the other. If
-/// provenance.txt is the last of the files, tables are removed that the previous provenance.txt
-/// names and the new one does not: the folder holds one run.
+/// cannot be written, it removes what it wrote, and what was there before stays. A name that is a
+/// link to a file stays a link; one of a device, a pipe or a folder is an error. Makes the folder
+/// if needed. Processes that share a folder write one after the other. If provenance.txt is the
+/// last of the files, tables are removed that the previous provenance.txt names and the new one
+/// does not: the folder holds one run.
 /// \throws std::exception that names the file
 void write_files(const std::filesystem::path& folder, const std::vector<OutputFile>& files);
 

@@ -183,9 +183,9 @@ TEST_F(Extremes, InversionAndChebyshevHoldFromFullSlidingToFullStick) {
   }
   for_rows("offsets", "inversion",
            [](const Table& rows, std::size_t i) { EXPECT_LE(rows.number(i, "error"), 1e-14); });
-  // Between its nodes a traction is linear. The shift leaves roots (2 a d)^(1/2) at both ends of the
-  // contact and of the stick zone, of the half-lengths a = 1 and 0.6. Over an element of the length
-  // h, a line misses h^(3/2)/6 of the integral of d^(1/2).
+  // Between its nodes a traction is linear. The shift leaves roots (2 a d)^(1/2) at both ends of
+  // the contact and of the stick zone, of the half-lengths a = 1 and 0.6. Over an element of the
+  // length h, a line misses h^(3/2)/6 of the integral of d^(1/2).
   for_rows("transient", "remembered", [](const Table& rows, std::size_t i) {
     const double missed = std::pow(2 / rows.number(i, "elements"), 1.5) / 6;
     const double ends = 2 * (std::sqrt(2 * 1) + std::sqrt(2 * 0.6));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <stdexcept>
 
 #include "microslip/experiments/standard_patch.hpp"
 #include "study_tables.hpp"
@@ -65,6 +66,18 @@ TEST(KalkerCoefficients, TheStandardSchemeIsContacts) {
   EXPECT_NEAR(-patch.linear(1, 2), 1.5134575703, 1e-8);
   EXPECT_NEAR(patch.linear(2, 1), 1.4502671536, 1e-8);
   EXPECT_NEAR(-patch.linear(2, 2), 1.2679622657, 1e-8);
+}
+
+// Errors against one of the sizes would be none, and have no order.
+TEST(KalkerCoefficients, RefusesAReferenceThatIsOneOfTheSizes) {
+  try {
+    parameters_of("kalker_coefficients", read_kalker_coefficients, {"convergence.reference=20"});
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_STREQ(error.what(),
+                 "convergence.reference = 20: expected a whole number 10 ... 40; above "
+                 "convergence.sizes");
+  }
 }
 
 TEST(KalkerCoefficients, Verdicts) {

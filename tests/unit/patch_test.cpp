@@ -65,7 +65,7 @@ TEST(JoinedRows, DisplacementsAreThoseOfTheTractions) {
     const JoinedRows::Kernels kernels = rows.kernels();
     for (int sample = 0; sample < 4; ++sample) {
       const Index k = std::uniform_int_distribution<Index>(0, 6)(random);
-      const Index j = std::uniform_int_distribution<Index>(1, 11)(random);
+      const Index j = std::uniform_int_distribution<Index>(0, 11)(random);
       const Eigen::Vector3d exact =
           in_polar_coordinates(rows.a(), rows.b(), rows.x(j, k), rows.y(k));
       const Index point = rows.point(j, k);

@@ -60,14 +60,14 @@ tools::Tolerances tolerances_in(const fs::path& file) {
   return tools::Tolerances(in);
 }
 
-/// Says what became of each table; true if none differs.
-bool compare(const std::string& study, const Tables& tables, const Tables& references,
-             const tools::Tolerances& tolerances) {
+/// Says of each table whether it agrees, and returns the names of those that do not.
+std::set<std::string> compare(const std::string& study, const Tables& tables,
+                              const Tables& references, const tools::Tolerances& tolerances) {
   std::set<std::string> names;
   for (const Tables* some : {&tables, &references}) {
     for (const auto& [name, table] : *some) names.insert(name);
   }
-  bool all = true;
+  std::set<std::string> differing;
   for (const std::string& name : names) {
     const std::string table = fmt::format("{}/{}", study, name);
     std::cout << table << ": ";
@@ -75,7 +75,7 @@ bool compare(const std::string& study, const Tables& tables, const Tables& refer
       std::cout << "differs: "
                 << (tables.count(name) == 0 ? "no table" : "no reference; make references makes it")
                 << '\n';
-      all = false;
+      differing.insert(name);
       continue;
     }
     const auto [verdict, text] =
@@ -84,30 +84,26 @@ bool compare(const std::string& study, const Tables& tables, const Tables& refer
                                                       {tools::Verdict::agrees, "agrees: "},
                                                       {tools::Verdict::differs, "differs: "}};
     std::cout << words.at(verdict) << text << '\n';
-    all = all && verdict != tools::Verdict::differs;
+    if (verdict == tools::Verdict::differs) differing.insert(name);
   }
   if (names.empty()) throw std::invalid_argument(study + ": no tables");
-  return all;
+  return differing;
 }
 
-/// Makes tables the references, unless they agree with those that are there: another processor
-/// rounds otherwise.
-void update(const std::string& study, const Tables& tables, const Tables& references,
-            const tools::Tolerances& tolerances, const fs::path& folder) {
-  for (const auto& [name, reference] : references) {
-    if (tables.count(name) == 0) fs::remove(folder / (name + ".tsv"));
-  }
-  if (!tables.empty()) fs::create_directories(folder);
-  for (const auto& [name, written] : tables) {
-    const auto reference = references.find(name);
-    if (reference != references.end()) {
-      const auto found =
-          tools::compare(fmt::format("{}/{}", study, name), written, reference->second, tolerances);
-      if (found.verdict != tools::Verdict::differs) continue;
-    }
+/// Makes tables that differ the references. Those that agree stay: another processor rounds
+/// otherwise.
+void update(const std::string& study, const Tables& tables, const std::set<std::string>& differing,
+            const fs::path& folder) {
+  fs::create_directories(folder);
+  for (const std::string& name : differing) {
     const fs::path file = folder / (name + ".tsv");
+    const auto table = tables.find(name);
+    if (table == tables.end()) {
+      fs::remove(file);
+      continue;
+    }
     std::ofstream out(file);
-    const WrittenTable kept = tools::without_rounding(written);
+    const WrittenTable kept = tools::without_rounding(table->second);
     kept.table.write(out, study, kept.parameters);
     out.close();
     if (!out) throw std::runtime_error(file.string() + ": cannot write it");
@@ -137,9 +133,10 @@ int run(std::vector<std::string> words) {
   for (const std::string& study :
        words.size() == 3 ? std::set{words[2]} : studies_in(tables, references)) {
     const Tables made = tables_in(tables / study, tolerances);
-    const Tables former = tables_in(references / study, tolerances);
-    all = compare(study, made, former, tolerances) && all;
-    if (updates) update(study, made, former, tolerances, references / study);
+    const std::set<std::string> differing =
+        compare(study, made, tables_in(references / study, tolerances), tolerances);
+    all = all && differing.empty();
+    if (updates) update(study, made, differing, references / study);
   }
   return all || updates ? 0 : 1;
 }

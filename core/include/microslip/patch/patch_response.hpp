@@ -7,45 +7,59 @@
 
 namespace microslip {
 
-/// Slip as a linear function of the unknowns and of the rigid motion.
-struct SlipMap {
-  Eigen::MatrixXd by_traction;  ///< 2n x 2n
-  Eigen::MatrixX3d by_motion;   ///< 2n x 3
-};
-
-/// The slip and the resultants of joined rows on half-spaces of one material, in steady rolling:
-///   s = w + du/dq - du/dx,  w = (xi - phi y, eta + phi x).
-/// The size of the ellipse is 1 and the shear modulus 1: unknowns are tractions over G, the spin is
-/// phi c, forces are over G c^2, and the moment is over G c^3.
+/// Joined rows on half-spaces of one material roll steadily. With u the displacement by the
+/// tractions, the slip is
+///   s = w - du/dx,  w = (xi - phi y, eta + phi x).
+/// It is taken twice: as the **own** slip of a cell, a difference from its centre to the centre
+/// ahead, by which the cell sticks; and as the slip at its **centre**, of fourth order, which is the
+/// direction of a traction that slips. Tractions follow from the own slip, so that cells that stick
+/// need no equation.
 ///
-/// A vector of 2n values has the longitudinal parts of n cells, then the lateral ones.
+/// The size of the ellipse is 1 and the shear modulus 1: unknowns are tractions over G, the spin is
+/// phi c, forces are over G c^2, and the moment is over G c^3. A vector of 2n values has the
+/// longitudinal parts of n cells, then the lateral ones; one of 3 values has xi, eta and phi, or Fx,
+/// Fy and Mz.
 class PatchResponse {
  public:
-  using Index = Eigen::Index;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
   /// \param poisson_ratio  nu, in [0, 0.5]
   PatchResponse(const JoinedRows& rows, double poisson_ratio);
 
   const JoinedRows& rows() const { return rows_; }
 
-  /// The slip by which a cell sticks: a difference from its centre to the centre ahead, for the
-  /// first cell to the leading edge.
-  const SlipMap& own() const { return own_; }
-
-  /// The unknowns by motion where all sticks.
+  /// The unknowns by the motion where all sticks: 2n x 3.
   const Eigen::MatrixX3d& adhering() const { return adhering_; }
+
+  /// The unknowns by the own slip: 2n x 2n.
+  const Matrix& yielding() const { return yielding_; }
+
+  /// The slip at centres by the motion where all sticks, which is an error of the differences: 2n x
+  /// 3.
+  const Eigen::MatrixX3d& creeping() const { return creeping_; }
+
+  /// The slip at centres by the own slip: 2n x 2n.
+  const Matrix& slipping() const { return slipping_; }
+
+  /// The own slip of a cell by its own unknown: 2n.
+  const Eigen::VectorXd& stiffness() const { return stiffness_; }
 
   /// Forces along and across, and the moment about the centre, by the unknowns: 3 x 2n.
   const Eigen::Matrix3Xd& resultants() const { return resultants_; }
 
-  /// Resultants by motion where all sticks: -C11, -C22, -C23, C32 and -C33 of Kalker.
-  Eigen::Matrix3d linear() const { return resultants_ * adhering_; }
+  /// Resultants by the motion where all sticks: -C11, -C22, -C23, C32 and -C33 of Kalker.
+  const Eigen::Matrix3d& linear() const { return linear_; }
+
+  /// Resultants by the own slip: 3 x 2n.
+  const Eigen::Matrix3Xd& relief() const { return relief_; }
 
  private:
   JoinedRows rows_;
-  SlipMap own_;
-  Eigen::MatrixX3d adhering_;
-  Eigen::Matrix3Xd resultants_;
+  Eigen::MatrixX3d adhering_, creeping_;
+  Matrix yielding_, slipping_;
+  Eigen::VectorXd stiffness_;
+  Eigen::Matrix3Xd resultants_, relief_;
+  Eigen::Matrix3d linear_;
 };
 
 }  // namespace microslip

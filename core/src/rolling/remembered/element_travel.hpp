@@ -34,7 +34,7 @@ struct ElementTravel {
 /// \param start    at the beginning of the step
 /// \param length   of the step  [mm]
 /// \param spacing  dx  [mm]
-/// \param substep     called for each substep with the substep's length, the distance at its end,
+/// \param substep  called for each substep with the substep's length, the distance at its end,
 ///                 and the remaining length of the step  [mm]
 /// \return         the distance_error at the end of the step  [mm]
 /// \throws std::invalid_argument if the length is below min_step_ratio dx

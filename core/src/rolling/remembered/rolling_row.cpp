@@ -18,7 +18,6 @@ RollingRow::RollingRow(const TransientProblem& problem)
       grid_(edges_.nodes(problem.grid.half_width(), problem.grid.size())),
       response_(problem, grid_, edges_),
       stick_slip_point_(edges_.trailing_point()),
-      has_layer_(problem.contact.kernel.layer_compliance() > 0),
       step_(response_, response_.pressed()),
       tangent_(response_) {
   set_bound({});
@@ -151,12 +150,13 @@ void RollingRow::fade_shift(const Substep& substep) {
 void RollingRow::add_slip(const Substep& substep) {
   const RowMemory& before = step_.memory;
   const ContactState& contact = step_.contact;
+  const bool has_layer = response_.kernel().layer_compliance() > 0;
   result_.slip += contact.slip;
   for (Index i = before.kept; i < std::min(before.stuck, before.row.size); ++i) {
     if (sticks(contact.zones, i)) continue;
     const double slipped = interpolated_at(before.nodes, i, substep.on_nodes.of(i), 0) -
                            before.remembered_at(i, substep);
-    const bool exceeds = has_layer_ && slipped * contact.slip[i] > std::pow(contact.slip[i], 2);
+    const bool exceeds = has_layer && slipped * contact.slip[i] > std::pow(contact.slip[i], 2);
     result_.slip[i] -= exceeds ? contact.slip[i] : slipped;
   }
 }

@@ -76,7 +76,6 @@ class RollingRow {
   Grid grid_;
   RowResponse response_;
   StickSlipPoint stick_slip_point_;
-  bool has_layer_;  ///< whether displacements bend at the stick-slip point
   RowStep step_;
   StepTangent tangent_;
   ContactState result_;

@@ -12,7 +12,7 @@
 namespace microslip {
 
 /// The derivatives of a step by its load and by its length, for the partitions that the step has
-/// found. Without a step that asks for them, all functions do nothing.
+/// found. Without a step that asks for them, no function solves anything.
 class StepTangent {
  public:
   explicit StepTangent(const RowResponse& response);

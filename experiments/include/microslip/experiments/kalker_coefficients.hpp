@@ -26,8 +26,7 @@ struct KalkerCoefficientsParameters {
 /// The keys that `kalker_coefficients --print-keys` lists, each checked against its listed range.
 KalkerCoefficientsParameters read_kalker_coefficients(Scene& scene);
 
-/// Tables: coefficients (with Kalker's), errors (of joined rows and of the standard scheme), orders,
-/// claims.
+/// Tables: coefficients (with Kalker's), errors (joined rows and standard scheme), orders, claims.
 std::vector<Table> kalker_coefficients(const KalkerCoefficientsParameters& parameters,
                                        const Progress& progress);
 
