@@ -34,7 +34,9 @@ def keys(program):
         name, _, unit, accepted, _ = (cell.strip() for cell in re.split(r"(?<!\\)\|", line)[1:-1])
         name = name.strip("`")
         default = re.search(r"\[([^]]*)\]$", accepted)
-        yield f"key {name} [{unit or '1'}]" + (f" default {default[1]}" if default else "")
+        of_line, *of_ellipse = (unit or "1").split(", ")
+        yield f"key {name} [{of_line}]" + (f" default {default[1]}" if default else "")
+        yield from (f"key {name} [{other}] of an ellipse" for other in of_ellipse)
         words = re.match(r"`\w+`(?:, `\w+`)*", accepted)
         for word in re.findall(r"`(\w+)`", words[0]) if words else ():
             yield f"word {name} {word}"

@@ -90,6 +90,7 @@ Outcome outcome_of(const TransientScene& scene) {
 
 Outcome outcome_of(const SteadyTarget&) { throw std::logic_error("converge: a target error"); }
 Outcome outcome_of(const CylinderScene&) { reject_cylinder(); }
+Outcome outcome_of(const SteadyPatch&) { throw std::logic_error("converge: an ellipse"); }
 
 /// Relative errors.
 struct Errors {
@@ -264,6 +265,7 @@ ConvergeScene read_converge(Scene& scene) {
     throw BadParameter("target_error",
                        "target_error: expected a scene without it, as all N are tried");
   }
+  require_line_contact(scene);
   const Model model = read_model(scene);
   if (std::holds_alternative<CylinderScene>(model)) reject_cylinder();
   const auto* transient = std::get_if<TransientScene>(&model);

@@ -44,9 +44,7 @@ double ratio_of(std::size_t i) {
 }
 
 /// All values have three digits.
-Printed printed(double value) {
-  return {value, std::pow(10, std::floor(std::log10(value)) - 2)};
-}
+Printed printed(double value) { return {value, std::pow(10, std::floor(std::log10(value)) - 2)}; }
 
 }  // namespace
 

@@ -51,7 +51,8 @@ Names differing_keys(const std::vector<Parameters>& all) {
 std::string value_in(const Parameters& parameters, const std::string& key) {
   const auto found = std::ranges::find(parameters, key, &Parameters::value_type::first);
   if (found == parameters.end()) return "";
-  const std::string unit = unit_of_key(key);
+  const auto is_patch = [](const auto& parameter) { return is_patch_key(parameter.first); };
+  const std::string unit = unit_of_key(key, std::ranges::any_of(parameters, is_patch));
   return unit == "1" ? found->second : fmt::format("{} {}", found->second, unit);
 }
 

@@ -30,6 +30,7 @@ struct CarterOf {
   std::optional<Carter> operator()(const SteadyTarget& target) const {
     return carter(target.contact);
   }
+  std::optional<Carter> operator()(const SteadyPatch&) const { return std::nullopt; }
   std::optional<Carter> operator()(const TransientScene&) const { return std::nullopt; }
   std::optional<Carter> operator()(const CylinderScene&) const { return std::nullopt; }
 };

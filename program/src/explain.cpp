@@ -49,13 +49,14 @@ std::string time(double seconds) {
   return in_units(seconds, units);
 }
 
-void print_keys(const Parameters& parameters) {
+void print_keys(const Scene& scene) {
+  const Parameters& parameters = scene.parameters();
   std::size_t names = 0, values = 0;
   const auto key_of = [](const std::string& name) {  // without the word "derived" before it
     return name.substr(name.rfind(' ') + 1);
   };
   const auto with_unit = [&](const auto& parameter) {
-    const std::string unit = unit_of_key(key_of(parameter.first));
+    const std::string unit = scene.unit_of(key_of(parameter.first));
     return parameter.second + (unit == "1" ? "" : " " + unit);
   };
   for (const auto& parameter : parameters) {
@@ -88,7 +89,7 @@ struct Costs {
 void print_scene(const Scene& scene, const Preview& preview, bool is_swept, std::size_t cases) {
   if (is_swept) std::cout << cases << " cases, the first is: ";
   std::cout << preview.explanation.title << "\n\n";
-  print_keys(scene.parameters());
+  print_keys(scene);
   print_lines("Consequences", preview.explanation.consequences);
   print_lines("Not modelled", preview.explanation.not_modelled);
 }

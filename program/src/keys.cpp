@@ -30,17 +30,22 @@ constexpr const char* formats = "text, markdown, man or completion";
 /// Largest number of words in a list that is shown completely.
 constexpr std::size_t most_words = 8;
 
+/// "", "mm", or the units of a line contact and of an ellipse: "N/mm, N".
+std::string units_of(const Key& key) {
+  const std::string unit(key.unit == "1" ? "" : key.unit);
+  return key.patch_unit.empty() ? unit : fmt::format("{}, {}", unit, key.patch_unit);
+}
+
 void print_text(const KeyList& keys) {
   std::size_t names = 0, units = 0;
   for (const auto& [key, value] : keys) {
     names = std::max(names, key.name.size());
-    units = std::max(units, key.unit.size());
+    units = std::max(units, units_of(key).size());
   }
   for (const auto& [key, value] : keys) {
     std::cout << std::left << std::setw(static_cast<int>(names)) << key.name << "  "
-              << std::setw(static_cast<int>(units)) << (key.unit == "1" ? "" : key.unit) << "  "
-              << key.meaning << ": " << accepted_by(key, value)
-              << (key.role.empty() ? "" : "; for ") << key.role << '\n';
+              << std::setw(static_cast<int>(units)) << units_of(key) << "  " << key.meaning << ": "
+              << accepted_by(key, value) << (key.role.empty() ? "" : "; for ") << key.role << '\n';
   }
 }
 
@@ -78,8 +83,8 @@ void print_markdown(const KeyList& keys) {
     const bool is_text =
         key.type == Key::Type::word || key.type == Key::Type::file || key.type == Key::Type::text;
     std::cout << "| `" << key.name << "` | " << typeset(key.meaning, names) << " | "
-              << (is_text ? "" : typeset(key.unit, names) + ' ') << "| "
-              << typeset(accepted_by(key, value, "`"), names) << " |";
+              << (is_text ? "" : typeset(key.unit == "1" ? "1" : units_of(key), names) + ' ')
+              << "| " << typeset(accepted_by(key, value, "`"), names) << " |";
     if (have_roles)
       std::cout << ' ' << (key.role.empty() ? "all" : typeset(key.role, names)) << " |";
     std::cout << '\n';
@@ -89,7 +94,7 @@ void print_markdown(const KeyList& keys) {
 void print_man(const KeyList& keys) {
   for (const auto& [key, value] : keys) {
     std::string text(key.meaning);
-    if (key.unit != "1") text += fmt::format(" ({})", key.unit);
+    if (key.unit != "1") text += fmt::format(" ({})", units_of(key));
     text += fmt::format(". {}.", accepted_by(key, value));
     if (!key.role.empty()) text += fmt::format(" For {}.", key.role);
     boost::algorithm::replace_all(text, "-", "\\-");

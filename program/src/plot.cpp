@@ -67,6 +67,7 @@ std::string kind_of(const fs::path& folder) {
     if (fs::exists(folder / fmt::format("{}.tsv", kind))) return kind;
   }
   if (!fs::exists(folder / "traction.tsv")) reject(folder, "it has no traction.tsv");
+  if (header_of(folder / "traction.tsv").starts_with("x\ty\t")) return "ellipse";
   const std::string history = header_of(folder / "history.tsv");
   if (history.empty()) return "steady";
   return history.starts_with("q\t") ? "transient" : "cylinder";
@@ -202,6 +203,12 @@ std::string text_of(const Given& given, const char* option) {
   return given.count(option) == 0 ? "" : given[option].as<std::string>();
 }
 
+void require_one(const std::vector<Result>& results) {
+  if (results.size() == 1) return;
+  throw std::invalid_argument(fmt::format("'{}': expected one result, as figures of {} take one",
+                                          shown(results[1].name), results.front().kind));
+}
+
 Drawing drawing_of(const std::vector<Result>& results, const Given& given) {
   const std::string& kind = results.front().kind;
   if (kind == "sweep" || kind == "curve") {
@@ -212,6 +219,11 @@ Drawing drawing_of(const std::vector<Result>& results, const Given& given) {
                                        .only = given["only"].as<std::vector<std::string>>()});
   }
   reject_options_of(given, {"value", "by", "only"}, "a sweep or a curve");
+  if (kind == "ellipse") {
+    reject_options_of(given, {"x", "q", "time", "over"}, "a line contact, a sweep or a curve");
+    require_one(results);
+    return {.kind = kind};
+  }
   if (kind != "converge" && kind != "shifts") {
     const Drawing drawing = drawing_of_scenes(results, text_of(given, "over"));
     if (drawing.history.values.empty()) {
@@ -220,10 +232,7 @@ Drawing drawing_of(const std::vector<Result>& results, const Given& given) {
     return drawing;
   }
   reject_options_of(given, {"over"}, "a sweep, a curve, a transient or a cylinder");
-  if (results.size() > 1) {
-    throw std::invalid_argument(fmt::format("'{}': expected one result, as figures of {} take one",
-                                            shown(results[1].name), kind));
-  }
+  require_one(results);
   return drawing_of_tables(results.front(), kind == "shifts" ? "total_shift" : "elements");
 }
 

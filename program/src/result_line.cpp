@@ -40,10 +40,9 @@ std::vector<std::string> facts_of(const Table& summary) {
   constexpr struct {
     const char* quantity;
     const char* text;
-  } wanted[] = {{"force", "force {}"},
-                {"force_ratio", "{} of full sliding"},
-                {"creepage", "creepage {}"},
-                {"velocity", "velocity {}"},
+  } wanted[] = {{"force", "force {}"},        {"lateral_force", "lateral force {}"},
+                {"spin_moment", "moment {}"}, {"force_ratio", "{} of full sliding"},
+                {"creepage", "creepage {}"},  {"velocity", "velocity {}"},
                 {"method", "by {}"}};
   std::vector<std::string> facts;
   for (const auto& [quantity, text] : wanted) {

@@ -22,7 +22,7 @@ namespace {
 Table table_of(const Sweep& sweep) {
   std::vector<Column> columns{{"case", "1", "number of the case"}};
   for (const SweptKey& swept : sweep.keys()) {
-    columns.push_back({swept.key, unit_of_key(swept.key), "swept"});
+    columns.push_back({swept.key, swept.unit, "swept"});
   }
   Table table("plan", "cases of a sweep; the last key varies fastest", columns);
   for (std::size_t i = 0; i < sweep.size(); ++i) {

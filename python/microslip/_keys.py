@@ -67,7 +67,7 @@ def keys(part: str = "") -> Keys:
         If there is no such key; the message has the nearest.
 
     >>> import microslip as ms
-    >>> ms.keys("half_width")
+    >>> ms.keys("contact.half_width")
     contact.half_width  mm         half-width a of the contact: > 0
     >>> ms.keys()["load.force"].unit
     'N/mm'

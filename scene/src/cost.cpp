@@ -55,6 +55,10 @@ struct MemoryOf {
     return memory_by({.element = 1000, .matrices = differences ? 2.7 : 4}, by_fft(problem), n);
   }
   double operator()(const SteadyTarget&) const { return 0; }
+  double operator()(const SteadyPatch& patch) const {
+    const auto n = static_cast<double>(patch.rows * patch.elements);
+    return 240 * n * n;
+  }
   double operator()(const TransientScene& scene) const {
     const bool shifts = !scene.shifts.empty() || std::holds_alternative<CattaneoShift>(scene.start);
     const bool twice = shifts && std::holds_alternative<Remembered>(scene.problem.scheme);
@@ -73,6 +77,7 @@ struct MemoryOf {
 struct StepsOf {
   double operator()(const SteadyProblem&) const { return 0; }
   double operator()(const SteadyTarget&) const { return 0; }
+  double operator()(const SteadyPatch&) const { return 0; }
   double operator()(const TransientScene& scene) const {
     return static_cast<double>(number_of_steps(scene.distance, scene.step_lengths(), scene.from));
   }
@@ -99,6 +104,11 @@ struct WorkOf {
     return (0.4 * n * n + 5000) * n;
   }
   double operator()(const SteadyTarget&) const { return std::numeric_limits<double>::quiet_NaN(); }
+  /// Integrals of the kernels, then some seven systems of all cells, and the same for fewer cells.
+  double operator()(const SteadyPatch& patch) const {
+    const auto n = static_cast<double>(patch.rows * patch.elements);
+    return 5e6 * static_cast<double>(patch.rows) + (15e3 + 60 * n) * n * n / 4;
+  }
   double operator()(const TransientScene& scene) const {
     const double steps = steps_needed(scene);
     const double elements = (scene.distance - scene.from) / scene.problem.grid.spacing() / steps;

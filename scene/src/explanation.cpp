@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -210,6 +211,30 @@ Explanation with_kernel(const Contact& contact, Explanation found) {
   return found;
 }
 
+Explanation of_patch(const SteadyPatch& patch) {
+  constexpr std::array names{"along the rolling", "across it", "about the normal"};
+  std::string load;
+  for (std::size_t j = 0; j < names.size(); ++j) {
+    const bool is_moment = j == 2;
+    load += fmt::format("{}{} {}", load.empty() ? "" : ", ",
+                        patch.load[j].by_resultant ? (is_moment ? "a moment" : "a force")
+                                                   : (is_moment ? "a spin" : "a creepage"),
+                        names[j]);
+  }
+  const double c = patch.bound.size();
+  return {
+      "steady rolling of an ellipse under " + load,
+      {fmt::format("full sliding at {} N; turning about the centre at {} N mm",
+                   five_digits(patch.bound.total()), five_digits(patch.bound.turning_moment())),
+       fmt::format("a/b = {}, c = (a b)^(1/2) = {} mm", five_digits(patch.bound.ratio()),
+                   five_digits(c)),
+       fmt::format("{} rows of {} elements between their own edges", patch.rows, patch.elements),
+       "a creepage where all sticks is found to 1e-3 or better; stick and slip by Newton's method"},
+      {normal, how_steady,
+       "that the pressure of bodies of different material displaces their surfaces",
+       "spin that changes the shape of the contact, and a contact in more than one plane"}};
+}
+
 struct Explain {
   Explanation operator()(const SteadyProblem& problem) const {
     std::vector<std::string> consequences = {sliding(problem.contact.bound, problem.load),
@@ -233,6 +258,7 @@ struct Explain {
              "the program chooses method and grid: inversion if one zone sticks, otherwise as many "
              "calibrated elements as the error needs"}));
   }
+  Explanation operator()(const SteadyPatch& patch) const { return of_patch(patch); }
   Explanation operator()(const TransientScene& scene) const {
     std::vector<std::string> consequences = {loaded(scene), elements_of(scene.problem.grid)};
     std::ranges::copy(tabulated(scene.problem.contact.bound, scene.problem.grid),

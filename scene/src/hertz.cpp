@@ -18,10 +18,7 @@ namespace {
 /// Largest half-width, as a fraction of the smaller radius, at which Hertz's theory holds.
 constexpr double small_contact = 0.1;
 
-struct Radii {
-  double curvature;  ///< reciprocal of the relative radius  [1/mm]
-  double smaller;    ///< [mm]
-};
+}  // namespace
 
 Radii read_radii(Scene& scene) {
   const double one = scene.positive("contact.radius_1");
@@ -37,7 +34,19 @@ Radii read_radii(Scene& scene) {
   return {1 / one + 1 / other, std::min(one, std::abs(other))};
 }
 
-}  // namespace
+void require_small(Scene& scene, double a, double radius) {
+  const double load = scene.number("contact.normal_load");
+  require(a < radius, "contact.normal_load", load, [&] {
+    return fmt::format(
+        "a load under which the half-width, {} mm by Hertz, is below the smaller radius, {} mm",
+        format_short(a), format_short(radius));
+  });
+  if (a <= small_contact * radius) return;
+  scene.warn("contact.normal_load", load,
+             fmt::format("the half-width, {} mm, is more than a tenth of the smaller radius; "
+                         "Hertz's theory is for less",
+                         format_roughly(a)));
+}
 
 HertzBound read_loaded_contact(Scene& scene, const Material& material) {
   for (const char* other :
@@ -49,18 +58,7 @@ HertzBound read_loaded_contact(Scene& scene, const Material& material) {
   const double friction = read_friction(scene);
   const LineContact contact(material, load, radii.curvature);
   const double a = contact.half_width();
-  require(a < radii.smaller, "contact.normal_load", load, [&] {
-    return fmt::format(
-        "a load under which the half-width, {} mm by Hertz, is below the smaller radius, {} mm",
-        format_short(a), format_short(radii.smaller));
-  });
-  if (a > small_contact * radii.smaller) {
-    scene.warn(
-        "contact.normal_load", load,
-        fmt::format("the half-width, {} mm, is more than a tenth of the smaller radius; Hertz's "
-                    "theory is for less",
-                    format_roughly(a)));
-  }
+  require_small(scene, a, radii.smaller);
   const HertzBound bound(a, friction * contact.peak_pressure());
   scene.derive("contact.half_width", a);
   scene.derive("contact.peak_traction", bound.peak());

@@ -13,4 +13,17 @@ namespace microslip {
 /// \throws BadParameter for keys or values that do not fit together
 HertzBound read_loaded_contact(Scene& scene, const Material& material);
 
+/// Radii of both bodies in the plane of rolling.
+struct Radii {
+  double curvature;  ///< reciprocal of the relative radius  [1/mm]
+  double smaller;    ///< [mm]
+};
+
+/// Reads contact.radius_1 and contact.radius_2.
+Radii read_radii(Scene& scene);
+
+/// Refuses a half-width above a radius, and warns of one above a tenth of it.
+/// \param a  half-width  [mm]
+void require_small(Scene& scene, double a, double radius);
+
 }  // namespace microslip

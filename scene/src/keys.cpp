@@ -32,6 +32,9 @@ constexpr std::string_view half_spaces = "kernel.type strip or plane, or contact
 constexpr std::string_view unlike =
     "problem steady or transient with kernel.type plane, without target_error";
 constexpr std::string_view rolls = "problem transient or cylinder";
+constexpr std::string_view line_contacts = "line contacts";
+constexpr std::string_view ellipses = "ellipses";
+constexpr std::string_view lateral_radii = "problem steady with contact.normal_load";
 constexpr std::string_view response = "microslip response";
 constexpr std::string_view converge = "microslip converge";
 constexpr std::string_view curve = "microslip curve";
@@ -67,12 +70,19 @@ constexpr auto keys = std::to_array<Key>({
      .words = {"longitudinal", "lateral"},
      .first_is_default = true},
     {"contact.half_width", number, "mm", "half-width a of the contact", above_zero},
+    {"contact.lateral_half_width", number, "mm",
+     "half-width b of an ellipse, across the rolling: the contact has three dimensions", above_zero,
+     "between a/10 and 1000 a; or contact.lateral_radius_1 or _2", "problem steady"},
     {"contact.peak_traction", number, "N/mm^2", "peak mu p0 of the Hertzian traction bound",
      above_zero},
-    {"contact.normal_load", number, "N/mm",
-     "normal load of two cylinders, from which half-width and peak follow by Hertz", above_zero,
-     "instead of contact.half_width, contact.peak_traction, contact.bound_polynomial and "
-     "contact.bound_file"},
+    {.name = "contact.normal_load",
+     .unit = "N/mm",
+     .meaning = "normal load of two cylinders, from which half-width and peak follow by Hertz; of "
+                "an ellipse by its radii the same, and by half-widths the peak alone",
+     .range = above_zero,
+     .note = "instead of contact.half_width, contact.peak_traction, contact.bound_polynomial and "
+             "contact.bound_file; with contact.lateral_half_width instead of contact.peak_traction",
+     .patch_unit = "N"},
     {"contact.radius_1", number, "mm",
      "radius of the one body in the plane of rolling: of a wheel, its rolling radius", above_zero,
      "", with_load},
@@ -83,6 +93,17 @@ constexpr auto keys = std::to_array<Key>({
          "the crown radius of a rail, which is a plane along the rolling: then not given",
      .note = "> 0, or negative for a concave body, then larger in size than contact.radius_1",
      .role = with_load},
+    {.name = "contact.lateral_radius_1",
+     .unit = "mm",
+     .meaning = "radius of the first body across the rolling, as of a wheel's profile: the contact "
+                "is an ellipse, by Hertz",
+     .note = "> 0, or negative for a concave body; flat across the rolling if it is not given",
+     .role = lateral_radii},
+    {.name = "contact.lateral_radius_2",
+     .unit = "mm",
+     .meaning = "radius of the other body across the rolling, as the crown radius of a rail",
+     .note = "> 0, or negative for a concave body; flat across the rolling if it is not given",
+     .role = lateral_radii},
     {"contact.friction", number, "1", "friction coefficient mu", range_above(0, 10), "",
      "scenes with contact.normal_load, or bodies of different material"},
     {.name = "contact.bound_polynomial",
@@ -123,6 +144,7 @@ constexpr auto keys = std::to_array<Key>({
      .type = word,
      .meaning = "half-space loaded over a strip, or in plane strain; springs alone; or a kernel by "
                 "its symbol",
+     .role = line_contacts,
      .words = {"strip", "plane", "winkler", "symbol"}},
     {"kernel.width", number, "mm", "width Dy of the strip", above_zero, "", "kernel.type strip"},
     {"kernel.length", number, "mm",
@@ -140,8 +162,13 @@ constexpr auto keys = std::to_array<Key>({
                 "traction of waves p cos(wave_number x)",
      .note = "a file with 2 to 1000 rows, of numbers > 0, wave numbers rising",
      .role = "kernel.type symbol"},
-    {"grid.elements", whole, "1", "number N of nodes", range(1, Grid::max_elements),
-     "20 000 where matrices are dense", "scenes without target_error"},
+    {"grid.elements", whole, "1", "number N of nodes; of an ellipse, of the cells of each row",
+     range(1, Grid::max_elements),
+     "20 000 where matrices are dense; of an ellipse 1 ... 100, and the program's choice without "
+     "it and grid.rows",
+     "scenes without target_error"},
+    {"grid.rows", whole, "1", "number M of rows of an ellipse", range(1, 100),
+     "the program's choice without it and grid.elements", ellipses},
     {.name = "grid.leading_offset",
      .meaning = "distance from the last node to the leading edge, in elements",
      .range = fraction,
@@ -181,7 +208,8 @@ constexpr auto keys = std::to_array<Key>({
      .unit = "N/mm",
      .meaning = "force F",
      .note = "less than full sliding; instead of load.creepage",
-     .role = "problem steady or transient"},
+     .role = "problem steady or transient",
+     .patch_unit = "N"},
     {.name = "load.force_ratio",
      .meaning = "force over full sliding",
      .note = "above -1, below 1; instead of load.creepage",
@@ -191,6 +219,34 @@ constexpr auto keys = std::to_array<Key>({
                 "a'^2 - 1 times full sliding",
      .note = "above 0, below 1, for Hertz's bound in plane strain; instead of load.creepage",
      .role = "problem steady or transient"},
+    {.name = "load.lateral_creepage",
+     .meaning = "eta, relative rigid slip across the rolling",
+     .note = "0 if none of the component is given",
+     .role = ellipses},
+    {.name = "load.lateral_force",
+     .unit = "N",
+     .meaning = "Fy, force across the rolling",
+     .note = "less than full sliding; instead of load.lateral_creepage",
+     .role = ellipses},
+    {.name = "load.lateral_force_ratio",
+     .meaning = "Fy over full sliding",
+     .note = "above -1, below 1; instead of load.lateral_creepage",
+     .role = ellipses},
+    {.name = "load.spin",
+     .unit = "1/mm",
+     .meaning = "phi, angular velocity of spin over the velocity of rolling: the rigid slip is (xi "
+                "- phi y, eta + phi x)",
+     .note = "0 if none of the component is given",
+     .role = ellipses},
+    {.name = "load.spin_moment",
+     .unit = "N mm",
+     .meaning = "Mz, moment about the centre of the contact",
+     .note = "less than if all turns about the centre; instead of load.spin",
+     .role = ellipses},
+    {.name = "load.spin_moment_ratio",
+     .meaning = "Mz over its largest value, which is that if all turns about the centre",
+     .note = "above -1, below 1; instead of load.spin",
+     .role = ellipses},
     {.name = "load.file",
      .type = file,
      .meaning = "a run, linear between its rows: columns q, or t and v; creepage, force or omega; "
@@ -402,9 +458,17 @@ std::string likely_key(const std::string& key) {
   return likely_key(key, names_of(keys_of_scenes()));
 }
 
-std::string unit_of_key(std::string_view key) {
+bool is_patch_key(std::string_view key) {
+  return std::ranges::find(patch_keys, key) != patch_keys.end();
+}
+
+std::string_view unit_of(const Key& key, bool in_patch) {
+  return in_patch && !key.patch_unit.empty() ? key.patch_unit : key.unit;
+}
+
+std::string unit_of_key(std::string_view key, bool in_patch) {
   const Key* found = find_key(key);
-  return std::string(found == nullptr ? "1" : found->unit);
+  return std::string(found == nullptr ? "1" : unit_of(*found, in_patch));
 }
 
 std::vector<std::string_view> words_of(const Key& key) {

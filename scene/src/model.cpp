@@ -13,6 +13,7 @@
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/straight_steps.hpp"
+#include "microslip/scene/keys.hpp"
 #include "microslip/scene/units.hpp"
 #include "microslip/scene/unloaded.hpp"
 #include "microslip/support/format.hpp"
@@ -44,6 +45,7 @@ void warn_of_long_waves(Scene& scene, const Kernel& kernel, double half_width) {
 /// \param tangential  the constants of the kernel
 ContactModel read_contact(Scene& scene, const Material& material, const Material& tangential,
                           bool whole = true) {
+  require_line_contact(scene);
   const TractionBound bound = read_bound(scene, material);
   const Kernel kernel = read_kernel(scene, tangential);
   const double a = half_width_of(bound);
@@ -400,6 +402,7 @@ namespace {
 
 Model read_any(Scene& scene) {
   const std::string problem = scene.word("problem");
+  if (problem == "steady" && scene.has_patch()) return read_steady_patch(scene);
   if (problem == "transient") return read_transient(scene);
   if (problem == "cylinder") return read_cylinder(scene);
   if (scene.has("target_error")) return read_steady_target(scene);
@@ -420,6 +423,7 @@ Eigen::Index elements_of(const Model& model) {
   struct Elements {
     Eigen::Index operator()(const SteadyProblem& problem) const { return problem.grid.size(); }
     Eigen::Index operator()(const SteadyTarget&) const { return 0; }
+    Eigen::Index operator()(const SteadyPatch& patch) const { return patch.elements; }
     Eigen::Index operator()(const TransientScene& scene) const { return scene.problem.grid.size(); }
     Eigen::Index operator()(const CylinderScene& scene) const { return scene.problem.grid.size(); }
   };

@@ -32,23 +32,24 @@ bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x
 /// Whether a key is about three dimensions, as other programs have them.
 bool is_of_three_dimensions(const std::string& key) {
   constexpr std::string_view words[] = {
-      "spin",          "spin_creepage", "creepage_x",       "creepage_y",
-      "force_x",       "force_y",       "force_z",          "moment",
-      "moment_z",      "half_width_y",  "half_length",      "semi_axis_a",
-      "semi_axis_b",   "elements_y",    "lateral_creepage", "creepage_lateral",
-      "lateral_force", "force_lateral"};
+      "spin_creepage", "creepage_x",  "creepage_y",       "force_x",      "force_y",
+      "force_z",       "moment",      "moment_z",         "half_width_y", "half_length",
+      "semi_axis_a",   "semi_axis_b", "creepage_lateral", "elements_y",   "force_lateral"};
   const std::string last = key.substr(key.rfind('.') + 1);
   return std::ranges::find(words, last) != std::end(words);
 }
 
-/// Refuses the first key that is about three dimensions.
-void require_two_dimensions(const Scene& scene) {
+/// Refuses the first key that has another program's name for three dimensions.
+void refuse_names_of_others(const Scene& scene) {
   for (const std::string& key : scene.keys()) {
     if (scene.known(key) != nullptr || !is_of_three_dimensions(key)) continue;
     throw BadParameter(
-        key, fmt::format("key '{}': three-dimensional: not in this version, which is about one "
-                         "creepage alone; 'direction lateral' is about the one across the rolling",
-                         shown(key)));
+        key,
+        fmt::format(
+            "key '{}': three-dimensional: an ellipse has contact.lateral_half_width or "
+            "contact.lateral_radius_2, load.lateral_creepage and load.spin; in a line contact, "
+            "'direction lateral' is about the creepage across the rolling",
+            shown(key)));
   }
 }
 
@@ -56,7 +57,7 @@ void require_two_dimensions(const Scene& scene) {
 /// \param near  a given key of a similar name; may be empty
 [[noreturn]] void reject_missing(const Scene& scene, const std::vector<std::string>& names,
                                  const std::string& near) {
-  require_two_dimensions(scene);
+  refuse_names_of_others(scene);
   std::string misspelt = near, hint = suggestion(near);
   for (const std::string& key : scene.keys()) {
     if (!hint.empty() || scene.known(key) != nullptr || key.starts_with("sweep.")) continue;
@@ -237,7 +238,13 @@ const Key* Scene::known(std::string_view key) const {
 
 std::string Scene::unit_of(const std::string& key) const {
   const Key* found = known(key);
-  return std::string(found == nullptr ? "1" : found->unit);
+  return std::string(found == nullptr ? "1" : microslip::unit_of(*found, has_patch()));
+}
+
+bool Scene::has_patch() const {
+  return std::ranges::any_of(values_, [](const auto& entry) {
+    return is_patch_key(swept_key(entry.first).value_or(entry.first));
+  });
 }
 
 const Key& Scene::declared(const std::string& key) const {
@@ -404,7 +411,14 @@ void Scene::record(const std::string& key, const std::string& value) {
 }
 
 void Scene::reject_unread() const {
-  require_two_dimensions(*this);
+  const auto role_of = [&](const Key& key) -> std::string {
+    const std::string role(key.role.empty() ? "scenes" : key.role);
+    if (role == "ellipses") {
+      return fmt::format("{}; {} makes the contact one", role, joined(patch_keys, " or "));
+    }
+    return has_patch() ? role + ", not for this ellipse" : role;
+  };
+  refuse_names_of_others(*this);
   std::vector<std::string> known;
   for (const auto& [key, text] : parameters_) {
     if (key.find(' ') == std::string::npos) known.push_back(key);  // others are derived
@@ -416,8 +430,7 @@ void Scene::reject_unread() const {
         elsewhere == nullptr
             ? fmt::format("unknown key '{}'{}", shown(key), suggestion(likely_key(key, known)))
             : fmt::format("key '{}' has no role here{}: it is for {}", key,
-                          suggestion(in_other_number(key, known)),
-                          elsewhere->role.empty() ? "scenes" : elsewhere->role);
+                          suggestion(in_other_number(key, known)), role_of(*elsewhere));
     throw BadParameter(key, fmt::format("{}; known to this model: {}", why, joined(known, ", ")));
   }
 }

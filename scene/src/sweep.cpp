@@ -98,10 +98,10 @@ bool is_of_numbers(const std::string& name) {
 }
 
 /// In the unit of the key, so that columns of swept values are numbers, or lists of them.
-std::string without_unit(const std::string& key, const std::string& value) {
+std::string without_unit(const std::string& value, const std::string& unit) {
   const auto is_number = [](const std::string& word) { return finite_number(word).has_value(); };
   if (std::ranges::all_of(words_of(value), is_number)) return value;
-  const auto numbers = quantities(value, unit_of_key(key));
+  const auto numbers = quantities(value, unit);
   return numbers ? joined_numbers(*numbers) : value;
 }
 
@@ -144,16 +144,14 @@ std::vector<std::string> swept_items(const std::string& name, const std::string&
 constexpr const char* table_key = "table";
 constexpr const char* table_name = "sweep.table";
 
-std::vector<std::string> values_of(const TextColumn& column) {
-  const std::string unit = unit_of_key(column.name);
+std::vector<std::string> values_of(const TextColumn& column, const std::string& unit) {
   if (!column.unit.empty() && !quantity("1 " + column.unit, unit)) {
     throw std::invalid_argument(fmt::format("column '{}': unit '{}': expected {}", column.name,
                                             shown(column.unit), accepted_units(unit)));
   }
   std::vector<std::string> values;
   for (const std::string& cell : column.cells) {
-    values.push_back(
-        without_unit(column.name, column.unit.empty() ? cell : cell + " " + column.unit));
+    values.push_back(without_unit(column.unit.empty() ? cell : cell + " " + column.unit, unit));
   }
   return values;
 }
@@ -164,7 +162,10 @@ std::vector<SweptKey> columns_of(Scene scene) {
   return scene.with_file(table_name, [&] {
     const std::string table = scene.file(table_name);
     std::vector<SweptKey> columns;
-    for (const TextColumn& column : read_text_columns(table)) {
+    const std::vector<TextColumn> read = read_text_columns(table);
+    const bool in_patch =
+        scene.has_patch() || std::ranges::any_of(read, is_patch_key, &TextColumn::name);
+    for (const TextColumn& column : read) {
       if (column.name == "case") continue;
       if (scene.known(column.name) == nullptr) {
         throw std::invalid_argument(fmt::format("column '{}': expected the name of a key{}",
@@ -172,7 +173,8 @@ std::vector<SweptKey> columns_of(Scene scene) {
                                                 suggestion(likely_key(column.name))));
       }
       const bool is_fixed = scene.has(column.name) && scene.place_of(column.name).empty();
-      if (!is_fixed) columns.push_back({column.name, values_of(column)});
+      const std::string unit = unit_of_key(column.name, in_patch);
+      if (!is_fixed) columns.push_back({column.name, values_of(column, unit), unit});
     }
     return columns;
   });
@@ -188,8 +190,10 @@ std::optional<std::string> swept_key(const std::string& key) {
   return group.empty() ? below : below.substr(group.size() + 1);
 }
 
-std::vector<std::string> swept_values(const std::string& name, const std::string& text) {
+std::vector<std::string> swept_values(const std::string& name, const std::string& text,
+                                      const std::optional<std::string>& of_key) {
   const std::string key = swept_key(name).value_or(name);
+  const std::string unit_of_values = of_key.value_or(unit_of_key(key));
   const auto reject_list = [&](const std::string& list, const std::string& accepted) {
     reject(name, list, accepted);
   };
@@ -203,7 +207,7 @@ std::vector<std::string> swept_values(const std::string& name, const std::string
     const std::vector<std::string> parts =
         split(in_one_line(value.substr(0, value.size() - unit.size())), ':');
     if (parts.size() == 1 || !finite_number(parts[0])) {
-      values.push_back(without_unit(key, value));
+      values.push_back(without_unit(value, unit_of_values));
       continue;
     }
     const auto expanded = range(parts);
@@ -214,7 +218,7 @@ std::vector<std::string> swept_values(const std::string& name, const std::string
                                      Sweep::max_cases));
     }
     for (const std::string& number : *expanded) {
-      values.push_back(without_unit(key, unit.empty() ? number : number + ' ' + unit));
+      values.push_back(without_unit(unit.empty() ? number : number + ' ' + unit, unit_of_values));
     }
   }
   if (values.empty()) reject_list(text, "at least one value");
@@ -235,7 +239,7 @@ void Sweep::add(const std::string& name, const std::string& key, std::vector<std
            fmt::format("as many values as {} has, which are {}", keys_[begin].key,
                        keys_[begin].values.size()));
   }
-  keys_.push_back({key, std::move(values)});
+  keys_.push_back({key, std::move(values), unit_of_key(key, in_patch_)});
 }
 
 /// \param name  for messages
@@ -255,7 +259,7 @@ void Sweep::add_group(const std::string& name) {
   const Scene group = section_.take_section(name);
   for (const std::string& key : group.keys()) {
     const std::string full = fmt::format("sweep.{}.{}", name, key);
-    add(full, key, swept_values(full, group.text(key)));
+    add(full, key, swept_values(full, group.text(key), unit_of_key(key, in_patch_)));
   }
   section_.overlay(group);
   close_group("sweep." + name);
@@ -273,6 +277,7 @@ void Sweep::add_columns(const std::vector<SweptKey>& columns) {
 Sweep::Sweep(Scene scene) : common_(std::move(scene)) {
   const std::vector<SweptKey> columns =
       common_.has(table_name) ? columns_of(common_) : std::vector<SweptKey>{};
+  in_patch_ = common_.has_patch() || std::ranges::any_of(columns, is_patch_key, &SweptKey::key);
   section_ = common_.take_section("sweep");
   for (const std::string& key : section_.keys()) {
     const std::string group = group_of(key);
@@ -282,7 +287,8 @@ Sweep::Sweep(Scene scene) : common_(std::move(scene)) {
     } else if (key == table_key) {
       add_columns(columns);
     } else {
-      add("sweep." + key, key, swept_values("sweep." + key, section_.text(key)));
+      add("sweep." + key, key,
+          swept_values("sweep." + key, section_.text(key), unit_of_key(key, in_patch_)));
       close_group("sweep." + key);
     }
   }

@@ -64,6 +64,9 @@ const std::map<std::string, Unit, std::less<>> symbols{
 const std::map<std::string, std::string> others{{"mm", "um, cm, m, in"},
                                                 {"N/mm^2", "Pa, kPa, MPa, GPa"},
                                                 {"N/mm", "N/m, kN/m"},
+                                                {"N", "kN, MN"},
+                                                {"N mm", "N m, kN m"},
+                                                {"1/mm", "1/cm, 1/m"},
                                                 {"mm^3/N", "mm/MPa, um/MPa"},
                                                 {"mm/s", "cm/s, m/s"},
                                                 {"N s^2/mm^2", "kg/mm, kg/m, t/m"},
@@ -114,6 +117,10 @@ std::optional<Unit> unit_of(std::string_view text) {
   int sign = 1;
   for (std::string& side : sides) {
     algorithm::trim_if(side, algorithm::is_any_of(" \t"));
+    if (side.empty() && sign > 0 && sides.size() > 1) {  // "/m" behind a number
+      sign = -1;
+      continue;
+    }
     std::vector<std::string> factors;
     algorithm::split(factors, side, algorithm::is_any_of(" \t"), algorithm::token_compress_on);
     for (const std::string& factor : factors) {

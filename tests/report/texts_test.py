@@ -27,6 +27,9 @@ steady.info --out steady
 steady.info --set load.force=-0.001 --out little
 steady.info --set kernel.type=plane --set kernel.width= --set kernel.length=50 --out plane
 wheel.info --out wheel
+ellipse.info --out ellipse
+ellipse.info --set contact.lateral_radius_2=30 --out long_ellipse
+ellipse.info --set contact.radius_1=40 --out wide_ellipse
 transient.info --out transient
 transient.info --set step.ratio=0.5 --out fine
 transient.info --set start.force="-100 100 -100 100" --out shifts
@@ -44,7 +47,8 @@ response steady.info --out response
 response steady.info --set load.force=-100 --out response_of_little
 """
 # These figures are drawn of them.
-PLOTS = {"steady": "steady", "little": "little", "plane": "plane", "wheel": "wheel", "transient": "transient", "run": "run",
+PLOTS = {"steady": "steady", "little": "little", "plane": "plane", "wheel": "wheel", "ellipse": "ellipse", "long_ellipse": "long_ellipse",
+         "wide_ellipse": "wide_ellipse", "transient": "transient", "run": "run",
          "cylinder": "cylinder", "sweep": "sweep", "curve": "curve", "converge": "converge",
          "converge_transient": "converge_transient", "response": "response", "shifts": "shifts --figure shifts",
          "three": "steady little plane", "long": "DEEP/steady DEEP/little DEEP/plane", "tractions": "steady run cylinder",
@@ -72,7 +76,7 @@ class Texts(unittest.TestCase):
         cls.addClassCleanup(cls.browser.close)
         for number, bound in enumerate(BOUNDS):
             (WORK / bound).write_text(f"x\tbound\n-5\t0\n{number - 2}\t300\n5\t0\n", encoding="utf-8")
-        for kind in ("steady", "wheel", "transient", "run", "cylinder", "sweep"):
+        for kind in ("steady", "wheel", "ellipse", "transient", "run", "cylinder", "sweep"):
             run(f"init {kind}")
         for words in RESULTS.replace("\\\n", "").strip().splitlines():
             made = run(words.replace("SWEEP", SWEEP).replace("BOUNDS", " ".join(BOUNDS)))

@@ -9,11 +9,13 @@ namespace microslip::words_test {
 
 class Words : public BadScenes {};
 
-TEST_F(Words, TellWhatIsNotInThisVersion) {
-  for (const char* key : {"load.spin", "load.creepage_y"}) {
-    expect_rejected(good_scene, "--set " + std::string(key) + "=1",
-                    std::string(key) + "': three-dimensional: not in this version");
-  }
+TEST_F(Words, TellWhatMakesAnEllipse) {
+  expect_rejected(good_scene, "--set load.spin=1",
+                  "key 'load.spin' has no role here: it is for ellipses; "
+                  "contact.lateral_half_width or contact.lateral_radius_1 or "
+                  "contact.lateral_radius_2 makes the contact one");
+  expect_rejected(good_scene, "--set load.creepage_y=1",
+                  "load.creepage_y': three-dimensional: an ellipse has contact.lateral_half_width");
 }
 
 TEST_F(Words, KnowInputFilesOfContact) {

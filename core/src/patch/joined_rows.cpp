@@ -16,6 +16,7 @@ namespace microslip {
 using Eigen::ArrayXd;
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 using std::numbers::pi;
 
 namespace {
@@ -243,6 +244,21 @@ double JoinedRows::y(Index k) const { return b() * std::sin(psi(k)); }
 double JoinedRows::x(Index j, Index k) const {
   return a_ * std::cos(psi(k)) *
          std::cos(static_cast<double>(j) * pi / static_cast<double>(2 * elements_));
+}
+
+/// The area is a(y) sin(theta) d theta b cos(psi) d psi.
+VectorXd JoinedRows::areas() const {
+  const auto across = [](double t) { return t / 2 + std::sin(2 * t) / 4; };
+  const double height = pi / static_cast<double>(rows_),
+               width = pi / static_cast<double>(elements_);
+  VectorXd areas(cells());
+  for (Index k = 0; k < rows_; ++k) {
+    const double row = across(psi(k) + height / 2) - across(psi(k) - height / 2);
+    for (Index i = 0; i < elements_; ++i) {
+      areas[cell(i, k)] = row * (std::cos(theta(i) - width / 2) - std::cos(theta(i) + width / 2));
+    }
+  }
+  return areas;
 }
 
 /// Across a row, the integrals are those of a(y) dy, of a(y)^2 dy and of y a(y) dy.

@@ -60,7 +60,7 @@ SlipMap slip_map(const JoinedRows& rows, const JoinedRows::Kernels& kernels, dou
 
 /// Makes the own slip, from the centre of a cell to the point ahead: the centre ahead, or the
 /// leading edge. It is the slip halfway.
-SlipMap own_slip(const JoinedRows& rows, const JoinedRows::Kernels& kernels, double nu) {
+SlipMap map_own_slip(const JoinedRows& rows, const JoinedRows::Kernels& kernels, double nu) {
   return slip_map(rows, kernels, nu, [&](Index i, Index k) {
     const Index here = 2 * i + 1, ahead = i == 0 ? 0 : here - 2;
     const double from = rows.x(ahead, k), to = rows.x(here, k);
@@ -71,7 +71,7 @@ SlipMap own_slip(const JoinedRows& rows, const JoinedRows::Kernels& kernels, dou
 
 /// Makes the slip at centres by differences of fourth order in theta. Displacements are even in
 /// theta at both edges, as they are smooth in x.
-SlipMap centre_slip(const JoinedRows& rows, const JoinedRows::Kernels& kernels, double nu) {
+SlipMap map_centre_slip(const JoinedRows& rows, const JoinedRows::Kernels& kernels, double nu) {
   const Index last = 2 * rows.elements();
   const auto mirrored = [&](Index j) { return j < 0 ? -j : j > last ? 2 * last - j : j; };
   return slip_map(rows, kernels, nu, [&](Index i, Index k) {
@@ -91,12 +91,14 @@ PatchResponse::PatchResponse(const JoinedRows& rows, double poisson_ratio) : row
   require(poisson_ratio >= 0 && poisson_ratio <= 0.5, "poisson_ratio", poisson_ratio,
           "a number from 0 to 0.5");
   const JoinedRows::Kernels kernels = rows.kernels();
-  const SlipMap own = own_slip(rows, kernels, poisson_ratio);
-  const SlipMap centre = centre_slip(rows, kernels, poisson_ratio);
-  yielding_ = own.by_traction.inverse();
-  adhering_ = -yielding_ * own.by_motion;
-  slipping_ = centre.by_traction * yielding_;
-  creeping_ = centre.by_motion + centre.by_traction * adhering_;
+  const SlipMap own = map_own_slip(rows, kernels, poisson_ratio);
+  const SlipMap centre = map_centre_slip(rows, kernels, poisson_ratio);
+  unknowns_ = own.by_traction.inverse();
+  const auto norm = [](const auto& map) { return map.cwiseAbs().colwise().sum().maxCoeff(); };
+  condition_ = norm(own.by_traction) * norm(unknowns_);
+  centre_slip_ = centre.by_traction * unknowns_;
+  rigid_own_slip_ = own.by_motion;
+  rigid_centre_slip_ = centre.by_motion;
   stiffness_ = own.by_traction.diagonal();
   const Index n = rows.cells();
   const Eigen::Matrix3Xd moments = rows.moments();
@@ -104,8 +106,7 @@ PatchResponse::PatchResponse(const JoinedRows& rows, double poisson_ratio) : row
   resultants_.row(0).head(n) = moments.row(0);
   resultants_.row(1).tail(n) = moments.row(0);
   resultants_.row(2) << -moments.row(2), moments.row(1);
-  linear_ = resultants_ * adhering_;
-  relief_ = resultants_ * yielding_;
+  linear_ = -resultants_ * (unknowns_ * rigid_own_slip_);
 }
 
 }  // namespace microslip

@@ -51,6 +51,7 @@ class JoinedRows {
   double theta(Index i) const;  ///< of the centre of a cell
   double y(Index k) const;
   double x(Index j, Index k) const;  ///< of a point
+  Eigen::VectorXd areas() const;     ///< of the cells
   Kernels kernels() const;
 
   /// The force, and the first moments in x and in y, of v = 1 in a cell: 3 x cells.

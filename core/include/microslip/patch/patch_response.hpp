@@ -8,12 +8,12 @@
 namespace microslip {
 
 /// Joined rows on half-spaces of one material roll steadily. With u the displacement by the
-/// tractions, the slip is
+/// tractions, the slip is rigid slip and elastic slip,
 ///   s = w - du/dx,  w = (xi - phi y, eta + phi x).
 /// It is taken twice: as the **own** slip of a cell, a difference from its centre to the centre
 /// ahead, by which the cell sticks; and as the slip at its **centre**, of fourth order, which is the
-/// direction of a traction that slips. Tractions follow from the own slip, so that cells that stick
-/// need no equation.
+/// direction of a traction that slips. The elastic own slip is -w in a cell that sticks. All else is
+/// a linear function of it.
 ///
 /// The size of the ellipse is 1 and the shear modulus 1: unknowns are tractions over G, the spin is
 /// phi c, forces are over G c^2, and the moment is over G c^3. A vector of 2n values has the
@@ -28,18 +28,15 @@ class PatchResponse {
 
   const JoinedRows& rows() const { return rows_; }
 
-  /// The unknowns by the motion where all sticks: 2n x 3.
-  const Eigen::MatrixX3d& adhering() const { return adhering_; }
+  /// The unknowns by the elastic own slip: 2n x 2n.
+  const Matrix& unknowns() const { return unknowns_; }
 
-  /// The unknowns by the own slip: 2n x 2n.
-  const Matrix& yielding() const { return yielding_; }
+  /// The elastic slip at centres by the elastic own slip: 2n x 2n.
+  const Matrix& centre_slip() const { return centre_slip_; }
 
-  /// The slip at centres by the motion where all sticks, which is an error of the differences: 2n x
-  /// 3.
-  const Eigen::MatrixX3d& creeping() const { return creeping_; }
-
-  /// The slip at centres by the own slip: 2n x 2n.
-  const Matrix& slipping() const { return slipping_; }
+  /// The rigid slip by the motion: 2n x 3.
+  const Eigen::MatrixX3d& rigid_own_slip() const { return rigid_own_slip_; }
+  const Eigen::MatrixX3d& rigid_centre_slip() const { return rigid_centre_slip_; }
 
   /// The own slip of a cell by its own unknown: 2n.
   const Eigen::VectorXd& stiffness() const { return stiffness_; }
@@ -47,19 +44,20 @@ class PatchResponse {
   /// Forces along and across, and the moment about the centre, by the unknowns: 3 x 2n.
   const Eigen::Matrix3Xd& resultants() const { return resultants_; }
 
+  /// The condition number of the own slip by the unknowns, in the sum norm.
+  double condition() const { return condition_; }
+
   /// Resultants by the motion where all sticks: -C11, -C22, -C23, C32 and -C33 of Kalker.
   const Eigen::Matrix3d& linear() const { return linear_; }
 
-  /// Resultants by the own slip: 3 x 2n.
-  const Eigen::Matrix3Xd& relief() const { return relief_; }
-
  private:
   JoinedRows rows_;
-  Eigen::MatrixX3d adhering_, creeping_;
-  Matrix yielding_, slipping_;
+  Matrix unknowns_, centre_slip_;
+  Eigen::MatrixX3d rigid_own_slip_, rigid_centre_slip_;
   Eigen::VectorXd stiffness_;
-  Eigen::Matrix3Xd resultants_, relief_;
+  Eigen::Matrix3Xd resultants_;
   Eigen::Matrix3d linear_;
+  double condition_;
 };
 
 }  // namespace microslip

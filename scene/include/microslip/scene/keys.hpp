@@ -53,7 +53,8 @@ struct Key {
                                                                ///< are empty
   /// Gives the accepted words if they come from a catalogue.
   std::vector<std::string_view> (*catalogue)() = nullptr;
-  bool first_is_default = false;  ///< whether the first word is the default
+  bool first_is_default = false;     ///< whether the first word is the default
+  std::string_view patch_unit = "";  ///< in three dimensions, if it differs
 };
 
 /// All keys of scenes, in the order of a written scene.
@@ -67,8 +68,16 @@ const Key* find_key(std::string_view name);
 std::string likely_key(const std::string& key, const std::vector<std::string>& known);
 std::string likely_key(const std::string& key);
 
+/// The keys of which each makes a scene three-dimensional.
+inline constexpr std::array patch_keys{"contact.lateral_half_width", "contact.lateral_radius_1",
+                                       "contact.lateral_radius_2"};
+bool is_patch_key(std::string_view key);
+
 /// The unit of a key of scenes; "1" for all other keys.
-std::string unit_of_key(std::string_view key);
+/// \param in_patch  whether the scene has one of `patch_keys`
+std::string unit_of_key(std::string_view key, bool in_patch = false);
+
+std::string_view unit_of(const Key& key, bool in_patch);
 
 /// The accepted words of a key, the default first.
 std::vector<std::string_view> words_of(const Key& key);

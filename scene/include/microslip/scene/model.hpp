@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "microslip/dynamics/cylinder.hpp"
+#include "microslip/patch/steady_patch.hpp"
 #include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/target_error.hpp"
 #include "microslip/rolling/transient.hpp"
@@ -99,6 +100,13 @@ struct SteadyTarget {
 /// grid have no role.
 SteadyTarget read_steady_target(Scene& scene);
 
+/// Reads steady rolling of an ellipse: material.*, contact.*, grid.rows and grid.elements, and
+/// load.* of all three components.
+SteadyPatch read_steady_patch(Scene& scene);
+
+/// Refuses an ellipse where only a line contact can be.
+void require_line_contact(const Scene& scene);
+
 /// A transient problem with all that happens to it.
 struct TransientScene {
   TransientProblem problem;
@@ -143,10 +151,10 @@ CylinderScene read_cylinder(Scene& scene);
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator);
 
 /// The problem of a scene.
-using Model = std::variant<SteadyProblem, SteadyTarget, TransientScene, CylinderScene>;
+using Model = std::variant<SteadyProblem, SteadyTarget, SteadyPatch, TransientScene, CylinderScene>;
 
-/// Reads `problem`, and the keys of that problem: a steady scene with target_error has the keys of
-/// read_steady_target().
+/// Reads `problem`, and the keys of that problem: a steady scene with contact.lateral_half_width has
+/// the keys of read_steady_patch(), one with target_error those of read_steady_target().
 Model read_model(Scene& scene);
 
 /// Returns N; 0 with target_error.

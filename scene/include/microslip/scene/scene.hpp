@@ -86,6 +86,12 @@ class Scene {
   /// The last declared key of this name, otherwise the key of scenes; null if there is neither.
   const Key* known(std::string_view key) const;
 
+  /// The unit of a key in this scene.
+  std::string unit_of(const std::string& key) const;
+
+  /// Whether the contact has three dimensions, in this scene or in all or some cases of its sweep.
+  bool has_patch() const;
+
   /// Sets the reader of files. Without a reader, no key may name a file.
   void read_files_by(FileReader reader) { read_file_ = std::move(reader); }
 
@@ -221,7 +227,6 @@ class Scene {
   void expand_ranges(const std::string& key);
   void remove(const std::string& key);
   const Key& declared(const std::string& key) const;
-  std::string unit_of(const std::string& key) const;
   void hold_to_range(const std::string& key, double value) const;
   void record(const std::string& key, const std::string& value);
 

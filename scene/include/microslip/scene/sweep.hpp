@@ -14,6 +14,7 @@ namespace microslip {
 struct SweptKey {
   std::string key;
   std::vector<std::string> values;
+  std::string unit = "1";  ///< of the values
 };
 
 /// The key that a key of a scene sweeps: "grid.elements" of "sweep.grid.elements" and of
@@ -26,8 +27,10 @@ std::optional<std::string> swept_key(const std::string& key);
 ///   first:logN:last   N numbers with equal ratios, both ends included; N >= 2, none zero, one sign
 /// Numbers of a range are rounded to 15 digits of its largest, or of themselves with logN.
 /// \param name  that sweeps a key: "sweep.grid.elements"
+/// \param unit  of the values; nothing for that of the key in two dimensions
 /// \throws std::invalid_argument in one line that has the name
-std::vector<std::string> swept_values(const std::string& name, const std::string& text);
+std::vector<std::string> swept_values(const std::string& name, const std::string& text,
+                                      const std::optional<std::string>& unit = std::nullopt);
 
 /// Many scenes in one: its section `sweep` gives keys more than one value. Cases are all
 /// combinations, and the last key varies fastest. Keys in a section `together`, or another one of
@@ -60,6 +63,7 @@ class Sweep {
   void close_group(const std::string& name);
 
   Scene common_;
+  bool in_patch_ = false;
   Scene section_;  ///< the swept keys, with their places
   std::vector<SweptKey> keys_;
   std::vector<std::size_t> groups_;  ///< where the keys of each end among all

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "microslip/friction/elliptic_bound.hpp"
+#include "microslip/halfspace/material.hpp"
+#include "microslip/patch/patch_load.hpp"
+#include "microslip/patch/patch_response.hpp"
+#include "microslip/patch/stick_slip.hpp"
+#include "microslip/rolling/evidence.hpp"
+
+namespace microslip {
+
+/// Half-spaces of one material touch in an ellipse, and roll steadily.
+struct SteadyPatch {
+  Material material;  ///< poisson_ratio in [0, 0.5]
+  EllipticBound bound;
+  Eigen::Index rows;      ///< M, >= 1
+  Eigen::Index elements;  ///< N of each row, >= 1
+  PatchLoad load = {};
+  Acceptance accepted = {};
+};
+
+/// \throws std::invalid_argument if a number is out of its range, or a resultant is not less than
+///         friction carries on its own: forces less than full sliding, as the length of their
+///         vector, and the moment less than that of turning about the centre
+void validate(const SteadyPatch& problem);
+
+/// Tractions and slip at the centres of cells, in the order of JoinedRows; resultants and motion.
+struct SteadyPatchSolution {
+  Eigen::VectorXd x, y;       ///< [mm]
+  Eigen::VectorXd area;       ///< [mm^2]
+  Eigen::VectorXd bound;      ///< g  [N/mm^2]
+  Eigen::MatrixX2d traction;  ///< along and across  [N/mm^2]
+  Eigen::MatrixX2d slip;      ///< relative slip, zero where a cell sticks  [1]
+  std::vector<bool> slips;
+  Eigen::Vector3d resultants;  ///< Fx, Fy [N], Mz about the centre [N mm]
+  Eigen::Vector3d motion;      ///< xi, eta [1], phi [1/mm]
+  double dissipation;          ///< energy per mm rolled, -(xi Fx + eta Fy + phi Mz)  [N]
+  int iterations;
+  double condition;  ///< of the equations in adhesion
+  /// Forces and powers are integrals over the patch [N]; `load` is the length of the force.
+  Evidence evidence;
+  PatchState state;  ///< a start for the next load
+
+  double force() const { return resultants.head<2>().norm(); }  ///< [N]
+  double slip_area() const;                                     ///< [mm^2]
+};
+
+/// Solves steady rolling of a patch.
+/// Order: 2 in 1/N where M/N is kept; tests/property/generated_patches_test.cpp
+/// \param response  of rows for bound.ratio() and the material's Poisson ratio
+/// \param start     the state of another solution with the same rows; nullptr for none
+/// \throws as validate; NotConverged
+SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse& response,
+                                 const PatchState* start = nullptr);
+
+/// The same, with a response of its own.
+SteadyPatchSolution solve_steady(const SteadyPatch& problem);
+
+/// The same, with the change of the result from rows and elements that are a third fewer as evidence:
+/// the largest one of the forces over full sliding, of the moment over that of turning, and of
+/// motions that follow over the largest motion of their kind, creepage or spin. Errors of
+/// resultants are below 2e-3 plus 1.5 times the change: tests/property/generated_patches_test.cpp
+SteadyPatchSolution solve_steady_with_change(const SteadyPatch& problem);
+
+}  // namespace microslip

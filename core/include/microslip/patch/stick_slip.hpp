@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "microslip/patch/patch_load.hpp"
+#include "microslip/patch/patch_response.hpp"
+
+namespace microslip {
+
+/// Tractions and slip of a patch; scale and order are those of PatchResponse.
+struct PatchState {
+  Eigen::VectorXd unknowns;     ///< 2n
+  Eigen::VectorXd own_slip;     ///< 2n, 0 where a cell sticks
+  Eigen::VectorXd centre_slip;  ///< 2n
+  Eigen::Vector3d motion;       ///< xi, eta, phi
+  std::vector<bool> slips;      ///< n
+  int iterations = 0;           ///< systems that were solved
+  double residual = 0;          ///< largest error of the slip conditions, over the bound  [1]
+};
+
+/// Solves the slip conditions of steady rolling: with q = v/g, g the limit of a cell, and s its slip
+///   |q| <= 1 where s = 0,  q = -s/|s| elsewhere.
+/// A cell sticks by its own slip t, and slips in the direction of the slip c at its centre. With a
+/// length r both are q = P(q - r s), P the projection onto the unit disc; s is t up to the disc,
+/// and becomes c beyond, by a part that grows with |q - r0 t| - 1 from 0 to 1. As the right side is
+/// continuous in q, there is a solution (Brouwer). Newton's method starts from adhesion and has the
+/// slip of cells that slip, and the motion, as unknowns; if it does not converge, other lengths r
+/// and shorter steps of q are tried.
+/// \param limits  g, > 0, over G and by p/v of the cell's centre: n
+/// \param load    in the scale of PatchResponse
+/// \param start   where to start; nullptr for adhesion
+/// \throws NotConverged
+PatchState solve_stick_slip(const PatchResponse& response, const Eigen::VectorXd& limits,
+                            const PatchLoad& load, const PatchState* start = nullptr);
+
+}  // namespace microslip

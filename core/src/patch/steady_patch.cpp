@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/patch/steady_patch.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "microslip/support/not_converged.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Units of motions and resultants by which the bound's peak, the size of the ellipse and the shear
+/// modulus are 1.
+struct Units {
+  Vector3d motion, resultant;
+
+  explicit Units(const SteadyPatch& problem) {
+    const double strain = problem.bound.peak() / problem.material.shear_modulus;
+    const double c = problem.bound.size();
+    motion = {strain, strain, strain / c};
+    resultant = problem.bound.peak() * c * c * Vector3d(1, 1, c);
+  }
+};
+
+PatchLoad in_units(PatchLoad load, const Units& units) {
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    load[j].value /= (load[j].by_resultant ? units.resultant : units.motion)[static_cast<Index>(j)];
+  }
+  return load;
+}
+
+/// Limits of v by Hertz's bound of the peak 1: g = cos(psi) sin(theta), over tan(theta/2).
+VectorXd limits_of(const JoinedRows& rows) {
+  VectorXd limits(rows.cells());
+  for (Index k = 0; k < rows.rows(); ++k) {
+    for (Index i = 0; i < rows.elements(); ++i) {
+      limits[rows.cell(i, k)] = std::cos(rows.psi(k)) * (1 + std::cos(rows.theta(i)));
+    }
+  }
+  return limits;
+}
+
+Evidence evidence_of(const SteadyPatch& problem, const SteadyPatchSolution& solution,
+                     const PatchResponse& response) {
+  const JoinedRows& rows = response.rows();
+  const Index n = rows.cells();
+  const auto shares = response.resultants().row(0).head(n);  // the integral of p by v of a cell
+  const double c = problem.bound.size(), scale = c * c * problem.bound.peak();
+  Evidence evidence{.residual = solution.state.residual,
+                    .load = solution.force(),
+                    .power = std::abs(solution.dissipation),
+                    .full_sliding = problem.bound.total()};
+  const VectorXd limits = limits_of(rows);
+  for (Index i = 0; i < n; ++i) {
+    if (!solution.slips[static_cast<std::size_t>(i)]) continue;
+    const Vector2d v(solution.state.unknowns[i], solution.state.unknowns[n + i]);
+    const double power = scale * shares[i] * v.dot(solution.slip.row(i));
+    evidence.excess += scale * shares[i] * std::max(0.0, v.norm() - limits[i]);
+    evidence.backward += std::max(0.0, power);
+    evidence.dissipated -= power;
+  }
+  // Where all slides, rows of three cells or more have the bound's force but for rounding.
+  evidence.unresolved = std::abs(scale * shares.dot(limits) - evidence.full_sliding) *
+                        solution.slip_area() / solution.area.sum();
+  return evidence;
+}
+
+}  // namespace
+
+void validate(const SteadyPatch& problem) {
+  validate(problem.material);
+  validate(problem.accepted);
+  constexpr std::array motions{"creepage", "lateral_creepage", "spin"};
+  constexpr std::array resultants{"force", "lateral_force", "spin_moment"};
+  const double full = problem.bound.total(), turning = problem.bound.turning_moment();
+  double squares = 0;
+  for (std::size_t j = 0; j < problem.load.size(); ++j) {
+    const auto& [by_resultant, value] = problem.load[j];
+    if (!by_resultant) {
+      require(true, motions[j], value, "a finite number");
+      continue;
+    }
+    require(std::abs(value) < (j < 2 ? full : turning), resultants[j], value, [&] {
+      return j < 2 ? fmt::format("less than full sliding, {:.6g} N, in absolute value", full)
+                   : fmt::format(
+                         "less than the moment of turning about the centre, {:.6g} N mm, in "
+                         "absolute value",
+                         turning);
+    });
+    if (j < 2) squares += value * value;
+  }
+  require(squares < full * full, resultants[1], problem.load[1].value, [&] {
+    return fmt::format("forces whose vector is shorter than full sliding, {:.6g} N", full);
+  });
+}
+
+double SteadyPatchSolution::slip_area() const {
+  double sum = 0;
+  for (Index i = 0; i < area.size(); ++i) {
+    if (slips[static_cast<std::size_t>(i)]) sum += area[i];
+  }
+  return sum;
+}
+
+SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse& response,
+                                 const PatchState* start) {
+  validate(problem);
+  const JoinedRows& rows = response.rows();
+  const Index n = rows.cells();
+  const Units units(problem);
+  SteadyPatchSolution solution;
+  solution.state =
+      solve_stick_slip(response, limits_of(rows), in_units(problem.load, units), start);
+  const PatchState& state = solution.state;
+  const double c = problem.bound.size(), peak = problem.bound.peak();
+  solution.slips = state.slips;
+  solution.iterations = state.iterations;
+  solution.condition = response.condition();
+  solution.motion = state.motion.cwiseProduct(units.motion);
+  solution.resultants = (response.resultants() * state.unknowns).cwiseProduct(units.resultant);
+  for (std::size_t j = 0; j < problem.load.size(); ++j) {  // without rounding
+    const auto& [by_resultant, value] = problem.load[j];
+    (by_resultant ? solution.resultants : solution.motion)[static_cast<Index>(j)] = value;
+  }
+  solution.dissipation = -solution.motion.dot(solution.resultants);
+  solution.x.resize(n);
+  solution.y.resize(n);
+  solution.bound.resize(n);
+  solution.traction.resize(n, 2);
+  solution.slip.setZero(n, 2);
+  solution.area = c * c * rows.areas();
+  for (Index k = 0; k < rows.rows(); ++k) {
+    for (Index i = 0; i < rows.elements(); ++i) {
+      const Index cell = rows.cell(i, k);
+      const double shape = std::tan(rows.theta(i) / 2) * peak;
+      solution.x[cell] = c * rows.x(2 * i + 1, k);
+      solution.y[cell] = c * rows.y(k);
+      solution.bound[cell] = peak * std::cos(rows.psi(k)) * std::sin(rows.theta(i));
+      solution.traction.row(cell) << shape * state.unknowns[cell], shape * state.unknowns[n + cell];
+      if (!state.slips[static_cast<std::size_t>(cell)]) continue;
+      solution.slip.row(cell) << state.centre_slip[cell], state.centre_slip[n + cell];
+    }
+  }
+  solution.slip *= units.motion[0];
+  solution.evidence = evidence_of(problem, solution, response);
+  return solution;
+}
+
+SteadyPatchSolution solve_steady(const SteadyPatch& problem) {
+  validate(problem);
+  const JoinedRows rows(problem.bound.ratio(), problem.rows, problem.elements);
+  return solve_steady(problem, PatchResponse(rows, problem.material.poisson_ratio));
+}
+
+namespace {
+
+/// The largest change of what follows from the load; see solve_steady_with_change().
+double change_of(const SteadyPatch& problem, const SteadyPatchSolution& from,
+                 const SteadyPatchSolution& to) {
+  const double full = problem.bound.total(), c = problem.bound.size();
+  const Vector3d resultant(full, full, problem.bound.turning_moment());
+  const Vector3d motions = to.motion.cwiseProduct(Vector3d(1, 1, c)).cwiseAbs();
+  const double creepage = motions.head<2>().maxCoeff(), spin = motions[2];
+  double largest = 0;
+  for (Index j = 0; j < 3; ++j) {
+    const double by_force = std::abs(to.resultants[j] - from.resultants[j]) / resultant[j];
+    const double unit = j < 2 ? creepage : spin / c;
+    const double by_motion = unit > 0 ? std::abs(to.motion[j] - from.motion[j]) / unit : 0;
+    largest = std::max({largest, by_force, by_motion});
+  }
+  return largest;
+}
+
+}  // namespace
+
+SteadyPatchSolution solve_steady_with_change(const SteadyPatch& problem) {
+  SteadyPatchSolution solution = solve_steady(problem);
+  SteadyPatch coarse = problem;
+  coarse.rows = (2 * problem.rows + 1) / 3;
+  coarse.elements = (2 * problem.elements + 1) / 3;
+  try {
+    solution.evidence.change = change_of(problem, solve_steady(coarse), solution);
+  } catch (const NotConverged&) {
+    solution.evidence.change = 1;
+  }
+  return solution;
+}
+
+}  // namespace microslip

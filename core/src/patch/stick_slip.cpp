@@ -1,0 +1,382 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/patch/stick_slip.hpp"
+
+#include <fmt/core.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "microslip/linalg/gmres.hpp"
+#include "microslip/linalg/index_view.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/not_converged.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::Matrix2d;
+using Eigen::MatrixX3d;
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace {
+
+/// How Newton's method is tried.
+struct Attempt {
+  double length;        ///< r over r0
+  double longest_step;  ///< of q, from the third system on
+  int systems;
+};
+
+/// They have 2000 random loads of 40 ellipses, a/b = 0.2 ... 5, but for one on a row of one cell.
+constexpr Attempt attempts[] = {{3, 2, 20}, {1.5, 0.7, 20}, {5, 2, 20}, {1, 0.3, 40}};
+
+/// Parts of the load by which it is raised where no attempt at the whole converges.
+constexpr double largest_part = 0.25;
+constexpr double least_part = 1.0 / 64;
+constexpr std::size_t attempts_of_part = 2;
+
+/// Systems from this size on are solved by GMRES.
+constexpr Index least_of_iterative = 150;
+constexpr double gmres_tolerance = 1e-6;
+constexpr int most_of_gmres = 60;
+
+/// |q - r0 t| - 1 from which the slip is that at the centre.
+constexpr double width_of_transition = 0.3;
+
+/// Largest residual. Where nearly all slides, rounding is up to 1e-11.
+constexpr double tolerance = 1e-10;
+
+Vector2d at(const VectorXd& values, Index cell) {
+  return {values[cell], values[values.size() / 2 + cell]};
+}
+
+void put(VectorXd& values, Index cell, const Vector2d& value) {
+  values[cell] = value[0];
+  values[values.size() / 2 + cell] = value[1];
+}
+
+Vector2d on_disc(const Vector2d& q) { return q.norm() > 1 ? Vector2d(q.normalized()) : q; }
+
+/// r0 of each cell: the reciprocal of the largest own slip in its row by a unit of q in one cell.
+VectorXd lengths_of(const PatchResponse& response, const VectorXd& limits) {
+  const JoinedRows& rows = response.rows();
+  const Index n = rows.cells();
+  VectorXd lengths(n);
+  for (Index k = 0; k < rows.rows(); ++k) {
+    const auto of_row = Eigen::seqN(rows.cell(0, k), rows.elements());
+    const auto slip = response.stiffness().head(n).cwiseMax(response.stiffness().tail(n));
+    lengths(of_row).setConstant(1 / slip.cwiseProduct(limits)(of_row).maxCoeff());
+  }
+  return lengths;
+}
+
+/// The slip in the condition of a cell: t + part (c - t), and how the part grows.
+struct MixedSlip {
+  Vector2d value;
+  double part, growth;  ///< growth by |q - r0 t|
+
+  MixedSlip(const Vector2d& own, const Vector2d& centre, double beyond) {
+    part = std::clamp(beyond / width_of_transition, 0.0, 1.0);
+    growth = part > 0 && part < 1 ? 1 / width_of_transition : 0;
+    value = own + part * (centre - own);
+  }
+};
+
+class Newton {
+ public:
+  PatchLoad load = {};
+
+  Newton(const PatchResponse& response, const VectorXd& limits)
+      : response_(response),
+        limits_(limits),
+        cells_(limits.size()),
+        lengths_(lengths_of(response, limits)) {}
+
+  PatchState adhesion() const {
+    const VectorXd none = VectorXd::Zero(2 * cells_);
+    return {.unknowns = none,
+            .own_slip = none,
+            .centre_slip = none,
+            .motion = Vector3d::Zero(),
+            .slips = std::vector<bool>(static_cast<std::size_t>(cells_), false)};
+  }
+
+  /// Whether it converges.
+  bool converges(PatchState& state, const Attempt& attempt) {
+    length_ratio_ = attempt.length;
+    q_ = quotients(state);
+    for (int i = 0; i < attempt.systems; ++i) {
+      solve(state);
+      ++state.iterations;
+      state.residual = residual(state);
+      if (state.residual < tolerance) return true;
+      if (!std::isfinite(state.residual)) return false;
+      take(state, i < 2 ? std::numeric_limits<double>::infinity() : attempt.longest_step);
+    }
+    return false;
+  }
+
+ private:
+  bool slips(const PatchState& state, Index i) const {
+    return state.slips[static_cast<std::size_t>(i)];
+  }
+
+  Vector2d quotient(const PatchState& state, Index i) const {
+    return at(state.unknowns, i) / limits_[i];
+  }
+
+  VectorXd quotients(const PatchState& state) const {
+    VectorXd q(2 * cells_);
+    for (Index i = 0; i < cells_; ++i) put(q, i, on_disc(quotient(state, i)));
+    return q;
+  }
+
+  MixedSlip mixed_slip(const PatchState& state, Index i, const Vector2d& q) const {
+    const Vector2d own = at(state.own_slip, i);
+    return {own, at(state.centre_slip, i), (q - lengths_[i] * own).norm() - 1};
+  }
+
+  /// The largest |q - P(q - r0 s)|, not a number if a part is not one.
+  double residual(const PatchState& state) const {
+    double largest = 0;
+    for (Index i = 0; i < cells_; ++i) {
+      const Vector2d q = quotient(state, i);
+      const Vector2d z = q - lengths_[i] * mixed_slip(state, i, q).value;
+      const double error = (q - on_disc(z)).norm();
+      if (!(error <= largest)) largest = error;
+    }
+    return largest;
+  }
+
+  /// Solves the conditions of cells that slip, linear about the state, and those of the load.
+  void solve(PatchState& state) {
+    columns_.clear();
+    MatrixX3d stuck = -response_.rigid_own_slip();
+    for (Index i = 0; i < cells_; ++i) {
+      if (!slips(state, i)) continue;
+      columns_.push_back(i);
+      stuck.row(i).setZero();
+      stuck.row(cells_ + i).setZero();
+    }
+    const auto size = static_cast<Index>(columns_.size());
+    for (Index r = 0; r < size; ++r) {
+      columns_.push_back(cells_ + columns_[static_cast<std::size_t>(r)]);
+    }
+    by_motion_.noalias() = response_.unknowns() * stuck;
+    centre_by_motion_ = response_.rigid_centre_slip() + response_.centre_slip() * stuck;
+    system_.resize(2 * size + 3, 2 * size + 3);
+    right_.resize(2 * size + 3);
+    for (Index r = 0; r < size; ++r) set_condition(state, r, size);
+    for (Index j = 0; j < 3; ++j) set_load(j, 2 * size);
+    const VectorXd solution = solution_near(previous_solution(state, size));
+    state.motion = solution.tail<3>();
+    VectorXd elastic = stuck * state.motion;
+    elastic(index_view(columns_)) = solution.head(2 * size);
+    state.unknowns.noalias() = response_.unknowns() * elastic;
+    state.centre_slip =
+        response_.rigid_centre_slip() * state.motion + response_.centre_slip() * elastic;
+    state.own_slip.setZero();
+    for (const Index column : columns_) {
+      state.own_slip[column] =
+          elastic[column] + response_.rigid_own_slip().row(column) * state.motion;
+    }
+  }
+
+  /// The unknowns of the system in the state before it.
+  VectorXd previous_solution(const PatchState& state, Index size) const {
+    VectorXd values(2 * size + 3);
+    for (Index r = 0; r < 2 * size; ++r) {
+      const Index column = columns_[static_cast<std::size_t>(r)];
+      values[r] = state.own_slip[column] - response_.rigid_own_slip().row(column) * state.motion;
+    }
+    values.tail<3>() = state.motion;
+    return values;
+  }
+
+  /// Solves the system: a large one by GMRES, from the state before, with the blocks of rows of
+  /// cells as a preconditioner.
+  VectorXd solution_near(const VectorXd& previous) {
+    const Index size = right_.size();
+    if (size < least_of_iterative) return system_.partialPivLu().solve(right_);
+    const VectorXd missing = right_ - system_ * previous;
+    factor_blocks((size - 3) / 2);
+    VectorXd correction;
+    const auto outcome =
+        gmres_.solve([&](const VectorXd& x, VectorXd& y) { y.noalias() = system_ * x; },
+                     [&](const VectorXd& x, VectorXd& y) { apply_blocks(x, y); }, missing,
+                     gmres_tolerance, correction);
+    if (outcome.residual > gmres_tolerance) return system_.partialPivLu().solve(right_);
+    return previous + correction;
+  }
+
+  /// The block of a row has both components of the row's cells that slip.
+  void factor_blocks(Index size) {
+    blocks_.clear();
+    const Index elements = response_.rows().elements();
+    for (Index r = 0; r < size;) {
+      const Index row = columns_[static_cast<std::size_t>(r)] / elements;
+      RowBlock block;
+      for (; r < size && columns_[static_cast<std::size_t>(r)] / elements == row; ++r) {
+        block.places.push_back(r);
+      }
+      const std::size_t cells = block.places.size();
+      for (std::size_t i = 0; i < cells; ++i) block.places.push_back(size + block.places[i]);
+      const auto places = index_view(block.places);
+      block.factors.compute(MatrixXd(system_(places, places)));
+      blocks_.push_back(std::move(block));
+    }
+  }
+
+  void apply_blocks(const VectorXd& x, VectorXd& y) const {
+    y = x;  // of the motion
+    for (const RowBlock& block : blocks_) {
+      const auto places = index_view(block.places);
+      const VectorXd part = block.factors.solve(VectorXd(x(places)));
+      y(places) = part;
+    }
+  }
+
+  /// With z = q - r s, e = z/|z| and D = (1 - e e')/|z|, the condition q = e is linear about z:
+  ///   (1 - D) q + r D s = e.
+  /// In the transition s depends on q - r0 t, too.
+  void set_condition(const PatchState& state, Index r, Index size) {
+    const Index i = columns_[static_cast<std::size_t>(r)];
+    const Vector2d q = at(q_, i), own = at(state.own_slip, i), centre = at(state.centre_slip, i);
+    const double own_length = lengths_[i], length = length_ratio_ * own_length;
+    const MixedSlip slip = mixed_slip(state, i, q);
+    const Vector2d z = q - length * slip.value;
+    const Vector2d e = z.normalized();
+    const Matrix2d D = (Matrix2d::Identity() - e * e.transpose()) / z.norm();
+    Matrix2d by_q = Matrix2d::Identity() - D;
+    Matrix2d by_own = length * (1 - slip.part) * D;
+    const Matrix2d by_centre = length * slip.part * D;
+    Vector2d right = e;
+    if (slip.growth > 0) {
+      const Vector2d beyond = q - own_length * own;
+      const Matrix2d turned =
+          length * slip.growth * D * (centre - own) * beyond.normalized().transpose();
+      by_q += turned;
+      by_own -= own_length * turned;
+      right += turned * beyond;
+    }
+    by_q /= limits_[i];
+    const auto columns = index_view(columns_);
+    for (Index c = 0; c < 2; ++c) {
+      const Index row = r + c * size;
+      system_.row(row).setZero();
+      right_[row] = right[c];
+      for (Index d = 0; d < 2; ++d) {
+        const Index of = i + d * cells_;
+        system_.row(row).head(2 * size) +=
+            by_q(c, d) * response_.unknowns().row(of)(columns) +
+            by_centre(c, d) * response_.centre_slip().row(of)(columns);
+        system_.row(row).tail<3>() += by_q(c, d) * by_motion_.row(of) +
+                                      by_centre(c, d) * centre_by_motion_.row(of) +
+                                      by_own(c, d) * response_.rigid_own_slip().row(of);
+        system_(row, r + d * size) += by_own(c, d);
+      }
+    }
+  }
+
+  void set_load(Index j, Index size) {
+    const PatchComponent& component = load[static_cast<std::size_t>(j)];
+    const Index row = size + j;
+    system_.row(row).setZero();
+    right_[row] = component.value;
+    if (!component.by_resultant) {
+      system_(row, row) = 1;
+      return;
+    }
+    const auto& resultants = response_.resultants();
+    system_.row(row).head(size) =
+        resultants.row(j) * response_.unknowns()(Eigen::all, index_view(columns_));
+    system_.row(row).tail<3>() = resultants.row(j) * by_motion_;
+  }
+
+  /// Decides which cells slip, and takes their q.
+  void take(PatchState& state, double longest_step) {
+    for (Index i = 0; i < cells_; ++i) {
+      const Vector2d q = quotient(state, i);
+      const double length = lengths_[i] * length_ratio_;
+      const bool slips_now = (q - length * at(state.own_slip, i)).norm() > 1;
+      state.slips[static_cast<std::size_t>(i)] = slips_now;
+      Vector2d step = on_disc(q) - at(q_, i);
+      if (slips_now && step.norm() > longest_step) step *= longest_step / step.norm();
+      put(q_, i, at(q_, i) + step);
+    }
+  }
+
+  const PatchResponse& response_;
+  const VectorXd& limits_;
+  Index cells_;
+  VectorXd lengths_;
+  double length_ratio_ = 1;
+  VectorXd q_;                              ///< on the disc
+  MatrixX3d by_motion_, centre_by_motion_;  ///< of unknowns and slip, where other cells stick
+  struct RowBlock {
+    std::vector<Index> places;
+    Eigen::PartialPivLU<MatrixXd> factors;
+  };
+  std::vector<RowBlock> blocks_;
+  Gmres gmres_{most_of_gmres};
+  std::vector<Index> columns_;  ///< longitudinal, then lateral slip of the cells that slip
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> system_;
+  VectorXd right_;
+};
+
+/// Whether an attempt converges.
+bool converges(Newton& newton, const PatchState& start, std::size_t attempts_made,
+               PatchState& state) {
+  for (std::size_t i = 0; i < attempts_made; ++i) {
+    const int iterations = state.iterations;
+    state = start;
+    state.iterations = iterations;
+    if (newton.converges(state, attempts[i])) return true;
+  }
+  return false;
+}
+
+PatchLoad part_of(PatchLoad load, double part) {
+  for (PatchComponent& component : load) component.value *= part;
+  return load;
+}
+
+}  // namespace
+
+PatchState solve_stick_slip(const PatchResponse& response, const VectorXd& limits,
+                            const PatchLoad& load, const PatchState* start) {
+  Newton newton(response, limits);
+  newton.load = load;
+  PatchState state, reached = newton.adhesion();
+  if (converges(newton, start != nullptr ? *start : reached, std::size(attempts), state)) {
+    return state;
+  }
+  double part = 0, step = largest_part;
+  while (part < 1 && step >= least_part) {
+    const double next = std::min(1.0, part + step);
+    newton.load = part_of(load, next);
+    if (converges(newton, reached, attempts_of_part, state)) {
+      part = next;
+      reached = state;
+      step *= 2;
+    } else {
+      step /= 2;
+    }
+  }
+  if (part == 1) return reached;
+  throw NotConverged(
+      fmt::format(
+          "stick and slip of the ellipse are found up to {} of the load: the resultants may "
+          "be more than friction carries together, or the rows and elements too few for the "
+          "spin",
+          format_roughly(part)),
+      0, state.residual);
+}
+
+}  // namespace microslip

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The contact ellipse of a scene.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "hertz.hpp"
+#include "microslip/reference/point_contact.hpp"
+#include "microslip/rolling/large_creepage.hpp"
+#include "microslip/scene/keys.hpp"
+#include "microslip/scene/model.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
+
+namespace microslip {
+
+namespace {
+
+constexpr const char* lateral_half_width = "contact.lateral_half_width";
+/// The ratios a/b at which rows are known to converge: tests/property/generated_patches_test.cpp
+constexpr double least_ratio = 1e-3, largest_ratio = 10;
+constexpr Eigen::Index most_cells_of_side = 100;
+
+/// A component's keys: of its motion, of its resultant, and of the resultant's ratio to the largest.
+struct ComponentKeys {
+  const char* motion;
+  const char* resultant;
+  const char* ratio;
+};
+
+constexpr std::array<ComponentKeys, 3> components{{
+    {"load.creepage", "load.force", "load.force_ratio"},
+    {"load.lateral_creepage", "load.lateral_force", "load.lateral_force_ratio"},
+    {"load.spin", "load.spin_moment", "load.spin_moment_ratio"},
+}};
+
+/// Reads the radii across the rolling.
+Radii read_lateral_radii(Scene& scene) {
+  double curvature = 0, smaller = std::numeric_limits<double>::infinity();
+  std::string last;
+  for (const char* key : {"contact.lateral_radius_1", "contact.lateral_radius_2"}) {
+    if (!scene.has(key)) continue;
+    const double radius = scene.number(key);
+    require_positive(key, std::abs(radius));
+    curvature += 1 / radius;
+    smaller = std::min(smaller, std::abs(radius));
+    last = key;
+  }
+  require(curvature > 0, last, scene.number(last),
+          "radii of which the smaller one in size is > 0: a concave body is the flatter one");
+  return {curvature, smaller};
+}
+
+/// Hertz's ellipse by load and radii.
+EllipticBound read_loaded_ellipse(Scene& scene, const Material& material) {
+  for (const char* other : {"contact.half_width", "contact.peak_traction"}) {
+    scene.at_most_one_of({"contact.normal_load", other});
+  }
+  const double load = scene.positive("contact.normal_load");
+  const Radii radii = read_radii(scene);
+  const Radii lateral = read_lateral_radii(scene);
+  const double friction = read_friction(scene);
+  const PointContact contact(material, load, radii.curvature, lateral.curvature);
+  const double a = contact.half_width(), b = contact.lateral_half_width();
+  require(a <= largest_ratio * b && a >= least_ratio * b, "contact.radius_1",
+          scene.number("contact.radius_1"), [&] {
+            return fmt::format("radii of an ellipse with a/b from {} to {}, not {:.3g}",
+                               format_short(least_ratio), format_short(largest_ratio), a / b);
+          });
+  scene.derive("contact.half_width", a);
+  scene.derive(lateral_half_width, b);
+  require_small(scene, a, radii.smaller);
+  require_small(scene, b, lateral.smaller);
+  const EllipticBound bound(a, b, friction * contact.peak_pressure());
+  scene.derive("contact.peak_traction", bound.peak());
+  return bound;
+}
+
+EllipticBound read_ellipse(Scene& scene, const Material& material) {
+  if (!scene.has(lateral_half_width)) return read_loaded_ellipse(scene, material);
+  for (const char* radius : {"contact.lateral_radius_1", "contact.lateral_radius_2"}) {
+    scene.at_most_one_of({lateral_half_width, radius});
+  }
+  const double a = scene.positive("contact.half_width");
+  const double b = scene.positive(lateral_half_width);
+  require(a <= largest_ratio * b && a >= least_ratio * b, lateral_half_width, b, [&] {
+    return fmt::format("a number between {} and {}, by contact.half_width",
+                       format_short(a / largest_ratio), format_short(a / least_ratio));
+  });
+  if (scene.one_of({"contact.peak_traction", "contact.normal_load"}) == "contact.peak_traction") {
+    return {a, b, scene.positive("contact.peak_traction")};
+  }
+  const double load = scene.positive("contact.normal_load");
+  const double friction = read_friction(scene);
+  const EllipticBound bound(a, b, 1.5 * friction * load / (std::numbers::pi * a * b));
+  scene.derive("contact.peak_traction", bound.peak());
+  return bound;
+}
+
+/// \param most  the largest resultant
+PatchComponent read_component(Scene& scene, const ComponentKeys& keys, double most) {
+  const std::string given = scene.at_most_one_of({keys.motion, keys.resultant, keys.ratio});
+  if (given.empty()) return {};
+  const double value = scene.number(given);
+  if (given == keys.motion) return {.by_resultant = false, .value = value};
+  if (given == keys.resultant) return {.by_resultant = true, .value = value};
+  require(std::abs(value) < 1, given, value, "a number above -1, below 1");
+  scene.derive(keys.resultant, value * most);
+  return {.by_resultant = true, .value = value * most};
+}
+
+PatchLoad read_load(Scene& scene, const EllipticBound& bound) {
+  std::vector<std::string> all;
+  for (const ComponentKeys& keys : components) {
+    all.insert(all.end(), {keys.motion, keys.resultant, keys.ratio});
+  }
+  const bool is_loaded =
+      std::ranges::any_of(all, [&](const std::string& key) { return scene.has(key); });
+  if (!is_loaded) scene.one_of(all);  // says which are missing
+  PatchLoad load;
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    load[j] = read_component(scene, components[j], j < 2 ? bound.total() : bound.turning_moment());
+  }
+  return load;
+}
+
+/// Cells of a side, which has the other side `ratio` times as long.
+Eigen::Index cells_by(double ratio) {
+  constexpr double least = 60, of_circle = 200;  // 16 x 16 on a circle
+  const double cells = std::round(std::sqrt(least + of_circle * ratio));
+  return std::min(most_cells_of_side, static_cast<Eigen::Index>(cells));
+}
+
+/// Reads a whole number from 1 to 100.
+Eigen::Index read_cells(Scene& scene, const std::string& key) {
+  const Eigen::Index cells = scene.whole(key);
+  require(cells >= 1 && cells <= most_cells_of_side, key, static_cast<double>(cells),
+          "a whole number 1 ... 100 in an ellipse");
+  return cells;
+}
+
+/// Warns of cells that are much longer than wide, or wider than long, beside those of a grid that
+/// fits.
+void warn_of_other_aspect(Scene& scene, const SteadyPatch& patch) {
+  constexpr double most = 3;
+  const double cells = static_cast<double>(patch.elements) / static_cast<double>(patch.rows);
+  const double off = cells / patch.bound.ratio();
+  if (off <= most && off >= 1 / most) return;
+  const double size = std::sqrt(static_cast<double>(patch.elements * patch.rows));
+  const double root = std::sqrt(patch.bound.ratio());
+  scene.warn("grid.rows", static_cast<double>(patch.rows),
+             fmt::format("rows and elements do not fit a/b = {:.3g}: {} rows of {} elements have a "
+                         "smaller error",
+                         patch.bound.ratio(), std::max(1.0, std::round(size / root)),
+                         std::max(1.0, std::round(size * root))));
+}
+
+}  // namespace
+
+void require_line_contact(const Scene& scene) {
+  const auto* key =
+      std::ranges::find_if(patch_keys, [&](const char* one) { return scene.has(one); });
+  if (key == patch_keys.end()) return;
+  throw BadParameter(*key, fmt::format("{}: expected a line contact here, without this key; an "
+                                       "ellipse has problem steady, with sweep, explain and plot, "
+                                       "in this version",
+                                       *key));
+}
+
+SteadyPatch read_steady_patch(Scene& scene) {
+  const Material material = read_material(scene);
+  const EllipticBound bound = read_ellipse(scene, material);
+  const bool has_grid = scene.has("grid.rows") || scene.has("grid.elements");
+  SteadyPatch patch{
+      .material = material,
+      .bound = bound,
+      .rows = has_grid ? read_cells(scene, "grid.rows") : cells_by(1 / bound.ratio()),
+      .elements = has_grid ? read_cells(scene, "grid.elements") : cells_by(bound.ratio())};
+  if (has_grid) {
+    warn_of_other_aspect(scene, patch);
+  } else {
+    scene.derive("grid.rows", static_cast<double>(patch.rows));
+    scene.derive("grid.elements", static_cast<double>(patch.elements));
+  }
+  patch.load = read_load(scene, bound);
+  validate(patch);
+  const double mean_strain = 2.0 / 3 * bound.peak() / material.shear_modulus;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const auto& [by_resultant, value] = patch.load[j];
+    const std::string doubt = doubt_of_creepage(value, mean_strain);
+    if (!by_resultant && !doubt.empty()) scene.warn(components[j].motion, value, doubt);
+  }
+  return patch;
+}
+
+}  // namespace microslip

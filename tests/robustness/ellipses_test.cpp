@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Contact ellipses as they are typed: tables, units, and a line for what is refused.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "robustness/executables.hpp"
+
+namespace microslip::ellipses_test {
+
+class Ellipses : public Executables {
+ protected:
+  void SetUp() override {
+    Executables::SetUp();
+    run_in_folder("init ellipse");
+  }
+
+  Outcome run_in_folder(const std::string& words) const {
+    return run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip " + words);
+  }
+
+  Outcome solve(const std::string& settings) const {
+    return run_in_folder("ellipse.info --quiet " + settings);
+  }
+
+  /// \param error  behind the program's name
+  void expect_refused(const std::string& settings, const std::string& error) const {
+    const Outcome outcome = solve(settings);
+    EXPECT_EQ(outcome.status, 1) << settings;
+    EXPECT_EQ(outcome.error.find("microslip: " + error), 0U) << outcome.error;
+    EXPECT_FALSE(fs::exists(folder_ / "out")) << settings;
+  }
+
+  /// Numbers of the summary after a run.
+  std::map<std::string, double> summary(const std::string& settings) const {
+    const Outcome outcome = solve(settings);
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    std::istringstream lines(text_of(folder_ / "out" / "summary.tsv"));
+    std::map<std::string, double> values;
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream cells(line);
+      std::string name;
+      double value = 0;
+      if (line[0] != '#' && std::getline(cells, name, '\t') && cells >> value) values[name] = value;
+    }
+    return values;
+  }
+};
+
+TEST_F(Ellipses, HaveTheSameResultInOtherUnitsAndByTheirSemiAxes) {
+  const auto found = summary("");
+  const auto again = summary(
+      "--set contact.normal_load=0.08MN --set contact.radius_1=46cm --set load.spin=1e-4 "
+      "--set load.creepage=0.05%");
+  EXPECT_NEAR(again.at("force"), found.at("force"), 1e-6 * std::abs(found.at("force")));
+  std::ostringstream axes;
+  axes.precision(17);
+  axes << "--set contact.radius_1= --set contact.lateral_radius_2= --set contact.half_width="
+       << found.at("half_width")
+       << " --set contact.lateral_half_width=" << found.at("lateral_half_width");
+  const auto by_axes = summary(axes.str());
+  EXPECT_NEAR(by_axes.at("spin_moment"), found.at("spin_moment"), 1e-6 * found.at("spin_moment"));
+}
+
+TEST_F(Ellipses, TakeForcesAndTheMomentInAnyMixture) {
+  const auto motions = summary("");
+  std::ostringstream resultants;
+  resultants.precision(17);
+  resultants << "--set load.lateral_creepage= --set load.lateral_force="
+             << motions.at("lateral_force")
+             << "N --set load.spin= --set load.spin_moment=" << motions.at("spin_moment") / 1000
+             << "'N m'";
+  const auto found = summary(resultants.str());
+  EXPECT_NEAR(found.at("lateral_creepage"), motions.at("lateral_creepage"), 1e-9);
+  EXPECT_NEAR(found.at("spin"), motions.at("spin"), 1e-10);
+  const auto ratio = summary("--set load.creepage= --set load.force_ratio=-0.5");
+  EXPECT_NEAR(ratio.at("force"), -0.5 * ratio.at("full_sliding_force"), 1e-6);
+}
+
+TEST_F(Ellipses, AreRefusedInOneLineThatNamesTheKey) {
+  expect_refused("--set load.force=1kN",
+                 "ellipse.info:23: expected only one of 'load.creepage' and 'load.force'");
+  expect_refused("--set load.creepage= --set load.force=30kN",
+                 "load.force = 30000: expected less than full sliding, 24000 N, in absolute value");
+  expect_refused("--set load.spin= --set load.spin_moment=1kN",
+                 "load.spin_moment = '1kN': expected a number in N mm or another of its kind (N m, "
+                 "kN m)");
+  expect_refused("--set grid.rows=101 --set grid.elements=5",
+                 "grid.rows = 101: expected a whole number 1 ... 100 in an ellipse");
+  expect_refused("--set grid.rows=5", "missing key 'grid.elements'");
+  expect_refused("--set contact.lateral_radius_2=-300",
+                 "contact.lateral_radius_2 = -300: expected radii of which the smaller one in size "
+                 "is > 0");
+  expect_refused("--set contact.lateral_radius_2=0.5",
+                 "ellipse.info:14: contact.radius_1 = 460: expected radii of an ellipse with a/b "
+                 "from 0.001 to 10");
+  expect_refused(
+      "--set kernel.type=plane",
+      "key 'kernel.type' has no role here: it is for line contacts, not for this ellipse");
+  expect_refused("--set problem=transient",
+                 "ellipse.info:15: contact.lateral_radius_2: expected a line contact here");
+  expect_refused("--set load.spin= --set load.creepage= --set load.lateral_creepage=",
+                 "missing key 'load.creepage' or ");
+  for (const char* command : {"curve", "converge", "response"}) {
+    EXPECT_EQ(run_in_folder(std::string(command) + " ellipse.info").status, 1) << command;
+  }
+}
+
+// Each force is below full sliding, and the moment below that of turning, but not all together.
+TEST_F(Ellipses, SayThatResultantsAreTooMuchTogether) {
+  const Outcome outcome = solve(
+      "--set load.creepage= --set load.force_ratio=0.9 --set load.spin= "
+      "--set load.spin_moment_ratio=0.9");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.error.find("stick and slip of the ellipse are found up to 0."),
+            std::string::npos)
+      << outcome.error;
+}
+
+TEST_F(Ellipses, AreWarnedOfWhereTheirElementsAreTooFew) {
+  const Outcome coarse = solve("--set grid.rows=4 --set grid.elements=4 --set load.spin=1/m");
+  EXPECT_NE(coarse.error.find("the change of the result from rows and elements"),
+            std::string::npos);
+  const Outcome other = solve("--set grid.rows=20 --set grid.elements=4");
+  EXPECT_NE(other.error.find("rows and elements do not fit a/b = 1.3"), std::string::npos)
+      << other.error;
+  EXPECT_EQ(solve("").error, "");
+}
+
+TEST_F(Ellipses, AreSweptWithTheirUnits) {
+  EXPECT_EQ(run_in_folder("sweep ellipse.info --quiet --set load.creepage= --set "
+                          "'sweep.load.force=1 kN | 2 kN' --out s")
+                .status,
+            0);
+  const std::string table = text_of(folder_ / "s" / "sweep.tsv");
+  EXPECT_NE(table.find("load.force [N]: swept"), std::string::npos);
+  EXPECT_NE(table.find("\n2\t2000\t2000\t"), std::string::npos) << table;
+}
+
+TEST_F(Ellipses, AreDrawn) {
+  ASSERT_EQ(solve("").status, 0);
+  EXPECT_EQ(run_in_folder("plot out").status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "out.svg"));
+  EXPECT_EQ(run_in_folder("plot out --x 0:1").error,
+            "microslip: --x: expected a line contact, a sweep or a curve with it\n");
+}
+
+}  // namespace microslip::ellipses_test
