@@ -106,7 +106,8 @@ PatchResponse::PatchResponse(const JoinedRows& rows, double poisson_ratio) : row
   resultants_.row(0).head(n) = moments.row(0);
   resultants_.row(1).tail(n) = moments.row(0);
   resultants_.row(2) << -moments.row(2), moments.row(1);
-  linear_ = -resultants_ * (unknowns_ * rigid_own_slip_);
+  relief_ = resultants_ * unknowns_;
+  linear_ = -relief_ * rigid_own_slip_;
 }
 
 }  // namespace microslip

@@ -18,8 +18,8 @@ namespace microslip {
 
 using Eigen::Index;
 using Eigen::Matrix2d;
-using Eigen::MatrixX3d;
 using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
@@ -156,46 +156,67 @@ class Newton {
 
   /// Solves the conditions of cells that slip, linear about the state, and those of the load.
   void solve(PatchState& state) {
+    split_motion();
     columns_.clear();
-    MatrixX3d stuck = -response_.rigid_own_slip();
+    stuck_.noalias() = -response_.rigid_own_slip() * motions_;
     for (Index i = 0; i < cells_; ++i) {
       if (!slips(state, i)) continue;
       columns_.push_back(i);
-      stuck.row(i).setZero();
-      stuck.row(cells_ + i).setZero();
+      stuck_.row(i).setZero();
+      stuck_.row(cells_ + i).setZero();
     }
     const auto size = static_cast<Index>(columns_.size());
     for (Index r = 0; r < size; ++r) {
       columns_.push_back(cells_ + columns_[static_cast<std::size_t>(r)]);
     }
-    by_motion_.noalias() = response_.unknowns() * stuck;
-    centre_by_motion_ = response_.rigid_centre_slip() + response_.centre_slip() * stuck;
-    system_.resize(2 * size + 3, 2 * size + 3);
-    right_.resize(2 * size + 3);
+    const auto columns = index_view(columns_);
+    const Index free = motions_.cols() - 1;
+    system_.resize(2 * size + free, 2 * size + free);
+    right_.resize(2 * size + free);
     for (Index r = 0; r < size; ++r) set_condition(state, r, size);
-    for (Index j = 0; j < 3; ++j) set_load(j, 2 * size);
+    for (Index j = 0; j < free; ++j) set_resultant(j, 2 * size);
     const VectorXd solution = solution_near(previous_solution(state, size));
-    state.motion = solution.tail<3>();
-    VectorXd elastic = stuck * state.motion;
-    elastic(index_view(columns_)) = solution.head(2 * size);
+    VectorXd motion(1 + free);
+    motion << 1, solution.tail(free);
+    state.motion = motions_ * motion;
+    VectorXd elastic = stuck_ * motion;
+    elastic(columns) = solution.head(2 * size);
     state.unknowns.noalias() = response_.unknowns() * elastic;
-    state.centre_slip =
-        response_.rigid_centre_slip() * state.motion + response_.centre_slip() * elastic;
     state.own_slip.setZero();
-    for (const Index column : columns_) {
-      state.own_slip[column] =
-          elastic[column] + response_.rigid_own_slip().row(column) * state.motion;
+    state.centre_slip.setZero();
+    for (const Index c : columns_) {
+      state.own_slip[c] = elastic[c] + response_.rigid_own_slip().row(c) * state.motion;
+      state.centre_slip[c] = response_.centre_slip().row(c).dot(elastic) +
+                             response_.rigid_centre_slip().row(c) * state.motion;
     }
+  }
+
+  /// Splits the motion into the prescribed one and the components that follow from a resultant.
+  void split_motion() {
+    free_.clear();
+    Vector3d prescribed = Vector3d::Zero();
+    for (Index j = 0; j < 3; ++j) {
+      const PatchComponent& component = load[static_cast<std::size_t>(j)];
+      if (component.by_resultant) {
+        free_.push_back(j);
+      } else {
+        prescribed[j] = component.value;
+      }
+    }
+    motions_.setZero(3, 1 + static_cast<Index>(free_.size()));
+    motions_.col(0) = prescribed;
+    for (std::size_t j = 0; j < free_.size(); ++j)
+      motions_(free_[j], 1 + static_cast<Index>(j)) = 1;
   }
 
   /// The unknowns of the system in the state before it.
   VectorXd previous_solution(const PatchState& state, Index size) const {
-    VectorXd values(2 * size + 3);
+    VectorXd values(right_.size());
     for (Index r = 0; r < 2 * size; ++r) {
       const Index column = columns_[static_cast<std::size_t>(r)];
       values[r] = state.own_slip[column] - response_.rigid_own_slip().row(column) * state.motion;
     }
-    values.tail<3>() = state.motion;
+    values.tail(values.size() - 2 * size) = state.motion(index_view(free_));
     return values;
   }
 
@@ -205,7 +226,7 @@ class Newton {
     const Index size = right_.size();
     if (size < least_of_iterative) return system_.partialPivLu().solve(right_);
     const VectorXd missing = right_ - system_ * previous;
-    factor_blocks((size - 3) / 2);
+    factor_blocks((size - static_cast<Index>(free_.size())) / 2);
     VectorXd correction;
     const auto outcome =
         gmres_.solve([&](const VectorXd& x, VectorXd& y) { y.noalias() = system_ * x; },
@@ -267,36 +288,37 @@ class Newton {
     }
     by_q /= limits_[i];
     const auto columns = index_view(columns_);
+    const Index free = motions_.cols() - 1;
     for (Index c = 0; c < 2; ++c) {
       const Index row = r + c * size;
       system_.row(row).setZero();
-      right_[row] = right[c];
+      RowVectorXd by_motion = RowVectorXd::Zero(1 + free);
       for (Index d = 0; d < 2; ++d) {
         const Index of = i + d * cells_;
         system_.row(row).head(2 * size) +=
             by_q(c, d) * response_.unknowns().row(of)(columns) +
             by_centre(c, d) * response_.centre_slip().row(of)(columns);
-        system_.row(row).tail<3>() += by_q(c, d) * by_motion_.row(of) +
-                                      by_centre(c, d) * centre_by_motion_.row(of) +
-                                      by_own(c, d) * response_.rigid_own_slip().row(of);
         system_(row, r + d * size) += by_own(c, d);
+        by_motion += (by_q(c, d) * response_.unknowns().row(of) +
+                      by_centre(c, d) * response_.centre_slip().row(of)) *
+                     stuck_;
+        by_motion += (by_centre(c, d) * response_.rigid_centre_slip().row(of) +
+                      by_own(c, d) * response_.rigid_own_slip().row(of)) *
+                     motions_;
       }
+      system_.row(row).tail(free) = by_motion.tail(free);
+      right_[row] = right[c] - by_motion[0];
     }
   }
 
-  void set_load(Index j, Index size) {
-    const PatchComponent& component = load[static_cast<std::size_t>(j)];
-    const Index row = size + j;
-    system_.row(row).setZero();
-    right_[row] = component.value;
-    if (!component.by_resultant) {
-      system_(row, row) = 1;
-      return;
-    }
-    const auto& resultants = response_.resultants();
-    system_.row(row).head(size) =
-        resultants.row(j) * response_.unknowns()(Eigen::all, index_view(columns_));
-    system_.row(row).tail<3>() = resultants.row(j) * by_motion_;
+  /// \param j  number of the component among those that follow
+  void set_resultant(Index j, Index size) {
+    const Index component = free_[static_cast<std::size_t>(j)], row = size + j;
+    const auto by_slip = response_.relief().row(component);
+    const RowVectorXd by_motion = by_slip * stuck_;
+    system_.row(row).head(size) = by_slip(index_view(columns_));
+    system_.row(row).tail(by_motion.size() - 1) = by_motion.tail(by_motion.size() - 1);
+    right_[row] = load[static_cast<std::size_t>(component)].value - by_motion[0];
   }
 
   /// Decides which cells slip, and takes their q.
@@ -317,8 +339,10 @@ class Newton {
   Index cells_;
   VectorXd lengths_;
   double length_ratio_ = 1;
-  VectorXd q_;                              ///< on the disc
-  MatrixX3d by_motion_, centre_by_motion_;  ///< of unknowns and slip, where other cells stick
+  VectorXd q_;               ///< on the disc
+  std::vector<Index> free_;  ///< components that follow from a resultant
+  MatrixXd motions_;         ///< the prescribed motion, and a unit of each of these
+  MatrixXd stuck_;           ///< elastic slip by them of cells that stick
   struct RowBlock {
     std::vector<Index> places;
     Eigen::PartialPivLU<MatrixXd> factors;

@@ -47,6 +47,9 @@ class PatchResponse {
   /// The condition number of the own slip by the unknowns, in the sum norm.
   double condition() const { return condition_; }
 
+  /// The resultants by the elastic own slip: 3 x 2n.
+  const Eigen::Matrix3Xd& relief() const { return relief_; }
+
   /// Resultants by the motion where all sticks: -C11, -C22, -C23, C32 and -C33 of Kalker.
   const Eigen::Matrix3d& linear() const { return linear_; }
 
@@ -55,7 +58,7 @@ class PatchResponse {
   Matrix unknowns_, centre_slip_;
   Eigen::MatrixX3d rigid_own_slip_, rigid_centre_slip_;
   Eigen::VectorXd stiffness_;
-  Eigen::Matrix3Xd resultants_;
+  Eigen::Matrix3Xd resultants_, relief_;
   Eigen::Matrix3d linear_;
   double condition_;
 };

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "microslip/scene/scene.hpp"
+#include "microslip/scene/table.hpp"
+#include "microslip/support/progress.hpp"
+
+namespace microslip::experiments {
+
+/// How fast do forces and moment of a contact ellipse converge where a part of it slips? Joined
+/// rows beside CONTACT's own results on a circle, and joined rows on ellipses.
+struct EllipseConvergenceParameters {
+  std::vector<double> aspects{};      ///< a/b
+  double poisson_ratio = 0;           ///< nu of the ellipses
+  std::vector<Eigen::Index> sizes{};  ///< square roots of the numbers of cells, rising
+  Eigen::Index reference = 0;         ///< the same, of the reference
+};
+
+/// The keys that `ellipse_convergence --print-keys` lists, each checked against its listed range.
+EllipseConvergenceParameters read_ellipse_convergence(Scene& scene);
+
+/// Tables: circle (errors of joined rows and CONTACT), limits (of both), ellipses (errors of joined
+/// rows), summary (over all states), claims.
+std::vector<Table> ellipse_convergence(const EllipseConvergenceParameters& parameters,
+                                       const Progress& progress);
+
+}  // namespace microslip::experiments

@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/ellipse_convergence.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "contact_ellipse.hpp"
+#include "microslip/experiments/claims.hpp"
+#include "study_keys.hpp"
+#include "table_values.hpp"
+
+namespace microslip::experiments {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+
+namespace {
+
+constexpr double up_to_rounding = 1e-9;
+
+/// Rows and elements of so many cells that fit a/b.
+struct Cut {
+  Index rows, elements;
+
+  Cut(double aspect, Index size) {
+    const double root = std::sqrt(aspect);
+    rows = std::max<Index>(1, std::lround(static_cast<double>(size) / root));
+    elements = std::max<Index>(1, std::lround(static_cast<double>(size) * root));
+  }
+  Index cells() const { return rows * elements; }
+};
+
+/// Forces over full sliding, and the moment over full sliding times the size.
+Vector3d relative(const SteadyPatch& patch, const Vector3d& resultants) {
+  const double full = patch.bound.total();
+  return resultants.cwiseQuotient(full * Vector3d(1, 1, patch.bound.size()));
+}
+
+Vector3d relative(const SteadyPatch& patch, const SteadyPatchSolution& solution) {
+  return relative(patch, solution.resultants);
+}
+
+Vector3d relative(const SteadyPatch& patch, const ContactState& state, const ContactResult& of) {
+  const bool along = std::string(state.kind) == "longitudinal";
+  return relative(patch, Vector3d(along ? of.force : 0, along ? 0 : of.force, of.moment));
+}
+
+double force_error(const Vector3d& error) { return error.head<2>().cwiseAbs().maxCoeff(); }
+
+/// A load of the ellipses, over mu p0/G.
+struct Load3 {
+  const char* kind;
+  Vector3d motion;  ///< xi, eta, phi c
+};
+
+const std::array<Load3, 13>& loads() {
+  static const std::array<Load3, 13> all{{{"creepage", {0.15, 0, 0}},
+                                          {"creepage", {0.4, 0, 0}},
+                                          {"creepage", {0.9, 0, 0}},
+                                          {"creepage", {0, 0.15, 0}},
+                                          {"creepage", {0, 0.4, 0}},
+                                          {"creepage", {0, 0.9, 0}},
+                                          {"creepage", {0.3, 0.3, 0}},
+                                          {"spin", {0, 0, 0.2}},
+                                          {"spin", {0, 0, 0.7}},
+                                          {"spin", {0, 0, 2}},
+                                          {"spin", {0, -0.25, 0.4}},
+                                          {"spin", {0.3, -0.2, 0.5}},
+                                          {"spin", {0.6, 0.3, 1.5}}}};
+  return all;
+}
+
+SteadyPatch ellipse(double aspect, double nu, const Cut& cut, const Vector3d& motion) {
+  const double root = std::sqrt(aspect);
+  SteadyPatch patch{.material = {1, nu},
+                    .bound = EllipticBound(root, 1 / root, 1),
+                    .rows = cut.rows,
+                    .elements = cut.elements};
+  for (std::size_t j = 0; j < 3; ++j) patch.load[j].value = motion[static_cast<Index>(j)];
+  return patch;
+}
+
+PatchResponse response_of(double aspect, double nu, const Cut& cut) {
+  return {JoinedRows(aspect, cut.rows, cut.elements), nu};
+}
+
+struct Circle {
+  Table errors;
+  Table limits;
+};
+
+Circle circle(const EllipseConvergenceParameters& p, const auto& advance) {
+  Circle found{
+      {"circle",
+       "errors of the resultants on a circle, against the finest joined rows",
+       {{"scheme", "1", "joined: rows; contact: CONTACT's printed results"},
+        {"kind", "1", "longitudinal or lateral creepage, or spin"},
+        {"level", "1", "creepage over 0.07, 0.08 or 0.2/mm, where mu p0/G = 0.143"},
+        {"cells", "1", "number of cells or elements in the contact"},
+        {"force_error", "1", "of the force, over full sliding", up_to_rounding},
+        {"moment_error", "1", "of the moment, over full sliding times a", up_to_rounding}}},
+      {"limits",
+       "resultants over full sliding, of the finest joined rows and extrapolated from "
+       "CONTACT's results",
+       {{"kind", "1", "longitudinal or lateral creepage, or spin"},
+        {"level", "1", "creepage over 0.07, 0.08 or 0.2/mm"},
+        {"force", "1", "by joined rows; along the creepage, for spin the lateral one"},
+        {"contact_force", "1", "by CONTACT"},
+        {"moment", "1", "by joined rows"},
+        {"contact_moment", "1", "by CONTACT"},
+        {"difference", "1", "the larger one of both differences"}}}};
+  const double nu = patch_of(contact_states().front(), 1, 1).material.poisson_ratio;
+  std::map<const ContactState*, Vector3d> exact;
+  const auto add = [&](const char* scheme, const ContactState& state, Index cells,
+                       const Vector3d& value) {
+    const Vector3d error = value - exact.at(&state);
+    found.errors.add(
+        {scheme, state.kind, state.level, cells, force_error(error), std::abs(error[2])});
+  };
+  const auto solve = [&](Index size, const auto& use) {
+    const Cut cut(1, size);
+    const PatchResponse response = response_of(1, nu, cut);
+    for (const ContactState& state : contact_states()) {
+      const SteadyPatch patch = patch_of(state, cut.rows, cut.elements);
+      use(state, patch, relative(patch, solve_steady(patch, response)));
+      advance();
+    }
+  };
+  solve(p.reference, [&](const ContactState& state, const SteadyPatch& patch, const Vector3d& of) {
+    exact[&state] = of;
+    const Vector3d limit = relative(patch, state, state.limit);
+    const Index along = std::string(state.kind) == "longitudinal" ? 0 : 1;
+    found.limits.add({state.kind, state.level, of[along], limit[along], of[2], limit[2],
+                      (of - limit).cwiseAbs().maxCoeff()});
+  });
+  for (const Index size : p.sizes) {
+    solve(size, [&](const ContactState& state, const SteadyPatch&, const Vector3d& of) {
+      add("joined", state, size * size, of);
+    });
+  }
+  for (std::size_t k = 0; k < contact_diameters.size(); ++k) {
+    for (const ContactState& state : contact_states()) {
+      const SteadyPatch patch = patch_of(state, 1, 1);
+      add("contact", state, contact_elements[k], relative(patch, state, state.results[k]));
+    }
+  }
+  return found;
+}
+
+Table ellipses(const EllipseConvergenceParameters& p, const auto& advance) {
+  Table table(
+      "ellipses", "errors of the resultants of joined rows, against the finest ones",
+      {{"aspect", "1", "a/b"},
+       {"kind", "1", "creepage without spin, or any with spin"},
+       {"creepage", "1", "xi over mu p0/G"},
+       {"lateral_creepage", "1", "eta over mu p0/G"},
+       {"spin", "1", "phi c over mu p0/G"},
+       {"rows", "1", "M"},
+       {"elements", "1", "N of a row"},
+       {"cells", "1", "number of cells"},
+       {"force_error", "1", "the larger one of both forces', over full sliding", up_to_rounding},
+       {"moment_error", "1", "of the moment, over full sliding times c", up_to_rounding}});
+  for (const double aspect : p.aspects) {
+    std::vector<Vector3d> exact;
+    const auto solve = [&](Index size, const auto& use) {
+      const Cut cut(aspect, size);
+      const PatchResponse response = response_of(aspect, p.poisson_ratio, cut);
+      for (std::size_t l = 0; l < loads().size(); ++l) {
+        const SteadyPatch patch = ellipse(aspect, p.poisson_ratio, cut, loads()[l].motion);
+        use(l, cut, relative(patch, solve_steady(patch, response)));
+        advance();
+      }
+    };
+    solve(p.reference,
+          [&](std::size_t, const Cut&, const Vector3d& value) { exact.push_back(value); });
+    for (const Index size : p.sizes) {
+      solve(size, [&](std::size_t l, const Cut& cut, const Vector3d& value) {
+        const Vector3d error = value - exact[l];
+        const Vector3d& motion = loads()[l].motion;
+        table.add({aspect, loads()[l].kind, motion[0], motion[1], motion[2], cut.rows, cut.elements,
+                   cut.cells(), force_error(error), std::abs(error[2])});
+      });
+    }
+  }
+  return table;
+}
+
+double root_mean_square(const Table& table, const char* column, const auto& wanted) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    if (!wanted(i)) continue;
+    sum += std::pow(table.number(i, column), 2);
+    ++count;
+  }
+  return count > 0 ? std::sqrt(sum / count) : not_given;
+}
+
+/// Over all states of a kind, by numbers of cells.
+Table summary_of(const Circle& found) {
+  Table table("summary", "errors on the circle, over the levels of a kind",
+              {{"scheme", "1", "joined: rows; contact: CONTACT's printed results"},
+               {"kind", "1", "creepage without spin, or spin"},
+               {"cells", "1", "number of cells or elements in the contact"},
+               {"force_error", "1", "of the force over full sliding, root of the mean square"},
+               {"moment_error", "1", "of the moment, the same, over full sliding times a"},
+               {"largest", "1", "the largest error of a force"}});
+  const Table& errors = found.errors;
+  for (const char* scheme : {"joined", "contact"}) {
+    for (const bool spin : {false, true}) {
+      std::vector<double> numbers;
+      for (std::size_t i = 0; i < errors.rows(); ++i) {
+        const double cells = errors.number(i, "cells");
+        if (has(errors, i, {{"scheme", scheme}}) &&
+            std::ranges::find(numbers, cells) == numbers.end())
+          numbers.push_back(cells);
+      }
+      for (const double cells : numbers) {
+        const auto wanted = [&](std::size_t i) {
+          return has(errors, i, {{"scheme", scheme}}) && errors.number(i, "cells") == cells &&
+                 has(errors, i, {{"kind", "spin"}}) == spin;
+        };
+        table.add({scheme, spin ? "spin" : "creepage", cells,
+                   root_mean_square(errors, "force_error", wanted),
+                   root_mean_square(errors, "moment_error", wanted),
+                   extreme(errors, "force_error", false, wanted)});
+      }
+    }
+  }
+  return table;
+}
+
+Table claims_of(const EllipseConvergenceParameters& p, const Circle& found, const Table& summary,
+                const Table& ellipses) {
+  const auto largest = [&](const char* kind, double least_cells) {
+    return extreme(ellipses, "force_error", false, [&](std::size_t i) {
+      return has(ellipses, i, {{"kind", kind}}) && ellipses.number(i, "cells") >= least_cells;
+    });
+  };
+  const auto at = [&](const char* scheme, const char* kind, bool last) {
+    double value = not_given;
+    for (std::size_t i = 0; i < summary.rows(); ++i) {
+      if (!has(summary, i, {{"scheme", scheme}, {"kind", kind}})) continue;
+      if (last || std::isnan(value)) value = summary.number(i, "force_error");
+    }
+    return value;
+  };
+  const auto order = [&](const char* kind) {
+    const double ratio = static_cast<double>(p.sizes.back()) / static_cast<double>(p.sizes.front());
+    return std::log(at("joined", kind, false) / at("joined", kind, true)) / std::log(ratio);
+  };
+  const auto of_hundred = [&](const char* kind) {
+    return most(summary, "force_error", {{"scheme", "joined"}, {"kind", kind}, {"cells", 100.0}});
+  };
+  constexpr double hundred = 85, four_hundred = 380;  // cells, as they fit a/b
+  return claims_table(
+      {{"some 100 cells give forces without spin to one percent of full sliding", "none", not_given,
+        largest("creepage", hundred), "1", ours_if({below(1e-2)}),
+        "largest error over a/b, from 85 cells on", "ellipse_convergence_aspects"},
+       {"some 100 cells give forces with any spin to one and a half percent of full sliding",
+        "none", not_given, largest("spin", hundred), "1", ours_if({below(1.5e-2)}),
+        "largest error over a/b, from 85 cells on", "ellipse_convergence_aspects"},
+       {"some 400 cells give forces with any spin to two thousandths of full sliding", "none",
+        not_given, std::fmax(largest("spin", four_hundred), largest("creepage", four_hundred)), "1",
+        ours_if({below(2e-3)}), "largest error over a/b, from 380 cells on",
+        "ellipse_convergence_aspects"},
+       {"the order of forces without spin is about two, although whole cells stick or slip", "none",
+        2, order("creepage"), "1", ours_if({above(1.3)}),
+        "order in the number of cells along an axis, of the root mean square on the circle",
+        "ellipse_convergence_error"},
+       {"the order of forces under spin is two", "none", 2, order("spin"), "1",
+        ours_if({above(1.7)}),
+        "order in the number of cells along an axis, of the root mean square on the circle",
+        "ellipse_convergence_error"},
+       {"CONTACT's 316 elements have ten times the error of 100 cells without spin, or more",
+        "none", not_given, at("contact", "creepage", false) / of_hundred("creepage"), "1",
+        ours_if({above(10)}), "ratio of the root mean squares on the circle",
+        "ellipse_convergence_error"},
+       {"under spin 100 cells have a larger error than CONTACT's 316 elements", "none", not_given,
+        of_hundred("spin") / at("contact", "spin", false), "1", ours_if({between(1, 3)}),
+        "ratio of the root mean squares on the circle", "ellipse_convergence_error"},
+       {"joined rows and CONTACT have the same limits", "none", not_given,
+        most(found.limits, "difference", {}), "1", ours_if({below(2e-3)}),
+        "largest difference of a force or moment, over full sliding",
+        "ellipse_convergence_error"}});
+}
+
+}  // namespace
+
+EllipseConvergenceParameters read_ellipse_convergence(Scene& scene) {
+  using P = EllipseConvergenceParameters;
+  const StudyKeys<P> keys(
+      scene, {{&P::aspects, "ellipse.aspects", "a/b, a along the rolling", range(0.2, 5)},
+              {&P::poisson_ratio, "ellipse.poisson_ratio", "nu of the ellipses", range(0, 0.5)},
+              {&P::sizes, "convergence.sizes",
+               "square roots of the numbers of cells; rows and elements fit a/b", range(5, 30),
+               two_or_more_rising},
+              {&P::reference, "convergence.reference", "the same, of the reference", range(6, 40),
+               "above convergence.sizes"}});
+  const P p = keys.read({});
+  scene.demand("convergence.reference", static_cast<double>(p.reference),
+               p.reference > p.sizes.back());
+  return p;
+}
+
+std::vector<Table> ellipse_convergence(const EllipseConvergenceParameters& p,
+                                       const Progress& progress) {
+  const std::size_t steps =
+      (p.sizes.size() + 1) * (contact_states().size() + p.aspects.size() * loads().size());
+  std::size_t done = 0;
+  const auto advance = [&] { progress(++done, steps); };
+  const Circle found = circle(p, advance);
+  const Table summary = summary_of(found);
+  const Table of_ellipses = ellipses(p, advance);
+  return {found.errors, found.limits, of_ellipses, summary,
+          claims_of(p, found, summary, of_ellipses)};
+}
+
+}  // namespace microslip::experiments
