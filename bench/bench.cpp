@@ -15,7 +15,8 @@ namespace {
 
 std::vector<Case> all_cases(const BenchParameters& p) {
   std::vector<Case> all;
-  for (const auto& cases : {toeplitz_cases(p), steady_cases(p), transient_cases(p)}) {
+  for (const auto& cases :
+       {toeplitz_cases(p), steady_cases(p), transient_cases(p), patch_cases(p)}) {
     all.insert(all.end(), cases.begin(), cases.end());
   }
   return all;
@@ -23,15 +24,16 @@ std::vector<Case> all_cases(const BenchParameters& p) {
 
 Table times_table(const std::string& name, const std::string& description,
                   const std::vector<Measurement>& measurements) {
-  Table table(name, description,
-              {{"quantity", "1", "what is computed"},
-               {"kernel", "1", "strip or plane"},
-               {"method", "1", "by which way"},
-               {"elements", "1", "number N of elements, or of unknowns of Chebyshev collocation"},
-               {"time", "s", "of the processor"},
-               {"real_time", "s", "the same unless others used the machine"},
-               {"repeats", "1", "over which times are means"},
-               {"iterations", "1", "of GMRES; partitions tried; evaluations of a curve"}});
+  Table table(
+      name, description,
+      {{"quantity", "1", "what is computed"},
+       {"kernel", "1", "strip or plane; half_space of an ellipse"},
+       {"method", "1", "by which way"},
+       {"elements", "1", "number N of elements, of cells, or of unknowns of Chebyshev collocation"},
+       {"time", "s", "of the processor"},
+       {"real_time", "s", "the same unless others used the machine"},
+       {"repeats", "1", "over which times are means"},
+       {"iterations", "1", "of GMRES; partitions tried; evaluations of a curve"}});
   for (const auto& [subject, time, real_time, repeats, iterations] : measurements) {
     table.add({subject.quantity, subject.kernel, subject.method, subject.elements, time, real_time,
                repeats, iterations});

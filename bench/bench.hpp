@@ -33,6 +33,7 @@ struct BenchParameters {
   Sizes unknowns;  ///< of Chebyshev collocation
   Sizes step;      ///< of a transient step
   Sizes rolling;   ///< of N transient steps
+  Sizes ellipse;   ///< of joined rows, and of cells of each
   Sizes memory;    ///< of steady rolling in a process of its own
 
   // The largest N with dense matrices.
@@ -54,6 +55,9 @@ std::vector<Case> steady_cases(const BenchParameters& p);
 
 /// Steps of transient rolling that leave the partition as it is, and N steps from a Cattaneo shift.
 std::vector<Case> transient_cases(const BenchParameters& p);
+
+/// Steady rolling of a circle by joined rows.
+std::vector<Case> patch_cases(const BenchParameters& p);
 
 /// Peak memory of steady rolling, each in a process of its own.
 Table memory_table(const BenchParameters& p);
