@@ -8,6 +8,7 @@
 #include <string>
 
 #include "contact_ellipse.hpp"
+#include "line_for_ellipse.hpp"
 #include "microslip/experiments/claims.hpp"
 #include "study_keys.hpp"
 #include "table_values.hpp"
@@ -233,7 +234,7 @@ Table summary_of(const Circle& found) {
 }
 
 Table claims_of(const EllipseConvergenceParameters& p, const Circle& found, const Table& summary,
-                const Table& ellipses) {
+                const Table& ellipses, const Table& lines) {
   const auto largest = [&](const char* kind, double least_cells) {
     return extreme(ellipses, "force_error", false, [&](std::size_t i) {
       return has(ellipses, i, {{"kind", kind}}) && ellipses.number(i, "cells") >= least_cells;
@@ -253,6 +254,9 @@ Table claims_of(const EllipseConvergenceParameters& p, const Circle& found, cons
   };
   const auto of_hundred = [&](const char* kind) {
     return most(summary, "force_error", {{"scheme", "joined"}, {"kind", kind}, {"cells", 100.0}});
+  };
+  const auto off = [&](const char* column) {
+    return std::fmax(most(lines, column, {}), -least(lines, column, {}));
   };
   constexpr double hundred = 85, four_hundred = 380;  // cells, as they fit a/b
   return claims_table(
@@ -281,6 +285,13 @@ Table claims_of(const EllipseConvergenceParameters& p, const Circle& found, cons
        {"under spin 100 cells have a larger error than CONTACT's 316 elements", "none", not_given,
         of_hundred("spin") / at("contact", "spin", false), "1", ours_if({between(1, 3)}),
         "ratio of the root mean squares on the circle", "ellipse_convergence_error"},
+       {"a strip of the same area has the force of the ellipse without spin to three hundredths of "
+        "full sliding",
+        "none", not_given, off("strip_error"), "1", ours_if({below(0.03)}),
+        "largest difference over a/b and load", "ellipse_convergence_lines"},
+       {"plane strain is up to half of full sliding off where the ellipse is longer than wide",
+        "none", not_given, off("plane_error"), "1", ours_if({above(0.3)}),
+        "largest difference over a/b and load", "ellipse_convergence_lines"},
        {"joined rows and CONTACT have the same limits", "none", not_given,
         most(found.limits, "difference", {}), "1", ours_if({below(2e-3)}),
         "largest difference of a force or moment, over full sliding",
@@ -293,6 +304,7 @@ EllipseConvergenceParameters read_ellipse_convergence(Scene& scene) {
   using P = EllipseConvergenceParameters;
   const StudyKeys<P> keys(
       scene, {{&P::aspects, "ellipse.aspects", "a/b, a along the rolling", range(0.2, 5)},
+              {&P::lines, "ellipse.lines", "a/b of ellipses beside line contacts", range(0.05, 10)},
               {&P::poisson_ratio, "ellipse.poisson_ratio", "nu of the ellipses", range(0, 0.5)},
               {&P::sizes, "convergence.sizes",
                "square roots of the numbers of cells; rows and elements fit a/b", range(5, 30),
@@ -314,8 +326,9 @@ std::vector<Table> ellipse_convergence(const EllipseConvergenceParameters& p,
   const Circle found = circle(p, advance);
   const Table summary = summary_of(found);
   const Table of_ellipses = ellipses(p, advance);
-  return {found.errors, found.limits, of_ellipses, summary,
-          claims_of(p, found, summary, of_ellipses)};
+  const Table lines = line_contacts_table(p.lines, p.poisson_ratio, advance);
+  return {found.errors, found.limits, of_ellipses,
+          summary,      lines,        claims_of(p, found, summary, of_ellipses, lines)};
 }
 
 }  // namespace microslip::experiments

@@ -11,9 +11,11 @@
 namespace microslip::experiments {
 
 /// How fast do forces and moment of a contact ellipse converge where a part of it slips? Joined
-/// rows beside CONTACT's own results on a circle, and joined rows on ellipses.
+/// rows beside CONTACT's own results on a circle, joined rows on ellipses, and line contacts in the
+/// place of ellipses.
 struct EllipseConvergenceParameters {
   std::vector<double> aspects{};      ///< a/b
+  std::vector<double> lines{};        ///< a/b of ellipses beside line contacts
   double poisson_ratio = 0;           ///< nu of the ellipses
   std::vector<Eigen::Index> sizes{};  ///< square roots of the numbers of cells, rising
   Eigen::Index reference = 0;         ///< the same, of the reference
@@ -23,7 +25,7 @@ struct EllipseConvergenceParameters {
 EllipseConvergenceParameters read_ellipse_convergence(Scene& scene);
 
 /// Tables: circle (errors of joined rows and CONTACT), limits (of both), ellipses (errors of joined
-/// rows), summary (over all states), claims.
+/// rows), summary (over all states), lines (line contacts in the place of ellipses), claims.
 std::vector<Table> ellipse_convergence(const EllipseConvergenceParameters& parameters,
                                        const Progress& progress);
 
