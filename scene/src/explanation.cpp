@@ -229,7 +229,8 @@ Explanation of_patch(const SteadyPatch& patch) {
        fmt::format("a/b = {}, c = (a b)^(1/2) = {} mm", five_digits(patch.bound.ratio()),
                    five_digits(c)),
        fmt::format("{} rows of {} elements between their own edges", patch.rows, patch.elements),
-       "a creepage where all sticks is found to 1e-3 or better; stick and slip by Newton's method"},
+       "stick and slip are found by Newton's method; where nothing slips, forces are right to "
+       "1e-3"},
       {normal, how_steady,
        "that the pressure of bodies of different material displaces their surfaces",
        "spin that changes the shape of the contact, and a contact in more than one plane"}};

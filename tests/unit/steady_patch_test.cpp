@@ -116,6 +116,15 @@ TEST(SteadyPatch, SlidesAsAWholeUnderLargeCreepages) {
   }
 }
 
+TEST(SteadyPatch, TakesMotionsOfAnySize) {
+  const Vector3d large = relative(circle(6, rolling(1e9, -2e9, 1e9)));
+  const SteadyPatch problem = circle(6, rolling(1e40, -2e40, 1e40));
+  const SteadyPatchSolution solution = solve_steady(problem);
+  EXPECT_LT((relative(problem, solution) - large).norm(), 1e-8);
+  EXPECT_EQ(solution.motion[0], 1e40);
+  EXPECT_NEAR(solution.slip.rowwise().norm().maxCoeff(), 3e40, 1e40);
+}
+
 TEST(SteadyPatch, TurnsAboutTheCentreUnderLargeSpin) {
   for (const double ratio : {0.5, 1.0, 2.0}) {
     SteadyPatch problem = circle(14, rolling(0, 0, 1e6));
@@ -189,6 +198,7 @@ TEST(SteadyPatch, HasASmallChangeWhereItIsAccurate) {
   const SteadyPatchSolution fine = solve_steady_with_change(circle(16, rolling(0.3, 0.2, 0.1)));
   EXPECT_GT(coarse.evidence.change, 0.05);
   EXPECT_LT(fine.evidence.change, 5e-3);
+  EXPECT_EQ(solve_steady_with_change(circle(1, rolling(1e-3, 0, 0))).evidence.change, 1);
   // A row of one cell has twice the force of the bound.
   const SteadyPatchSolution one = solve_steady(circle(1, rolling(5, 0, 0)));
   EXPECT_NEAR(one.evidence.bound_resolution(), 0.5, 0.2);

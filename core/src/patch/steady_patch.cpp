@@ -32,12 +32,27 @@ struct Units {
   }
 };
 
-PatchLoad in_units(PatchLoad load, const Units& units) {
-  for (std::size_t j = 0; j < load.size(); ++j) {
-    load[j].value /= (load[j].by_resultant ? units.resultant : units.motion)[static_cast<Index>(j)];
+/// Motions over mu p0/G above this size are made smaller by one divisor. All slides then, in the
+/// direction of the rigid slip but for a part of 1e-12.
+constexpr double largest_motion = 1e12;
+
+struct ScaledLoad {
+  PatchLoad load;
+  double divisor;  ///< of motions
+
+  ScaledLoad(const PatchLoad& given, const Units& units) : load(given) {
+    double largest = 0;
+    for (std::size_t j = 0; j < load.size(); ++j) {
+      const auto& unit = load[j].by_resultant ? units.resultant : units.motion;
+      load[j].value /= unit[static_cast<Index>(j)];
+      if (!load[j].by_resultant) largest = std::max(largest, std::abs(load[j].value));
+    }
+    divisor = std::max(1.0, largest / largest_motion);
+    for (PatchComponent& component : load) {
+      if (!component.by_resultant) component.value /= divisor;
+    }
   }
-  return load;
-}
+};
 
 /// Limits of v by Hertz's bound of the peak 1: g = cos(psi) sin(theta), over tan(theta/2).
 VectorXd limits_of(const JoinedRows& rows) {
@@ -119,14 +134,14 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse
   const Index n = rows.cells();
   const Units units(problem);
   SteadyPatchSolution solution;
-  solution.state =
-      solve_stick_slip(response, limits_of(rows), in_units(problem.load, units), start);
+  const ScaledLoad scaled(problem.load, units);
+  solution.state = solve_stick_slip(response, limits_of(rows), scaled.load, start);
   const PatchState& state = solution.state;
   const double c = problem.bound.size(), peak = problem.bound.peak();
   solution.slips = state.slips;
   solution.iterations = state.iterations;
   solution.condition = response.condition();
-  solution.motion = state.motion.cwiseProduct(units.motion);
+  solution.motion = scaled.divisor * state.motion.cwiseProduct(units.motion);
   solution.resultants = (response.resultants() * state.unknowns).cwiseProduct(units.resultant);
   for (std::size_t j = 0; j < problem.load.size(); ++j) {  // without rounding
     const auto& [by_resultant, value] = problem.load[j];
@@ -151,7 +166,7 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse
       solution.slip.row(cell) << state.centre_slip[cell], state.centre_slip[n + cell];
     }
   }
-  solution.slip *= units.motion[0];
+  solution.slip *= scaled.divisor * units.motion[0];
   solution.evidence = evidence_of(problem, solution, response);
   return solution;
 }
@@ -185,13 +200,15 @@ double change_of(const SteadyPatch& problem, const SteadyPatchSolution& from,
 
 SteadyPatchSolution solve_steady_with_change(const SteadyPatch& problem) {
   SteadyPatchSolution solution = solve_steady(problem);
+  solution.evidence.change = 1;
+  if (problem.rows == 1 || problem.elements == 1) return solution;  // there are no fewer
   SteadyPatch coarse = problem;
   coarse.rows = (2 * problem.rows + 1) / 3;
   coarse.elements = (2 * problem.elements + 1) / 3;
   try {
     solution.evidence.change = change_of(problem, solve_steady(coarse), solution);
   } catch (const NotConverged&) {
-    solution.evidence.change = 1;
+    return solution;
   }
   return solution;
 }

@@ -63,7 +63,8 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem);
 /// The same, with the change of the result from rows and elements that are a third fewer as evidence:
 /// the largest one of the forces over full sliding, of the moment over that of turning, and of
 /// motions that follow over the largest motion of their kind, creepage or spin. Errors of
-/// resultants are below 2e-3 plus 1.5 times the change: tests/property/generated_patches_test.cpp
+/// resultants are below 2e-3 plus 1.5 times the change: tests/property/generated_patches_test.cpp.
+/// The change is 1 if fewer have no solution, and if there is one row or one element.
 SteadyPatchSolution solve_steady_with_change(const SteadyPatch& problem);
 
 }  // namespace microslip
