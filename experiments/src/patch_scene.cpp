@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -60,7 +61,7 @@ std::vector<Table> scene_tables(const SteadyPatch& patch, const Progress& progre
   summary.add({"spin", solution.motion[2], "1/mm"});
   summary.add({"force_ratio", solution.force() / full_sliding, "1"});
   summary.add({"full_sliding_force", full_sliding, "N"});
-  summary.add({"adhesion_share", 1 - solution.slip_area() / area, "1"});
+  summary.add({"adhesion_share", std::max(0.0, 1 - solution.slip_area() / area), "1"});
   summary.add({"slip_share", solution.slip_area() / area, "1"});
   summary.add({"dissipation", solution.dissipation, "N"});
   summary.add({"half_width", patch.bound.half_width(), "mm"});

@@ -36,8 +36,23 @@ def plot_traction(x: np.ndarray, bound: np.ndarray, traction: np.ndarray, axes: 
     return axes
 
 
+def plot_patch(table: np.ndarray, axes: Any = None) -> Any:
+    """Draws tractions of an ellipse as arrows, orange where it slips."""
+    axes = _new_axes() if axes is None else axes
+    slips = table["zone"] == "S"
+    for of, color, label in ((~slips, "tab:blue", "sticks"), (slips, "tab:orange", "slips")):
+        part = table[of]
+        axes.quiver(part["x"], part["y"], part["traction_x"], part["traction_y"], color=color, label=label,
+                    angles="xy", scale=15 * float(np.max(table["bound"])))
+    axes.set(xlabel="x [mm], rolling to the right", ylabel="y [mm]", aspect="equal")
+    axes.legend()
+    return axes
+
+
 def plot_result(result: Any, axes: Any = None) -> Any:
     """Draws a result, see Result.plot."""
+    if "traction_x" in result.traction.dtype.names:
+        return plot_patch(result.traction, axes)
     history = result.history if axes is None else None
     both = _new_axes(1 if history is None else 2) if axes is None else axes
     first = both if history is None else both[0]

@@ -96,7 +96,8 @@ class Result:
             table.write(path / f"{name}.tsv")
 
     def plot(self, axes: Any = None) -> Any:
-        """Draws tractions within their bound and, unless rolling is steady, the force over the distance.
+        """Draws tractions within their bound and, unless rolling is steady, the force over the distance; of an
+        ellipse, tractions as arrows.
 
         Parameters
         ----------

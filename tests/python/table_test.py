@@ -55,7 +55,7 @@ def test_frames_of_pandas_have_units(scene):
     assert ms.solve(scene, problem="steady", load_force=-900, contact=contact).summary["force"] == -900
 
 
-def test_figures_are_drawn_or_refused_in_a_line(scene, monkeypatch):
+def test_figures_are_drawn_or_refused_in_a_line(scene, source, monkeypatch):
     matplotlib = pytest.importorskip("matplotlib")
     matplotlib.use("Agg")
     curve = ms.creep_curve(scene, points=9)
@@ -68,6 +68,8 @@ def test_figures_are_drawn_or_refused_in_a_line(scene, monkeypatch):
     assert np.array_equal(axes[1].lines[0].get_ydata(), result.history["force"])
     assert ms.steady(scene, force=-500).plot().get_xlabel().startswith("x [mm]")
     ms.Rolling(scene).plot()
+    ellipse = ms.solve(source / "examples/ellipse.info", grid_rows=6, grid_elements=8)
+    assert ellipse.plot().get_ylabel() == "y [mm]"
     matplotlib.pyplot.close("all")
     monkeypatch.setitem(__import__("sys").modules, "matplotlib", None)
     with pytest.raises(ImportError, match="^plot wants matplotlib"):
