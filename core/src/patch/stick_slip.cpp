@@ -3,16 +3,15 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 
-#include "microslip/linalg/gmres.hpp"
 #include "microslip/linalg/index_view.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
+#include "row_block_solver.hpp"
 
 namespace microslip {
 
@@ -40,11 +39,6 @@ constexpr Attempt attempts[] = {{3, 2, 20}, {1.5, 0.7, 20}, {5, 2, 20}, {1, 0.3,
 constexpr double largest_part = 0.25;
 constexpr double least_part = 1.0 / 64;
 constexpr std::size_t attempts_of_part = 2;
-
-/// Systems from this size on are solved by GMRES.
-constexpr Index least_of_iterative = 150;
-constexpr double gmres_tolerance = 1e-6;
-constexpr int most_of_gmres = 60;
 
 /// |q - r0 t| - 1 from which the slip is that at the centre.
 constexpr double width_of_transition = 0.3;
@@ -175,7 +169,8 @@ class Newton {
     right_.resize(2 * size + free);
     for (Index r = 0; r < size; ++r) set_condition(state, r, size);
     for (Index j = 0; j < free; ++j) set_resultant(j, 2 * size);
-    const VectorXd solution = solution_near(previous_solution(state, size));
+    const VectorXd solution =
+        solver_.solve(system_, right_, previous_solution(state, size), rows_of_unknowns());
     VectorXd motion(1 + free);
     motion << 1, solution.tail(free);
     state.motion = motions_ * motion;
@@ -209,6 +204,15 @@ class Newton {
       motions_(free_[j], 1 + static_cast<Index>(j)) = 1;
   }
 
+  /// The row of cells of each slip.
+  std::vector<Index> rows_of_unknowns() const {
+    std::vector<Index> rows;
+    for (const Index column : columns_) {
+      rows.push_back(column % cells_ / response_.rows().elements());
+    }
+    return rows;
+  }
+
   /// The unknowns of the system in the state before it.
   VectorXd previous_solution(const PatchState& state, Index size) const {
     VectorXd values(right_.size());
@@ -218,49 +222,6 @@ class Newton {
     }
     values.tail(values.size() - 2 * size) = state.motion(index_view(free_));
     return values;
-  }
-
-  /// Solves the system: a large one by GMRES, from the state before, with the blocks of rows of
-  /// cells as a preconditioner.
-  VectorXd solution_near(const VectorXd& previous) {
-    const Index size = right_.size();
-    if (size < least_of_iterative) return system_.partialPivLu().solve(right_);
-    const VectorXd missing = right_ - system_ * previous;
-    factor_blocks((size - static_cast<Index>(free_.size())) / 2);
-    VectorXd correction;
-    const auto outcome =
-        gmres_.solve([&](const VectorXd& x, VectorXd& y) { y.noalias() = system_ * x; },
-                     [&](const VectorXd& x, VectorXd& y) { apply_blocks(x, y); }, missing,
-                     gmres_tolerance, correction);
-    if (outcome.residual > gmres_tolerance) return system_.partialPivLu().solve(right_);
-    return previous + correction;
-  }
-
-  /// The block of a row has both components of the row's cells that slip.
-  void factor_blocks(Index size) {
-    blocks_.clear();
-    const Index elements = response_.rows().elements();
-    for (Index r = 0; r < size;) {
-      const Index row = columns_[static_cast<std::size_t>(r)] / elements;
-      RowBlock block;
-      for (; r < size && columns_[static_cast<std::size_t>(r)] / elements == row; ++r) {
-        block.places.push_back(r);
-      }
-      const std::size_t cells = block.places.size();
-      for (std::size_t i = 0; i < cells; ++i) block.places.push_back(size + block.places[i]);
-      const auto places = index_view(block.places);
-      block.factors.compute(MatrixXd(system_(places, places)));
-      blocks_.push_back(std::move(block));
-    }
-  }
-
-  void apply_blocks(const VectorXd& x, VectorXd& y) const {
-    y = x;  // of the motion
-    for (const RowBlock& block : blocks_) {
-      const auto places = index_view(block.places);
-      const VectorXd part = block.factors.solve(VectorXd(x(places)));
-      y(places) = part;
-    }
   }
 
   /// With z = q - r s, e = z/|z| and D = (1 - e e')/|z|, the condition q = e is linear about z:
@@ -343,14 +304,9 @@ class Newton {
   std::vector<Index> free_;  ///< components that follow from a resultant
   MatrixXd motions_;         ///< the prescribed motion, and a unit of each of these
   MatrixXd stuck_;           ///< elastic slip by them of cells that stick
-  struct RowBlock {
-    std::vector<Index> places;
-    Eigen::PartialPivLU<MatrixXd> factors;
-  };
-  std::vector<RowBlock> blocks_;
-  Gmres gmres_{most_of_gmres};
+  RowBlockSolver solver_;
   std::vector<Index> columns_;  ///< longitudinal, then lateral slip of the cells that slip
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> system_;
+  PatchResponse::Matrix system_;
   VectorXd right_;
 };
 
