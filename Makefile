@@ -30,13 +30,13 @@ help:
 	@echo 'make STUDY        one study with its figures: $(STUDIES)'
 	@echo 'make quick        every study, coarser, into results/quick'
 	@echo 'make bench        times against N into results/bench, with figures; about five minutes'
-	@echo 'make test         build and run all tests'
-	@echo 'make verify       two clean builds: the same bytes; these, and other instructions and compilers: agreement with tests/reference_tables'
+	@echo 'make test         build and run all tests, those of units under the address and undefined-behaviour sanitizers'
+	@echo 'make verify       two clean builds: the same bytes; these, and other instructions and compilers: agreement with tests/reference_tables; all samples of property tests'
 	@echo 'make references   make the tables of this build those of tests/reference_tables'
 	@echo 'make accuracy     the orders that the tests measure, into docs/accuracy.md'
 	@echo 'make coverage     the lines of core and scene that the tests run; at least 95 %'
 	@echo 'make mutants      which test fails for each change of tests/mutants.tsv; MUTANTS="NAME ..." for some'
-	@echo 'make sanitize     the tests of units and of the C interface, and the corpus, under the address and undefined-behaviour sanitizers; those of threads under the thread sanitizer'
+	@echo 'make sanitize     the tests under sanitizers alone, and those of threads under the thread sanitizer'
 	@echo 'make fuzz         libFuzzer on every reader of input, FUZZ_SECONDS=$(FUZZ_SECONDS) each, with both sanitizers'
 	@echo 'make keep-corpus  what it found that reaches new code, into fuzz/corpus'
 	@echo 'make build        only build the programs, into $(BUILD)/bin'
@@ -140,13 +140,19 @@ bench:
 	  plots/draw.sh plots/$$(basename $$figure .svg).gp results/bench $$figure; \
 	done
 
+# Tests of units under sanitizers, and all others in the build of the programs.
 test: deps
-	@tools/deps.sh report
+	@tools/deps.sh report clang
+	@$(sanitized)
+	$(run_sanitized)
 	@$(call cmake_build,release)
 	ctest --preset release -j $(JOBS)
 
+# Tests of properties take all samples here, and a third of them in `make test`.
 verify: deps
 	@tools/verify.sh build/verify $(JOBS)
+	@$(call cmake_build,release,--target property_tests)
+	MICROSLIP_SAMPLES=all $(BUILD)/bin/property_tests --gtest_brief=1
 
 references: deps
 	@$(call cmake_build,release,--target programs compare_tables)
@@ -171,19 +177,22 @@ coverage:
 mutants: deps
 	@tools/mutants.py build/mutants $(JOBS) $(MUTANTS)
 
-# Without tests that count work or measure accuracy in long runs: other tests run the same code, and
-# `make test` runs them without sanitizers. As many processes run the tests of units as there are jobs: to start
-# one for each test takes as long as the tests themselves.
-LONG_RUNS := Cost.*:*TurnsToCarter*:*HasNoNoiseWhereItIsSteep*:*SlipLosesTheEnergy*
-LONG_RUNS := $(LONG_RUNS):*IsOfSecondOrderForAnyStep*:*NarrowStripsAreEstimated*:*EstimateIsHonest*
+# Without tests in long runs: other tests run the same code, and `make test` runs them without sanitizers.
+# As many processes run the tests of units as there are jobs: to start one for each test takes as long
+# as the tests themselves.
+sanitized = $(call cmake_build,debug,--target unit_tests capi_tests corpus)
+run_sanitized = ctest --preset debug -L 'capi|corpus' -j $(JOBS); \
+  seq 0 $$(($(JOBS) - 1)) | GTEST_TOTAL_SHARDS=$(JOBS) xargs -P $(JOBS) -I {} env GTEST_SHARD_INDEX={} \
+    build/debug/bin/unit_tests --gtest_brief=1 --gtest_filter='-LongRuns*'
 sanitize:
 	@tools/deps.sh build clang
-	@$(call cmake_build,debug,--target unit_tests capi_tests corpus)
-	ctest --preset debug -L 'capi|corpus' -j $(JOBS)
-	seq 0 $$(($(JOBS) - 1)) | GTEST_TOTAL_SHARDS=$(JOBS) xargs -P $(JOBS) -I {} env GTEST_SHARD_INDEX={} \
-	  build/debug/bin/unit_tests --gtest_brief=1 --gtest_filter='-$(LONG_RUNS)'
-	@$(call cmake_build,threads,--target capi_tests)
-	build/threads/bin/capi_tests --gtest_brief=1 --gtest_filter='CThreads.*:*DifferentThreads*'
+	@$(sanitized)
+	$(run_sanitized)
+	@$(threads)
+
+# The thread sanitizer takes a build of its own.
+threads = $(call cmake_build,threads,--target capi_tests); \
+  build/threads/bin/capi_tests --gtest_brief=1 --gtest_filter='CThreads.*:*DifferentThreads*'
 
 # Input that ends a reader is written to build/fuzz/findings; new input stays in build/fuzz/corpus.
 fuzz:

@@ -16,6 +16,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "property/generated_contacts.hpp"
+#include "property/samples.hpp"
 
 namespace microslip::generated_changes_test {
 
@@ -131,7 +132,7 @@ TEST(GeneratedChanges, OfTheContactAreRight) {
   ContactGenerator generator(seed_of_tests() + 5000);
   std::mt19937 random(seed_of_tests() + 5001);
   double worst = 0;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < samples(40); ++i) {
     const auto [kind, contact] = generator.next();
     const double length = contact.kernel.plane_length().value_or(HUGE_VAL);
     if (!rolls_transiently(contact) || length < 1.6 * half_width) {

@@ -14,6 +14,7 @@
 
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
+#include "property/samples.hpp"
 #include "property/table_closed_form.hpp"
 
 namespace microslip::generated_contacts_test {
@@ -86,7 +87,7 @@ int total(const std::map<std::string, Count>& counts, int Count::*what) {
 TEST(GeneratedContacts, ClosedFormIsTheLimitOfTheScheme) {
   ContactGenerator generator(seed_of_tests() + 2000);
   int known = 0;
-  for (int i = 0; i < 240; ++i) {
+  for (int i = 0; i < samples(240); ++i) {
     const auto [kind, contact] = generator.next();
     const auto exact = closed_form(contact);
     if (!exact) continue;
@@ -104,7 +105,7 @@ TEST(GeneratedContacts, ClosedFormIsTheLimitOfTheScheme) {
 TEST(GeneratedContacts, SmallLoadsAreThoseOfTheClosedForm) {
   ContactGenerator generator(seed_of_tests() + 3000);
   std::map<std::string, Count> counts;
-  for (int i = 0; i < 480; ++i) {
+  for (int i = 0; i < samples(480); ++i) {
     auto [kind, contact] = generator.next();
     const double ratio = std::pow(10, -1 - (i / 12) % 6);
     contact.load = PrescribedForce{-ratio * full_sliding_force(contact.bound)};
@@ -125,7 +126,7 @@ TEST(GeneratedContacts, SmallLoadsAreThoseOfTheClosedForm) {
 TEST(GeneratedContacts, DefaultMethodIsRight) {
   ContactGenerator generator(seed_of_tests());
   std::map<std::string, Count> counts;
-  for (int i = 0; i < 240; ++i) {
+  for (int i = 0; i < samples(240); ++i) {
     const auto [kind, contact] = generator.next();
     const Truth truth(contact);
     const auto error = [&](const SteadyMethod& method) {
@@ -145,7 +146,7 @@ TEST(GeneratedContacts, DefaultMethodIsRight) {
 // The force leads to a creepage, and that back to the force, by elements or not.
 TEST(GeneratedContacts, ForcesAndCreepagesLeadToEachOther) {
   ContactGenerator generator(seed_of_tests() + 10);
-  for (int i = 0; i < 600; ++i) {
+  for (int i = 0; i < samples(600); ++i) {
     const auto [kind, contact] = generator.next();
     SteadyProblem problem = problem_of(contact, 200, Inversion{});
     const double force = std::get<PrescribedForce>(contact.load).value;
@@ -159,7 +160,7 @@ TEST(GeneratedContacts, ForcesAndCreepagesLeadToEachOther) {
 TEST(GeneratedContacts, EstimatesHold) {
   ContactGenerator generator(seed_of_tests() + 1000);
   std::map<std::string, Count> counts;
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < samples(500); ++i) {
     const auto [kind, contact] = generator.next();
     Count& count = counts[kind];
     try {
@@ -177,7 +178,7 @@ TEST(GeneratedContacts, EstimatesHold) {
   }
   print("target_error 1e-3", counts);
   EXPECT_GE(total(counts, &Count::held), 100 * total(counts, &Count::broken));
-  EXPECT_LE(total(counts, &Count::refused), 25);
+  EXPECT_LE(total(counts, &Count::refused), samples(25));
 }
 
 }  // namespace microslip::generated_contacts_test

@@ -8,6 +8,7 @@
 
 #include "generated_contacts.hpp"
 #include "microslip/rolling/transient.hpp"
+#include "property/samples.hpp"
 
 namespace microslip::generated_kernels_test {
 
@@ -62,7 +63,7 @@ class KernelGenerator {
 };
 
 TEST(GeneratedKernels, EstimatesOfErrorsHold) {
-  constexpr int count = 24;
+  const int count = samples(24);
   constexpr double target = 3e-3;
   ContactGenerator contacts(31);
   KernelGenerator kernels(32);
@@ -90,7 +91,7 @@ TEST(GeneratedKernels, RollingLeadsToTheSteadyState) {
   std::uniform_real_distribution<double> uniform(0, 1);
   const HertzBound bound(half_width, 300);
   const double most = full_sliding_force(bound);
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < samples(16); ++i) {
     const Kernel kernel = kernels.next();
     const Index n = 60 + static_cast<Index>(60 * uniform(random));
     const double force = -most * (0.1 + 0.8 * uniform(random));

@@ -10,6 +10,7 @@
 
 #include "microslip/rolling/transient.hpp"
 #include "property/generated_contacts.hpp"
+#include "property/samples.hpp"
 
 namespace microslip::generated_shifts_test {
 
@@ -161,7 +162,7 @@ TEST(GeneratedShifts, AreForgottenNextToFullSliding) {
     return std::uniform_real_distribution<double>(from, to)(random);
   };
   double worst = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < samples(60); ++i) {
     const TransientProblem problem{
         .contact = {StripKernel({82000, 0.28}, 10), HertzBound{half_width, 300}},
         .grid = Grid({.half_width = half_width,

@@ -12,6 +12,7 @@
 #include "microslip/rolling/transient.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "property/generated_contacts.hpp"
+#include "property/samples.hpp"
 
 namespace microslip::generated_states_test {
 
@@ -149,7 +150,7 @@ TEST_P(GeneratedStates, GoOnToTheBit) {
   const Index n = GetParam();
   ContactGenerator generator(seed_of_tests() + 9000);
   std::mt19937 random(seed_of_tests() + static_cast<unsigned>(n));
-  const int cases = n < 100 ? 12 : 4;
+  const int cases = samples(n < 100 ? 12 : 4);
   int changes = 0, errors = 0;
   for (int i = 0; i < cases; ++i) {
     const auto [kind, contact] = generator.next();

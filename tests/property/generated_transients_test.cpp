@@ -9,6 +9,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "property/generated_contacts.hpp"
+#include "property/samples.hpp"
 
 namespace microslip::generated_transients_test {
 
@@ -54,7 +55,7 @@ double force_from_rest(const SteadyContact& contact, double creepage, Index elem
 TEST(GeneratedTransients, AreRight) {
   ContactGenerator generator(seed_of_tests() + 2000);
   double worst_creep = 0, worst_force = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < samples(60); ++i) {
     const auto [kind, contact] = generator.next();
     if (!rolls_transiently(contact)) continue;
     const double creepage = steady_creepage(contact);

@@ -4,12 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "microslip/friction/rough_bound.hpp"
 #include "microslip/rolling/target_error.hpp"
+#include "property/samples.hpp"
 
 namespace microslip::rough_contacts_test {
 
@@ -110,8 +112,10 @@ TEST(RoughContacts, NumberOfRoundsDoesNotGrowWithTheNumberOfZones) {
 TEST(RoughContacts, EstimatesHold) {
   constexpr double target = 2e-3;
   constexpr Index elements = 32768;
-  for (const double hurst : {0.5, 0.3, 0.1}) {
+  constexpr std::array hursts{0.3, 0.5, 0.1};
+  for (int i = 0; i < samples(3); ++i) {
     for (const double force_ratio : {0.02, 0.5, 0.9}) {
+      const double hurst = hursts.at(static_cast<std::size_t>(i));
       const TractionBound bound =
           rough_bound(hertz, {.amplitude = 0.3, .hurst = hurst, .seed = 7, .rows = 8193});
       const SteadyProblem problem = problem_of(bound, elements, force_ratio);

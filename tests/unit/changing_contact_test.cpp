@@ -65,7 +65,7 @@ TransientRolling rolled_under_waves(const Kernel& kernel, Index n, int steps, do
   return rolling;
 }
 
-TEST(ChangingContact, IsOfSecondOrderForAnyStep) {
+TEST(LongRunsOfChangingContacts, AreOfSecondOrderForAnyStep) {
   for (const Kernel& kernel : {Kernel(plane), Kernel(strip)}) {
     const double exact = rolled_under_waves(kernel, 400, 1, 0.3).state().force;
     for (const int steps : {1, 3}) {

@@ -40,7 +40,7 @@ void expect_foreseen(const std::string& text, int elements, double factor = 3) {
   EXPECT_GT(ratio, 1 / factor) << text << elements;
 }
 
-TEST(Cost, OfSteadyRollingIsForeseenWithinAFactorOfThree) {
+TEST(LongRunsOfCosts, OfSteadyRollingAreForeseenWithinAFactorOfThree) {
   for (const std::string load : {"load { force -1 }\n", "load { creepage 0.3 }\n"}) {
     const std::string steady = "problem steady\n" + load;
     for (const int n : {101, 801, 6401}) {
@@ -56,7 +56,7 @@ TEST(Cost, OfSteadyRollingIsForeseenWithinAFactorOfThree) {
   }
 }
 
-TEST(Cost, OfTransientsIsForeseenWithinAFactorOfThree) {
+TEST(LongRunsOfCosts, OfTransientsAreForeseenWithinAFactorOfThree) {
   const std::string transient =
       "problem transient\nload { force -1 }\nstart { type cattaneo }\n"
       "motion { distance 0.25 }\n";
@@ -71,7 +71,7 @@ TEST(Cost, OfTransientsIsForeseenWithinAFactorOfThree) {
   }
 }
 
-TEST(Cost, OfTheRowsOfATableIsForeseenWithinAFactorOfThree) {
+TEST(LongRunsOfCosts, OfTheRowsOfATableAreForeseenWithinAFactorOfThree) {
   for (const int rows : {129, 2049}) {
     for (const double force_ratio : {0.05, 0.5, 0.9}) {
       const std::string text = fmt::format(
@@ -84,7 +84,7 @@ TEST(Cost, OfTheRowsOfATableIsForeseenWithinAFactorOfThree) {
 }
 
 // By remembered a long step is solved in parts.
-TEST(Cost, OfLongStepsIsForeseenWithinAFactorOfThree) {
+TEST(LongRunsOfCosts, OfLongStepsAreForeseenWithinAFactorOfThree) {
   for (const std::string scheme : {"remembered", "direct"}) {
     for (const int n : {101, 401}) {
       expect_foreseen(
@@ -96,7 +96,7 @@ TEST(Cost, OfLongStepsIsForeseenWithinAFactorOfThree) {
   }
 }
 
-TEST(Cost, OfContactsThatChangeIsForeseenWithinAFactorOfThree) {
+TEST(LongRunsOfCosts, OfContactsThatChangeAreForeseenWithinAFactorOfThree) {
   const Eigen::Vector3d q(0, 4, 8);
   RunRows rows;
   rows.distance = q;
@@ -121,7 +121,7 @@ TEST(Cost, OfContactsThatChangeIsForeseenWithinAFactorOfThree) {
 }
 
 // How far a search goes along the path, and how often, is not foreseen.
-TEST(Cost, OfShiftsIsForeseenWithinAFactorOfEight) {
+TEST(LongRunsOfCosts, OfShiftsAreForeseenWithinAFactorOfEight) {
   for (const std::string forces : {"1.4 -1.4 1.4", "0.7 -0.7 0.7 -0.7", "0.2 -0.2 0.2 -0.2"}) {
     for (const int n : {101, 201, 401}) {
       for (const std::string scheme : {"remembered", "direct"}) {

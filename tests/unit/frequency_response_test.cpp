@@ -110,7 +110,7 @@ TEST(FrequencyResponse, OfAWideStripIsPlaneStrain) {
 }
 
 // Widths, stick zones and wavelengths as they come; what few terms give differs.
-TEST(FrequencyResponse, NarrowStripsAreEstimated) {
+TEST(LongRunsOfFrequencyResponse, EstimateNarrowStrips) {
   for (const double width : {0.1, 0.3, 1.0, 8.0}) {
     for (const double begin : {-1.0, 0.0, 0.9}) {
       const double length = 1 - begin;

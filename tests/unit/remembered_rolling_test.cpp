@@ -105,7 +105,7 @@ TEST(Remembered, AnySequenceOfStepsMeetsTheContactConditions) {
 }
 
 // After ten contact widths Carter's solution is there, for any load and number of elements.
-TEST(Remembered, TurnsToCarter) {
+TEST(LongRunsOfRemembered, TurnToCarter) {
   for (const double ratio : {1e-6, 1e-4, 1e-2, 0.1, 0.3, 0.64, 0.9}) {
     const double stick = std::sqrt(1 - ratio);
     const double creepage = 2 * (1 - 0.28) * ratio / (1 + stick);
@@ -154,7 +154,7 @@ TEST(Remembered, StepsOfWholeElementsAreNotDivided) {
 
 // The slip at nodes loses what the balance of energy says, to first order: its zone ends between
 // nodes.
-TEST(Remembered, SlipLosesTheEnergyOfSteadyRolling) {
+TEST(LongRunsOfRemembered, LoseTheEnergyOfSteadyRollingBySlip) {
   for (const double ratio : {0.64, 0.9}) {
     const double force = -ratio * full_sliding;
     for (const auto& [n, error] : {std::pair<Index, double>{50, 0.05}, {200, 0.0125}}) {

@@ -53,7 +53,7 @@ TEST(SteepBound, MayEndAtTheEdges) {
 }
 
 // Differences over 1e-6 mm must keep their digits: noise of the strain once left no root.
-TEST(SteepBound, HasNoNoiseWhereItIsSteep) {
+TEST(LongRunsOfSteepBounds, HaveNoNoiseWhereTheyAreSteep) {
   const TabulatedBound bound = table({-5, -2.9, -2.899999, 5}, {0, 100, 20, 0});
   for (const Eigen::Index n : {20, 50, 100}) {
     for (const double creepage : {1e-5, 1.3e-5, 1.5e-5, 1.62e-5, 2e-5, 1e-4, 1.6e-4}) {

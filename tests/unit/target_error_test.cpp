@@ -39,7 +39,7 @@ struct Honesty {
 
 // Carter's problem, the exact solution of which is known: parts of adhesion, loads and targets at
 // random.
-TEST(TargetError, EstimateIsHonestForCarter) {
+TEST(LongRunsOfTargetErrors, AreHonestForCarter) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> part(0.02, 0.98), exponent(-9, -1);
   Honesty honesty;
@@ -62,7 +62,7 @@ TEST(TargetError, EstimateIsHonestForCarter) {
 }
 
 // By elements alone, against inversion.
-TEST(TargetError, EstimateIsHonestForElements) {
+TEST(LongRunsOfTargetErrors, AreHonestForElements) {
   std::mt19937 random(2);
   std::uniform_real_distribution<double> part(0.02, 0.98), exponent(-4, -1), bend(-0.25, 0.25);
   Honesty honesty;
