@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+namespace microslip {
+
+/// Forces and moment of a contact ellipse that sticks everywhere, with c^2 = a b:
+///   F_x = -G c^2 C11 xi,  F_y = -G c^2 C22 eta - G c^3 C23 phi,  M_z = G c^3 C32 eta - G c^4 C33 phi.
+/// By reciprocity C32 is C23.
+struct CreepCoefficients {
+  double c11, c22, c23, c32, c33;
+};
+
+/// Coefficients, and how far each of them may be off.
+struct EstimatedCreepCoefficients {
+  CreepCoefficients value;
+  /// The change from two thirds of the order; of C23 and C32 at least their difference, between
+  /// which their limit lies.
+  CreepCoefficients error;
+};
+
+/// Kalker's coefficients of steady rolling, by Galin's theorem: a polynomial over
+/// sqrt(1 - x^2/a^2 - y^2/b^2) displaces the surface by a polynomial of the same degree. Each degree
+/// has its own small equations. The degrees are coupled by the leading edge alone, on which
+/// tractions vanish. Nothing is shared with joined rows. Derivation: docs/ellipse.md.
+/// \param ratio          a/b in [0.01, 100], a along the rolling
+/// \param poisson_ratio  nu in [0, 0.5]
+/// \param order          largest degree, in 6 ... 96
+/// \return relative errors by the default order: below 1e-6 for a/b >= 0.2, tests/unit/kalker_test.cpp
+/// \throws std::invalid_argument outside the ranges
+EstimatedCreepCoefficients creep_coefficients(double ratio, double poisson_ratio,
+                                              Eigen::Index order = 48);
+
+}  // namespace microslip
