@@ -15,8 +15,8 @@ struct CreepCoefficients {
 /// Coefficients, and how far each of them may be off.
 struct EstimatedCreepCoefficients {
   CreepCoefficients value;
-  /// The change from two thirds of the order; of C23 and C32 at least their difference, between
-  /// which their limit lies.
+  /// The larger change from an odd and an even order, both two thirds of this one; of C23 and C32
+  /// at least their difference. The limit was never further off: tests/unit/kalker_test.cpp
   CreepCoefficients error;
 };
 
@@ -26,8 +26,10 @@ struct EstimatedCreepCoefficients {
 /// tractions vanish. Nothing is shared with joined rows. Derivation: docs/ellipse.md.
 /// \param ratio          a/b in [0.01, 100], a along the rolling
 /// \param poisson_ratio  nu in [0, 0.5]
-/// \param order          largest degree, in 6 ... 96
-/// \return relative errors by the default order: below 1e-6 for a/b >= 0.2, tests/unit/kalker_test.cpp
+/// \param order          largest degree of the polynomials, 12 ... 96
+/// Accuracy: the default order has relative errors below 1e-8 for a/b >= 1, below 1e-6 for a/b >= 0.2,
+/// and below 2e-5 for a/b >= 0.05; errors of C11 and C22 are below 1e-7 there. Without Poisson's ratio
+/// any order is exact. The error falls by a factor of about 20 as the order doubles. Cost: about 10 ms.
 /// \throws std::invalid_argument outside the ranges
 EstimatedCreepCoefficients creep_coefficients(double ratio, double poisson_ratio,
                                               Eigen::Index order = 48);
