@@ -1,5 +1,6 @@
-# Errors of the creep coefficients of the contact ellipse against the number of cells: joined rows are of second order,
-# and have at most 4e-4 on 100 cells; equal rectangles are of first order, with steps where cells enter the ellipse.
+# Errors of the creep coefficients of the contact ellipse, against Galin's theorem, by the number of cells: joined rows
+# are of second order, and have at most 4e-4 on 100 cells; equal rectangles are of first order, with steps where cells
+# enter the ellipse.
 errors = tables."/errors.tsv"
 names = "C11 C22 C23 C33"
 of(scheme, aspect) = strcol("scheme") eq scheme && abs(column("aspect") / aspect - 1) < 1e-6 ? column("cells") : NaN

@@ -1,4 +1,4 @@
-# The coefficients that Kalker printed in 1990, against joined rows: half a percent where the ellipse is nearly a circle,
+# The coefficients that Kalker printed in 1990, against Galin's theorem: half a percent where the ellipse is nearly a circle,
 # one percent where it is slender.
 coefficients = tables."/coefficients.tsv"
 names = "C11 C22 C23 C33"

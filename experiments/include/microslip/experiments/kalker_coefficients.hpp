@@ -11,7 +11,8 @@
 namespace microslip::experiments {
 
 /// Which forces do small creepages and spin of a contact ellipse make? Kalker's coefficients by
-/// joined rows, their convergence beside the standard scheme's, and the table that Kalker printed.
+/// Galin's theorem, the errors of joined rows and of the standard scheme, and the table that Kalker
+/// printed.
 struct KalkerCoefficientsParameters {
   std::vector<double> aspects{};            ///< a/b
   std::vector<double> poisson_ratios{};     ///< nu
@@ -20,13 +21,13 @@ struct KalkerCoefficientsParameters {
   double poisson_ratio = 0;                 ///< of the convergence
   std::vector<Eigen::Index> sizes{};        ///< joined rows, and cells of each, rising
   std::vector<Eigen::Index> rectangles{};   ///< N, rising
-  Eigen::Index reference = 0;               ///< the same, of the reference
 };
 
 /// The keys that `kalker_coefficients --print-keys` lists, each checked against its listed range.
 KalkerCoefficientsParameters read_kalker_coefficients(Scene& scene);
 
-/// Tables: coefficients (with Kalker's), errors (joined rows and standard scheme), orders, claims.
+/// Tables: coefficients (with the printed ones), errors (joined rows and standard scheme), orders,
+/// claims.
 std::vector<Table> kalker_coefficients(const KalkerCoefficientsParameters& parameters,
                                        const Progress& progress);
 
