@@ -15,7 +15,7 @@ do for [panel=1:4] {
   name = word(names, panel)
   set title name
   if (panel > 2) { set xlabel "a/b [1]" } else { unset xlabel }
-  if (panel % 2 == 1) { set ylabel "difference [units of the last digit]" } else { unset ylabel }
+  if (panel % 2 == 1) { set ylabel "units of the last digit [1]" } else { unset ylabel }
   if (panel == 1) { set key top right } else { unset key }
   set object 1 rectangle from graph 0, first -1 to graph 1, first 1 behind fillcolor rgb "gray90" fillstyle solid noborder
   plot for [i=1:3] coefficients using (of(name, real(word(ratios, i)))):(column("units")) \

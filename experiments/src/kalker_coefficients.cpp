@@ -43,8 +43,8 @@ struct Exact {
   Coefficients value, error;
 };
 
-Exact by_galin(double aspect, double poisson_ratio) {
-  const auto [value, error] = creep_coefficients(aspect, poisson_ratio);
+Exact by_galin(double aspect, double poisson_ratio, Index order) {
+  const auto [value, error] = creep_coefficients(aspect, poisson_ratio, order);
   const double c23 = (value.c23 + value.c32) / 2;
   return {{value.c11, value.c22, c23, value.c33},
           {error.c11 / value.c11, error.c22 / value.c22, error.c23 / c23, error.c33 / value.c33}};
@@ -69,7 +69,7 @@ Table coefficients_table(const KalkerCoefficientsParameters& p, const Progress& 
                {"units", "1", "difference of the printed value in units of its last digit"}});
   for (const double nu : p.poisson_ratios) {
     for (const double aspect : p.aspects) {
-      const Exact exact = by_galin(aspect, nu);
+      const Exact exact = by_galin(aspect, nu, 48);
       const Coefficients joined = by_rows(aspect, p.elements, nu);
       const auto printed = kalker_printed(aspect, nu);
       for (std::size_t k = 0; k < names.size(); ++k) {
@@ -111,7 +111,7 @@ Convergence convergence(const KalkerCoefficientsParameters& p, const Progress& p
         {"order", "1", "of the largest error of the four coefficients", 0.05}}}};
   std::size_t done = p.aspects.size() * p.poisson_ratios.size();
   for (const double aspect : p.converged_aspects) {
-    const Exact exact = by_galin(aspect, p.poisson_ratio);
+    const Exact exact = by_galin(aspect, p.poisson_ratio, 96);
     const auto series = [&](const char* scheme, const std::vector<Index>& sizes,
                             const auto& solve) {
       std::vector<double> sides, errors;
@@ -153,13 +153,13 @@ double largest_error(const Table& errors, const char* scheme, double elements) {
   return largest;
 }
 
-/// The largest error of Galin's theorem, over the largest of the four errors that it measures.
+/// The largest error of Galin's theorem, over the least error that it measures.
 double largest_doubt(const Table& errors) {
   double largest = not_given;
-  for (std::size_t i = 0; i < errors.rows(); ++i) {
-    double measured = 0;
-    for (const char* name : names) measured = std::max(measured, errors.number(i, name));
-    largest = std::fmax(largest, errors.number(i, "reference") / measured);
+  for (const char* name : names) {
+    for (std::size_t i = 0; i < errors.rows(); ++i) {
+      largest = std::fmax(largest, errors.number(i, "reference") / errors.number(i, name));
+    }
   }
   return largest;
 }
@@ -169,7 +169,7 @@ std::vector<Claim> claims_on_rows(const Table& coefficients, const Convergence& 
       extreme(coefficients, "joined", false, [](std::size_t) { return true; });
   return {{"Galin's theorem is far more exact than what is measured against it", "none", not_given,
            largest_doubt(found.errors), "1", ours_if({below(0.1)}),
-           "largest estimated error of Galin's theorem, over the error of joined rows or of the "
+           "largest estimated error of Galin's theorem, over any error of joined rows or of the "
            "standard scheme",
            "kalker_coefficients_error"},
           {"14 x 14 cells in joined rows have Galin's coefficients to half a thousandth for all "

@@ -61,10 +61,10 @@ TEST(KalkerCoefficients, TheStandardSchemeIsContacts) {
 }
 
 TEST(KalkerCoefficients, Verdicts) {
-  const std::vector<Table> found = tables_of(
-      "kalker_coefficients", read_kalker_coefficients, kalker_coefficients,
-      {"ellipse.aspects=0.1 0.2 0.5 0.7 0.8 0.9 1 1.25 2 5 10", "ellipse.poisson_ratios=0 0.5",
-       "ellipse.elements=13", "convergence.rectangles=14 28"});
+  const std::vector<Table> found =
+      tables_of("kalker_coefficients", read_kalker_coefficients, kalker_coefficients,
+                {"ellipse.aspects=0.1 0.5 0.8 1 1.25 5 10", "ellipse.poisson_ratios=0 0.5",
+                 "ellipse.elements=14", "convergence.rectangles=14 28"});
   EXPECT_EQ(verdicts(found), std::vector<std::string>(11, "ours"));
 }
 

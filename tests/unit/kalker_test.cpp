@@ -161,6 +161,22 @@ TEST(Kalker, HasAnHonestError) {
   }
 }
 
+// The estimate is above the error, and is small: at the circle it is 2e-8.
+TEST(Kalker, HasTheStatedAccuracy) {
+  struct Stated {
+    double ratio, error, estimate;
+  };
+  for (const Stated& one : {Stated{1, 1e-8, 3e-8}, {0.2, 5e-7, 2e-6}, {0.05, 5e-6, 2e-5}}) {
+    const EstimatedCreepCoefficients found = creep_coefficients(one.ratio, 0.5);
+    const CreepCoefficients exact = creep_coefficients(one.ratio, 0.5, 96).value;
+    EXPECT_LT(difference(found.value, numbers_of(exact)), one.error) << one.ratio;
+    const Numbers value = numbers_of(found.value), error = numbers_of(found.error);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      EXPECT_LT(error[k] / value[k], one.estimate) << names[k] << ' ' << one.ratio;
+    }
+  }
+}
+
 TEST(Kalker, RefusesBadNumbers) {
   const auto message = [](double ratio, double nu, Eigen::Index order) -> std::string {
     try {

@@ -24,12 +24,13 @@ struct EstimatedCreepCoefficients {
 /// sqrt(1 - x^2/a^2 - y^2/b^2) displaces the surface by a polynomial of the same degree. Each degree
 /// has its own small equations. The degrees are coupled by the leading edge alone, on which
 /// tractions vanish. Nothing is shared with joined rows. Derivation: docs/ellipse.md.
+/// Accuracy: the default order has relative errors below 1e-8 for a/b >= 1, below 1e-6 for a/b >= 0.2,
+/// and below 5e-6 for a/b >= 0.05; errors of C11 and C22 are below 1e-7 there. Without Poisson's ratio
+/// any order is exact. The error falls by a factor of about 20 as the order doubles:
+/// tests/unit/kalker_test.cpp. Cost: about 10 ms.
 /// \param ratio          a/b in [0.01, 100], a along the rolling
 /// \param poisson_ratio  nu in [0, 0.5]
 /// \param order          largest degree of the polynomials, 12 ... 96
-/// Accuracy: the default order has relative errors below 1e-8 for a/b >= 1, below 1e-6 for a/b >= 0.2,
-/// and below 2e-5 for a/b >= 0.05; errors of C11 and C22 are below 1e-7 there. Without Poisson's ratio
-/// any order is exact. The error falls by a factor of about 20 as the order doubles. Cost: about 10 ms.
 /// \throws std::invalid_argument outside the ranges
 EstimatedCreepCoefficients creep_coefficients(double ratio, double poisson_ratio,
                                               Eigen::Index order = 48);
