@@ -176,7 +176,8 @@ class MirroredRolling {
     across_.resize(size);
     mixed_.resize(size);
     for (Index p = 0; p < size; ++p) {
-      const auto [theta, weight] = points[static_cast<std::size_t>(p)];
+      const auto& point = points[static_cast<std::size_t>(p)];
+      const double theta = point.first, weight = point.second;
       const ChordCompliance chord = compliance_of_chord(a_, nu_, theta);
       along_[p] = chord.along;
       across_[p] = chord.across;
