@@ -24,8 +24,8 @@ double number(const Table& table, double aspect, double nu, const std::string& n
   throw std::logic_error("no such row");
 }
 
-// A swapped axis of one of the three would show: the methods share no code, and the table was printed
-// in 1990.
+// A swapped axis of one of the three would show: the methods share no code, and the table was
+// printed in 1990.
 TEST(KalkerCoefficients, AreThoseOfTwoMethodsAndOfThePrintedTable) {
   const std::vector<Table> found = tables_of(
       "kalker_coefficients", read_kalker_coefficients, kalker_coefficients,

@@ -72,8 +72,8 @@ struct Known {
 };
 
 // Values of another discretisation of Galin's theorem, made for this project: powers of x and y in
-// place of Legendre's functions, N = 0 at points of the leading edge, up to degree 26, extrapolated in
-// the degree.
+// place of Legendre's functions, N = 0 at points of the leading edge, up to degree 26, extrapolated
+// in the degree.
 constexpr Known collocated[] = {{0.2, 0.25, {3.375090, 2.632570, 0.602699, 4.295410}},
                                 {0.2, 0.50, {4.819320, 2.663625, 0.806318, 5.695457}},
                                 {0.5, 0.25, {3.625346, 3.012416, 0.927977, 1.938131}},
@@ -94,9 +94,8 @@ TEST(Kalker, HasTheValuesOfCollocation) {
   }
 }
 
-// Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), table E3, for slender ellipses
-// and for those that are nearly circles. An error of 1.2 % of the table is measured by the study
-// kalker_coefficients.
+// Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990), table E3, has these values
+// for slender ellipses and for circles. The study kalker_coefficients finds it up to 1.2 % off.
 constexpr Known printed[] = {
     {0.1, 0.25, {3.31, 2.52, 0.473, 8.28}}, {0.1, 0.5, {4.85, 2.53, 0.731, 11.7}},
     {1, 0.25, {4.12, 3.67, 1.47, 1.19}},    {1, 0.5, {5.20, 3.98, 1.63, 1.16}},
@@ -122,8 +121,9 @@ TEST(Kalker, IsReciprocal) {
   }
 }
 
-// Each row of an ellipse that is narrow along the rolling is a line contact, with Carter's slope: the
-// force over G a(y) is pi/(2 (1 - nu)) along, and pi/2 across. The integral over the rows is pi^2/4.
+// Each row of an ellipse that is narrow along the rolling is a line contact, with Carter's slope:
+// the force over G a(y) is pi/(2 (1 - nu)) along, and pi/2 across. The integral over the rows is
+// pi^2/4.
 TEST(Kalker, TendsToTheLineContact) {
   for (const double nu : {0.0, 0.25, 0.5}) {
     const CreepCoefficients found = creep_coefficients(0.01, nu).value;

@@ -41,8 +41,8 @@ class CompliancesOfChords {
  public:
   CompliancesOfChords(double a, double nu, Index most)
       : along_(VectorXd::Zero(most / 2 + 1)), across_(along_), mixed_(along_) {
-    // The compliance is analytic up to this distance from real angles, so that equal weights have an
-    // exponential accuracy. A quarter of the edge has all values.
+    // The compliance is analytic up to this distance from real angles, so that equal weights have
+    // an exponential accuracy. A quarter of the edge has all values.
     const double width = std::atanh(std::min({a * a, 1 / (a * a), 0.99}));
     const Index points = most / 2 + static_cast<Index>(10 / width) + 1;
     for (Index k = 0; k < points; ++k) {
