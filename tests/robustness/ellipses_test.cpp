@@ -115,7 +115,7 @@ TEST_F(Ellipses, SayThatResultantsAreTooMuchTogether) {
       "--set load.creepage= --set load.force_ratio=0.9 --set load.spin= "
       "--set load.spin_moment_ratio=0.9");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_NE(outcome.error.find("stick and slip of the ellipse are found up to 0."),
+  EXPECT_NE(outcome.error.find("stick and slip of the contact are found up to 0."),
             std::string::npos)
       << outcome.error;
 }

@@ -223,7 +223,7 @@ TEST(SteadyPatch, RefusesBadNumbers) {
   problem.load = {{{}, {}, {true, 3}}};
   EXPECT_THAT(message(problem), StartsWith("spin_moment = 3: expected less than the moment"));
   problem.load = {{{true, 1.8}, {}, {true, 1.1}}};
-  EXPECT_THAT(message(problem), StartsWith("stick and slip of the ellipse are found up to"));
+  EXPECT_THAT(message(problem), StartsWith("stick and slip of the contact are found up to"));
   problem.load = rolling(std::nan(""), 0, 0);
   EXPECT_THAT(message(problem), StartsWith("creepage = nan: expected"));
   EXPECT_THROW(EllipticBound(1, 0, 1), std::invalid_argument);

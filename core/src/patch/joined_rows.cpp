@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <vector>
 
 #include "microslip/support/gauss_points.hpp"
@@ -110,25 +111,52 @@ struct SubRow {
   Stencil across;
 };
 
-std::vector<SubRow> sub_rows(Index rows) {
+/// The parts of the rows of a lobe, of which v is weighted by a(y) dy.
+/// \param first_row  the lobe's among all rows
+std::vector<SubRow> sub_rows(const Lobe& lobe, Index first_row, Index rows) {
   const Index size = parts_across * rows;
   const double step = pi / static_cast<double>(rows);
   std::vector<SubRow> parts;
   for (Index e = 0; e < size; ++e) {
     const double from = -pi / 2 + pi * static_cast<double>(e) / static_cast<double>(size);
     const double to = -pi / 2 + pi * static_cast<double>(e + 1) / static_cast<double>(size);
-    const auto integral = [&](const auto& of) { return of(to) - of(from); };
-    const double sum = integral([](double t) { return t / 2 + std::sin(2 * t) / 4; });
-    const double with_cos =
-        integral([](double t) { return std::sin(t) - std::pow(std::sin(t), 3) / 3; });
-    const double with_sin = integral([](double t) { return -std::pow(std::cos(t), 3) / 3; });
+    const auto weighted = [&](const auto& of) {
+      return lobe.integral(from, to,
+                           [&](double psi) { return lobe.row(psi).half_length * of(psi); });
+    };
+    const double sum = weighted([](double) { return 1.0; });
+    const double with_cos = weighted([](double psi) { return std::cos(psi); });
+    const double with_sin = weighted([](double psi) { return std::sin(psi); });
     const Index count = std::min<Index>(rows, 3);
     const Index first = std::clamp<Index>(e / parts_across - 1, 0, rows - count);
-    parts.push_back({from, to,
-                     stencil(first, count, -pi / 2 + (static_cast<double>(first) + 0.5) * step,
-                             step, {with_cos / sum, with_sin / sum}, false)});
+    parts.push_back(
+        {from, to,
+         stencil(first_row + first, count, -pi / 2 + (static_cast<double>(first) + 0.5) * step,
+                 step, {with_cos / sum, with_sin / sum}, false)});
   }
   return parts;
+}
+
+/// Rows of each lobe in proportion to heights, at least three each where there are as many.
+std::vector<Index> rows_of_lobes(const PatchShape& shape, Index rows) {
+  const auto lobes = static_cast<Index>(shape.lobes().size());
+  require(rows >= lobes, "rows", static_cast<double>(rows), [&] {
+    return lobes == 1 ? std::string("a whole number >= 1")
+                      : "at least one for each lobe, of which there are " + std::to_string(lobes);
+  });
+  const Index least = std::min<Index>(3, rows / lobes);
+  std::vector<Index> found(shape.lobes().size(), least);
+  for (Index left = rows - least * lobes; left > 0; --left) {  // to the highest rows
+    std::size_t highest = 0;
+    const auto height = [&](std::size_t l) {
+      return shape.lobes()[l].height() / static_cast<double>(found[l]);
+    };
+    for (std::size_t l = 1; l < found.size(); ++l) {
+      if (height(l) > height(highest)) highest = l;
+    }
+    ++found[highest];
+  }
+  return found;
 }
 
 /// Points and weights of a quadrature over psi.
@@ -168,6 +196,22 @@ Rule rule_over(const SubRow& part, double at) {
   return rule;
 }
 
+/// A line y = const of a lobe in a quadrature across.
+struct Line {
+  double y, middle, half_length, weight;
+};
+
+std::vector<Line> lines_of(const Lobe& lobe, const Rule& rule) {
+  std::vector<Line> lines;
+  for (std::size_t q = 0; q < rule.angles.size(); ++q) {
+    const double psi = rule.angles[q];
+    const Lobe::Row row = lobe.row(psi);
+    lines.push_back({lobe.y(psi), row.middle, row.half_length,
+                     rule.weights[q] * lobe.height() * std::cos(psi)});
+  }
+  return lines;
+}
+
 /// Integrals along the lines y = const of p f for the three kernels f, summed over a sub-row: a
 /// value for each sub-cell with v = 1.
 class LineIntegrals {
@@ -193,7 +237,7 @@ class LineIntegrals {
 
   /// Adds a line. With X = x - A s, f integrates to F, and X f to H; so an integral of p is
   ///   mean dF + slope [(x/A - middle) dF - dH/A],  d the difference between both sides.
-  /// \param x       of the point
+  /// \param x       of the point, from the middle of the line
   /// \param Y       of the point, from the line
   /// \param A       half-length of the line
   /// \param weight  of the line
@@ -225,35 +269,58 @@ class LineIntegrals {
 }  // namespace
 
 JoinedRows::JoinedRows(double ratio, Index rows, Index elements)
-    : rows_(rows), elements_(elements), a_(std::sqrt(ratio)) {
-  require_positive("ratio", ratio);
-  require(rows >= 1, "rows", static_cast<double>(rows), "a whole number >= 1");
+    : JoinedRows(
+          [&] {
+            require_positive("ratio", ratio);
+            return PatchShape::ellipse(std::sqrt(ratio), 1 / std::sqrt(ratio));
+          }(),
+          rows, elements) {}
+
+JoinedRows::JoinedRows(const PatchShape& shape, Index rows, Index elements)
+    : rows_(rows), elements_(elements), shape_(shape), first_rows_{0} {
   require(elements >= 1, "elements", static_cast<double>(elements), "a whole number >= 1");
+  for (const Index of_lobe : rows_of_lobes(shape, rows)) {
+    first_rows_.push_back(first_rows_.back() + of_lobe);
+  }
+}
+
+std::size_t JoinedRows::lobe(Index k) const {
+  const auto above = std::upper_bound(first_rows_.begin(), first_rows_.end(), k);
+  return static_cast<std::size_t>(above - first_rows_.begin()) - 1;
 }
 
 double JoinedRows::psi(Index k) const {
-  return -pi / 2 + (static_cast<double>(k) + 0.5) * pi / static_cast<double>(rows_);
+  const std::size_t l = lobe(k);
+  return -pi / 2 + (static_cast<double>(k - first_rows_[l]) + 0.5) * pi /
+                       static_cast<double>(first_rows_[l + 1] - first_rows_[l]);
 }
 
 double JoinedRows::theta(Index i) const {
   return (static_cast<double>(i) + 0.5) * pi / static_cast<double>(elements_);
 }
 
-double JoinedRows::y(Index k) const { return b() * std::sin(psi(k)); }
-
-double JoinedRows::x(Index j, Index k) const {
-  return a_ * std::cos(psi(k)) *
-         std::cos(static_cast<double>(j) * pi / static_cast<double>(2 * elements_));
+double JoinedRows::half_length(Index k) const {
+  return shape_.lobes()[lobe(k)].row(psi(k)).half_length;
 }
 
-/// The area is a(y) sin(theta) d theta b cos(psi) d psi.
+double JoinedRows::y(Index k) const { return shape_.lobes()[lobe(k)].y(psi(k)); }
+
+double JoinedRows::x(Index j, Index k) const {
+  const Lobe::Row row = shape_.lobes()[lobe(k)].row(psi(k));
+  return row.middle + row.half_length * std::cos(static_cast<double>(j) * pi /
+                                                 static_cast<double>(2 * elements_));
+}
+
+/// The area is a(y) sin(theta) d theta dy.
 VectorXd JoinedRows::areas() const {
-  const auto across = [](double t) { return t / 2 + std::sin(2 * t) / 4; };
-  const double height = pi / static_cast<double>(rows_),
-               width = pi / static_cast<double>(elements_);
+  const double width = pi / static_cast<double>(elements_);
   VectorXd areas(cells());
   for (Index k = 0; k < rows_; ++k) {
-    const double row = across(psi(k) + height / 2) - across(psi(k) - height / 2);
+    const std::size_t l = lobe(k);
+    const double height = pi / static_cast<double>(first_rows_[l + 1] - first_rows_[l]);
+    const Lobe& of = shape_.lobes()[l];
+    const double row = of.integral(psi(k) - height / 2, psi(k) + height / 2,
+                                   [&](double psi) { return of.row(psi).half_length; });
     for (Index i = 0; i < elements_; ++i) {
       areas[cell(i, k)] = row * (std::cos(theta(i) - width / 2) - std::cos(theta(i) + width / 2));
     }
@@ -261,24 +328,33 @@ VectorXd JoinedRows::areas() const {
   return areas;
 }
 
-/// Across a row, the integrals are those of a(y) dy, of a(y)^2 dy and of y a(y) dy.
+/// Across a row, the integrals are those of a(y) dy, a(y) middle(y) dy, a(y)^2 dy and y a(y) dy.
 Eigen::Matrix3Xd JoinedRows::moments() const {
   Eigen::Matrix3Xd moments = Eigen::Matrix3Xd::Zero(3, cells());
   const std::vector<SubCell> along = sub_cells(elements_);
-  for (const SubRow& row : sub_rows(rows_)) {
-    const auto integral = [&](const auto& of) { return of(row.to) - of(row.from); };
-    const double zeroth = integral([](double t) { return t / 2 + std::sin(2 * t) / 4; });
-    const double in_x =
-        a_ * integral([](double t) { return std::sin(t) - std::pow(std::sin(t), 3) / 3; });
-    const double in_y = b() * integral([](double t) { return -std::pow(std::cos(t), 3) / 3; });
-    for (const SubCell& part : along) {
-      const Eigen::Vector3d whole(part.sum() * zeroth, part.first_moment() * in_x,
-                                  part.sum() * in_y);
-      for (Index m = 0; m < row.across.size; ++m) {
-        for (Index l = 0; l < part.along.size; ++l) {
-          moments.col(cell(part.along.first + l, row.across.first + m)) +=
-              row.across.weights[static_cast<std::size_t>(m)] *
-              part.along.weights[static_cast<std::size_t>(l)] * whole;
+  for (std::size_t l = 0; l < shape_.lobes().size(); ++l) {
+    const Lobe& lobe = shape_.lobes()[l];
+    for (const SubRow& row : sub_rows(lobe, first_rows_[l], first_rows_[l + 1] - first_rows_[l])) {
+      const auto weighted = [&](const auto& of) {
+        return lobe.integral(row.from, row.to, [&](double psi) {
+          const Lobe::Row at = lobe.row(psi);
+          return at.half_length * of(psi, at);
+        });
+      };
+      const double zeroth = weighted([](double, const Lobe::Row&) { return 1.0; });
+      const double middle = weighted([](double, const Lobe::Row& at) { return at.middle; });
+      const double lever = weighted([](double, const Lobe::Row& at) { return at.half_length; });
+      const double in_y = weighted([&](double psi, const Lobe::Row&) { return lobe.y(psi); });
+      for (const SubCell& part : along) {
+        const Eigen::Vector3d whole(part.sum() * zeroth,
+                                    part.sum() * middle + part.first_moment() * lever,
+                                    part.sum() * in_y);
+        for (Index m = 0; m < row.across.size; ++m) {
+          for (Index n = 0; n < part.along.size; ++n) {
+            moments.col(cell(part.along.first + n, row.across.first + m)) +=
+                row.across.weights[static_cast<std::size_t>(m)] *
+                part.along.weights[static_cast<std::size_t>(n)] * whole;
+          }
         }
       }
     }
@@ -286,24 +362,27 @@ Eigen::Matrix3Xd JoinedRows::moments() const {
   return moments;
 }
 
-/// Rows mirrored in y have the same integrals, but for the sign of the mixed ones.
+/// Rows of a shape that is mirrored in y have the same integrals, but for the sign of the mixed
+/// ones.
 JoinedRows::Kernels JoinedRows::kernels() const {
   const MatrixXd zero = MatrixXd::Zero(points(), cells());
   Kernels found{zero, zero, zero};
   const std::array<MatrixXd*, 3> all{&found.near, &found.across, &found.mixed};
   const std::vector<SubCell> along = sub_cells(elements_);
-  const std::vector<SubRow> across = sub_rows(rows_);
+  const Index height = 2 * elements_ + 1;
   LineIntegrals lines(along);
   Eigen::RowVectorXd of_cells(elements_);
-  for (Index k = 0; k < (rows_ + 1) / 2; ++k) {
+  const auto add_lobe = [&](Index k, const Lobe& lobe, const std::vector<SubRow>& across) {
+    const bool is_own = &lobe == &shape_.lobes()[this->lobe(k)];
+    const double at = is_own ? psi(k) : lobe.psi(y(k)), y_of_row = y(k);
     for (const SubRow& row : across) {
-      const Rule rule = rule_over(row, psi(k));
-      for (Index j = 0; j <= 2 * elements_; ++j) {
+      const Rule rule = rule_over(row, at);
+      const std::vector<Line> sources = lines_of(lobe, rule);
+      for (Index j = 0; j < height; ++j) {
+        const double x_of_point = x(j, k);
         lines.clear();
-        for (std::size_t q = 0; q < rule.angles.size(); ++q) {
-          const double cosine = std::cos(rule.angles[q]);
-          lines.add(x(j, k), y(k) - b() * std::sin(rule.angles[q]), a_ * cosine,
-                    rule.weights[q] * b() * cosine);
+        for (const Line& line : sources) {
+          lines.add(x_of_point - line.middle, y_of_row - line.y, line.half_length, line.weight);
         }
         for (std::size_t n = 0; n < 3; ++n) {
           of_cells.setZero();
@@ -321,9 +400,17 @@ JoinedRows::Kernels JoinedRows::kernels() const {
         }
       }
     }
+  };
+  for (std::size_t l = 0; l < shape_.lobes().size(); ++l) {
+    const Lobe& lobe = shape_.lobes()[l];
+    const auto across = sub_rows(lobe, first_rows_[l], first_rows_[l + 1] - first_rows_[l]);
+    for (Index k = 0; k < (shape_.is_mirrored() ? (rows_ + 1) / 2 : rows_); ++k) {
+      add_lobe(k, lobe, across);
+    }
+  }
+  if (!shape_.is_mirrored()) return found;
+  for (Index k = 0; k < rows_ / 2; ++k) {
     const Index mirrored = rows_ - 1 - k;
-    if (mirrored == k) continue;
-    const Index height = 2 * elements_ + 1;
     for (std::size_t n = 0; n < 3; ++n) {
       const double sign = n == 2 ? -1 : 1;
       for (Index from = 0; from < rows_; ++from) {

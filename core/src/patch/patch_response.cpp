@@ -77,7 +77,7 @@ SlipMap map_centre_slip(const JoinedRows& rows, const JoinedRows::Kernels& kerne
   return slip_map(rows, kernels, nu, [&](Index i, Index k) {
     const Index here = 2 * i + 1;
     const double step = pi / static_cast<double>(rows.elements());
-    const double scale = rows.a() * std::cos(rows.psi(k)) * std::sin(rows.theta(i)) * step;
+    const double scale = rows.half_length(k) * std::sin(rows.theta(i)) * step;
     const double near = 4.0 / 3 / scale, far = -1.0 / 6 / scale;
     return Difference{{here + 1, here - 1, mirrored(here + 2), mirrored(here - 2)},
                       {near, -near, far, -far},

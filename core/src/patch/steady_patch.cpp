@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Units of motions and resultants by which the bound's peak, the size of the ellipse and the shear
+/// Units of motions and resultants by which the bound's peak, the size of the patch and the shear
 /// modulus are 1.
 struct Units {
   Vector3d motion, resultant;
@@ -54,12 +54,14 @@ struct ScaledLoad {
   }
 };
 
-/// Limits of v by Hertz's bound of the peak 1: g = cos(psi) sin(theta), over tan(theta/2).
-VectorXd limits_of(const JoinedRows& rows) {
+/// Limits of v by the bound at the centres of cells, over its peak and tan(theta/2).
+VectorXd limits_of(const JoinedRows& rows, const PatchBound& bound) {
   VectorXd limits(rows.cells());
   for (Index k = 0; k < rows.rows(); ++k) {
     for (Index i = 0; i < rows.elements(); ++i) {
-      limits[rows.cell(i, k)] = std::cos(rows.psi(k)) * (1 + std::cos(rows.theta(i)));
+      const double theta = rows.theta(i);
+      limits[rows.cell(i, k)] =
+          bound(rows.lobe(k), rows.psi(k), theta) / bound.peak() / std::tan(theta / 2);
     }
   }
   return limits;
@@ -75,7 +77,7 @@ Evidence evidence_of(const SteadyPatch& problem, const SteadyPatchSolution& solu
                     .load = solution.force(),
                     .power = std::abs(solution.dissipation),
                     .full_sliding = problem.bound.total()};
-  const VectorXd limits = limits_of(rows);
+  const VectorXd limits = limits_of(rows, problem.bound);
   for (Index i = 0; i < n; ++i) {
     if (!solution.slips[static_cast<std::size_t>(i)]) continue;
     const Vector2d v(solution.state.unknowns[i], solution.state.unknowns[n + i]);
@@ -135,7 +137,7 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse
   const Units units(problem);
   SteadyPatchSolution solution;
   const ScaledLoad scaled(problem.load, units);
-  solution.state = solve_stick_slip(response, limits_of(rows), scaled.load, start);
+  solution.state = solve_stick_slip(response, limits_of(rows, problem.bound), scaled.load, start);
   const PatchState& state = solution.state;
   const double c = problem.bound.size(), peak = problem.bound.peak();
   solution.slips = state.slips;
@@ -160,7 +162,7 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse
       const double shape = std::tan(rows.theta(i) / 2) * peak;
       solution.x[cell] = c * rows.x(2 * i + 1, k);
       solution.y[cell] = c * rows.y(k);
-      solution.bound[cell] = peak * std::cos(rows.psi(k)) * std::sin(rows.theta(i));
+      solution.bound[cell] = problem.bound(rows.lobe(k), rows.psi(k), rows.theta(i));
       solution.traction.row(cell) << shape * state.unknowns[cell], shape * state.unknowns[n + cell];
       if (!state.slips[static_cast<std::size_t>(cell)]) continue;
       solution.slip.row(cell) << state.centre_slip[cell], state.centre_slip[n + cell];
@@ -173,7 +175,8 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse
 
 SteadyPatchSolution solve_steady(const SteadyPatch& problem) {
   validate(problem);
-  const JoinedRows rows(problem.bound.ratio(), problem.rows, problem.elements);
+  const JoinedRows rows(problem.bound.shape().scaled(1 / problem.bound.size()), problem.rows,
+                        problem.elements);
   return solve_steady(problem, PatchResponse(rows, problem.material.poisson_ratio));
 }
 

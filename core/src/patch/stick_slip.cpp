@@ -352,7 +352,7 @@ PatchState solve_stick_slip(const PatchResponse& response, const VectorXd& limit
   if (part == 1) return reached;
   throw NotConverged(
       fmt::format(
-          "stick and slip of the ellipse are found up to {} of the load: the resultants may "
+          "stick and slip of the contact are found up to {} of the load: the resultants may "
           "be more than friction carries together, or the rows and elements too few for the "
           "spin",
           format_roughly(part)),

@@ -2,21 +2,27 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
+
+#include "microslip/patch/patch_shape.hpp"
 
 namespace microslip {
 
-/// M rows of N cells along the rolling have the tractions on an ellipse a/b with a b = 1.
+/// M rows of N cells along the rolling have the tractions on a patch of the size c = 1, such as an
+/// ellipse a/b with a b = 1.
 ///
-/// Row k is the strip between y = b sin(psi) at psi_k -+ pi/2M; psi_k = -pi/2 + (k + 1/2) pi/M. Its
-/// cells are edge to edge in s = x/a(y) = cos(theta), a(y) = a cos(psi), with centres at theta_i =
-/// (i + 1/2) pi/N from the leading edge, theta = 0, on. A traction is
+/// Each lobe of the patch has rows of its own; with m of them, row k of the lobe is the strip of psi
+/// about psi_k = -pi/2 + (k + 1/2) pi/m of the height pi/m; y = middle + height sin(psi). Its cells
+/// are edge to edge in s = cos(theta), x = middle(y) + a(y) s with the half-length a(y) of the row,
+/// and have centres at theta_i = (i + 1/2) pi/N from the leading edge, theta = 0, on. A traction is
 ///   p = sqrt((1 - s)/(1 + s)) v(theta, psi) = tan(theta/2) v,
 /// which vanishes at the leading edge, and is singular at a trailing edge that sticks. The unknown
 /// v is smooth: it is nearly constant if all sticks under a creepage. Between the centres, v follows
-/// by stencils that are exact for 1, cos and sin.
+/// by stencils that are exact for 1, cos and sin, within a lobe.
 ///
 /// Displacements are at 2N + 1 points a row, theta_j = j pi/2N: the sides of cell i are j = 2i and
-/// 2i + 2, its centre is 2i + 1. Order of cells: i + N k; of points: j + (2N + 1) k.
+/// 2i + 2, its centre is 2i + 1. Order of cells: i + N k; of points: j + (2N + 1) k; of rows: lobe
+/// by lobe.
 ///
 /// Accuracy: Kalker's coefficients to 2e-4 with 5 x 5 cells on a circle, tests/unit/patch_test.cpp
 class JoinedRows {
@@ -31,11 +37,18 @@ class JoinedRows {
     Eigen::MatrixXd mixed;   ///< of p X Y/R^3
   };
 
+  /// Makes rows on an ellipse.
   /// \param ratio     a/b, > 0
   /// \param rows      M, >= 1
   /// \param elements  N, >= 1
   /// \throws std::invalid_argument outside the ranges
   JoinedRows(double ratio, Index rows, Index elements);
+
+  /// Makes rows on any shape. Lobes have rows in proportion to their heights, and at least three if
+  /// there are as many.
+  /// \param rows  M of all lobes together, not less than there are lobes
+  /// \throws std::invalid_argument outside the ranges
+  JoinedRows(const PatchShape& shape, Index rows, Index elements);
 
   Index rows() const { return rows_; }
   Index elements() const { return elements_; }
@@ -45,10 +58,16 @@ class JoinedRows {
   Index cell(Index i, Index k) const { return i + elements_ * k; }
   Index point(Index j, Index k) const { return j + (2 * elements_ + 1) * k; }
 
-  double a() const { return a_; }
-  double b() const { return 1 / a_; }
-  double psi(Index k) const;    ///< of the middle of a row
-  double theta(Index i) const;  ///< of the centre of a cell
+  const PatchShape& shape() const { return shape_; }
+
+  /// Half of the extent along the rolling and across it; a and b of an ellipse.
+  double a() const { return (shape_.leading() - shape_.trailing()) / 2; }
+  double b() const { return (shape_.high() - shape_.low()) / 2; }
+
+  std::size_t lobe(Index k) const;    ///< of a row
+  double psi(Index k) const;          ///< of the middle of a row
+  double theta(Index i) const;        ///< of the centre of a cell
+  double half_length(Index k) const;  ///< of a row at its middle
   double y(Index k) const;
   double x(Index j, Index k) const;  ///< of a point
   Eigen::VectorXd areas() const;     ///< of the cells
@@ -59,7 +78,8 @@ class JoinedRows {
 
  private:
   Index rows_, elements_;
-  double a_;
+  PatchShape shape_;
+  std::vector<Index> first_rows_;  ///< of each lobe, and M at last
 };
 
 }  // namespace microslip

@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "microslip/friction/elliptic_bound.hpp"
 #include "microslip/halfspace/material.hpp"
+#include "microslip/patch/patch_bound.hpp"
 #include "microslip/patch/patch_load.hpp"
 #include "microslip/patch/patch_response.hpp"
 #include "microslip/patch/stick_slip.hpp"
@@ -13,11 +13,12 @@
 
 namespace microslip {
 
-/// Half-spaces of one material touch in an ellipse, and roll steadily.
+/// Half-spaces of one material touch in an ellipse or another patch, and roll steadily. Spin and
+/// moment are about x = y = 0, which is the centre of an ellipse.
 struct SteadyPatch {
   Material material;  ///< poisson_ratio in [0, 0.5]
-  EllipticBound bound;
-  Eigen::Index rows;      ///< M, >= 1
+  PatchBound bound;
+  Eigen::Index rows;      ///< M, >= 1, and not less than there are lobes
   Eigen::Index elements;  ///< N of each row, >= 1
   PatchLoad load = {};
   Acceptance accepted = {};
@@ -51,7 +52,7 @@ struct SteadyPatchSolution {
 
 /// Solves steady rolling of a patch.
 /// Order: 2 in 1/N where M/N is kept; tests/property/generated_patches_test.cpp
-/// \param response  of rows for bound.ratio() and the material's Poisson ratio
+/// \param response  of rows for bound.shape(), scaled to the size 1, and the material's Poisson ratio
 /// \param start     the state of another solution with the same rows; nullptr for none
 /// \throws as validate; NotConverged
 SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse& response,
