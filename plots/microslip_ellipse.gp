@@ -1,45 +1,69 @@
-# An ellipse sticks where it is blue, the darker the nearer its tractions are to their bound, and slips where it is orange.
-# Arrows are tractions. Below: both components along the middle row and along a row halfway to the side. The contact rolls
-# to the right.
+# A contact sticks where it is blue, the darker the nearer its tractions are to their bound, and slips where it is orange.
+# Arrows are tractions. Below: both components along the middle row and along a row halfway to the side; of several lobes
+# along the middle rows of the first two. The contact rolls to the right.
 load scripts."/microslip_margins.gpi"
 traction = tables."/traction.tsv"
+edges = tables."/edges.tsv"
 summary = tables."/summary.tsv"
 quantity(name) = real(by_awk(summary, sprintf("$at[\"quantity\"] == \"%s\" { print $at[\"value\"] }'", name)))
 rows = int(quantity("rows"))
 elements = int(quantity("elements"))
 cells = rows * elements
-a = quantity("half_width")
-b = quantity("lateral_half_width")
-psi(k) = pi * (1. * k / rows - 0.5)
-theta(i) = pi * i / elements
+least = 1e-9 * quantity("lateral_half_width")
 # The colour of a cell, its tractions over their bound; what slips is beyond 1.
 array part[cells]
 array py[cells]
 peak = 0
-stats traction using (i = int($0) + 1, py[i] = abs(column("y")) < 1e-9 * b ? 0 : column("y"), r = sqrt(column("traction_x")**2 + column("traction_y")**2), \
+stats traction using (i = int($0) + 1, py[i] = abs(column("y")) < least ? 0 : column("y"), r = sqrt(column("traction_x")**2 + column("traction_y")**2), \
   g = column("bound"), peak = g > peak ? g : peak, part[i] = strcol("zone") eq "S" ? 1.2 : r / g, 0) nooutput
+# The edges at the sides of rows, and at some places between them.
+stats edges using (column("y")) nooutput
+sides_of_rows = int(STATS_records)
+array lobe[sides_of_rows + 1]
+array row[sides_of_rows]
+array y_side[sides_of_rows]
+array trailing[sides_of_rows]
+array leading[sides_of_rows]
+stats edges using (i = int($0) + 1, lobe[i] = int(column("lobe")), row[i] = int(column("row")), y_side[i] = column("y"), trailing[i] = column("trailing"), \
+  leading[i] = column("leading"), 0) nooutput
+lobe[sides_of_rows + 1] = 0
+lobes = lobe[sides_of_rows]
+array last_of_lobe[lobes]
+do for [i=1:sides_of_rows] { last_of_lobe[lobe[i]] = row[i] }
+left_end = trailing[1]; right_end = leading[1]; low_end = y_side[1]; high_end = y_side[1]
+do for [i=1:sides_of_rows] {
+  left_end = trailing[i] < left_end ? trailing[i] : left_end
+  right_end = leading[i] > right_end ? leading[i] : right_end
+  low_end = y_side[i] < low_end ? y_side[i] : low_end
+  high_end = y_side[i] > high_end ? y_side[i] : high_end
+}
+a = (right_end - left_end) / 2
+b = (high_end - low_end) / 2
+x_middle = (left_end + right_end) / 2
+y_middle = (low_end + high_end) / 2
 # The sides of cells, each with the colour of the cell that begins there.
 set print $sides
-strips = rows < 30 ? 4 : 1  # parts of a row, for the edge of the ellipse
-do for [k=0:rows * strips] {
-  do for [i=0:elements] {
-    print sprintf("%.9g\t%.9g\t%.9g", a * cos(psi(1. * k / strips)) * cos(theta(i)), b * sin(psi(1. * k / strips)), \
-                  k < rows * strips && i < elements ? part[(k / strips) * elements + i + 1] : 0)
+do for [i=1:sides_of_rows] {
+  do for [j=0:elements] {
+    is_inside = lobe[i + 1] == lobe[i] && j < elements
+    print sprintf("%.9g\t%.9g\t%.9g", (trailing[i] + leading[i]) / 2 + (leading[i] - trailing[i]) / 2 * cos(pi * j / elements), y_side[i], \
+                  is_inside ? part[(row[i] - 1) * elements + j + 1] : 0)
   }
   print ""
+  if (lobe[i + 1] != lobe[i]) { print "" }
 }
 unset print
 # Arrows: at most some 300, the longest as long as a third of the distance between rows of a coarse grid.
 every = int(ceil(sqrt(cells / 300.)))
-longest = 0.16 * sqrt(a * b)
+longest = 0.16 * sqrt(a * b / lobes)
 is_drawn(n) = (int(n) % elements) % every == every / 2 && int(n / elements) % every == every / 2
-# Half the map, which has room for numbers beside a narrow ellipse, too.
+# Half the map, which has room for numbers beside a narrow contact, too.
 wide = 1.15 * (a > 0.5 * b ? a : 0.5 * b)
 high = 1.15 * (b > 0.3 * a ? b : 0.3 * a)
 map_height = 260. / wide < 200. / high ? 520. / wide * high : 400.
 top = 44.
-middle_row = rows / 2
-side_row = int(rows * (0.5 + asin(0.5) / pi))
+middle_row = last_of_lobe[1] / 2
+side_row = lobes > 1 ? (last_of_lobe[1] + last_of_lobe[2]) / 2 : int(rows * (0.5 + asin(0.5) / pi))
 last_row = side_row > middle_row ? side_row : side_row - 1
 # The key of the lower panel: along the middle row, the bound and both components, and along another row the components.
 entries = last_row < side_row ? 3 : 5
@@ -56,8 +80,8 @@ do for [pass=1:2] {
   eval begin_pass
   eval area(top, top + map_height)
   set size ratio -1
-  set xrange [-wide:wide]
-  set yrange [-high:high]
+  set xrange [x_middle - wide:x_middle + wide]
+  set yrange [y_middle - high:y_middle + high]
   set label 3 "x [mm], rolling to the right" at screen 0.55, screen 1 - (top + map_height + 56) / height center
   set ylabel "y [mm]" offset -1.2, 0
   set xtics scale 0
@@ -81,7 +105,7 @@ do for [pass=1:2] {
   set size noratio
   eval area(top + map_height + 154, height - 55)
   set autoscale
-  set xrange [-1.05 * a:1.05 * a]
+  set xrange [x_middle - 1.05 * a:x_middle + 1.05 * a]
   set ylabel "traction [N/mm^2]" offset 0, 0
   of_row(k, value) = int($0) / elements == k ? value : NaN
   eval draw_key

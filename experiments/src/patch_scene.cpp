@@ -15,7 +15,7 @@ namespace {
 
 Table cells(const SteadyPatchSolution& solution) {
   Table table("traction",
-              "steady rolling of an ellipse, values at the centres of cells, from the leading edge "
+              "steady rolling of a patch, values at the centres of cells, from the leading edge "
               "on, row by row",
               {{"x", "mm", "position along the rolling; the leading edge is at x > 0"},
                {"y", "mm", "position across the rolling"},
@@ -30,6 +30,34 @@ Table cells(const SteadyPatchSolution& solution) {
     table.add({solution.x[i], solution.y[i], solution.traction(i, 0), solution.traction(i, 1),
                solution.bound[i], solution.slip(i, 0), solution.slip(i, 1),
                solution.slips[static_cast<std::size_t>(i)] ? "S" : "A", solution.area[i]});
+  }
+  return table;
+}
+
+/// Sides of rows, and some between them where there are few.
+Table edges(const SteadyPatch& patch) {
+  Table table("edges", "the edges of the contact, and the rows that lie between its sides",
+              {{"lobe", "1", "number of a part of the contact, from 1 on"},
+               {"row", "1", "the row above this side, from 1 on; of the last side that below"},
+               {"y", "mm", "position across the rolling"},
+               {"trailing", "mm", "x of the trailing edge"},
+               {"leading", "mm", "x of the leading edge"}});
+  const JoinedRows rows(patch.bound.shape(), patch.rows, patch.elements);
+  const Eigen::Index strips = patch.rows < 30 ? 4 : 1;
+  const auto add = [&](Eigen::Index k, double psi) {
+    const std::size_t l = rows.lobe(k);
+    const Lobe& lobe = rows.shape().lobes()[l];
+    const Lobe::Row row = lobe.row(psi);
+    table.add({static_cast<Eigen::Index>(l + 1), k + 1, lobe.y(psi), row.middle - row.half_length,
+               row.middle + row.half_length});
+  };
+  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
+    const double half = rows.height(k) / 2;
+    for (Eigen::Index i = 0; i < strips; ++i) {
+      const auto part = static_cast<double>(2 * i) / static_cast<double>(strips);
+      add(k, rows.psi(k) + (part - 1) * half);
+    }
+    if (k + 1 == rows.rows() || rows.lobe(k + 1) != rows.lobe(k)) add(k, rows.psi(k) + half);
   }
   return table;
 }
@@ -52,7 +80,7 @@ std::vector<Table> scene_tables(const SteadyPatch& patch, const Progress& progre
   progress(1, 1);
   const double area = solution.area.sum();
   const double full_sliding = patch.bound.total();
-  Table summary = empty_summary("steady rolling, the whole ellipse");
+  Table summary = empty_summary("steady rolling, the whole contact");
   summary.add({"force", solution.resultants[0], "N"});
   summary.add({"lateral_force", solution.resultants[1], "N"});
   summary.add({"spin_moment", solution.resultants[2], "N mm"});
@@ -75,7 +103,7 @@ std::vector<Table> scene_tables(const SteadyPatch& patch, const Progress& progre
                 .accepted = patch.accepted,
                 .steady = true,
                 .doubt = doubt_of(solution)});
-  return {cells(solution), summary};
+  return {cells(solution), edges(patch), summary};
 }
 
 }  // namespace microslip::experiments

@@ -221,13 +221,22 @@ Explanation of_patch(const SteadyPatch& patch) {
                                                    : (is_moment ? "a spin" : "a creepage"),
                         names[j]);
   }
-  const double c = patch.bound.size();
+  const PatchShape& shape = patch.bound.shape();
+  const std::string c = five_digits(patch.bound.size());
+  const std::size_t lobes = shape.lobes().size();
   return {
-      "steady rolling of an ellipse under " + load,
-      {fmt::format("full sliding at {} N; turning about the centre at {} N mm",
-                   five_digits(patch.bound.total()), five_digits(patch.bound.turning_moment())),
-       fmt::format("a/b = {}, c = (a b)^(1/2) = {} mm", five_digits(patch.bound.ratio()),
-                   five_digits(c)),
+      fmt::format("steady rolling of {} under {}", shape.is_ellipse() ? "an ellipse" : "a patch",
+                  load),
+      {fmt::format("full sliding at {} N; turning about {} at {} N mm",
+                   five_digits(patch.bound.total()),
+                   shape.is_ellipse() ? "the centre" : "x = y = 0",
+                   five_digits(patch.bound.turning_moment())),
+       shape.is_ellipse()
+           ? fmt::format("a/b = {}, c = (a b)^(1/2) = {} mm", five_digits(patch.bound.ratio()), c)
+           : fmt::format("{} of the area {} mm^2, c = (area/pi)^(1/2) = {} mm, mean length over "
+                         "width {}",
+                         lobes == 1 ? "one lobe" : fmt::format("{} lobes", lobes),
+                         five_digits(shape.area()), c, five_digits(patch.bound.ratio())),
        fmt::format("{} rows of {} elements between their own edges", patch.rows, patch.elements),
        "stick and slip are found by Newton's method; where nothing slips, forces are right to "
        "1e-3"},

@@ -111,9 +111,16 @@ constexpr auto keys = std::to_array<Key>({
      .meaning =
          "coefficients of h, from the constant up: the bound is peak (1 - (x/a)^2)^(1/2) h(x/a)",
      .note = "1 to 33 numbers, h >= 0; the peak is then 1 if it is not given"},
+    {.name = "contact.patch_file",
+     .type = file,
+     .meaning = "edges of a contact that has three dimensions and need not be an ellipse: columns "
+                "y, trailing and leading, and lobe if there are several",
+     .note = "a file; instead of contact.half_width",
+     .role = "problem steady"},
     {.name = "contact.bound_file",
      .type = file,
-     .meaning = "table with columns x and bound, linear between its rows, to zero at +-a",
+     .meaning = "table with columns x and bound, linear between its rows, to zero at +-a; of an "
+                "ellipse or another patch x, y and bound, whose square is linear",
      .note = "a file; instead of contact.peak_traction",
      .role = "scenes without contact.peak_traction and contact.bound_polynomial"},
     {.name = "contact.roughness",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The contact ellipse of a scene.
+// The contact ellipse of a scene, or a contact of another shape.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
+#include "patch_files.hpp"
 
 namespace microslip {
 
@@ -57,7 +58,7 @@ Radii read_lateral_radii(Scene& scene) {
 
 /// Hertz's ellipse by load and radii.
 EllipticBound read_loaded_ellipse(Scene& scene, const Material& material) {
-  for (const char* other : {"contact.half_width", "contact.peak_traction"}) {
+  for (const char* other : {"contact.half_width", "contact.peak_traction", bound_file}) {
     scene.at_most_one_of({"contact.normal_load", other});
   }
   const double load = scene.positive("contact.normal_load");
@@ -80,7 +81,31 @@ EllipticBound read_loaded_ellipse(Scene& scene, const Material& material) {
   return bound;
 }
 
-EllipticBound read_ellipse(Scene& scene, const Material& material) {
+/// The bound of a shape whose force is given.
+PatchBound read_bound_of_load(Scene& scene, const PatchShape& shape) {
+  const double load = scene.positive("contact.normal_load");
+  const double friction = read_friction(scene);
+  const PatchBound bound(shape, friction * load / PatchBound(shape, 1).total());
+  scene.derive("contact.peak_traction", bound.peak());
+  return bound;
+}
+
+/// The bound of an ellipse by its semi-axes.
+PatchBound read_bound_of_ellipse(Scene& scene, double a, double b) {
+  const std::string given =
+      scene.one_of({"contact.peak_traction", "contact.normal_load", bound_file});
+  if (given == bound_file) return read_bound_table(scene, PatchShape::ellipse(a, b));
+  if (given == "contact.peak_traction") {
+    return EllipticBound(a, b, scene.positive("contact.peak_traction"));
+  }
+  const double load = scene.positive("contact.normal_load");
+  const double friction = read_friction(scene);
+  const EllipticBound bound(a, b, 1.5 * friction * load / (std::numbers::pi * a * b));
+  scene.derive("contact.peak_traction", bound.peak());
+  return bound;
+}
+
+PatchBound read_ellipse(Scene& scene, const Material& material) {
   if (!scene.has(lateral_half_width)) return read_loaded_ellipse(scene, material);
   for (const char* radius : {"contact.lateral_radius_1", "contact.lateral_radius_2"}) {
     scene.at_most_one_of({lateral_half_width, radius});
@@ -91,14 +116,49 @@ EllipticBound read_ellipse(Scene& scene, const Material& material) {
     return fmt::format("a number between {} and {}, by contact.half_width",
                        format_short(a / largest_ratio), format_short(a / least_ratio));
   });
-  if (scene.one_of({"contact.peak_traction", "contact.normal_load"}) == "contact.peak_traction") {
-    return {a, b, scene.positive("contact.peak_traction")};
+  return read_bound_of_ellipse(scene, a, b);
+}
+
+/// Refuses lobes that are much longer than wide, or wider than long.
+void require_ratios(const Scene& scene, const PatchShape& shape) {
+  scene.with_file(patch_file, [&] {
+    for (const Lobe& lobe : shape.lobes()) {
+      const double ratio = PatchShape({lobe}).ratio();
+      require(ratio >= least_ratio && ratio <= largest_ratio, "length over width of a lobe", ratio,
+              [&] {
+                return fmt::format("a number from {} to {}", format_short(least_ratio),
+                                   format_short(largest_ratio));
+              });
+    }
+  });
+}
+
+/// Warns of a contact that lies away from the axis of spin.
+void warn_of_place(Scene& scene, const PatchShape& shape) {
+  constexpr double far = 3;
+  const double x = (shape.leading() + shape.trailing()) / 2, y = (shape.high() + shape.low()) / 2;
+  const double reach = std::hypot(shape.leading() - x, shape.high() - y);
+  if (std::hypot(x, y) <= far * reach) return;
+  scene.warn(patch_file, scene.text(patch_file),
+             fmt::format("the contact lies {} mm from x = y = 0, about which spin and moment are",
+                         format_roughly(std::hypot(x, y))));
+}
+
+/// A contact of any shape, with a table of the bound, or one that is semi-elliptic in each row.
+PatchBound read_patch(Scene& scene) {
+  for (const char* other :
+       {"contact.half_width", lateral_half_width, "contact.radius_1", "contact.radius_2",
+        "contact.lateral_radius_1", "contact.lateral_radius_2"}) {
+    scene.at_most_one_of({patch_file, other});
   }
-  const double load = scene.positive("contact.normal_load");
-  const double friction = read_friction(scene);
-  const EllipticBound bound(a, b, 1.5 * friction * load / (std::numbers::pi * a * b));
-  scene.derive("contact.peak_traction", bound.peak());
-  return bound;
+  const PatchShape shape = read_shape(scene);
+  require_ratios(scene, shape);
+  warn_of_place(scene, shape);
+  const std::string given =
+      scene.one_of({bound_file, "contact.peak_traction", "contact.normal_load"});
+  if (given == bound_file) return read_bound_table(scene, shape);
+  if (given == "contact.normal_load") return read_bound_of_load(scene, shape);
+  return {shape, scene.positive(given)};
 }
 
 /// \param most  the largest resultant
@@ -113,7 +173,7 @@ PatchComponent read_component(Scene& scene, const ComponentKeys& keys, double mo
   return {.by_resultant = true, .value = value * most};
 }
 
-PatchLoad read_load(Scene& scene, const EllipticBound& bound) {
+PatchLoad read_load(Scene& scene, const PatchBound& bound) {
   std::vector<std::string> all;
   for (const ComponentKeys& keys : components) {
     all.insert(all.end(), {keys.motion, keys.resultant, keys.ratio});
@@ -143,15 +203,31 @@ Eigen::Index read_cells(Scene& scene, const std::string& key) {
   return cells;
 }
 
+/// How many lobes as high as the highest one have the height of all.
+double stacked(const PatchShape& shape) {
+  double sum = 0, highest = 0;
+  for (const Lobe& lobe : shape.lobes()) {
+    sum += lobe.height();
+    highest = std::max(highest, lobe.height());
+  }
+  return sum / highest;
+}
+
+/// Rows that fit a shape, as many for each lobe as its height says.
+Eigen::Index rows_by(const PatchShape& shape) {
+  const double rows = static_cast<double>(cells_by(1 / shape.ratio())) * stacked(shape);
+  return std::min(most_cells_of_side, static_cast<Eigen::Index>(std::round(rows)));
+}
+
 /// Warns of cells that are much longer than wide, or wider than long, beside those of a grid that
 /// fits.
 void warn_of_other_aspect(Scene& scene, const SteadyPatch& patch) {
   constexpr double most = 3;
-  const double cells = static_cast<double>(patch.elements) / static_cast<double>(patch.rows);
-  const double off = cells / patch.bound.ratio();
+  const double rows = static_cast<double>(patch.rows) / stacked(patch.bound.shape());
+  const double off = static_cast<double>(patch.elements) / rows / patch.bound.ratio();
   if (off <= most && off >= 1 / most) return;
   const double size = std::sqrt(static_cast<double>(patch.elements * patch.rows));
-  const double root = std::sqrt(patch.bound.ratio());
+  const double root = std::sqrt(patch.bound.ratio() / stacked(patch.bound.shape()));
   scene.warn("grid.rows", static_cast<double>(patch.rows),
              fmt::format("rows and elements do not fit a/b = {:.3g}: {} rows of {} elements have a "
                          "smaller error",
@@ -173,14 +249,19 @@ void require_line_contact(const Scene& scene) {
 
 SteadyPatch read_steady_patch(Scene& scene) {
   const Material material = read_material(scene);
-  const EllipticBound bound = read_ellipse(scene, material);
+  const PatchBound bound =
+      scene.has(patch_file) ? read_patch(scene) : read_ellipse(scene, material);
   const bool has_grid = scene.has("grid.rows") || scene.has("grid.elements");
   SteadyPatch patch{
       .material = material,
       .bound = bound,
-      .rows = has_grid ? read_cells(scene, "grid.rows") : cells_by(1 / bound.ratio()),
+      .rows = has_grid ? read_cells(scene, "grid.rows") : rows_by(bound.shape()),
       .elements = has_grid ? read_cells(scene, "grid.elements") : cells_by(bound.ratio())};
   if (has_grid) {
+    const std::size_t lobes = bound.shape().lobes().size();
+    require(static_cast<std::size_t>(patch.rows) >= lobes, "grid.rows",
+            static_cast<double>(patch.rows),
+            [&] { return fmt::format("at least one row for each of the {} lobes", lobes); });
     warn_of_other_aspect(scene, patch);
   } else {
     scene.derive("grid.rows", static_cast<double>(patch.rows));
@@ -188,7 +269,7 @@ SteadyPatch read_steady_patch(Scene& scene) {
   }
   patch.load = read_load(scene, bound);
   validate(patch);
-  const double mean_strain = 2.0 / 3 * bound.peak() / material.shear_modulus;
+  const double mean_strain = bound.total() / bound.shape().area() / material.shear_modulus;
   for (std::size_t j = 0; j < 2; ++j) {
     const auto& [by_resultant, value] = patch.load[j];
     const std::string doubt = doubt_of_creepage(value, mean_strain);

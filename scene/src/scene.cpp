@@ -416,7 +416,8 @@ void Scene::reject_unread() const {
     if (role == "ellipses") {
       return fmt::format("{}; {} makes the contact one", role, joined(patch_keys, " or "));
     }
-    return has_patch() ? role + ", not for this ellipse" : role;
+    if (!has_patch()) return role;
+    return role + (has("contact.patch_file") ? ", not for this patch" : ", not for this ellipse");
   };
   refuse_names_of_others(*this);
   std::vector<std::string> known;

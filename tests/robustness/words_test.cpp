@@ -13,7 +13,7 @@ TEST_F(Words, TellWhatMakesAnEllipse) {
   expect_rejected(good_scene, "--set load.spin=1",
                   "key 'load.spin' has no role here: it is for ellipses; "
                   "contact.lateral_half_width or contact.lateral_radius_1 or "
-                  "contact.lateral_radius_2 makes the contact one");
+                  "contact.lateral_radius_2 or contact.patch_file makes the contact one");
   expect_rejected(good_scene, "--set load.creepage_y=1",
                   "load.creepage_y': three-dimensional: an ellipse has contact.lateral_half_width");
 }

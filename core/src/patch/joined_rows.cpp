@@ -290,9 +290,12 @@ std::size_t JoinedRows::lobe(Index k) const {
 }
 
 double JoinedRows::psi(Index k) const {
+  return -pi / 2 + (static_cast<double>(k - first_rows_[lobe(k)]) + 0.5) * height(k);
+}
+
+double JoinedRows::height(Index k) const {
   const std::size_t l = lobe(k);
-  return -pi / 2 + (static_cast<double>(k - first_rows_[l]) + 0.5) * pi /
-                       static_cast<double>(first_rows_[l + 1] - first_rows_[l]);
+  return pi / static_cast<double>(first_rows_[l + 1] - first_rows_[l]);
 }
 
 double JoinedRows::theta(Index i) const {
@@ -316,11 +319,9 @@ VectorXd JoinedRows::areas() const {
   const double width = pi / static_cast<double>(elements_);
   VectorXd areas(cells());
   for (Index k = 0; k < rows_; ++k) {
-    const std::size_t l = lobe(k);
-    const double height = pi / static_cast<double>(first_rows_[l + 1] - first_rows_[l]);
-    const Lobe& of = shape_.lobes()[l];
-    const double row = of.integral(psi(k) - height / 2, psi(k) + height / 2,
-                                   [&](double psi) { return of.row(psi).half_length; });
+    const Lobe& lobe = shape_.lobes()[this->lobe(k)];
+    const double row = lobe.integral(psi(k) - height(k) / 2, psi(k) + height(k) / 2,
+                                     [&](double at) { return lobe.row(at).half_length; });
     for (Index i = 0; i < elements_; ++i) {
       areas[cell(i, k)] = row * (std::cos(theta(i) - width / 2) - std::cos(theta(i) + width / 2));
     }
@@ -369,7 +370,7 @@ JoinedRows::Kernels JoinedRows::kernels() const {
   Kernels found{zero, zero, zero};
   const std::array<MatrixXd*, 3> all{&found.near, &found.across, &found.mixed};
   const std::vector<SubCell> along = sub_cells(elements_);
-  const Index height = 2 * elements_ + 1;
+  const Index points_of_row = 2 * elements_ + 1;
   LineIntegrals lines(along);
   Eigen::RowVectorXd of_cells(elements_);
   const auto add_lobe = [&](Index k, const Lobe& lobe, const std::vector<SubRow>& across) {
@@ -378,7 +379,7 @@ JoinedRows::Kernels JoinedRows::kernels() const {
     for (const SubRow& row : across) {
       const Rule rule = rule_over(row, at);
       const std::vector<Line> sources = lines_of(lobe, rule);
-      for (Index j = 0; j < height; ++j) {
+      for (Index j = 0; j < points_of_row; ++j) {
         const double x_of_point = x(j, k);
         lines.clear();
         for (const Line& line : sources) {
@@ -414,8 +415,8 @@ JoinedRows::Kernels JoinedRows::kernels() const {
     for (std::size_t n = 0; n < 3; ++n) {
       const double sign = n == 2 ? -1 : 1;
       for (Index from = 0; from < rows_; ++from) {
-        all[n]->block(point(0, mirrored), cell(0, rows_ - 1 - from), height, elements_) =
-            sign * all[n]->block(point(0, k), cell(0, from), height, elements_);
+        all[n]->block(point(0, mirrored), cell(0, rows_ - 1 - from), points_of_row, elements_) =
+            sign * all[n]->block(point(0, k), cell(0, from), points_of_row, elements_);
       }
     }
   }

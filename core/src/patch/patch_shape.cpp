@@ -216,7 +216,7 @@ PatchShape::PatchShape(std::vector<Lobe> lobes) : lobes_(std::move(lobes)) {
 
 PatchShape PatchShape::ellipse(double half_width, double lateral_half_width) {
   PatchShape shape({Lobe::ellipse(half_width, lateral_half_width)});
-  shape.is_mirrored_ = true;
+  shape.is_ellipse_ = true;
   shape.area_ = pi * half_width * lateral_half_width;
   return shape;
 }

@@ -66,6 +66,7 @@ class JoinedRows {
 
   std::size_t lobe(Index k) const;    ///< of a row
   double psi(Index k) const;          ///< of the middle of a row
+  double height(Index k) const;       ///< of a row, in psi
   double theta(Index i) const;        ///< of the centre of a cell
   double half_length(Index k) const;  ///< of a row at its middle
   double y(Index k) const;

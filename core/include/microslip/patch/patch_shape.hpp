@@ -68,8 +68,10 @@ class PatchShape {
 
   const std::vector<Lobe>& lobes() const { return lobes_; }
 
-  /// Whether the shape is known to be its own mirror image, y from -y.
-  bool is_mirrored() const { return is_mirrored_; }
+  bool is_ellipse() const { return is_ellipse_; }
+
+  /// Whether the shape is known to be its own mirror image across the rolling.
+  bool is_mirrored() const { return is_ellipse_; }
 
   double area() const { return area_; }
 
@@ -90,7 +92,7 @@ class PatchShape {
 
  private:
   std::vector<Lobe> lobes_;
-  bool is_mirrored_ = false;
+  bool is_ellipse_ = false;
   double area_ = 0, trailing_ = 0, leading_ = 0;
 };
 

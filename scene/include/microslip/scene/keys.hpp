@@ -70,7 +70,7 @@ std::string likely_key(const std::string& key);
 
 /// The keys of which each makes a scene three-dimensional.
 inline constexpr std::array patch_keys{"contact.lateral_half_width", "contact.lateral_radius_1",
-                                       "contact.lateral_radius_2"};
+                                       "contact.lateral_radius_2", "contact.patch_file"};
 bool is_patch_key(std::string_view key);
 
 /// The unit of a key of scenes; "1" for all other keys.
