@@ -20,6 +20,7 @@ inline void read_models(const Scene& scene) {
   };
   read_by([](Scene& from) { read_steady(from); });
   read_by([](Scene& from) { read_steady_target(from); });
+  read_by([](Scene& from) { read_steady_patch(from); });
   read_by([](Scene& from) { read_transient(from); });
   read_by([](Scene& from) { read_cylinder(from); });
 }
