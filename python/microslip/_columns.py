@@ -19,10 +19,14 @@ from ._table import Table
 NAMES_KEY = "load.columns"
 
 # Columns of a table that is given as arrays without names.
-_IN_ORDER = {"contact.bound_file": ("x", "bound"), "start.file": ("x", "traction")}
+_IN_ORDER = {"contact.bound_file": ("x", "bound"), "contact.patch_file": ("y", "trailing", "leading"),
+             "start.file": ("x", "traction")}
+
+# The same where the contact has three dimensions.
+_IN_ORDER_OF_PATCHES = {"contact.bound_file": ("x", "y", "bound")}
 
 # Columns that are read. What is wrong in another column does not matter.
-_READ = {**_IN_ORDER, "kernel.table": ("wave_number", "symbol"),
+_READ = {**_IN_ORDER, **_IN_ORDER_OF_PATCHES, "kernel.table": ("wave_number", "symbol"),
          "load.file": ("q", "t", "v", "creepage", "force", "omega", "normal_load", "half_width", "peak_traction",
                        "friction")}
 
@@ -110,6 +114,9 @@ def _columns_of(key: str, value: Any, wanted: set) -> Tuple[List[str], List[Any]
         return [str(name) for name in named], list(named.values())
     names = _IN_ORDER.get(key)
     columns = list(value.T) if isinstance(value, np.ndarray) and value.ndim == 2 else value
+    of_patch = _IN_ORDER_OF_PATCHES.get(key)
+    if of_patch is not None and isinstance(columns, (list, tuple)) and len(columns) == len(of_patch):
+        return list(of_patch), list(columns)
     if names is None or not isinstance(columns, (list, tuple)) or len(columns) != len(names):
         wanted_text = "a file, or a dictionary of columns"
         wanted_text += f", or the arrays ({', '.join(names)})" if names else ""
