@@ -156,6 +156,13 @@ TEST(PatchShape, SharesRowsByHeights) {
   EXPECT_NEAR(JoinedRows(both, 40, 5).areas().sum(), both.area(), 1e-12);
 }
 
+TEST(PatchShape, HasNoChangeOfOneRowInEachLobe) {
+  const PatchShape both({Egg{.y0 = -3}.lobe(9), Egg{.y0 = 3}.lobe(9)});
+  const PatchLoad load = rolling(0.3, 0.2, 0);
+  EXPECT_EQ(solve_steady_with_change(patch_of({both, 1}, load, 2, 4)).evidence.change, 1);
+  EXPECT_LT(solve_steady_with_change(patch_of({both, 1}, load, 3, 4)).evidence.change, 0.5);
+}
+
 // One row between straight ends is the strip of the line contact, whose displacements are those at
 // the middle of its width.
 TEST(PatchShape, IsTheStripAsOneRowBetweenStraightEnds) {

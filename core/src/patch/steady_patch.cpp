@@ -60,8 +60,9 @@ VectorXd limits_of(const JoinedRows& rows, const PatchBound& bound) {
   for (Index k = 0; k < rows.rows(); ++k) {
     for (Index i = 0; i < rows.elements(); ++i) {
       const double theta = rows.theta(i);
-      limits[rows.cell(i, k)] =
-          bound(rows.lobe(k), rows.psi(k), theta) / bound.peak() / std::tan(theta / 2);
+      const double limit = bound(rows.lobe(k), rows.psi(k), theta) / bound.peak();
+      require(limit > 0, "bound", limit * bound.peak(), "a number > 0 at the centres of all cells");
+      limits[rows.cell(i, k)] = limit / std::tan(theta / 2);
     }
   }
   return limits;
@@ -204,9 +205,10 @@ double change_of(const SteadyPatch& problem, const SteadyPatchSolution& from,
 SteadyPatchSolution solve_steady_with_change(const SteadyPatch& problem) {
   SteadyPatchSolution solution = solve_steady(problem);
   solution.evidence.change = 1;
-  if (problem.rows == 1 || problem.elements == 1) return solution;  // there are no fewer
+  const auto lobes = static_cast<Index>(problem.bound.shape().lobes().size());
+  if (problem.rows == lobes || problem.elements == 1) return solution;  // there are no fewer
   SteadyPatch coarse = problem;
-  coarse.rows = (2 * problem.rows + 1) / 3;
+  coarse.rows = std::max(lobes, (2 * problem.rows + 1) / 3);
   coarse.elements = (2 * problem.elements + 1) / 3;
   try {
     solution.evidence.change = change_of(problem, solve_steady(coarse), solution);

@@ -65,7 +65,7 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem);
 /// the largest one of the forces over full sliding, of the moment over that of turning, and of
 /// motions that follow over the largest motion of their kind, creepage or spin. Errors of
 /// resultants are below 2e-3 plus 1.5 times the change: tests/property/generated_patches_test.cpp.
-/// The change is 1 if fewer have no solution, and if there is one row or one element.
+/// The change is 1 if fewer have no solution, and if there is one row in each lobe or one element.
 SteadyPatchSolution solve_steady_with_change(const SteadyPatch& problem);
 
 }  // namespace microslip
