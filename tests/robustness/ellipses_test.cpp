@@ -148,4 +148,32 @@ TEST_F(Ellipses, AreDrawn) {
             "microslip: --x: expected a line contact, a sweep or a curve with it\n");
 }
 
+// The tables lie beside the scene, whatever the folder in which the program runs.
+TEST_F(Ellipses, MayBeContactsOfAnyShape) {
+  const std::string scene = "'" MICROSLIP_SOURCE "/examples/patch.info' ";
+  const Outcome solved = run_in_folder(scene + "--quiet --out egg");
+  EXPECT_EQ(solved.status, 0);
+  EXPECT_EQ(solved.error, "");
+  EXPECT_NE(text_of(folder_ / "egg" / "edges.tsv").find("lobe\trow\ty"), std::string::npos);
+  EXPECT_NE(text_of(folder_ / "egg" / "summary.tsv").find("spin_moment"), std::string::npos);
+  EXPECT_EQ(run_in_folder("plot egg --quiet").status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "egg.svg"));
+  const Outcome explained = run_in_folder("explain " + scene);
+  EXPECT_NE(explained.output.find("steady rolling of a patch"), std::string::npos)
+      << explained.output;
+  const std::pair<const char*, const char*> refused[] = {
+      {"contact.half_width=3",
+       "expected only one of 'contact.patch_file' and 'contact.half_width'"},
+      {"contact.bound_file=none.tsv", "contact.bound_file = 'none.tsv': "},
+      {"contact.patch_file=patch_bound.tsv", "expected a column 'trailing'"},
+      {"problem=transient", "contact.patch_file: expected a line contact here"},
+      {"kernel.type=plane", "it is for line contacts, not for this patch"},
+  };
+  for (const auto& [setting, error] : refused) {
+    const Outcome outcome = run_in_folder(scene + "--quiet --set " + setting);
+    EXPECT_EQ(outcome.status, 1) << setting;
+    EXPECT_NE(outcome.error.find(error), std::string::npos) << outcome.error;
+  }
+}
+
 }  // namespace microslip::ellipses_test

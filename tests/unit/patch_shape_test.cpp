@@ -89,6 +89,13 @@ TEST(PatchShape, OfATableIsTheEllipse) {
   EXPECT_NEAR(bound.turning_moment(), EllipticBound(0.8, 1.2, 1).turning_moment(), 2e-7);
 }
 
+TEST(PatchShape, IsExactWhereItWidensLinearly) {
+  const Lobe lobe = Egg{}.lobe(6);
+  for (const double psi : {-1.5, -1.3, -0.7, 0.2, 1.2, 1.5}) {
+    EXPECT_NEAR(lobe.row(psi).half_length, 0.8 * std::cos(psi) * (1 + 0.3 * std::sin(psi)), 1e-13);
+  }
+}
+
 // Tables of few rows differ from those of many, the less the more rows.
 TEST(PatchShape, IsTheBetterKnownTheMoreRowsATableHas) {
   const Egg egg{.power = 2.5};
