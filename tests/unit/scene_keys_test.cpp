@@ -41,6 +41,9 @@ const Settings ellipse =
     with(steady, {"kernel.type=", "kernel.width=", "contact.lateral_half_width=0.7", "grid.rows=5",
                   "load.spin=0.1"});
 
+const Settings patch = with(
+    ellipse, {"contact.lateral_half_width=", "contact.half_width=", "contact.patch_file=edges"});
+
 const Settings without_material =
     with(steady, {"kernel.width=", "material.shear_modulus=", "material.poisson_ratio="});
 
@@ -85,6 +88,9 @@ const std::map<std::string, Settings> scenes = {
      with(ellipse, {"contact.half_width=", "contact.peak_traction=", "contact.normal_load=0.01",
                     "contact.radius_1=100", "contact.friction=0.3",
                     "contact.lateral_half_width=", "contact.lateral_radius_1=80"})},
+    {"ellipse_table", with(ellipse, {"contact.peak_traction=", "contact.bound_file=points"})},
+    {"patch", patch},
+    {"patch_table", with(patch, {"contact.peak_traction=", "contact.bound_file=points"})},
     {"cylinder", cylinder},
     {"cylinder_relaxed", with(cylinder, {"step.scheme=relaxed", "motion.integrator=verlet"})}};
 
@@ -104,6 +110,8 @@ Scene scene_with(const Settings& settings) {
            : path == "run"    ? "t v omega\n0 1 0.002\n1 1 0.002\n"
            : path == "state"  ? saved_state()
            : path == "symbol" ? "wave_number symbol\n0.1 10\n10 0.2\n"
+           : path == "edges"  ? "y trailing leading\n-1 0 0\n0 -1 1\n1 0 0\n"
+           : path == "points" ? "x y bound\n-0.5 0 1\n0 0 1\n0.5 0 1\n0 -0.4 1\n0 0.4 1\n"
                               : "x traction\n-1 0\n-0.5 -0.1\n0 -0.1\n0.5 -0.1\n1 0\n";
   });
   return scene;
@@ -144,7 +152,7 @@ const std::string strips =
     transients + cylinders;
 const std::string half_spaces = unlike + "plane layer " + strips;
 const std::string lines = half_spaces + "winkler symbol ";
-const std::string ellipses = "ellipse loaded_ellipse ";
+const std::string ellipses = "ellipse loaded_ellipse ellipse_table patch patch_table ";
 const std::string all = lines + ellipses;
 const std::string hertzian = unlike +
                              "layer winkler symbol plane calibrated rough youngs force_ratio "
@@ -176,7 +184,8 @@ const std::vector<Role> roles = {
     {"contact.radius_2", "100", "hertz loaded_ellipse"},
     {"contact.friction", "0.3", "hertz loaded_ellipse " + unlike},
     {"contact.bound_polynomial", "1", lines},
-    {"contact.bound_file", "bound", "table"},
+    {"contact.patch_file", "edges", "patch patch_table"},
+    {"contact.bound_file", "bound", "table ellipse_table patch_table"},
     {"contact.roughness", "0.3", hertzian},
     {"contact.hurst", "0.8", "rough"},
     {"contact.rows", "2049", "rough"},
