@@ -389,3 +389,24 @@ def test_headers_of_any_text_stay_in_their_column(run):
         for data in ({name: [9, 9, 9], "q": q, "creepage": w}, {"q": q, name: [9, 9, 9], "creepage": w}):
             found = ms.solve(run, load={"file": data}).history
             assert np.array_equal(found, expected), name
+
+
+def test_a_patch_of_arrays_is_that_of_files(tmp_path):
+    y = np.linspace(-4, 4, 9)
+    half = 3 * np.sqrt(1 - (y / 4)**2) * (1 + y / 20)
+    edges = np.c_[y, -half, half]
+    x, y = (np.ravel(one) for one in np.meshgrid(np.linspace(-3, 3, 13), np.linspace(-3.5, 3.5, 15)))
+    inside = np.abs(x) < 0.99 * 3 * np.sqrt(1 - (y / 4)**2) * (1 + y / 20)
+    points = np.c_[x, y, 200 - x**2 - y**2][inside]
+    files = {}
+    for name, table, header in (("edges", edges, "y\ttrailing\tleading"), ("points", points, "x\ty\tbound")):
+        files[name] = str(tmp_path / f"{name}.tsv")
+        np.savetxt(files[name], table, fmt="%.17g", delimiter="\t", header=header, comments="")
+    of_all = {"problem": "steady", "material": {"shear_modulus": 82000, "poisson_ratio": 0.28},
+              "grid": {"rows": 6, "elements": 6}, "load": {"creepage": 0.001, "spin": 1e-4}}
+    of_files = ms.solve(of_all, contact={"patch_file": files["edges"], "bound_file": files["points"]})
+    of_arrays = ms.solve(of_all, contact={"patch_file": edges, "bound_file": tuple(points.T)})
+    np.testing.assert_array_equal(of_arrays.traction, of_files.traction)
+    assert of_arrays.summary.force < 0
+    with pytest.raises(ms.InputError, match="or the arrays .y, trailing, leading."):
+        ms.solve(of_all, contact={"patch_file": edges[:, :2], "bound_file": points})
