@@ -114,8 +114,9 @@ def _columns_of(key: str, value: Any, wanted: set) -> Tuple[List[str], List[Any]
         return [str(name) for name in named], list(named.values())
     names = _IN_ORDER.get(key)
     columns = list(value.T) if isinstance(value, np.ndarray) and value.ndim == 2 else value
-    of_patch = _IN_ORDER_OF_PATCHES.get(key)
-    if of_patch is not None and isinstance(columns, (list, tuple)) and len(columns) == len(of_patch):
+    of_patch = _IN_ORDER_OF_PATCHES.get(key, ())
+    are_columns = isinstance(columns, (list, tuple)) and not any(map(np.isscalar, columns))
+    if of_patch and are_columns and len(columns) == len(of_patch):
         return list(of_patch), list(columns)
     if names is None or not isinstance(columns, (list, tuple)) or len(columns) != len(names):
         wanted_text = "a file, or a dictionary of columns"
