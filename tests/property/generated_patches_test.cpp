@@ -21,7 +21,7 @@ class LoadGenerator {
   explicit LoadGenerator(unsigned seed) : random_(seed) {}
 
   /// \param resultants  the probability of a resultant, up to 0.7 of the largest
-  PatchLoad next(const EllipticBound& bound, double resultants) {
+  PatchLoad next(const PatchBound& bound, double resultants) {
     const double size = log_uniform(0.002, 3);
     PatchLoad load;
     for (std::size_t j = 0; j < load.size(); ++j) {
