@@ -143,9 +143,8 @@ TEST(PatchFiles, AreRefusedInOneLine) {
               HasSubstr("row 2: leading = 1: expected more than trailing"));
   EXPECT_THAT(refusal(with_tables(names + "-1 0 0\n0 -1 1\n0.5 -1 1\n0.2 -1 1\n1 0 0\n")),
               HasSubstr("lobes overlap"));
-  EXPECT_THAT(
-      refusal(with_tables(names + "-100 0 0\n0 -0.01 0.01\n100 0 0\n")),
-      HasSubstr("expected a number from 0.001 to 10"));
+  EXPECT_THAT(refusal(with_tables(names + "-100 0 0\n0 -0.01 0.01\n100 0 0\n")),
+              HasSubstr("expected a number from 0.001 to 10"));
   EXPECT_THAT(refusal(with_tables(names + "0 -1 1\n0 -1 1\n0 -1 1\n")),
               HasSubstr("lobe 1 from row 1"));
   EXPECT_THAT(refusal(with_tables(diamond, "x y bound\n0 0 1\n")),
