@@ -87,4 +87,9 @@ SteadyPatch patch_of(const ContactState& state, Eigen::Index rows, Eigen::Index 
   return patch;
 }
 
+StandardPatch rectangles_of(const ContactState& state, Eigen::Index elements) {
+  const SteadyPatch patch = patch_of(state, elements, elements);
+  return {.material = patch.material, .bound = patch.bound, .elements = elements, .rows = elements};
+}
+
 }  // namespace microslip::experiments

@@ -5,6 +5,7 @@
 #include <array>
 #include <span>
 
+#include "microslip/patch/standard_patch.hpp"
 #include "microslip/patch/steady_patch.hpp"
 
 namespace microslip::experiments {
@@ -26,11 +27,14 @@ struct ContactState {
 };
 
 inline constexpr std::array<Eigen::Index, 3> contact_diameters{20, 28, 40};
-inline constexpr std::array<Eigen::Index, 3> contact_elements{316, 616, 1264};
+inline constexpr std::array<Eigen::Index, 3> contact_elements{316, 624, 1272};
 
 std::span<const ContactState> contact_states();
 
 /// The same state with joined rows.
 SteadyPatch patch_of(const ContactState& state, Eigen::Index rows, Eigen::Index elements);
+
+/// Its material and bound with equal rectangles, as many across as along.
+StandardPatch rectangles_of(const ContactState& state, Eigen::Index elements);
 
 }  // namespace microslip::experiments

@@ -11,8 +11,8 @@
 
 #include "kalker_printed.hpp"
 #include "microslip/experiments/claims.hpp"
-#include "microslip/experiments/standard_patch.hpp"
 #include "microslip/patch/patch_response.hpp"
+#include "microslip/patch/standard_patch.hpp"
 #include "microslip/reference/kalker.hpp"
 #include "microslip/support/convergence.hpp"
 #include "study_keys.hpp"
@@ -134,8 +134,9 @@ Convergence convergence(const KalkerCoefficientsParameters& p, const Progress& p
       return {size * size, by_rows(aspect, size, p.poisson_ratio)};
     });
     series("standard", p.rectangles, [&](Index size) -> Solved {
-      const StandardPatch patch = standard_patch(aspect, size, p.poisson_ratio);
-      return {patch.cells, coefficients_of(patch.linear)};
+      const double root = std::sqrt(aspect);
+      const Rectangles rectangles = Rectangles::in_ellipse(root, 1 / root, size, size);
+      return {rectangles.size(), coefficients_of(linear_response(rectangles, p.poisson_ratio))};
     });
   }
   return found;

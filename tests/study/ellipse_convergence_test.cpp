@@ -15,15 +15,16 @@ std::vector<Table> found_with(const std::vector<std::string>& settings) {
 
 TEST(EllipseConvergence, Verdicts) {
   const std::vector<Table> found =
-      found_with({"ellipse.aspects=0.2", "ellipse.lines=0.1 10", "convergence.sizes=7 10 20"});
-  EXPECT_EQ(verdicts(found), std::vector<std::string>(10, "ours"));
+      found_with({"ellipse.aspects=0.2", "ellipse.lines=0.1 10", "convergence.sizes=7 10 20",
+                  "convergence.rectangles=7 10"});
+  EXPECT_EQ(verdicts(found), std::vector<std::string>(11, "ours"));
 }
 
 // CONTACT's results are of other equations, so that they tell whether ours are right.
 TEST(EllipseConvergence, LimitsAreThoseOfContact) {
   const std::vector<Table> found =
       found_with({"ellipse.aspects=1", "ellipse.lines=1", "convergence.sizes=5 6",
-                  "convergence.reference=18"});
+                  "convergence.rectangles=5 6", "convergence.reference=18"});
   const Table& limits = table_named(found, "limits");
   ASSERT_EQ(limits.rows(), 15U);
   for (std::size_t i = 0; i < limits.rows(); ++i) {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "microslip/experiments/standard_patch.hpp"
 #include "study_tables.hpp"
 
 namespace microslip::experiments::kalker_coefficients_test {
@@ -47,17 +46,6 @@ TEST(KalkerCoefficients, AreThoseOfTwoMethodsAndOfThePrintedTable) {
   EXPECT_NEAR(number(table, 1, 0.25, "C33", "value"), 1.184303, 1e-6);
   // 9.79 is printed in the place of 9.868.
   EXPECT_NEAR(number(table, 5, 0.5, "C22", "units"), -7.83, 0.005);
-}
-
-// CONTACT v25.2, T = 3, N = 20, nu = 0.28, nothing slips: C11, C22, C23, C32 and C33 to ten digits.
-TEST(KalkerCoefficients, TheStandardSchemeIsContacts) {
-  const StandardPatch patch = standard_patch(1, 20, 0.28);
-  EXPECT_EQ(patch.cells, 316);
-  EXPECT_NEAR(-patch.linear(0, 0), 4.30558615, 5e-9);
-  EXPECT_NEAR(-patch.linear(1, 1), 3.7914249172, 1e-8);
-  EXPECT_NEAR(-patch.linear(1, 2), 1.5134575703, 1e-8);
-  EXPECT_NEAR(patch.linear(2, 1), 1.4502671536, 1e-8);
-  EXPECT_NEAR(-patch.linear(2, 2), 1.2679622657, 1e-8);
 }
 
 TEST(KalkerCoefficients, Verdicts) {

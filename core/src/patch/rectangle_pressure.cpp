@@ -16,7 +16,6 @@ using std::numbers::pi;
 
 namespace {
 
-constexpr Index pressure_margin = 2;  ///< rectangles around the ellipse's own
 constexpr int most_pressure_iterations = 1000;
 constexpr double pressure_accuracy = 1e-11;  ///< of pressures, over the largest one
 
@@ -56,9 +55,8 @@ double sum_where(const Rectangles::Mask& mask, const ArrayXXd& values) {
 
 RectanglePressure pressure_of_rectangles(double a, double b, Index elements, Index rows) {
   const Rectangles ellipse = Rectangles::in_ellipse(a, b, elements, rows);
-  const Rectangles all(
-      ellipse.dx(), ellipse.dy(),
-      Rectangles::Mask::Constant(elements + 2 * pressure_margin, rows + 2 * pressure_margin, true));
+  const Rectangles all(ellipse.dx(), ellipse.dy(),
+                       Rectangles::Mask::Constant(elements, rows, true));
   const NormalDisplacement displacement(all);
   // Hertz's pressure with the peak 1 makes the integral of p/R a paraboloid.
   using boost::math::ellint_rd, boost::math::ellint_rf;

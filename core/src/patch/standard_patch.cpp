@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/patch/standard_patch.hpp"
 
+#include <cmath>
 #include <limits>
 
 #include "microslip/patch/rectangle_pressure.hpp"
@@ -58,32 +59,36 @@ RectanglePressure pressure_of(const StandardPatch& problem) {
   return {contact, pressure, 1, 0};
 }
 
-/// Slip by the tractions of a step, and by those before it.
-struct StepInfluence {
-  double length;  ///< dq; 0 for a shift
-  RectangleInfluence present, former;
-  MatrixX3d rigid;
-
-  StepInfluence(const Rectangles& of, double nu, double dq)
-      : length(dq),
-        present(of, nu, {{1 / (dq > 0 ? dq : 1), 0}}),
-        former(of, nu, {{-1 / (dq > 0 ? dq : 1), dq / of.dx()}}),
-        rigid(rigid_slip(of, dq * spin_ahead)) {}
-};
-
-struct SteadyInfluence {
-  RectangleInfluence present;
-  MatrixX3d rigid;
-
-  SteadyInfluence(const Rectangles& of, double nu)
-      : present(of, nu, {{1 / of.dx(), 0}, {-1 / of.dx(), 1}}),
-        rigid(rigid_slip(of, of.dx() * spin_ahead)) {}
-};
+/// Slip by the tractions in steady rolling.
+RectangleInfluence steady_influence(const Rectangles& of, double nu) {
+  return {of, nu, {{1 / of.dx(), 0}, {-1 / of.dx(), 1}}};
+}
 
 }  // namespace
 
 /// All is in units by which the size of the ellipse, the bound's peak and the shear modulus are 1.
 struct RectangleRolling::Parts {
+  /// Slip by the tractions of a step, and by those before it.
+  struct StepInfluence {
+    double length;  ///< dq; 0 for a shift
+    RectangleInfluence present, former;
+    MatrixX3d rigid;
+
+    StepInfluence(const Rectangles& of, double nu, double dq)
+        : length(dq),
+          present(of, nu, {{1 / (dq > 0 ? dq : 1), 0}}),
+          former(of, nu, {{-1 / (dq > 0 ? dq : 1), dq / of.dx()}}),
+          rigid(rigid_slip(of, dq * spin_ahead)) {}
+  };
+
+  struct SteadyInfluence {
+    RectangleInfluence present;
+    MatrixX3d rigid;
+
+    SteadyInfluence(const Rectangles& of, double nu)
+        : present(steady_influence(of, nu)), rigid(rigid_slip(of, of.dx() * spin_ahead)) {}
+  };
+
   explicit Parts(const StandardPatch& of)
       : problem(of),
         touching(pressure_of(of)),
@@ -235,7 +240,8 @@ double RectangleRolling::residual() const { return parts_->state.residual; }
 Matrix3d linear_response(const Rectangles& rectangles, double poisson_ratio) {
   validate(Material{1, poisson_ratio});
   constexpr double large = 100;  // motions, so that errors of tractions are smaller beside them
-  const SteadyInfluence influence(rectangles, poisson_ratio);
+  const RectangleInfluence influence = steady_influence(rectangles, poisson_ratio);
+  const MatrixX3d rigid = rigid_slip(rectangles, rectangles.dx() * spin_ahead);
   const Matrix3Xd by_tractions = resultants_by_tractions(rectangles);
   const VectorXd none = VectorXd::Zero(2 * rectangles.size());
   const VectorXd no_limits =
@@ -245,8 +251,8 @@ Matrix3d linear_response(const Rectangles& rectangles, double poisson_ratio) {
     PatchLoad load{};
     load[static_cast<std::size_t>(j)].value = large;
     const RectangleState state = solve_rectangles({.rectangles = rectangles,
-                                                   .influence = influence.present,
-                                                   .rigid = influence.rigid,
+                                                   .influence = influence,
+                                                   .rigid = rigid,
                                                    .given = none,
                                                    .limits = no_limits,
                                                    .resultants = by_tractions,

@@ -15,10 +15,10 @@ struct RectanglePressure {
   int iterations;
 };
 
-/// Solves the normal contact of paraboloids that touch in an ellipse after Hertz, on a grid that
-/// has two more rectangles on each side: pressures are constant in rectangles, gaps are those at
-/// their centres, and the force is Hertz's. Some elements at the edge differ from those in the
-/// ellipse. Method: conjugate gradients with a projection (Polonsky and Keer 1999).
+/// Solves the normal contact of paraboloids that touch in an ellipse after Hertz, on the rectangles
+/// around it: pressures are constant in rectangles, gaps are those at their centres, and the force
+/// is Hertz's. Some elements at the edge differ from those with centres in the ellipse.
+/// Method: conjugate gradients with a projection (Polonsky and Keer 1999).
 /// \param a,b       half-widths along and across the rolling, > 0
 /// \param elements  N in the width 2 a, >= 1
 /// \param rows      M in the width 2 b, >= 1
