@@ -11,7 +11,7 @@ eval page(800, 400)
 set multiplot layout 1,2 margins 0.105,0.98,0.17,0.89 spacing 0.115,0.14
 set logscale xy
 set format y "10^{%T}"
-set xrange [35:1000]
+set xrange [35:2000]
 set yrange [3e-7:1e-1]
 set xtics (50, 100, 200, 400, 800)
 set xlabel "number of cells [1]"
@@ -20,7 +20,7 @@ do for [panel=1:2] {
   kind = word(kinds, panel)
   set title panel == 1 ? "without spin" : "with spin"
   if (panel == 1) { set ylabel "error of the force, over full sliding [1]" } else { unset ylabel }
-  if (panel == 1) { set key left bottom at graph 0.03,0.03 } else { unset key }
+  if (panel == 2) { set key right bottom at graph 0.97,0.03 samplen 0.5 } else { unset key }
   plot for [i=1:count] ellipses using (of("joined", kind, i)):"force_error" with points linetype i pointtype 7 \
          pointsize 0.45 title sprintf("a/b = %.3g", aspect_at(i)), \
        for [i=1:count] ellipses using (of("standard", kind, i)):"force_error" with points linetype i pointtype 2 \
