@@ -171,7 +171,7 @@ constexpr auto keys = std::to_array<Key>({
      .role = "kernel.type symbol"},
     {"grid.elements", whole, "1", "number N of nodes; of an ellipse, of the cells of each row",
      range(1, Grid::max_elements),
-     "20 000 where matrices are dense; of an ellipse 1 ... 100, and the program's choice without "
+     "20 000 where matrices are dense; of an ellipse 2 ... 100, and the program's choice without "
      "it and grid.rows",
      "scenes without target_error"},
     {"grid.rows", whole, "1", "number M of rows of an ellipse", range(1, 100),

@@ -195,11 +195,12 @@ Eigen::Index cells_by(double ratio) {
   return std::min(most_cells_of_side, static_cast<Eigen::Index>(cells));
 }
 
-/// Reads a whole number from 1 to 100.
-Eigen::Index read_cells(Scene& scene, const std::string& key) {
+/// Reads a whole number up to 100.
+Eigen::Index read_cells(Scene& scene, const std::string& key, Eigen::Index least) {
   const Eigen::Index cells = scene.whole(key);
-  require(cells >= 1 && cells <= most_cells_of_side, key, static_cast<double>(cells),
-          "a whole number 1 ... 100 in an ellipse");
+  require(cells >= least && cells <= most_cells_of_side, key, static_cast<double>(cells), [&] {
+    return fmt::format("a whole number {} ... {} in an ellipse", least, most_cells_of_side);
+  });
   return cells;
 }
 
@@ -255,8 +256,8 @@ SteadyPatch read_steady_patch(Scene& scene) {
   SteadyPatch patch{
       .material = material,
       .bound = bound,
-      .rows = has_grid ? read_cells(scene, "grid.rows") : rows_by(bound.shape()),
-      .elements = has_grid ? read_cells(scene, "grid.elements") : cells_by(bound.ratio())};
+      .rows = has_grid ? read_cells(scene, "grid.rows", 1) : rows_by(bound.shape()),
+      .elements = has_grid ? read_cells(scene, "grid.elements", least_elements) : cells_by(bound.ratio())};
   if (has_grid) {
     const std::size_t lobes = bound.shape().lobes().size();
     require(static_cast<std::size_t>(patch.rows) >= lobes, "grid.rows",

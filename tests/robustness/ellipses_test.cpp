@@ -90,6 +90,8 @@ TEST_F(Ellipses, AreRefusedInOneLineThatNamesTheKey) {
                  "kN m)");
   expect_refused("--set grid.rows=101 --set grid.elements=5",
                  "grid.rows = 101: expected a whole number 1 ... 100 in an ellipse");
+  expect_refused("--set grid.rows=5 --set grid.elements=1",
+                 "grid.elements = 1: expected a whole number 2 ... 100 in an ellipse");
   expect_refused("--set grid.rows=5", "missing key 'grid.elements'");
   expect_refused("--set contact.lateral_radius_2=-300",
                  "contact.lateral_radius_2 = -300: expected radii of which the smaller one in size "

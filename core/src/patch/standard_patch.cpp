@@ -113,11 +113,7 @@ struct RectangleRolling::Parts {
   }
 
   PatchLoad scaled(PatchLoad load, bool rolls) const {
-    validate(SteadyPatch{.material = problem.material,
-                         .bound = problem.bound,
-                         .rows = 1,
-                         .elements = 1,
-                         .load = load});
+    validate(load, problem.bound);
     const Vector3d motion = motion_unit(rolls), resultant = resultant_unit();
     for (Index j = 0; j < 3; ++j) {
       PatchComponent& component = load[static_cast<std::size_t>(j)];

@@ -9,6 +9,7 @@
 
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
+#include "patch_scale.hpp"
 
 namespace microslip {
 
@@ -19,19 +20,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Units of motions and resultants by which the bound's peak, the size of the patch and the shear
-/// modulus are 1.
-struct Units {
-  Vector3d motion, resultant;
-
-  explicit Units(const SteadyPatch& problem) {
-    const double strain = problem.bound.peak() / problem.material.shear_modulus;
-    const double c = problem.bound.size();
-    motion = {strain, strain, strain / c};
-    resultant = problem.bound.peak() * c * c * Vector3d(1, 1, c);
-  }
-};
-
 /// Motions over mu p0/G above this size are made smaller by one divisor. All slides then, in the
 /// direction of the rigid slip but for a part of 1e-12.
 constexpr double largest_motion = 1e12;
@@ -40,7 +28,7 @@ struct ScaledLoad {
   PatchLoad load;
   double divisor;  ///< of motions
 
-  ScaledLoad(const PatchLoad& given, const Units& units) : load(given) {
+  ScaledLoad(const PatchLoad& given, const PatchUnits& units) : load(given) {
     double largest = 0;
     for (std::size_t j = 0; j < load.size(); ++j) {
       const auto& unit = load[j].by_resultant ? units.resultant : units.motion;
@@ -53,20 +41,6 @@ struct ScaledLoad {
     }
   }
 };
-
-/// Limits of v by the bound at the centres of cells, over its peak and tan(theta/2).
-VectorXd limits_of(const JoinedRows& rows, const PatchBound& bound) {
-  VectorXd limits(rows.cells());
-  for (Index k = 0; k < rows.rows(); ++k) {
-    for (Index i = 0; i < rows.elements(); ++i) {
-      const double theta = rows.theta(i);
-      const double limit = bound(rows.lobe(k), rows.psi(k), theta) / bound.peak();
-      require(limit > 0, "bound", limit * bound.peak(), "a number > 0 at the centres of all cells");
-      limits[rows.cell(i, k)] = limit / std::tan(theta / 2);
-    }
-  }
-  return limits;
-}
 
 Evidence evidence_of(const SteadyPatch& problem, const SteadyPatchSolution& solution,
                      const PatchResponse& response) {
@@ -98,12 +72,18 @@ Evidence evidence_of(const SteadyPatch& problem, const SteadyPatchSolution& solu
 void validate(const SteadyPatch& problem) {
   validate(problem.material);
   validate(problem.accepted);
+  require(problem.elements >= least_elements, "elements", static_cast<double>(problem.elements),
+          "a whole number >= 2");
+  validate(problem.load, problem.bound);
+}
+
+void validate(const PatchLoad& load, const PatchBound& bound) {
   constexpr std::array motions{"creepage", "lateral_creepage", "spin"};
   constexpr std::array resultants{"force", "lateral_force", "spin_moment"};
-  const double full = problem.bound.total(), turning = problem.bound.turning_moment();
+  const double full = bound.total(), turning = bound.turning_moment();
   double squares = 0;
-  for (std::size_t j = 0; j < problem.load.size(); ++j) {
-    const auto& [by_resultant, value] = problem.load[j];
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    const auto& [by_resultant, value] = load[j];
     if (!by_resultant) {
       require(true, motions[j], value, "a finite number");
       continue;
@@ -117,7 +97,7 @@ void validate(const SteadyPatch& problem) {
     });
     if (j < 2) squares += value * value;
   }
-  require(squares < full * full, resultants[1], problem.load[1].value, [&] {
+  require(squares < full * full, resultants[1], load[1].value, [&] {
     return fmt::format("forces whose vector is shorter than full sliding, {:.6g} N", full);
   });
 }
@@ -135,7 +115,7 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse
   validate(problem);
   const JoinedRows& rows = response.rows();
   const Index n = rows.cells();
-  const Units units(problem);
+  const PatchUnits units(problem);
   SteadyPatchSolution solution;
   const ScaledLoad scaled(problem.load, units);
   solution.state = solve_stick_slip(response, limits_of(rows, problem.bound), scaled.load, start);
@@ -206,10 +186,11 @@ SteadyPatchSolution solve_steady_with_change(const SteadyPatch& problem) {
   SteadyPatchSolution solution = solve_steady(problem);
   solution.evidence.change = 1;
   const auto lobes = static_cast<Index>(problem.bound.shape().lobes().size());
-  if (problem.rows == lobes || problem.elements == 1) return solution;  // there are no fewer
+  if (problem.rows == lobes || problem.elements == least_elements)
+    return solution;  // there are no fewer
   SteadyPatch coarse = problem;
   coarse.rows = std::max(lobes, (2 * problem.rows + 1) / 3);
-  coarse.elements = (2 * problem.elements + 1) / 3;
+  coarse.elements = std::max(least_elements, (2 * problem.elements + 1) / 3);
   try {
     solution.evidence.change = change_of(problem, solve_steady(coarse), solution);
   } catch (const NotConverged&) {

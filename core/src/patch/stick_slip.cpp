@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <span>
 
 #include "microslip/linalg/index_view.hpp"
 #include "microslip/support/format.hpp"
@@ -30,21 +30,27 @@ struct Attempt {
   double length;        ///< r over r0
   double longest_step;  ///< of q, from the third system on
   int systems;
+  double width = 0.3;  ///< |q - r0 t| - 1 from which the slip is that at the centre
 };
 
 /// They have 2000 random loads of 40 ellipses, a/b = 0.2 ... 5, but for one on a row of one cell.
 constexpr Attempt attempts[] = {{3, 2, 20}, {1.5, 0.7, 20}, {5, 2, 20}, {1, 0.3, 40}};
+
+/// The same for steps. In the first ones after a shift or a change of the load, one of 300 takes the
+/// wider transition, in which the slip of a cell changes less from one system to the next.
+constexpr Attempt attempts_at_step[] = {
+    {0.3, 2, 20}, {1, 0.7, 20}, {0.3, 2, 20, 3}, {1, 0.7, 40, 3}};
 
 /// Parts of the load by which it is raised where no attempt at the whole converges.
 constexpr double largest_part = 0.25;
 constexpr double least_part = 1.0 / 64;
 constexpr std::size_t attempts_of_part = 2;
 
-/// |q - r0 t| - 1 from which the slip is that at the centre.
-constexpr double width_of_transition = 0.3;
-
 /// Largest residual. Where nearly all slides, rounding is up to 1e-11.
 constexpr double tolerance = 1e-10;
+
+/// The same in a step, where displacements are differences of larger ones.
+constexpr double tolerance_of_step = 1e-9;
 
 Vector2d at(const VectorXd& values, Index cell) {
   return {values[cell], values[values.size() / 2 + cell]};
@@ -75,9 +81,9 @@ struct MixedSlip {
   Vector2d value;
   double part, growth;  ///< growth by |q - r0 t|
 
-  MixedSlip(const Vector2d& own, const Vector2d& centre, double beyond) {
-    part = std::clamp(beyond / width_of_transition, 0.0, 1.0);
-    growth = part > 0 && part < 1 ? 1 / width_of_transition : 0;
+  MixedSlip(const Vector2d& own, const Vector2d& centre, double beyond, double width) {
+    part = std::clamp(beyond / width, 0.0, 1.0);
+    growth = part > 0 && part < 1 ? 1 / width : 0;
     value = own + part * (centre - own);
   }
 };
@@ -86,11 +92,15 @@ class Newton {
  public:
   PatchLoad load = {};
 
-  Newton(const PatchResponse& response, const VectorXd& limits)
+  Newton(const PatchResponse& response, const VectorXd& limits, const ImposedSlip* imposed)
       : response_(response),
         limits_(limits),
+        imposed_(imposed != nullptr ? *imposed
+                                    : ImposedSlip{VectorXd::Zero(2 * limits.size()),
+                                                  VectorXd::Zero(2 * limits.size())}),
         cells_(limits.size()),
-        lengths_(lengths_of(response, limits)) {}
+        lengths_(lengths_of(response, limits)),
+        tolerance_(imposed != nullptr ? tolerance_of_step : tolerance) {}
 
   PatchState adhesion() const {
     const VectorXd none = VectorXd::Zero(2 * cells_);
@@ -104,12 +114,13 @@ class Newton {
   /// Whether it converges.
   bool converges(PatchState& state, const Attempt& attempt) {
     length_ratio_ = attempt.length;
+    width_ = attempt.width;
     q_ = quotients(state);
     for (int i = 0; i < attempt.systems; ++i) {
       solve(state);
       ++state.iterations;
       state.residual = residual(state);
-      if (state.residual < tolerance) return true;
+      if (state.residual < tolerance_) return true;
       if (!std::isfinite(state.residual)) return false;
       take(state, i < 2 ? std::numeric_limits<double>::infinity() : attempt.longest_step);
     }
@@ -133,7 +144,7 @@ class Newton {
 
   MixedSlip mixed_slip(const PatchState& state, Index i, const Vector2d& q) const {
     const Vector2d own = at(state.own_slip, i);
-    return {own, at(state.centre_slip, i), (q - lengths_[i] * own).norm() - 1};
+    return {own, at(state.centre_slip, i), (q - lengths_[i] * own).norm() - 1, width_};
   }
 
   /// The largest |q - P(q - r0 s)|, not a number if a part is not one.
@@ -153,6 +164,7 @@ class Newton {
     split_motion();
     columns_.clear();
     stuck_.noalias() = -response_.rigid_own_slip() * motions_;
+    stuck_.col(0) -= imposed_.own;
     for (Index i = 0; i < cells_; ++i) {
       if (!slips(state, i)) continue;
       columns_.push_back(i);
@@ -180,9 +192,11 @@ class Newton {
     state.own_slip.setZero();
     state.centre_slip.setZero();
     for (const Index c : columns_) {
-      state.own_slip[c] = elastic[c] + response_.rigid_own_slip().row(c) * state.motion;
+      state.own_slip[c] =
+          elastic[c] + response_.rigid_own_slip().row(c) * state.motion + imposed_.own[c];
       state.centre_slip[c] = response_.centre_slip().row(c).dot(elastic) +
-                             response_.rigid_centre_slip().row(c) * state.motion;
+                             response_.rigid_centre_slip().row(c) * state.motion +
+                             imposed_.centre[c];
     }
   }
 
@@ -218,7 +232,8 @@ class Newton {
     VectorXd values(right_.size());
     for (Index r = 0; r < 2 * size; ++r) {
       const Index column = columns_[static_cast<std::size_t>(r)];
-      values[r] = state.own_slip[column] - response_.rigid_own_slip().row(column) * state.motion;
+      values[r] = state.own_slip[column] - response_.rigid_own_slip().row(column) * state.motion -
+                  imposed_.own[column];
     }
     values.tail(values.size() - 2 * size) = state.motion(index_view(free_));
     return values;
@@ -226,6 +241,7 @@ class Newton {
 
   /// With z = q - r s, e = z/|z| and D = (1 - e e')/|z|, the condition q = e is linear about z:
   ///   (1 - D) q + r D s = e.
+  /// Within the disc the condition is s = 0, which is e = 0 and D = 1.
   /// In the transition s depends on q - r0 t, too.
   void set_condition(const PatchState& state, Index r, Index size) {
     const Index i = columns_[static_cast<std::size_t>(r)];
@@ -233,8 +249,12 @@ class Newton {
     const double own_length = lengths_[i], length = length_ratio_ * own_length;
     const MixedSlip slip = mixed_slip(state, i, q);
     const Vector2d z = q - length * slip.value;
-    const Vector2d e = z.normalized();
-    const Matrix2d D = (Matrix2d::Identity() - e * e.transpose()) / z.norm();
+    Vector2d e = Vector2d::Zero();
+    Matrix2d D = Matrix2d::Identity();
+    if (z.norm() > 1 - 1e-6) {
+      e = z.normalized();
+      D = (D - e * e.transpose()) / z.norm();
+    }
     Matrix2d by_q = Matrix2d::Identity() - D;
     Matrix2d by_own = length * (1 - slip.part) * D;
     const Matrix2d by_centre = length * slip.part * D;
@@ -266,6 +286,7 @@ class Newton {
         by_motion += (by_centre(c, d) * response_.rigid_centre_slip().row(of) +
                       by_own(c, d) * response_.rigid_own_slip().row(of)) *
                      motions_;
+        by_motion[0] += by_centre(c, d) * imposed_.centre[of] + by_own(c, d) * imposed_.own[of];
       }
       system_.row(row).tail(free) = by_motion.tail(free);
       right_[row] = right[c] - by_motion[0];
@@ -297,9 +318,12 @@ class Newton {
 
   const PatchResponse& response_;
   const VectorXd& limits_;
+  ImposedSlip imposed_;
   Index cells_;
   VectorXd lengths_;
   double length_ratio_ = 1;
+  double width_ = 0;
+  double tolerance_;
   VectorXd q_;               ///< on the disc
   std::vector<Index> free_;  ///< components that follow from a resultant
   MatrixXd motions_;         ///< the prescribed motion, and a unit of each of these
@@ -310,14 +334,14 @@ class Newton {
   VectorXd right_;
 };
 
-/// Whether an attempt converges.
-bool converges(Newton& newton, const PatchState& start, std::size_t attempts_made,
+/// Whether one of some attempts converges.
+bool converges(Newton& newton, const PatchState& start, std::span<const Attempt> tried,
                PatchState& state) {
-  for (std::size_t i = 0; i < attempts_made; ++i) {
+  for (const Attempt& attempt : tried) {
     const int iterations = state.iterations;
     state = start;
     state.iterations = iterations;
-    if (newton.converges(state, attempts[i])) return true;
+    if (newton.converges(state, attempt)) return true;
   }
   return false;
 }
@@ -330,18 +354,26 @@ PatchLoad part_of(PatchLoad load, double part) {
 }  // namespace
 
 PatchState solve_stick_slip(const PatchResponse& response, const VectorXd& limits,
-                            const PatchLoad& load, const PatchState* start) {
-  Newton newton(response, limits);
+                            const PatchLoad& load, const PatchState* start,
+                            const ImposedSlip* imposed) {
+  Newton newton(response, limits, imposed);
   newton.load = load;
   PatchState state, reached = newton.adhesion();
-  if (converges(newton, start != nullptr ? *start : reached, std::size(attempts), state)) {
-    return state;
+  const std::span<const Attempt> all = imposed != nullptr
+                                           ? std::span<const Attempt>(attempts_at_step)
+                                           : std::span<const Attempt>(attempts);
+  if (converges(newton, start != nullptr ? *start : reached, all, state)) return state;
+  if (imposed != nullptr) {
+    throw NotConverged(
+        "stick and slip of the step are not found: the resultants may be more than friction "
+        "carries together; else shorter steps may help",
+        0, state.residual);
   }
   double part = 0, step = largest_part;
   while (part < 1 && step >= least_part) {
     const double next = std::min(1.0, part + step);
     newton.load = part_of(load, next);
-    if (converges(newton, reached, attempts_of_part, state)) {
+    if (converges(newton, reached, all.first(attempts_of_part), state)) {
       part = next;
       reached = state;
       step *= 2;

@@ -7,6 +7,17 @@
 
 namespace microslip {
 
+/// Slip of the cells as a linear function of the tractions v and of the motion.
+struct PatchSlipMap {
+  Eigen::MatrixXd by_traction;  ///< 2n x 2n
+  Eigen::MatrixX3d by_motion;   ///< 2n x 3
+};
+
+/// The part of the slip that a cell has from what was before: 2n each.
+struct ImposedSlip {
+  Eigen::VectorXd own, centre;
+};
+
 /// Joined rows on half-spaces of one material roll steadily. With u the displacement by the
 /// tractions, the slip is rigid slip and elastic slip,
 ///   s = w - du/dx,  w = (xi - phi y, eta + phi x).
@@ -25,6 +36,9 @@ class PatchResponse {
 
   /// \param poisson_ratio  nu, in [0, 0.5]
   PatchResponse(const JoinedRows& rows, double poisson_ratio);
+
+  /// Makes the response of other slip than in steady rolling: in a step, or in a shift.
+  PatchResponse(const JoinedRows& rows, const PatchSlipMap& own, const PatchSlipMap& centre);
 
   const JoinedRows& rows() const { return rows_; }
 
@@ -54,6 +68,8 @@ class PatchResponse {
   const Eigen::Matrix3d& linear() const { return linear_; }
 
  private:
+  PatchResponse(const JoinedRows& rows, const Eigen::MatrixXd& displacement);
+
   JoinedRows rows_;
   Matrix unknowns_, centre_slip_;
   Eigen::MatrixX3d rigid_own_slip_, rigid_centre_slip_;

@@ -13,21 +13,27 @@
 
 namespace microslip {
 
+/// One cell a row would carry twice the bound, and could gain energy.
+inline constexpr Eigen::Index least_elements = 2;
+
 /// Half-spaces of one material touch in an ellipse or another patch, and roll steadily. Spin and
 /// moment are about x = y = 0, which is the centre of an ellipse.
 struct SteadyPatch {
   Material material;  ///< poisson_ratio in [0, 0.5]
   PatchBound bound;
   Eigen::Index rows;      ///< M, >= 1, and not less than there are lobes
-  Eigen::Index elements;  ///< N of each row, >= 1
+  Eigen::Index elements;  ///< N of each row, >= 2
   PatchLoad load = {};
   Acceptance accepted = {};
 };
 
-/// \throws std::invalid_argument if a number is out of its range, or a resultant is not less than
-///         friction carries on its own: forces less than full sliding, as the length of their
-///         vector, and the moment less than that of turning about the centre
+/// \throws std::invalid_argument if a number is out of its range; as validate() of the load
 void validate(const SteadyPatch& problem);
+
+/// \throws std::invalid_argument if a number is not finite, or a resultant is not less than friction
+///         carries on its own: forces less than full sliding, as the length of their vector, and
+///         the moment less than that of turning about the centre
+void validate(const PatchLoad& load, const PatchBound& bound);
 
 /// Tractions and slip at the centres of cells, in the order of JoinedRows; resultants and motion.
 struct SteadyPatchSolution {
@@ -65,7 +71,7 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem);
 /// the largest one of the forces over full sliding, of the moment over that of turning, and of
 /// motions that follow over the largest motion of their kind, creepage or spin. Errors of
 /// resultants are below 2e-3 plus 1.5 times the change: tests/property/generated_patches_test.cpp.
-/// The change is 1 if fewer have no solution, and if there is one row in each lobe or one element.
+/// The change is 1 if fewer have no solution, and if there is one row in each lobe or two elements.
 SteadyPatchSolution solve_steady_with_change(const SteadyPatch& problem);
 
 }  // namespace microslip

@@ -31,8 +31,10 @@ struct PatchState {
 /// \param limits  g, > 0, over G and by p/v of the cell's centre: n
 /// \param load    in the scale of PatchResponse
 /// \param start   where to start; nullptr for adhesion
+/// \param imposed  slip in a step by what was before it; nullptr in steady rolling
 /// \throws NotConverged
 PatchState solve_stick_slip(const PatchResponse& response, const Eigen::VectorXd& limits,
-                            const PatchLoad& load, const PatchState* start = nullptr);
+                            const PatchLoad& load, const PatchState* start = nullptr,
+                            const ImposedSlip* imposed = nullptr);
 
 }  // namespace microslip

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "row_memory.hpp"
+
+#include <algorithm>
+
+namespace microslip {
+
+using Eigen::Vector2d;
+
+RowMemory::RowMemory(double trailing, double leading, double least_spacing)
+    : least_spacing_(least_spacing) {
+  const auto count = static_cast<std::size_t>((leading - trailing) / least_spacing) + 4;
+  for (std::size_t i = 0; i <= count; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(count);
+    records_.push_back({trailing + part * (leading - trailing), Vector2d::Zero()});
+  }
+}
+
+Vector2d RowMemory::at(double place) const {
+  const auto after = std::ranges::upper_bound(records_, place, {}, &Record::place);
+  const auto last = static_cast<std::ptrdiff_t>(records_.size()) - 4;
+  const auto first = std::clamp<std::ptrdiff_t>(after - records_.begin() - 2, 0,
+                                                std::max<std::ptrdiff_t>(last, 0));
+  const auto end =
+      std::min<std::ptrdiff_t>(first + 4, static_cast<std::ptrdiff_t>(records_.size()));
+  Vector2d value = Vector2d::Zero();
+  for (auto i = first; i < end; ++i) {
+    const Record& one = records_[static_cast<std::size_t>(i)];
+    double weight = 1;
+    for (auto j = first; j < end; ++j) {
+      if (j == i) continue;
+      const double other = records_[static_cast<std::size_t>(j)].place;
+      weight *= (place - other) / (one.place - other);
+    }
+    value += weight * one.value;
+  }
+  return value;
+}
+
+void RowMemory::enter(double place, const Vector2d& value) {
+  const std::size_t size = records_.size();
+  if (records_[size - 1].place - records_[size - 2].place < least_spacing_ * (1 - 1e-9)) {
+    records_.pop_back();
+  }
+  records_.push_back({place, value});
+}
+
+void RowMemory::leave(double place) {
+  const auto staying =
+      std::ranges::find_if(records_, [&](const Record& r) { return r.place > place; });
+  const auto gone = std::max<std::ptrdiff_t>(staying - records_.begin() - 2, 0);
+  records_.erase(records_.begin(), records_.begin() + gone);
+}
+
+void RowMemory::change(const std::function<void(double, Vector2d&)>& by) {
+  for (Record& record : records_) by(record.place, record.value);
+}
+
+}  // namespace microslip

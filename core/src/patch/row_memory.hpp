@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+namespace microslip {
+
+/// The displacements that the material of a row remembers. A place of the material is its x before
+/// all rolling, x + q after a distance q. There, the sum of its displacement and of all rigid slip
+/// is constant while it sticks: that sum is what a record keeps, along and across.
+class RowMemory {
+ public:
+  using Vector2d = Eigen::Vector2d;
+
+  /// Remembers nothing but zero, from the trailing edge to the leading one.
+  /// \param least_spacing  of records of material that has entered
+  RowMemory(double trailing, double leading, double least_spacing);
+
+  /// The value at a place, by the cubic polynomial through the four records around it.
+  Vector2d at(double place) const;
+
+  /// Records what enters, ahead of all that has entered before.
+  void enter(double place, const Vector2d& value);
+
+  /// Forgets what has left, behind a place.
+  void leave(double place);
+
+  /// Changes what is remembered, record by record.
+  void change(const std::function<void(double place, Vector2d& value)>& by);
+
+ private:
+  struct Record {
+    double place;
+    Vector2d value;
+  };
+  std::vector<Record> records_;  ///< of rising places
+  double least_spacing_;
+};
+
+}  // namespace microslip

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "slip_maps.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "microslip/support/require.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using std::numbers::pi;
+
+MatrixXd displacement_by_traction(const JoinedRows& rows, double poisson_ratio) {
+  require(poisson_ratio >= 0 && poisson_ratio <= 0.5, "poisson_ratio", poisson_ratio,
+          "a number from 0 to 0.5");
+  const JoinedRows::Kernels kernels = rows.kernels();
+  const double nu = poisson_ratio;
+  MatrixXd displacement(2 * rows.points(), 2 * rows.cells());
+  displacement << kernels.near - nu * kernels.across, nu * kernels.mixed, nu * kernels.mixed,
+      (1 - nu) * kernels.near + nu * kernels.across;
+  return displacement / pi;
+}
+
+PatchSlipMap map_for(const JoinedRows& rows) {
+  const Index n = rows.cells();
+  return {MatrixXd::Zero(2 * n, 2 * n), Eigen::MatrixX3d::Zero(2 * n, 3)};
+}
+
+void set_slip(PatchSlipMap& map, const JoinedRows& rows, const MatrixXd& displacement, Index i,
+              Index k, const PointSlip& slip) {
+  const Index n = rows.cells(), cell = rows.cell(i, k);
+  map.by_traction.row(cell).setZero();
+  map.by_traction.row(n + cell).setZero();
+  for (std::size_t l = 0; l < slip.points.size(); ++l) {
+    if (slip.weights[l] == 0) continue;
+    const Index point = rows.point(slip.points[l], k);
+    map.by_traction.row(cell) += slip.weights[l] * displacement.row(point);
+    map.by_traction.row(n + cell) += slip.weights[l] * displacement.row(rows.points() + point);
+  }
+  map.by_motion.row(cell) << 1, 0, -rows.y(k);
+  map.by_motion.row(n + cell) << 0, 1, slip.x;
+}
+
+PointSlip centre_slip(const JoinedRows& rows, Index i, Index k) {
+  const Index here = 2 * i + 1, last = 2 * rows.elements();
+  const auto mirrored = [&](Index j) { return j < 0 ? -j : j > last ? 2 * last - j : j; };
+  const double step = pi / static_cast<double>(rows.elements());
+  const double scale = rows.half_length(k) * std::sin(rows.theta(i)) * step;
+  const double near = 4.0 / 3 / scale, far = -1.0 / 6 / scale;
+  return {{here + 1, here - 1, mirrored(here + 2), mirrored(here - 2), here},
+          {near, -near, far, -far, 0},
+          rows.x(here, k)};
+}
+
+}  // namespace microslip

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "microslip/patch/joined_rows.hpp"
+#include "microslip/patch/patch_response.hpp"
+
+namespace microslip {
+
+/// The displacements along, then across, at the points of rows by the tractions v: 2P x 2n, over the
+/// size of the patch and with G = 1.
+/// \param poisson_ratio  nu, in [0, 0.5]
+Eigen::MatrixXd displacement_by_traction(const JoinedRows& rows, double poisson_ratio);
+
+/// The slip of a cell as displacements at points of its row, times weights, and the rigid slip at x.
+struct PointSlip {
+  std::array<Eigen::Index, 5> points;
+  std::array<double, 5> weights;
+  double x;
+};
+
+/// Sets the slip of a cell.
+/// \param displacement  as displacement_by_traction()
+void set_slip(PatchSlipMap& map, const JoinedRows& rows, const Eigen::MatrixXd& displacement,
+              Eigen::Index i, Eigen::Index k, const PointSlip& slip);
+
+/// An empty map for all cells.
+PatchSlipMap map_for(const JoinedRows& rows);
+
+/// -du/dx at a centre, by differences of fourth order in theta. Displacements are even in theta at
+/// both edges, as they are smooth in x.
+PointSlip centre_slip(const JoinedRows& rows, Eigen::Index i, Eigen::Index k);
+
+}  // namespace microslip
