@@ -10,12 +10,12 @@
 
 namespace microslip {
 
-/// A patch rolls by steps of any length. The material of each row remembers its displacement: what
-/// sticks keeps it to the last bit, so that tractions that travel are not smeared, and short steps
-/// make no wiggles.
+/// A patch rolls by steps of any length. The material of each row remembers the sum of its
+/// displacement and of all rigid slip so far, which does not change while it sticks. So tractions
+/// that travel are not smeared, and short steps make no wiggles.
 ///
 /// In a step over dq, the material at the centre of a cell comes from x + dq, or has entered on the
-/// way. With the displacement m that it remembers, its own slip is
+/// way. With m, its displacement before the step, its own slip is
 ///   t = w + [u(x) - m]/length,
 /// w the mean rigid slip over the length that it rolled, which is dq or the distance to the leading
 /// edge. It sticks by t = 0. It slips in the direction of the same slip of the material that passes
@@ -24,7 +24,8 @@ namespace microslip {
 ///
 /// A step that throws leaves all as it was before. One object serves one thread.
 /// Order: 2 in dq; tests/unit/patch_rolling_test.cpp
-/// Cost of a step: that of steady rolling, and of a response after steps of another length.
+/// Cost of a step: that of steady rolling; plus that of a response if its length is another one
+/// than before.
 class PatchRolling {
  public:
   using Index = Eigen::Index;
