@@ -28,22 +28,6 @@ namespace {
 /// over the number of cells.
 constexpr double spacing_of_records = 0.5;
 
-/// The sum of all rigid slip so far of material at a place, x + q, in a row at y:
-///   (along - turn y, across + turn place).
-struct RigidPath {
-  double along = 0, across = 0, turn = 0;
-
-  Vector2d at(double place, double y) const { return {along - turn * y, across + turn * place}; }
-
-  /// \param from,to  distances rolled; the same in a shift, which has a length of 1
-  RigidPath after(const Vector3d& motion, double from, double to) const {
-    const double length = from == to ? 1 : to - from;
-    return {along + motion[0] * length,
-            across + motion[1] * length - motion[2] * length * (from + to) / 2,
-            turn + motion[2] * length};
-  }
-};
-
 /// The way of material in a step.
 struct Way {
   double x;        ///< where it is at the end

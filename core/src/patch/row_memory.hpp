@@ -7,6 +7,24 @@
 
 namespace microslip {
 
+/// The sum of all rigid slip so far of material at a place, x + q, in a row at y:
+///   (along - turn y, across + turn place).
+struct RigidPath {
+  double along = 0, across = 0, turn = 0;
+
+  Eigen::Vector2d at(double place, double y) const {
+    return {along - turn * y, across + turn * place};
+  }
+
+  /// \param from,to  distances rolled; the same in a shift, which has a length of 1
+  RigidPath after(const Eigen::Vector3d& motion, double from, double to) const {
+    const double length = from == to ? 1 : to - from;
+    return {along + motion[0] * length,
+            across + motion[1] * length - motion[2] * length * (from + to) / 2,
+            turn + motion[2] * length};
+  }
+};
+
 /// The displacements that the material of a row remembers. A place of the material is its x before
 /// all rolling, x + q after a distance q. There, the sum of its displacement and of all rigid slip
 /// is constant while it sticks: that sum is what a record keeps, along and across.
