@@ -108,6 +108,21 @@ TEST(PatchRolling, ShiftsAsMindlinFound) {
   }
 }
 
+// The shortest steps that are taken, and one over many patches.
+TEST(PatchRolling, TakesStepsOfExtremeLengths) {
+  PatchRolling rolling(circle(6, 8));
+  const PatchLoad load = motion(0.1, 0.05, 0.2);
+  roll_to(rolling, 0.3, 0.05, load);
+  const Vector3d before = rolling.resultants();
+  for (int i = 0; i < 5; ++i) rolling.roll(2e-6, load);
+  EXPECT_LT(largest(rolling.resultants() - before) / full, 2e-3);
+  SteadyPatch problem = circle(6, 8);
+  problem.load = load;
+  rolling.roll(1e5, load);
+  rolling.roll(1e5, load);
+  EXPECT_LT(largest(rolling.resultants() - solve_steady(problem).resultants) / full, 3e-3);
+}
+
 TEST(PatchRolling, IsItsOwnMirrorImage) {
   PatchRolling one(circle(7, 8)), other(circle(7, 8));
   roll_to(one, 0.7, 0.1, motion(0.2, 0.1, 0.5));
@@ -154,6 +169,9 @@ TEST(PatchRolling, RefusesBadNumbersAndStaysAsItWas) {
   const Vector3d before = rolling.resultants();
   EXPECT_THROW(rolling.roll(0, motion(0.1, 0, 0)), std::invalid_argument);
   EXPECT_THROW(rolling.roll(-0.1, motion(0.1, 0, 0)), std::invalid_argument);
+  EXPECT_THROW(rolling.roll(1e-8, motion(0.1, 0, 0)), std::invalid_argument);
+  EXPECT_THROW(rolling.roll(std::numeric_limits<double>::infinity(), motion(0.1, 0, 0)),
+               std::invalid_argument);
   EXPECT_THROW(rolling.roll(0.1, motion(std::numeric_limits<double>::quiet_NaN(), 0, 0)),
                std::invalid_argument);
   EXPECT_THROW(rolling.roll(0.1, {{{true, 2 * full}, {}, {}}}), std::invalid_argument);

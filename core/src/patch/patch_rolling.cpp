@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/patch/patch_rolling.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -27,6 +29,10 @@ namespace {
 /// Records of material that has entered are not closer than this part of the half-length of a row,
 /// over the number of cells.
 constexpr double spacing_of_records = 0.5;
+
+/// Lengths of steps over the size of the patch. Records that are closer than the least one have no
+/// digits of a slope between them.
+constexpr double least_step = 1e-6, longest_step = 1e6;
 
 /// The way of material in a step.
 struct Way {
@@ -263,7 +269,7 @@ struct PatchRolling::Parts {
     u_before = u;
     u.noalias() = displacement * state.unknowns;
     step_before = dq;
-    path = path.after(state.motion, distance, distance + dq);
+    path = path.after(state.motion, dq == 0 ? 1 : dq, distance + dq / 2);
     distance += dq;
     remember(dq);
     const Index n = rows.cells();
@@ -284,8 +290,10 @@ PatchRolling& PatchRolling::operator=(PatchRolling&&) noexcept = default;
 void PatchRolling::shift(const PatchLoad& load) { parts_->step(0, load); }
 
 void PatchRolling::roll(double dq, const PatchLoad& load) {
-  require_positive("dq", dq);
-  parts_->step(dq / parts_->problem.bound.size(), load);
+  const double c = parts_->problem.bound.size(), least = least_step * (c + distance());
+  require(dq >= least && dq <= longest_step * c, "dq", dq,
+          [&] { return fmt::format("a length from {:.3g} to {:.3g}", least, longest_step * c); });
+  parts_->step(dq / c, load);
 }
 
 double PatchRolling::distance() const { return parts_->distance * parts_->problem.bound.size(); }

@@ -16,11 +16,10 @@ struct RigidPath {
     return {along - turn * y, across + turn * place};
   }
 
-  /// \param from,to  distances rolled; the same in a shift, which has a length of 1
-  RigidPath after(const Eigen::Vector3d& motion, double from, double to) const {
-    const double length = from == to ? 1 : to - from;
-    return {along + motion[0] * length,
-            across + motion[1] * length - motion[2] * length * (from + to) / 2,
+  /// \param length  that is rolled; 1 in a shift
+  /// \param middle  of the distances rolled before and after it
+  RigidPath after(const Eigen::Vector3d& motion, double length, double middle) const {
+    return {along + motion[0] * length, across + (motion[1] - motion[2] * middle) * length,
             turn + motion[2] * length};
   }
 };

@@ -45,7 +45,7 @@ class PatchRolling {
   void shift(const PatchLoad& load);
 
   /// Rolls over a step.
-  /// \param dq  > 0  [mm]
+  /// \param dq  from 1e-6 of the size and the distance rolled, to 1e6 of the size  [mm]
   /// \throws std::invalid_argument if a number is out of its range; NotConverged
   void roll(double dq, const PatchLoad& load);
 
