@@ -71,15 +71,15 @@ constexpr auto states = std::to_array<ContactState>({
      {-0.082336, -0.164828}},
 });
 
+const Material material{1, 0.28};
+const EllipticBound circle(1, 1, 0.45 / std::numbers::pi);
+
 }  // namespace
 
 std::span<const ContactState> contact_states() { return states; }
 
 SteadyPatch patch_of(const ContactState& state, Eigen::Index rows, Eigen::Index elements) {
-  SteadyPatch patch{.material = {1, 0.28},
-                    .bound = EllipticBound(1, 1, 0.45 / std::numbers::pi),
-                    .rows = rows,
-                    .elements = elements};
+  SteadyPatch patch{.material = material, .bound = circle, .rows = rows, .elements = elements};
   const std::string_view kind(state.kind);
   if (kind == "longitudinal") patch.load[0].value = 0.07 * state.level;
   if (kind == "lateral") patch.load[1].value = 0.08 * state.level;
@@ -87,9 +87,8 @@ SteadyPatch patch_of(const ContactState& state, Eigen::Index rows, Eigen::Index 
   return patch;
 }
 
-StandardPatch rectangles_of(const ContactState& state, Eigen::Index elements) {
-  const SteadyPatch patch = patch_of(state, elements, elements);
-  return {.material = patch.material, .bound = patch.bound, .elements = elements, .rows = elements};
+StandardPatch contact_rectangles(Eigen::Index elements) {
+  return {.material = material, .bound = circle, .elements = elements, .rows = elements};
 }
 
 }  // namespace microslip::experiments

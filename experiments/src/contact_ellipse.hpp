@@ -34,7 +34,7 @@ std::span<const ContactState> contact_states();
 /// The same state with joined rows.
 SteadyPatch patch_of(const ContactState& state, Eigen::Index rows, Eigen::Index elements);
 
-/// Its material and bound with equal rectangles, as many across as along.
-StandardPatch rectangles_of(const ContactState& state, Eigen::Index elements);
+/// The circle of these states with equal rectangles, as many across as along.
+StandardPatch contact_rectangles(Eigen::Index elements);
 
 }  // namespace microslip::experiments

@@ -74,12 +74,14 @@ const std::array<Load3, 13>& loads() {
   return all;
 }
 
-SteadyPatch ellipse(double aspect, double nu, const Cut& cut, const Vector3d& motion) {
+EllipticBound bound_of(double aspect) {
   const double root = std::sqrt(aspect);
-  SteadyPatch patch{.material = {1, nu},
-                    .bound = EllipticBound(root, 1 / root, 1),
-                    .rows = cut.rows,
-                    .elements = cut.elements};
+  return {root, 1 / root, 1};
+}
+
+SteadyPatch ellipse(double aspect, double nu, const Cut& cut, const Vector3d& motion) {
+  SteadyPatch patch{
+      .material = {1, nu}, .bound = bound_of(aspect), .rows = cut.rows, .elements = cut.elements};
   for (std::size_t j = 0; j < 3; ++j) patch.load[j].value = motion[static_cast<Index>(j)];
   return patch;
 }
@@ -149,7 +151,7 @@ Circle circle(const EllipseConvergenceParameters& p, const auto& advance) {
     });
   }
   for (std::size_t k = 0; k < contact_diameters.size(); ++k) {
-    RectangleRolling rectangles(rectangles_of(contact_states().front(), contact_diameters[k]));
+    RectangleRolling rectangles(contact_rectangles(contact_diameters[k]));
     for (const ContactState& state : contact_states()) {
       const SteadyPatch patch = patch_of(state, 1, 1);
       rectangles.roll_steadily(patch.load);
@@ -207,7 +209,7 @@ Table ellipses(const EllipseConvergenceParameters& p, const auto& advance) {
       const Cut cut(aspect, size);
       const SteadyPatch any = ellipse(aspect, p.poisson_ratio, cut, Vector3d::Zero());
       RectangleRolling rectangles({.material = any.material,
-                                   .bound = any.bound,
+                                   .bound = bound_of(aspect),
                                    .elements = cut.elements,
                                    .rows = cut.rows});
       for (std::size_t l = 0; l < loads().size(); ++l) {
