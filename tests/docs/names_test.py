@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""README and docs/: tests and sources that are named exist, and theory.md names tests. Usage: names_test.py"""
+"""README and docs/: tests and sources that are named exist, and theory.md names tests. No two types of a library have one
+name. Usage: names_test.py"""
 import re
 import unittest
 from pathlib import Path
@@ -28,6 +29,24 @@ def tests_in(file):
     """Names of GoogleTest, without those of parameters: {"Suite.Name"}."""
     return {f"{suite}.{name}" for suite, name in re.findall(r"^TEST(?:_[FP])?\(\s*(\w+),\s*(\w+)\)", text_of(file),
                                                             re.MULTILINE)}
+
+
+def types_in(file):
+    """Names of the types that a source defines at the left margin, outside unnamed namespaces."""
+    text = re.sub(r"^namespace \{.*?^\}  // namespace$", "", text_of(file), flags=re.MULTILINE | re.DOTALL)
+    return re.findall(r"^(?:class|struct) (\w+)(?: final)?(?: :[^:].*)? \{", text, re.MULTILINE)
+
+
+class Types(unittest.TestCase):
+    def test_have_names_of_their_own(self):
+        """A linker takes one of two types with the same name for both, and says nothing."""
+        places = {}
+        for layer in ("core", "scene", "thesis", "program"):
+            for file in sorted((ROOT / layer).rglob("*.[hc]pp")):
+                for name in types_in(file):
+                    places.setdefault(name, []).append(file.relative_to(ROOT))
+        self.assertGreater(len(places), 200)
+        self.assertEqual({name: files for name, files in places.items() if len(files) > 1}, {})
 
 
 class Names(unittest.TestCase):

@@ -9,9 +9,9 @@
 #include <optional>
 #include <utility>
 
+#include "material_records.hpp"
 #include "microslip/support/require.hpp"
 #include "patch_scale.hpp"
-#include "row_memory.hpp"
 #include "slip_maps.hpp"
 
 namespace microslip {
@@ -64,7 +64,7 @@ struct PatchRolling::Parts {
   JoinedRows rows;
   MatrixXd displacement;  ///< by tractions, at points
   VectorXd limits;
-  std::vector<RowMemory> memory;
+  std::vector<MaterialRecords> memory;
   RigidPath path;
   double distance = 0;
   double step_before = 0;  ///< 0 if there was none, or a shift
@@ -232,7 +232,7 @@ struct PatchRolling::Parts {
   /// Takes over what the material has done: what slipped remembers where it is now.
   void remember(double dq) {
     for (Index k = 0; k < rows.rows(); ++k) {
-      RowMemory& row = memory[static_cast<std::size_t>(k)];
+      MaterialRecords& row = memory[static_cast<std::size_t>(k)];
       const double y = rows.y(k), front = leading(k), half = rows.half_length(k);
       if (dq > 0) {
         const double place = front + distance;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "row_memory.hpp"
+#include "material_records.hpp"
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@ namespace microslip {
 
 using Eigen::Vector2d;
 
-RowMemory::RowMemory(double trailing, double leading, double least_spacing)
+MaterialRecords::MaterialRecords(double trailing, double leading, double least_spacing)
     : least_spacing_(least_spacing) {
   const auto count = static_cast<std::size_t>((leading - trailing) / least_spacing) + 4;
   for (std::size_t i = 0; i <= count; ++i) {
@@ -16,7 +16,7 @@ RowMemory::RowMemory(double trailing, double leading, double least_spacing)
   }
 }
 
-Vector2d RowMemory::at(double place) const {
+Vector2d MaterialRecords::at(double place) const {
   const auto after = std::ranges::upper_bound(records_, place, {}, &Record::place);
   const auto last = static_cast<std::ptrdiff_t>(records_.size()) - 4;
   const auto first = std::clamp<std::ptrdiff_t>(after - records_.begin() - 2, 0,
@@ -37,7 +37,7 @@ Vector2d RowMemory::at(double place) const {
   return value;
 }
 
-void RowMemory::enter(double place, const Vector2d& value) {
+void MaterialRecords::enter(double place, const Vector2d& value) {
   const std::size_t size = records_.size();
   if (records_[size - 1].place - records_[size - 2].place < least_spacing_ * (1 - 1e-9)) {
     records_.pop_back();
@@ -45,14 +45,14 @@ void RowMemory::enter(double place, const Vector2d& value) {
   records_.push_back({place, value});
 }
 
-void RowMemory::leave(double place) {
+void MaterialRecords::leave(double place) {
   const auto staying =
       std::ranges::find_if(records_, [&](const Record& r) { return r.place > place; });
   const auto gone = std::max<std::ptrdiff_t>(staying - records_.begin() - 2, 0);
   records_.erase(records_.begin(), records_.begin() + gone);
 }
 
-void RowMemory::change(const std::function<void(double, Vector2d&)>& by) {
+void MaterialRecords::change(const std::function<void(double, Vector2d&)>& by) {
   for (Record& record : records_) by(record.place, record.value);
 }
 

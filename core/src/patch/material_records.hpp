@@ -27,13 +27,13 @@ struct RigidPath {
 /// The displacements that the material of a row remembers. A place of the material is its x before
 /// all rolling, x + q after a distance q. There, the sum of its displacement and of all rigid slip
 /// is constant while it sticks: that sum is what a record keeps, along and across.
-class RowMemory {
+class MaterialRecords {
  public:
   using Vector2d = Eigen::Vector2d;
 
   /// Remembers nothing but zero, from the trailing edge to the leading one.
   /// \param least_spacing  of records of material that has entered
-  RowMemory(double trailing, double leading, double least_spacing);
+  MaterialRecords(double trailing, double leading, double least_spacing);
 
   /// The value at a place, by the cubic polynomial through the four records around it.
   Vector2d at(double place) const;
