@@ -92,8 +92,7 @@ PatchResponse response_of(double aspect, double nu, const Cut& cut) {
 
 constexpr const char* schemes_of_circle =
     "joined: rows; standard: equal rectangles; contact: CONTACT's printed results, which are of "
-    "the "
-    "standard scheme";
+    "the standard scheme";
 
 struct Circle {
   Table errors;

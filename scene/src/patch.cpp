@@ -253,11 +253,11 @@ SteadyPatch read_steady_patch(Scene& scene) {
   const PatchBound bound =
       scene.has(patch_file) ? read_patch(scene) : read_ellipse(scene, material);
   const bool has_grid = scene.has("grid.rows") || scene.has("grid.elements");
-  SteadyPatch patch{
-      .material = material,
-      .bound = bound,
-      .rows = has_grid ? read_cells(scene, "grid.rows", 1) : rows_by(bound.shape()),
-      .elements = has_grid ? read_cells(scene, "grid.elements", least_elements) : cells_by(bound.ratio())};
+  SteadyPatch patch{.material = material,
+                    .bound = bound,
+                    .rows = has_grid ? read_cells(scene, "grid.rows", 1) : rows_by(bound.shape()),
+                    .elements = has_grid ? read_cells(scene, "grid.elements", least_elements)
+                                         : cells_by(bound.ratio())};
   if (has_grid) {
     const std::size_t lobes = bound.shape().lobes().size();
     require(static_cast<std::size_t>(patch.rows) >= lobes, "grid.rows",

@@ -108,6 +108,19 @@ TEST(PatchRolling, ShiftsAsMindlinFound) {
   }
 }
 
+// Motions from next to none, where all sticks and forces are in proportion, to full sliding.
+TEST(PatchRolling, IsRightForMotionsOfAnySize) {
+  const auto force = [](double size) {
+    return rolled(circle(6, 8), 2, 0.1, motion(size, 0, size))[0];
+  };
+  for (const double size : {1e-300, 1e-12, 1e-6}) {
+    EXPECT_NEAR(force(size) / size / (force(1e-4) / 1e-4), 1, 1e-6) << size;
+  }
+  SteadyPatch problem = circle(6, 8);
+  problem.load = motion(1e8, 0, 0);
+  EXPECT_NEAR(rolled(problem, 0.2, 0.1, problem.load)[0], -1, 1e-4);
+}
+
 // The shortest steps that are taken, and one over many patches.
 TEST(PatchRolling, TakesStepsOfExtremeLengths) {
   PatchRolling rolling(circle(6, 8));
@@ -174,6 +187,7 @@ TEST(PatchRolling, RefusesBadNumbersAndStaysAsItWas) {
                std::invalid_argument);
   EXPECT_THROW(rolling.roll(0.1, motion(std::numeric_limits<double>::quiet_NaN(), 0, 0)),
                std::invalid_argument);
+  EXPECT_THROW(rolling.roll(0.1, motion(0, 0, 1e9)), std::invalid_argument);
   EXPECT_THROW(rolling.roll(0.1, {{{true, 2 * full}, {}, {}}}), std::invalid_argument);
   EXPECT_THROW(rolling.shift({{{true, -full}, {}, {}}}), std::invalid_argument);
   EXPECT_EQ(rolling.resultants(), before);

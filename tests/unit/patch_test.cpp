@@ -66,8 +66,8 @@ TEST(JoinedRows, DisplacementsAreThoseOfTheTractions) {
     for (int sample = 0; sample < 4; ++sample) {
       const Index k = std::uniform_int_distribution<Index>(0, 6)(random);
       const Index j = std::uniform_int_distribution<Index>(0, 11)(random);
-      const Eigen::Vector3d exact =
-          in_polar_coordinates(rows.a(), rows.b(), rows.x(j, k), rows.y(k));
+      const Eigen::Vector3d exact = in_polar_coordinates(
+          rows.shape().half_width(), rows.shape().lateral_half_width(), rows.x(j, k), rows.y(k));
       const Index point = rows.point(j, k);
       EXPECT_NEAR(kernels.near.row(point).sum(), exact[0], 3e-4 * exact[0]) << ratio;
       EXPECT_NEAR(kernels.across.row(point).sum(), exact[1], 3e-4 * exact[0]) << ratio;
@@ -79,7 +79,7 @@ TEST(JoinedRows, DisplacementsAreThoseOfTheTractions) {
 TEST(JoinedRows, MomentsAreThoseOfTheTractions) {
   const JoinedRows rows(2, 6, 5);
   const Eigen::Vector3d whole = rows.moments().rowwise().sum();
-  const double a = rows.a();
+  const double a = rows.shape().half_width();
   // Along a row p is integrated to pi a(y), p x to - pi a(y)^2/2.
   EXPECT_NEAR(whole[0], pi * pi / 2, 1e-12);
   EXPECT_NEAR(whole[1], -pi / 2 * a * 4.0 / 3, 1e-12);

@@ -138,6 +138,18 @@ TEST(StandardPatch, IsLinearUnderSmallLoads) {
 }
 
 // CONTACT v25.2, T = 3, N = 20, nu = 0.28, nothing slips: C11, C22, C23, C32 and C33 to ten digits.
+// Steps follow tractions that nearly fulfil their conditions: without a load there are none.
+TEST(StandardPatch, IsLinearUnderSmallLoadsInSteps) {
+  const auto force = [](double size) {
+    RectangleRolling rolling(circle(10));
+    for (int i = 0; i < 4; ++i) rolling.roll(0.2, motion({size, 0, size}));
+    return rolling.resultants()[0] / size;
+  };
+  for (const double size : {1e-90, 1e-12, 1e-6}) {
+    EXPECT_NEAR(force(size) / force(1e-3), 1, 1e-3) << size;
+  }
+}
+
 TEST(StandardPatch, HasContactsCreepCoefficients) {
   const Matrix3d linear = linear_response(Rectangles::in_ellipse(1, 1, 20, 20), 0.28);
   EXPECT_NEAR(-linear(0, 0), 4.30558615, 4e-9);
@@ -258,6 +270,8 @@ TEST(StandardPatch, RefusesBadNumbersAndStaysAsItWas) {
   const Vector3d before = rolling.resultants();
   EXPECT_THROW(rolling.roll(0, motion({0, 0, 0})), std::invalid_argument);
   EXPECT_THROW(rolling.roll(0.1, motion({std::nan(""), 0, 0})), std::invalid_argument);
+  EXPECT_THROW(rolling.roll(0.1, motion({1e300, 0, 0})), std::invalid_argument);
+  EXPECT_THROW(rolling.roll_steadily(motion({0, 0, 1e-300})), std::invalid_argument);
   EXPECT_THROW(rolling.shift({{{true, 2.1}, {}, {}}}), std::invalid_argument);
   EXPECT_THROW(rolling.roll_steadily({{{true, 1.8}, {}, {true, 1.1}}}), NotConverged);
   EXPECT_EQ(rolling.resultants(), before);

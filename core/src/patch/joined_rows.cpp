@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/patch/joined_rows.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +10,7 @@
 
 #include "microslip/support/gauss_points.hpp"
 #include "microslip/support/require.hpp"
+#include "row_parts.hpp"
 
 namespace microslip {
 
@@ -21,121 +21,6 @@ using Eigen::VectorXd;
 using std::numbers::pi;
 
 namespace {
-
-constexpr int parts_across = 3;  ///< sub-rows of a row, on which v is constant across
-constexpr int parts_along = 5;   ///< sub-cells of a cell, on which v is constant and p linear
-
-/// The mean of v over a part of a cell or of a row, as weights of values at neighbouring centres.
-struct Stencil {
-  Index first;
-  Index size;
-  std::array<double, 3> weights;
-};
-
-/// Means of cos and sin over a part, with the weight of the tractions.
-struct Means {
-  double cos, sin;
-};
-
-/// Makes the stencil that is exact for 1, cos and sin at three centres; for 1 and one of them at
-/// two; for 1 at one.
-/// \param angle  of the first centre
-/// \param step   from centre to centre
-Stencil stencil(Index first, Index size, double angle, double step, const Means& mean,
-                bool by_cos) {
-  Stencil found{first, size, {1, 0, 0}};
-  if (size == 2) {
-    const auto value = [&](double at) { return by_cos ? std::cos(at) : std::sin(at); };
-    const double from = value(angle), to = value(angle + step);
-    const double part = ((by_cos ? mean.cos : mean.sin) - from) / (to - from);
-    found.weights = {1 - part, part, 0};
-  } else if (size == 3) {
-    Eigen::Matrix3d values;
-    for (int j = 0; j < 3; ++j) {
-      const double at = angle + j * step;
-      values.col(j) = Eigen::Vector3d(1, std::cos(at), std::sin(at));
-    }
-    const Eigen::Vector3d weights =
-        values.partialPivLu().solve(Eigen::Vector3d(1, mean.cos, mean.sin));
-    found.weights = {weights[0], weights[1], weights[2]};
-  }
-  return found;
-}
-
-/// A part of a cell: p = mean + slope (s - middle) for v = 1.
-struct SubCell {
-  double width, middle, mean, slope;  ///< in s
-  Stencil along;
-
-  /// Integrals of p and of p s over the part.
-  double sum() const { return mean * width; }
-  double first_moment() const { return middle * sum() + slope * width * width * width / 12; }
-};
-
-/// The parts of the cells of a row, from the leading edge on; p ds = (1 - cos) d theta.
-std::vector<SubCell> sub_cells(Index elements) {
-  const Index size = parts_along * elements;
-  const double step = pi / static_cast<double>(elements);
-  std::vector<SubCell> parts;
-  for (Index e = 0; e < size; ++e) {
-    const double from = pi * static_cast<double>(e) / static_cast<double>(size);
-    const double to = pi * static_cast<double>(e + 1) / static_cast<double>(size);
-    const auto integral = [&](const auto& of) { return of(to) - of(from); };
-    const double sum = integral([](double t) { return t - std::sin(t); });
-    const double with_cos =
-        integral([](double t) { return std::sin(t) - t / 2 - std::sin(2 * t) / 4; });
-    const double with_sin =
-        integral([](double t) { return -std::cos(t) - std::sin(t) * std::sin(t) / 2; });
-    SubCell part{.width = std::cos(from) - std::cos(to),
-                 .middle = (std::cos(from) + std::cos(to)) / 2,
-                 .mean = 0,
-                 .slope = 0,
-                 .along = {}};
-    part.mean = sum / part.width;
-    part.slope = 12 * (with_cos - part.middle * sum) / std::pow(part.width, 3);
-    // v is even in theta at both edges, so that two centres are enough there.
-    const Index i = e / parts_along;
-    const bool at_edge = i == 0 || i == elements - 1;
-    const Index count = std::min<Index>(elements, at_edge ? 2 : 3);
-    const Index first = std::clamp<Index>(i - 1, 0, elements - count);
-    part.along = stencil(first, count, (static_cast<double>(first) + 0.5) * step, step,
-                         {with_cos / sum, with_sin / sum}, true);
-    parts.push_back(part);
-  }
-  return parts;
-}
-
-/// A part of a row, between two angles psi.
-struct SubRow {
-  double from, to;
-  Stencil across;
-};
-
-/// The parts of the rows of a lobe, of which v is weighted by a(y) dy.
-/// \param first_row  the lobe's among all rows
-std::vector<SubRow> sub_rows(const Lobe& lobe, Index first_row, Index rows) {
-  const Index size = parts_across * rows;
-  const double step = pi / static_cast<double>(rows);
-  std::vector<SubRow> parts;
-  for (Index e = 0; e < size; ++e) {
-    const double from = -pi / 2 + pi * static_cast<double>(e) / static_cast<double>(size);
-    const double to = -pi / 2 + pi * static_cast<double>(e + 1) / static_cast<double>(size);
-    const auto weighted = [&](const auto& of) {
-      return lobe.integral(from, to,
-                           [&](double psi) { return lobe.row(psi).half_length * of(psi); });
-    };
-    const double sum = weighted([](double) { return 1.0; });
-    const double with_cos = weighted([](double psi) { return std::cos(psi); });
-    const double with_sin = weighted([](double psi) { return std::sin(psi); });
-    const Index count = std::min<Index>(rows, 3);
-    const Index first = std::clamp<Index>(e / parts_across - 1, 0, rows - count);
-    parts.push_back(
-        {from, to,
-         stencil(first_row + first, count, -pi / 2 + (static_cast<double>(first) + 0.5) * step,
-                 step, {with_cos / sum, with_sin / sum}, false)});
-  }
-  return parts;
-}
 
 /// Rows of each lobe in proportion to heights, at least three each where there are as many.
 std::vector<Index> rows_of_lobes(const PatchShape& shape, Index rows) {
@@ -279,37 +164,24 @@ JoinedRows::JoinedRows(double ratio, Index rows, Index elements)
 JoinedRows::JoinedRows(const PatchShape& shape, Index rows, Index elements)
     : rows_(rows), elements_(elements), shape_(shape), first_rows_{0} {
   require(elements >= 1, "elements", static_cast<double>(elements), "a whole number >= 1");
-  for (const Index of_lobe : rows_of_lobes(shape, rows)) {
-    first_rows_.push_back(first_rows_.back() + of_lobe);
+  const std::vector<Index> numbers = rows_of_lobes(shape, rows);
+  for (std::size_t l = 0; l < numbers.size(); ++l) {
+    first_rows_.push_back(first_rows_.back() + numbers[l]);
+    const double height = pi / static_cast<double>(numbers[l]);
+    for (Index k = 0; k < numbers[l]; ++k) {
+      const double psi = -pi / 2 + (static_cast<double>(k) + 0.5) * height;
+      const auto [middle, half_length] = shape.lobes()[l].row(psi);
+      placed_.push_back({l, psi, height, shape.lobes()[l].y(psi), middle, half_length});
+    }
   }
-}
-
-std::size_t JoinedRows::lobe(Index k) const {
-  const auto above = std::upper_bound(first_rows_.begin(), first_rows_.end(), k);
-  return static_cast<std::size_t>(above - first_rows_.begin()) - 1;
-}
-
-double JoinedRows::psi(Index k) const {
-  return -pi / 2 + (static_cast<double>(k - first_rows_[lobe(k)]) + 0.5) * height(k);
-}
-
-double JoinedRows::height(Index k) const {
-  const std::size_t l = lobe(k);
-  return pi / static_cast<double>(first_rows_[l + 1] - first_rows_[l]);
 }
 
 double JoinedRows::theta(Index i) const {
   return (static_cast<double>(i) + 0.5) * pi / static_cast<double>(elements_);
 }
 
-double JoinedRows::half_length(Index k) const {
-  return shape_.lobes()[lobe(k)].row(psi(k)).half_length;
-}
-
-double JoinedRows::y(Index k) const { return shape_.lobes()[lobe(k)].y(psi(k)); }
-
 double JoinedRows::x(Index j, Index k) const {
-  const Lobe::Row row = shape_.lobes()[lobe(k)].row(psi(k));
+  const Row& row = row_of(k);
   return row.middle + row.half_length * std::cos(static_cast<double>(j) * pi /
                                                  static_cast<double>(2 * elements_));
 }

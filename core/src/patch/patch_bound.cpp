@@ -219,8 +219,4 @@ void PatchBound::integrate() {
   });
 }
 
-double PatchBound::half_width() const { return (shape_.leading() - shape_.trailing()) / 2; }
-
-double PatchBound::lateral_half_width() const { return (shape_.high() - shape_.low()) / 2; }
-
 }  // namespace microslip

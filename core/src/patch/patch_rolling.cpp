@@ -34,6 +34,9 @@ constexpr double spacing_of_records = 0.5;
 /// digits of a slope between them.
 constexpr double least_step = 1e-6, longest_step = 1e6;
 
+/// Displacements are lost beside larger ones, in what the material remembers.
+constexpr double largest_motion_of_step = 1e8;
+
 /// The way of material in a step.
 struct Way {
   double x;        ///< where it is at the end
@@ -58,7 +61,14 @@ struct EntryWeights {
 
 }  // namespace
 
+/// All is in units by which the size of the patch, the bound's peak and the shear modulus are 1.
 struct PatchRolling::Parts {
+  /// The response in steps of one length, after steps of a ratio to it.
+  struct StepResponse {
+    double dq, ratio;
+    PatchResponse of;
+  };
+
   SteadyPatch problem;
   PatchUnits units;
   JoinedRows rows;
@@ -71,15 +81,13 @@ struct PatchRolling::Parts {
   VectorXd u_before;
   VectorXd u;  ///< at points, along and across
   PatchState state;
-  Vector3d motion_unit = Vector3d::Ones();
-  MatrixX2d slip;
-  std::optional<PatchResponse> response;
-  double step_of_response = -1, ratio_of_response = 0;
+  bool rolled = false;  ///< or shifted, in the last step
+  std::optional<StepResponse> response;
 
   explicit Parts(const SteadyPatch& given)
       : problem(given),
-        units(given),
-        rows(given.bound.shape().scaled(1 / given.bound.size()), given.rows, given.elements),
+        units(given.material, given.bound.peak(), given.bound.size()),
+        rows(rows_of(given)),
         displacement(displacement_by_traction(rows, given.material.poisson_ratio)),
         limits(limits_of(rows, given.bound)),
         u_before(VectorXd::Zero(2 * rows.points())),
@@ -93,7 +101,6 @@ struct PatchRolling::Parts {
     state.unknowns = state.own_slip = state.centre_slip = VectorXd::Zero(2 * n);
     state.motion.setZero();
     state.slips.assign(static_cast<std::size_t>(n), false);
-    slip.setZero(n, 2);
   }
 
   double leading(Index k) const { return rows.x(0, k); }
@@ -103,8 +110,6 @@ struct PatchRolling::Parts {
     const Index point = rows.point(j, k);
     return {values[point], values[rows.points() + point]};
   }
-
-  Vector2d displacement_at(Index j, Index k) const { return at(u, j, k); }
 
   /// The step before over this one, or 0 where it is too long or too short to tell.
   double ratio_before(double dq) const {
@@ -117,8 +122,8 @@ struct PatchRolling::Parts {
     return way >= dq ? Way{x, dq, 0} : Way{x, way, 1 - way / dq};
   }
 
-  /// The way of the material that passes a centre in the middle of a step, or of the one that passes
-  /// the trailing edge at its end.
+  /// The way of the material that passes a centre in the middle of a step; or, in long steps, that
+  /// is at the trailing side of the cell at the end.
   Way way_about_centre(Index i, Index k, double dq) const {
     const double x = centre(i, k), behind = rows.x(2 * i + 2, k);
     return way_to(std::max(x - dq / 2, behind), k, dq);
@@ -134,7 +139,7 @@ struct PatchRolling::Parts {
 
   const PatchResponse& response_of_step(double dq) {
     const double ratio = ratio_before(dq);
-    if (step_of_response == dq && ratio_of_response == ratio) return *response;
+    if (response && response->dq == dq && response->ratio == ratio) return response->of;
     PatchSlipMap own = map_for(rows), at_centre = map_for(rows);
     for_cells([&](Index i, Index k) {
       const Index here = 2 * i + 1;
@@ -151,10 +156,8 @@ struct PatchRolling::Parts {
       set_slip(at_centre, rows, displacement, i, k,
                slip_about(way_about_centre(i, k, dq), k, ratio));
     });
-    response.emplace(rows, own, at_centre);
-    step_of_response = dq;
-    ratio_of_response = ratio;
-    return *response;
+    response.emplace(StepResponse{dq, ratio, PatchResponse(rows, own, at_centre)});
+    return response->of;
   }
 
   ImposedSlip imposed(double dq) const {
@@ -178,28 +181,29 @@ struct PatchRolling::Parts {
     return found;
   }
 
-  /// Four points of a row around a place, with the weights of the cubic in theta.
-  PointSlip between(double x, Index k) const {
-    const double front = leading(k), half = rows.half_length(k);
-    const double s = std::clamp(1 - (front - x) / half, -1.0, 1.0);
-    const Index last = 2 * rows.elements();
-    const double at = std::acos(s) / pi * static_cast<double>(last);
+  /// The angle theta of a place within the edges of a row.
+  double angle(double x, Index k) const {
+    return std::acos(std::clamp(1 - (leading(k) - x) / rows.half_length(k), -1.0, 1.0));
+  }
+
+  /// Four points of a row around an angle, with the weights of the cubic in theta.
+  PointSlip between(double theta) const {
+    const double at = theta / pi * static_cast<double>(2 * rows.elements());
     const auto first = static_cast<Index>(std::floor(at)) - 1;
-    const auto mirrored = [&](Index j) { return j < 0 ? -j : j > last ? 2 * last - j : j; };
-    PointSlip found{{}, {}, x};
+    PointSlip found{};
     for (Index j = 0; j < 4; ++j) {
       double weight = 1;
       for (Index l = 0; l < 4; ++l) {
         if (l != j) weight *= (at - static_cast<double>(first + l)) / static_cast<double>(j - l);
       }
-      found.points[static_cast<std::size_t>(j)] = mirrored(first + j);
+      found.points[static_cast<std::size_t>(j)] = mirrored(rows, first + j);
       found.weights[static_cast<std::size_t>(j)] = weight;
     }
     return found;
   }
 
   PointSlip slip_about(const Way& way, Index k, double ratio) const {
-    PointSlip slip = between(way.x, k);
+    PointSlip slip = between(angle(way.x, k));
     for (double& weight : slip.weights) weight /= way.length;
     slip.points[4] = 0;
     slip.weights[4] = -EntryWeights(way.entered, ratio).now / way.length;
@@ -220,12 +224,10 @@ struct PatchRolling::Parts {
     return -(weights.before * at(u, 0, k) + weights.earlier * at(u_before, 0, k)) / way.length;
   }
 
-  Vector2d displacement_between(double x, Index k) const {
-    const PointSlip points = between(x, k);
+  Vector2d displacement_between(double theta, Index k) const {
+    const PointSlip points = between(theta);
     Vector2d value = Vector2d::Zero();
-    for (std::size_t l = 0; l < 4; ++l) {
-      value += points.weights[l] * displacement_at(points.points[l], k);
-    }
+    for (std::size_t l = 0; l < 4; ++l) value += points.weights[l] * at(u, points.points[l], k);
     return value;
   }
 
@@ -233,51 +235,43 @@ struct PatchRolling::Parts {
   void remember(double dq) {
     for (Index k = 0; k < rows.rows(); ++k) {
       MaterialRecords& row = memory[static_cast<std::size_t>(k)];
-      const double y = rows.y(k), front = leading(k), half = rows.half_length(k);
+      const double y = rows.y(k), front = leading(k), exit = rows.x(2 * rows.elements(), k);
       if (dq > 0) {
-        const double place = front + distance;
-        row.enter(place, displacement_at(0, k) + path.at(place, y));
-        row.leave(rows.x(2 * rows.elements(), k) + distance);
+        row.enter(front + distance, at(u, 0, k) + path.at(front + distance, y));
+        row.leave(exit + distance);
       }
       row.change([&](double place, Vector2d& value) {
-        const double s = 1 - (front - (place - distance)) / half;
-        if (s <= -1 || s >= 1) return;
-        const double theta = std::acos(s);
-        const auto i =
-            std::min(static_cast<Index>(theta / pi * static_cast<double>(rows.elements())),
-                     rows.elements() - 1);
+        const double x = place - distance;
+        if (x <= exit || x >= front) return;
+        const double theta = angle(x, k);
+        const auto cell = static_cast<Index>(theta / pi * static_cast<double>(rows.elements()));
+        const Index i = std::min(cell, rows.elements() - 1);
         if (!state.slips[static_cast<std::size_t>(rows.cell(i, k))]) return;
-        value = displacement_between(place - distance, k) + path.at(place, y);
+        value = displacement_between(theta, k) + path.at(place, y);
       });
     }
   }
 
+  const Vector3d& motion_unit() const { return rolled ? units.motion : units.shift; }
+
   /// \param dq  scaled; 0 for a shift
   void step(double dq, const PatchLoad& load) {
-    validate(load, problem.bound);
-    const double c = problem.bound.size();
-    const Vector3d unit_of_motion = dq == 0 ? Vector3d(c * units.motion) : units.motion;
-    PatchLoad scaled = load;
+    validate(load, problem.bound.total(), problem.bound.turning_moment());
+    const PatchLoad scaled = units.scaled(load, dq > 0 ? units.motion : units.shift);
     for (std::size_t j = 0; j < scaled.size(); ++j) {
-      const Vector3d& unit = scaled[j].by_resultant ? units.resultant : unit_of_motion;
-      scaled[j].value /= unit[static_cast<Index>(j)];
+      require(std::abs(scaled[j].value) <= largest_motion_of_step, name_of(load, j), load[j].value,
+              "a motion of at most 1e8 times that by the bound's strain");
     }
     const PatchResponse& of = response_of_step(dq);
     const ImposedSlip from = imposed(dq);
     state = solve_stick_slip(of, limits, scaled, &state, &from);
-    motion_unit = unit_of_motion;
+    rolled = dq > 0;
     u_before = u;
     u.noalias() = displacement * state.unknowns;
     step_before = dq;
     path = path.after(state.motion, dq == 0 ? 1 : dq, distance + dq / 2);
     distance += dq;
     remember(dq);
-    const Index n = rows.cells();
-    for (Index i = 0; i < n; ++i) {
-      slip.row(i) << state.centre_slip[i], state.centre_slip[n + i];
-      if (!state.slips[static_cast<std::size_t>(i)]) slip.row(i).setZero();
-    }
-    slip *= motion_unit[0];
   }
 };
 
@@ -299,45 +293,29 @@ void PatchRolling::roll(double dq, const PatchLoad& load) {
 double PatchRolling::distance() const { return parts_->distance * parts_->problem.bound.size(); }
 
 VectorXd PatchRolling::x() const {
-  VectorXd x(parts_->rows.cells());
-  parts_->for_cells([&](Index i, Index k) {
-    x[parts_->rows.cell(i, k)] = parts_->problem.bound.size() * parts_->centre(i, k);
-  });
-  return x;
+  return parts_->problem.bound.size() * centres_of(parts_->rows).col(0);
 }
 
 VectorXd PatchRolling::y() const {
-  VectorXd y(parts_->rows.cells());
-  parts_->for_cells([&](Index i, Index k) {
-    y[parts_->rows.cell(i, k)] = parts_->problem.bound.size() * parts_->rows.y(k);
-  });
-  return y;
+  return parts_->problem.bound.size() * centres_of(parts_->rows).col(1);
 }
 
 MatrixX2d PatchRolling::tractions() const {
-  const Index n = parts_->rows.cells();
-  MatrixX2d tractions(n, 2);
-  parts_->for_cells([&](Index i, Index k) {
-    const Index cell = parts_->rows.cell(i, k);
-    const double shape = std::tan(parts_->rows.theta(i) / 2) * parts_->problem.bound.peak();
-    const VectorXd& v = parts_->state.unknowns;
-    tractions.row(cell) << shape * v[cell], shape * v[n + cell];
-  });
-  return tractions;
+  return tractions_of(parts_->rows, parts_->state.unknowns, parts_->problem.bound.peak());
 }
 
-MatrixX2d PatchRolling::slip() const { return parts_->slip; }
+MatrixX2d PatchRolling::slip() const { return parts_->motion_unit()[0] * slip_of(parts_->state); }
 
 const std::vector<bool>& PatchRolling::slips() const { return parts_->state.slips; }
 
 Vector3d PatchRolling::resultants() const {
   const Parts& p = *parts_;
   if (!p.response) return Vector3d::Zero();
-  return (p.response->resultants() * p.state.unknowns).cwiseProduct(p.units.resultant);
+  return (p.response->of.resultants() * p.state.unknowns).cwiseProduct(p.units.resultant);
 }
 
 Vector3d PatchRolling::motion() const {
-  return parts_->state.motion.cwiseProduct(parts_->motion_unit);
+  return parts_->state.motion.cwiseProduct(parts_->motion_unit());
 }
 
 int PatchRolling::iterations() const { return parts_->state.iterations; }

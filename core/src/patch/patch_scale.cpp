@@ -10,6 +10,17 @@ namespace microslip {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+PatchLoad PatchUnits::scaled(PatchLoad load, const Eigen::Vector3d& motions) const {
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    load[j].value /= (load[j].by_resultant ? resultant : motions)[static_cast<Index>(j)];
+  }
+  return load;
+}
+
+JoinedRows rows_of(const SteadyPatch& problem) {
+  return {problem.bound.shape().scaled(1 / problem.bound.size()), problem.rows, problem.elements};
+}
+
 VectorXd limits_of(const JoinedRows& rows, const PatchBound& bound) {
   VectorXd limits(rows.cells());
   for (Index k = 0; k < rows.rows(); ++k) {
@@ -21,6 +32,35 @@ VectorXd limits_of(const JoinedRows& rows, const PatchBound& bound) {
     }
   }
   return limits;
+}
+
+Eigen::MatrixX2d centres_of(const JoinedRows& rows) {
+  Eigen::MatrixX2d centres(rows.cells(), 2);
+  for (Index k = 0; k < rows.rows(); ++k) {
+    for (Index i = 0; i < rows.elements(); ++i) {
+      centres.row(rows.cell(i, k)) << rows.x(2 * i + 1, k), rows.y(k);
+    }
+  }
+  return centres;
+}
+
+Eigen::MatrixX2d slip_of(const PatchState& state) {
+  const auto cells = static_cast<Index>(state.slips.size());
+  Eigen::MatrixX2d slip = state.centre_slip.reshaped(cells, 2);
+  for (Index i = 0; i < cells; ++i) {
+    if (!state.slips[static_cast<std::size_t>(i)]) slip.row(i).setZero();
+  }
+  return slip;
+}
+
+Eigen::MatrixX2d tractions_of(const JoinedRows& rows, const VectorXd& unknowns, double peak) {
+  Eigen::MatrixX2d tractions = unknowns.reshaped(rows.cells(), 2);
+  for (Index k = 0; k < rows.rows(); ++k) {
+    for (Index i = 0; i < rows.elements(); ++i) {
+      tractions.row(rows.cell(i, k)) *= std::tan(rows.theta(i) / 2) * peak;
+    }
+  }
+  return tractions;
 }
 
 }  // namespace microslip

@@ -11,17 +11,36 @@ namespace microslip {
 /// modulus are 1.
 struct PatchUnits {
   Eigen::Vector3d motion, resultant;
+  Eigen::Vector3d shift;  ///< of shifts and the rotation in the place of motions
 
-  explicit PatchUnits(const SteadyPatch& problem) {
-    const double strain = problem.bound.peak() / problem.material.shear_modulus;
-    const double c = problem.bound.size();
-    motion = {strain, strain, strain / c};
-    resultant = problem.bound.peak() * c * c * Eigen::Vector3d(1, 1, c);
+  /// \param peak   of the bound  [N/mm^2]
+  /// \param size   c  [mm]
+  PatchUnits(const Material& material, double peak, double size)
+      : resultant(peak * size * size * Eigen::Vector3d(1, 1, size)) {
+    const double strain = peak / material.shear_modulus;
+    motion = {strain, strain, strain / size};
+    shift = size * motion;
   }
+
+  /// The load in these units.
+  /// \param motions  motion, or shift
+  PatchLoad scaled(PatchLoad load, const Eigen::Vector3d& motions) const;
 };
+
+/// The joined rows of a problem, of the size 1.
+JoinedRows rows_of(const SteadyPatch& problem);
 
 /// Limits of v by the bound at the centres of cells, over its peak and tan(theta/2).
 /// \throws std::invalid_argument if a limit is not positive
 Eigen::VectorXd limits_of(const JoinedRows& rows, const PatchBound& bound);
+
+/// The centres of cells, x and y, over the size.
+Eigen::MatrixX2d centres_of(const JoinedRows& rows);
+
+/// The slip at the centres of cells along and across, 0 where they stick.
+Eigen::MatrixX2d slip_of(const PatchState& state);
+
+/// The tractions at the centres of cells, along and across, by the unknowns v in units of the peak.
+Eigen::MatrixX2d tractions_of(const JoinedRows& rows, const Eigen::VectorXd& unknowns, double peak);
 
 }  // namespace microslip

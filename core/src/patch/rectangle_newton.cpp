@@ -7,9 +7,11 @@
 #include <cmath>
 #include <limits>
 
+#include "component_pairs.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/work.hpp"
+#include "raised_load.hpp"
 
 namespace microslip {
 
@@ -34,28 +36,9 @@ struct RectangleAttempt {
 constexpr RectangleAttempt rectangle_attempts[] = {
     {0.3, 2, 30}, {1, 0.7, 40}, {0.1, 0.7, 40}, {0.3, 0.3, 60}};
 
-/// Parts of the load by which it is raised where no attempt at the whole converges.
-constexpr double largest_raise = 0.25;
-constexpr double least_raise = 1.0 / 64;
-
 constexpr double accuracy_of_conditions = 1e-9;
 constexpr double accuracy_of_systems = 1e-4;
 constexpr int most_rectangle_iterations = 200;
-
-Vector2d pair(const VectorXd& values, Index i) {
-  return {values[i], values[values.size() / 2 + i]};
-}
-
-void set_pair(VectorXd& values, Index i, const Vector2d& value) {
-  values[i] = value[0];
-  values[values.size() / 2 + i] = value[1];
-}
-
-/// P: the nearest point of the disc.
-Vector2d onto_disc(const Vector2d& p, double limit) {
-  const double size = p.norm();
-  return size > limit ? Vector2d(limit / size * p) : p;
-}
 
 /// The condition of an element, linear about a state: by_traction p + by_slip r s = right.
 struct LinearCondition {
@@ -93,7 +76,7 @@ class RectangleNewton {
       resultant_unit_[j] = of.resultants.row(j).norm();
       full_resultant_[j] = 0;
       for (Index i = 0; i < cells_; ++i)
-        full_resultant_[j] += of.limits[i] * pair(of.resultants.row(j).transpose(), i).norm();
+        full_resultant_[j] += of.limits[i] * pair_of(of.resultants.row(j).transpose(), i).norm();
     }
   }
 
@@ -111,15 +94,12 @@ class RectangleNewton {
     prescribe(state);
     length_ = attempt.length * own_length_;
     VectorXd p = state.tractions;  // on the discs
-    for (Index i = 0; i < cells_; ++i) set_pair(p, i, onto_disc(pair(p, i), of_.limits[i]));
+    for (Index i = 0; i < cells_; ++i) set_pair(p, i, onto_disc(pair_of(p, i), of_.limits[i]));
+    if (follows) state.tractions = p;
+    find_slip(state);
     if (follows) {
-      state.tractions = p;
-      find_slip(state);
-      state.residual = residual(state);
-      if (state.residual < accuracy_of_conditions) return true;
       linearise(state, p);
     } else {
-      find_slip(state);
       std::fill(conditions_.begin(), conditions_.end(), LinearCondition());
     }
     for (int k = 0; k < attempt.systems; ++k) {
@@ -139,7 +119,7 @@ class RectangleNewton {
   void finish(RectangleState& state) const {
     state.slips.assign(static_cast<std::size_t>(cells_), false);
     for (Index i = 0; i < cells_; ++i) {
-      const Vector2d p = pair(state.tractions, i), s = pair(state.slip, i);
+      const Vector2d p = pair_of(state.tractions, i), s = pair_of(state.slip, i);
       const bool slips_here = (p - own_length_ * s).norm() > of_.limits[i];
       state.slips[static_cast<std::size_t>(i)] = slips_here;
       set_pair(state.tractions, i, onto_disc(p, of_.limits[i]));
@@ -168,9 +148,9 @@ class RectangleNewton {
   double residual(const RectangleState& state) const {
     double largest = 0;
     for (Index i = 0; i < cells_; ++i) {
-      const Vector2d p = pair(state.tractions, i);
+      const Vector2d p = pair_of(state.tractions, i);
       const double error =
-          (p - onto_disc(p - own_length_ * pair(state.slip, i), of_.limits[i])).norm();
+          (p - onto_disc(p - own_length_ * pair_of(state.slip, i), of_.limits[i])).norm();
       if (!(error <= largest)) largest = error;
     }
     for (const Index j : free_) {
@@ -184,9 +164,9 @@ class RectangleNewton {
   void move(const RectangleState& state, VectorXd& p, double longest_step) const {
     for (Index i = 0; i < cells_; ++i) {
       const double limit = of_.limits[i];
-      const Vector2d to = pair(state.tractions, i), former = pair(p, i);
+      const Vector2d to = pair_of(state.tractions, i), former = pair_of(p, i);
       Vector2d step = onto_disc(to, limit) - former;
-      const bool slips_here = (to - length_ * pair(state.slip, i)).norm() > limit;
+      const bool slips_here = (to - length_ * pair_of(state.slip, i)).norm() > limit;
       if (slips_here && step.norm() > longest_step * limit)
         step *= longest_step * limit / step.norm();
       set_pair(p, i, former + step);
@@ -196,10 +176,10 @@ class RectangleNewton {
   void linearise(const RectangleState& state, const VectorXd& p) {
     for (Index i = 0; i < cells_; ++i) {
       const double limit = of_.limits[i];
-      const Vector2d drift = length_ * pair(state.slip, i);
-      const bool slips_here = (pair(state.tractions, i) - drift).norm() > limit;
+      const Vector2d drift = length_ * pair_of(state.slip, i);
+      const bool slips_here = (pair_of(state.tractions, i) - drift).norm() > limit;
       conditions_[static_cast<std::size_t>(i)] =
-          slips_here ? LinearCondition(pair(p, i) - drift, limit) : LinearCondition();
+          slips_here ? LinearCondition(pair_of(p, i) - drift, limit) : LinearCondition();
     }
   }
 
@@ -210,8 +190,8 @@ class RectangleNewton {
     VectorXd right(size + free), change(size + free);
     for (Index i = 0; i < cells_; ++i) {
       const LinearCondition& c = conditions_[static_cast<std::size_t>(i)];
-      const Vector2d value = c.right - c.by_traction * pair(state.tractions, i) -
-                             length_ * (c.by_slip * pair(state.slip, i));
+      const Vector2d value = c.right - c.by_traction * pair_of(state.tractions, i) -
+                             length_ * (c.by_slip * pair_of(state.slip, i));
       right[i] = value[0];
       right[cells_ + i] = value[1];
     }
@@ -228,8 +208,8 @@ class RectangleNewton {
       y.resize(size + free);
       for (Index i = 0; i < cells_; ++i) {
         const LinearCondition& c = conditions_[static_cast<std::size_t>(i)];
-        const Vector2d value =
-            c.by_traction * Vector2d(x[i], x[cells_ + i]) + length_ * (c.by_slip * pair(slip_, i));
+        const Vector2d value = c.by_traction * Vector2d(x[i], x[cells_ + i]) +
+                               length_ * (c.by_slip * pair_of(slip_, i));
         y[i] = value[0];
         y[cells_ + i] = value[1];
       }
@@ -328,11 +308,6 @@ class RectangleNewton {
   Gmres gmres_{most_rectangle_iterations};
 };
 
-PatchLoad raised(PatchLoad load, double part) {
-  for (PatchComponent& component : load) component.value *= part;
-  return load;
-}
-
 }  // namespace
 
 RectangleState solve_rectangles(const RectangleConditions& conditions,
@@ -351,21 +326,18 @@ RectangleState solve_rectangles(const RectangleConditions& conditions,
   for (const RectangleAttempt& attempt : rectangle_attempts) {
     if (!found) found = from(newton.at_rest(), attempt, false);
   }
-  double part = 0, step = largest_raise;
-  RectangleState reached = newton.at_rest();
-  while (!found && step >= least_raise) {
-    const double next = std::min(1.0, part + step);
-    newton.load = raised(conditions.load, next);
-    if (from(reached, rectangle_attempts[0], part > 0)) {
-      part = next;
-      reached = state;
-      step *= 2;
-      found = part == 1;
-    } else {
-      step /= 2;
-    }
-  }
+  double part = 1;
   if (!found) {
+    RectangleState reached = newton.at_rest();
+    bool follows = false;
+    part = raise_load(conditions.load, [&](const PatchLoad& raised) {
+      newton.load = raised;
+      if (!from(reached, rectangle_attempts[0], follows)) return false;
+      reached = state;
+      return follows = true;
+    });
+  }
+  if (part < 1) {
     throw NotConverged(
         fmt::format("stick and slip of equal rectangles are found up to {} of the load: the "
                     "resultants may be more than friction carries together",

@@ -20,7 +20,8 @@ MatrixXd displacement_by_traction(const JoinedRows& rows, double poisson_ratio) 
   MatrixXd displacement(2 * rows.points(), 2 * rows.cells());
   displacement << kernels.near - nu * kernels.across, nu * kernels.mixed, nu * kernels.mixed,
       (1 - nu) * kernels.near + nu * kernels.across;
-  return displacement / pi;
+  displacement /= pi;
+  return displacement;
 }
 
 PatchSlipMap map_for(const JoinedRows& rows) {
@@ -43,13 +44,17 @@ void set_slip(PatchSlipMap& map, const JoinedRows& rows, const MatrixXd& displac
   map.by_motion.row(n + cell) << 0, 1, slip.x;
 }
 
+Index mirrored(const JoinedRows& rows, Index j) {
+  const Index last = 2 * rows.elements();
+  return j < 0 ? -j : j > last ? 2 * last - j : j;
+}
+
 PointSlip centre_slip(const JoinedRows& rows, Index i, Index k) {
-  const Index here = 2 * i + 1, last = 2 * rows.elements();
-  const auto mirrored = [&](Index j) { return j < 0 ? -j : j > last ? 2 * last - j : j; };
+  const Index here = 2 * i + 1;
   const double step = pi / static_cast<double>(rows.elements());
   const double scale = rows.half_length(k) * std::sin(rows.theta(i)) * step;
   const double near = 4.0 / 3 / scale, far = -1.0 / 6 / scale;
-  return {{here + 1, here - 1, mirrored(here + 2), mirrored(here - 2), here},
+  return {{here + 1, here - 1, mirrored(rows, here + 2), mirrored(rows, here - 2), here},
           {near, -near, far, -far, 0},
           rows.x(here, k)};
 }

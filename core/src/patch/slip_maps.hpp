@@ -29,8 +29,11 @@ void set_slip(PatchSlipMap& map, const JoinedRows& rows, const Eigen::MatrixXd& 
 /// An empty map for all cells.
 PatchSlipMap map_for(const JoinedRows& rows);
 
-/// -du/dx at a centre, by differences of fourth order in theta. Displacements are even in theta at
-/// both edges, as they are smooth in x.
+/// The point of a row that has the same displacement as the point j, which may lie two points beyond
+/// an edge: displacements are even in theta there, as they are smooth in x.
+Eigen::Index mirrored(const JoinedRows& rows, Eigen::Index j);
+
+/// -du/dx at a centre, by differences of fourth order in theta.
 PointSlip centre_slip(const JoinedRows& rows, Eigen::Index i, Eigen::Index k);
 
 }  // namespace microslip

@@ -7,6 +7,7 @@
 #include "microslip/patch/rectangle_pressure.hpp"
 #include "microslip/patch/steady_patch.hpp"
 #include "microslip/support/require.hpp"
+#include "patch_scale.hpp"
 #include "rectangle_newton.hpp"
 
 namespace microslip {
@@ -94,7 +95,7 @@ struct RectangleRolling::Parts {
         touching(pressure_of(of)),
         by_tractions(resultants_by_tractions(touching.contact)),
         size(of.bound.size()),
-        strain(of.bound.peak() / of.material.shear_modulus) {
+        units(of.material, of.bound.peak(), size) {
     const Index n = touching.contact.size();
     state = {.tractions = VectorXd::Zero(2 * n),
              .slip = VectorXd::Zero(2 * n),
@@ -105,21 +106,19 @@ struct RectangleRolling::Parts {
   const Rectangles& contact() const { return touching.contact; }
   double nu() const { return problem.material.poisson_ratio; }
 
-  Vector3d motion_unit(bool rolls) const {
-    return strain * (rolls ? Vector3d(1, 1, 1 / size) : Vector3d(size, size, 1));
-  }
-  Vector3d resultant_unit() const {
-    return problem.bound.peak() * size * size * Vector3d(1, 1, size);
-  }
+  const Vector3d& motion_unit(bool rolls) const { return rolls ? units.motion : units.shift; }
 
-  PatchLoad scaled(PatchLoad load, bool rolls) const {
-    validate(load, problem.bound);
-    const Vector3d motion = motion_unit(rolls), resultant = resultant_unit();
-    for (Index j = 0; j < 3; ++j) {
-      PatchComponent& component = load[static_cast<std::size_t>(j)];
-      component.value /= component.by_resultant ? resultant[j] : motion[j];
+  PatchLoad scaled(const PatchLoad& load, bool rolls) const {
+    validate(load, problem.bound.total(), problem.bound.turning_moment());
+    // Squares of smaller ones would be 0, and of larger ones infinite.
+    constexpr double least = 1e-100, most = 1e100;
+    const PatchLoad found = units.scaled(load, motion_unit(rolls));
+    for (std::size_t j = 0; j < found.size(); ++j) {
+      const double size = std::abs(found[j].value);
+      require(size == 0 || (size >= least && size <= most), name_of(load, j), load[j].value,
+              "0, or a size from 1e-100 to 1e100 of that by the bound's strain");
     }
-    return load;
+    return found;
   }
 
   void step(double dq, const PatchLoad& load) {
@@ -141,7 +140,7 @@ struct RectangleRolling::Parts {
 
   void take(const PatchLoad& load) {
     motion = state.motion.cwiseProduct(motion_unit(rolled));
-    resultants = (by_tractions * state.tractions).cwiseProduct(resultant_unit());
+    resultants = (by_tractions * state.tractions).cwiseProduct(units.resultant);
     for (std::size_t j = 0; j < load.size(); ++j) {  // without rounding
       (load[j].by_resultant ? resultants : motion)[static_cast<Index>(j)] = load[j].value;
     }
@@ -150,7 +149,8 @@ struct RectangleRolling::Parts {
   StandardPatch problem;
   RectanglePressure touching;
   Matrix3Xd by_tractions;
-  double size, strain;  ///< c [mm], mu p0/G [1]
+  double size;  ///< c  [mm]
+  PatchUnits units;
   RectangleState state;
   bool rolled = false;  ///< or shifted, in the last step
   Vector3d motion = Vector3d::Zero(), resultants = Vector3d::Zero();

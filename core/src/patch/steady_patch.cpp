@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "microslip/support/not_converged.hpp"
@@ -28,12 +27,11 @@ struct ScaledLoad {
   PatchLoad load;
   double divisor;  ///< of motions
 
-  ScaledLoad(const PatchLoad& given, const PatchUnits& units) : load(given) {
+  ScaledLoad(const PatchLoad& given, const PatchUnits& units)
+      : load(units.scaled(given, units.motion)) {
     double largest = 0;
-    for (std::size_t j = 0; j < load.size(); ++j) {
-      const auto& unit = load[j].by_resultant ? units.resultant : units.motion;
-      load[j].value /= unit[static_cast<Index>(j)];
-      if (!load[j].by_resultant) largest = std::max(largest, std::abs(load[j].value));
+    for (const PatchComponent& component : load) {
+      if (!component.by_resultant) largest = std::max(largest, std::abs(component.value));
     }
     divisor = std::max(1.0, largest / largest_motion);
     for (PatchComponent& component : load) {
@@ -43,7 +41,7 @@ struct ScaledLoad {
 };
 
 Evidence evidence_of(const SteadyPatch& problem, const SteadyPatchSolution& solution,
-                     const PatchResponse& response) {
+                     const PatchResponse& response, const VectorXd& limits) {
   const JoinedRows& rows = response.rows();
   const Index n = rows.cells();
   const auto shares = response.resultants().row(0).head(n);  // the integral of p by v of a cell
@@ -52,7 +50,6 @@ Evidence evidence_of(const SteadyPatch& problem, const SteadyPatchSolution& solu
                     .load = solution.force(),
                     .power = std::abs(solution.dissipation),
                     .full_sliding = problem.bound.total()};
-  const VectorXd limits = limits_of(rows, problem.bound);
   for (Index i = 0; i < n; ++i) {
     if (!solution.slips[static_cast<std::size_t>(i)]) continue;
     const Vector2d v(solution.state.unknowns[i], solution.state.unknowns[n + i]);
@@ -74,31 +71,30 @@ void validate(const SteadyPatch& problem) {
   validate(problem.accepted);
   require(problem.elements >= least_elements, "elements", static_cast<double>(problem.elements),
           "a whole number >= 2");
-  validate(problem.load, problem.bound);
+  validate(problem.load, problem.bound.total(), problem.bound.turning_moment());
 }
 
-void validate(const PatchLoad& load, const PatchBound& bound) {
-  constexpr std::array motions{"creepage", "lateral_creepage", "spin"};
-  constexpr std::array resultants{"force", "lateral_force", "spin_moment"};
-  const double full = bound.total(), turning = bound.turning_moment();
+void validate(const PatchLoad& load, double full_sliding, double turning_moment) {
   double squares = 0;
   for (std::size_t j = 0; j < load.size(); ++j) {
     const auto& [by_resultant, value] = load[j];
     if (!by_resultant) {
-      require(true, motions[j], value, "a finite number");
+      require(true, name_of(load, j), value, "a finite number");
       continue;
     }
-    require(std::abs(value) < (j < 2 ? full : turning), resultants[j], value, [&] {
-      return j < 2 ? fmt::format("less than full sliding, {:.6g} N, in absolute value", full)
-                   : fmt::format(
-                         "less than the moment of turning about the centre, {:.6g} N mm, in "
-                         "absolute value",
-                         turning);
-    });
+    require(
+        std::abs(value) < (j < 2 ? full_sliding : turning_moment), name_of(load, j), value, [&] {
+          return j < 2 ? fmt::format("less than full sliding, {:.6g} N, in absolute value",
+                                     full_sliding)
+                       : fmt::format(
+                             "less than the moment of turning about the centre, {:.6g} N mm, in "
+                             "absolute value",
+                             turning_moment);
+        });
     if (j < 2) squares += value * value;
   }
-  require(squares < full * full, resultants[1], load[1].value, [&] {
-    return fmt::format("forces whose vector is shorter than full sliding, {:.6g} N", full);
+  require(squares < full_sliding * full_sliding, "lateral_force", load[1].value, [&] {
+    return fmt::format("forces whose vector is shorter than full sliding, {:.6g} N", full_sliding);
   });
 }
 
@@ -114,13 +110,13 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse
                                  const PatchState* start) {
   validate(problem);
   const JoinedRows& rows = response.rows();
-  const Index n = rows.cells();
-  const PatchUnits units(problem);
+  const PatchUnits units(problem.material, problem.bound.peak(), problem.bound.size());
+  const VectorXd limits = limits_of(rows, problem.bound);
   SteadyPatchSolution solution;
   const ScaledLoad scaled(problem.load, units);
-  solution.state = solve_stick_slip(response, limits_of(rows, problem.bound), scaled.load, start);
+  solution.state = solve_stick_slip(response, limits, scaled.load, start);
   const PatchState& state = solution.state;
-  const double c = problem.bound.size(), peak = problem.bound.peak();
+  const double c = problem.bound.size();
   solution.slips = state.slips;
   solution.iterations = state.iterations;
   solution.condition = response.condition();
@@ -131,34 +127,25 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse
     (by_resultant ? solution.resultants : solution.motion)[static_cast<Index>(j)] = value;
   }
   solution.dissipation = -solution.motion.dot(solution.resultants);
-  solution.x.resize(n);
-  solution.y.resize(n);
-  solution.bound.resize(n);
-  solution.traction.resize(n, 2);
-  solution.slip.setZero(n, 2);
+  const Eigen::MatrixX2d centres = c * centres_of(rows);
+  solution.x = centres.col(0);
+  solution.y = centres.col(1);
   solution.area = c * c * rows.areas();
+  solution.bound.resize(rows.cells());
   for (Index k = 0; k < rows.rows(); ++k) {
     for (Index i = 0; i < rows.elements(); ++i) {
-      const Index cell = rows.cell(i, k);
-      const double shape = std::tan(rows.theta(i) / 2) * peak;
-      solution.x[cell] = c * rows.x(2 * i + 1, k);
-      solution.y[cell] = c * rows.y(k);
-      solution.bound[cell] = problem.bound(rows.lobe(k), rows.psi(k), rows.theta(i));
-      solution.traction.row(cell) << shape * state.unknowns[cell], shape * state.unknowns[n + cell];
-      if (!state.slips[static_cast<std::size_t>(cell)]) continue;
-      solution.slip.row(cell) << state.centre_slip[cell], state.centre_slip[n + cell];
+      solution.bound[rows.cell(i, k)] = problem.bound(rows.lobe(k), rows.psi(k), rows.theta(i));
     }
   }
-  solution.slip *= scaled.divisor * units.motion[0];
-  solution.evidence = evidence_of(problem, solution, response);
+  solution.traction = tractions_of(rows, state.unknowns, problem.bound.peak());
+  solution.slip = scaled.divisor * units.motion[0] * slip_of(state);
+  solution.evidence = evidence_of(problem, solution, response, limits);
   return solution;
 }
 
 SteadyPatchSolution solve_steady(const SteadyPatch& problem) {
   validate(problem);
-  const JoinedRows rows(problem.bound.shape().scaled(1 / problem.bound.size()), problem.rows,
-                        problem.elements);
-  return solve_steady(problem, PatchResponse(rows, problem.material.poisson_ratio));
+  return solve_steady(problem, PatchResponse(rows_of(problem), problem.material.poisson_ratio));
 }
 
 namespace {

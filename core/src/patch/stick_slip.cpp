@@ -8,9 +8,11 @@
 #include <limits>
 #include <span>
 
+#include "component_pairs.hpp"
 #include "microslip/linalg/index_view.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
+#include "raised_load.hpp"
 #include "row_block_solver.hpp"
 
 namespace microslip {
@@ -41,9 +43,7 @@ constexpr Attempt attempts[] = {{3, 2, 20}, {1.5, 0.7, 20}, {5, 2, 20}, {1, 0.3,
 constexpr Attempt attempts_at_step[] = {
     {0.3, 2, 20}, {1, 0.7, 20}, {0.3, 2, 20, 3}, {1, 0.7, 40, 3}};
 
-/// Parts of the load by which it is raised where no attempt at the whole converges.
-constexpr double largest_part = 0.25;
-constexpr double least_part = 1.0 / 64;
+/// Attempts at a part of the load.
 constexpr std::size_t attempts_of_part = 2;
 
 /// Largest residual. Where nearly all slides, rounding is up to 1e-11.
@@ -52,16 +52,9 @@ constexpr double tolerance = 1e-10;
 /// The same in a step, where displacements are differences of larger ones.
 constexpr double tolerance_of_step = 1e-9;
 
-Vector2d at(const VectorXd& values, Index cell) {
-  return {values[cell], values[values.size() / 2 + cell]};
-}
-
-void put(VectorXd& values, Index cell, const Vector2d& value) {
-  values[cell] = value[0];
-  values[values.size() / 2 + cell] = value[1];
-}
-
-Vector2d on_disc(const Vector2d& q) { return q.norm() > 1 ? Vector2d(q.normalized()) : q; }
+/// A cell that slips counts as within the disc if |z| is less than 1 by so much. At the start of an
+/// attempt z is on the disc.
+constexpr double within_disc = 1e-6;
 
 /// r0 of each cell: the reciprocal of the largest own slip in its row by a unit of q in one cell.
 VectorXd lengths_of(const PatchResponse& response, const VectorXd& limits) {
@@ -133,18 +126,18 @@ class Newton {
   }
 
   Vector2d quotient(const PatchState& state, Index i) const {
-    return at(state.unknowns, i) / limits_[i];
+    return pair_of(state.unknowns, i) / limits_[i];
   }
 
   VectorXd quotients(const PatchState& state) const {
     VectorXd q(2 * cells_);
-    for (Index i = 0; i < cells_; ++i) put(q, i, on_disc(quotient(state, i)));
+    for (Index i = 0; i < cells_; ++i) set_pair(q, i, onto_disc(quotient(state, i)));
     return q;
   }
 
   MixedSlip mixed_slip(const PatchState& state, Index i, const Vector2d& q) const {
-    const Vector2d own = at(state.own_slip, i);
-    return {own, at(state.centre_slip, i), (q - lengths_[i] * own).norm() - 1, width_};
+    const Vector2d own = pair_of(state.own_slip, i);
+    return {own, pair_of(state.centre_slip, i), (q - lengths_[i] * own).norm() - 1, width_};
   }
 
   /// The largest |q - P(q - r0 s)|, not a number if a part is not one.
@@ -153,7 +146,7 @@ class Newton {
     for (Index i = 0; i < cells_; ++i) {
       const Vector2d q = quotient(state, i);
       const Vector2d z = q - lengths_[i] * mixed_slip(state, i, q).value;
-      const double error = (q - on_disc(z)).norm();
+      const double error = (q - onto_disc(z)).norm();
       if (!(error <= largest)) largest = error;
     }
     return largest;
@@ -245,13 +238,14 @@ class Newton {
   /// In the transition s depends on q - r0 t, too.
   void set_condition(const PatchState& state, Index r, Index size) {
     const Index i = columns_[static_cast<std::size_t>(r)];
-    const Vector2d q = at(q_, i), own = at(state.own_slip, i), centre = at(state.centre_slip, i);
+    const Vector2d q = pair_of(q_, i), own = pair_of(state.own_slip, i),
+                   centre = pair_of(state.centre_slip, i);
     const double own_length = lengths_[i], length = length_ratio_ * own_length;
     const MixedSlip slip = mixed_slip(state, i, q);
     const Vector2d z = q - length * slip.value;
     Vector2d e = Vector2d::Zero();
     Matrix2d D = Matrix2d::Identity();
-    if (z.norm() > 1 - 1e-6) {
+    if (z.norm() > 1 - within_disc) {
       e = z.normalized();
       D = (D - e * e.transpose()) / z.norm();
     }
@@ -308,11 +302,11 @@ class Newton {
     for (Index i = 0; i < cells_; ++i) {
       const Vector2d q = quotient(state, i);
       const double length = lengths_[i] * length_ratio_;
-      const bool slips_now = (q - length * at(state.own_slip, i)).norm() > 1;
+      const bool slips_now = (q - length * pair_of(state.own_slip, i)).norm() > 1;
       state.slips[static_cast<std::size_t>(i)] = slips_now;
-      Vector2d step = on_disc(q) - at(q_, i);
+      Vector2d step = onto_disc(q) - pair_of(q_, i);
       if (slips_now && step.norm() > longest_step) step *= longest_step / step.norm();
-      put(q_, i, at(q_, i) + step);
+      set_pair(q_, i, pair_of(q_, i) + step);
     }
   }
 
@@ -346,11 +340,6 @@ bool converges(Newton& newton, const PatchState& start, std::span<const Attempt>
   return false;
 }
 
-PatchLoad part_of(PatchLoad load, double part) {
-  for (PatchComponent& component : load) component.value *= part;
-  return load;
-}
-
 }  // namespace
 
 PatchState solve_stick_slip(const PatchResponse& response, const VectorXd& limits,
@@ -369,18 +358,12 @@ PatchState solve_stick_slip(const PatchResponse& response, const VectorXd& limit
         "carries together; else shorter steps may help",
         0, state.residual);
   }
-  double part = 0, step = largest_part;
-  while (part < 1 && step >= least_part) {
-    const double next = std::min(1.0, part + step);
-    newton.load = part_of(load, next);
-    if (converges(newton, reached, all.first(attempts_of_part), state)) {
-      part = next;
-      reached = state;
-      step *= 2;
-    } else {
-      step /= 2;
-    }
-  }
+  const double part = raise_load(load, [&](const PatchLoad& raised) {
+    newton.load = raised;
+    const bool is_solved = converges(newton, reached, all.first(attempts_of_part), state);
+    if (is_solved) reached = state;
+    return is_solved;
+  });
   if (part == 1) return reached;
   throw NotConverged(
       fmt::format(

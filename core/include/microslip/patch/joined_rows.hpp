@@ -60,16 +60,12 @@ class JoinedRows {
 
   const PatchShape& shape() const { return shape_; }
 
-  /// Half of the extent along the rolling and across it; a and b of an ellipse.
-  double a() const { return (shape_.leading() - shape_.trailing()) / 2; }
-  double b() const { return (shape_.high() - shape_.low()) / 2; }
-
-  std::size_t lobe(Index k) const;    ///< of a row
-  double psi(Index k) const;          ///< of the middle of a row
-  double height(Index k) const;       ///< of a row, in psi
-  double theta(Index i) const;        ///< of the centre of a cell
-  double half_length(Index k) const;  ///< of a row at its middle
-  double y(Index k) const;
+  std::size_t lobe(Index k) const { return row_of(k).lobe; }           ///< of a row
+  double psi(Index k) const { return row_of(k).psi; }                  ///< of the middle of a row
+  double height(Index k) const { return row_of(k).height; }            ///< of a row, in psi
+  double theta(Index i) const;                                         ///< of the centre of a cell
+  double half_length(Index k) const { return row_of(k).half_length; }  ///< of a row at its middle
+  double y(Index k) const { return row_of(k).y; }
   double x(Index j, Index k) const;  ///< of a point
   Eigen::VectorXd areas() const;     ///< of the cells
   Kernels kernels() const;
@@ -78,9 +74,17 @@ class JoinedRows {
   Eigen::Matrix3Xd moments() const;
 
  private:
+  struct Row {
+    std::size_t lobe;
+    double psi, height, y, middle, half_length;
+  };
+
+  const Row& row_of(Index k) const { return placed_[static_cast<std::size_t>(k)]; }
+
   Index rows_, elements_;
   PatchShape shape_;
   std::vector<Index> first_rows_;  ///< of each lobe, and M at last
+  std::vector<Row> placed_;        ///< all rows, at their middles
 };
 
 }  // namespace microslip

@@ -73,12 +73,11 @@ class PatchBound {
   double size() const { return shape_.size(); }    ///< c  [mm]
   double ratio() const { return shape_.ratio(); }  ///< of the shape  [1]
   double total() const { return total_; }          ///< the force of full sliding  [N]
-  double turning_moment() const {
-    return turning_moment_;
-  }  ///< if all turns about x = y = 0 [N mm]
+  /// The moment if all turns about x = y = 0  [N mm]
+  double turning_moment() const { return turning_moment_; }
 
-  double half_width() const;          ///< half of the extent along the rolling  [mm]
-  double lateral_half_width() const;  ///< half of the extent across it  [mm]
+  double half_width() const { return shape_.half_width(); }                  ///< [mm]
+  double lateral_half_width() const { return shape_.lateral_half_width(); }  ///< [mm]
 
  private:
   void integrate();

@@ -22,6 +22,8 @@ namespace microslip {
 /// the centre in the middle of the step. As dq tends to 0, that is the slip at the centre of steady
 /// rolling. Equations: docs/ellipse.md.
 ///
+/// Motions are at most 1e8 times the strain mu p0/G, beside which displacements keep their digits.
+///
 /// A step that throws leaves all as it was before. One object serves one thread.
 /// Order: 2 in dq; tests/unit/patch_rolling_test.cpp
 /// Cost of a step: that of steady rolling; plus that of a response if its length is another one

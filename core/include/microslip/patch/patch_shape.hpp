@@ -88,6 +88,10 @@ class PatchShape {
   double low() const;
   double high() const;
 
+  /// Half of the extent along the rolling and across it; a and b of an ellipse.
+  double half_width() const { return (leading_ - trailing_) / 2; }
+  double lateral_half_width() const { return (high() - low()) / 2; }
+
   PatchShape scaled(double factor) const;
 
  private:

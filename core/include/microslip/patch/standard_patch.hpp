@@ -35,6 +35,9 @@ struct StandardPatch {
 /// with u' = u. In a shift without rolling, s = w + u(x) - u'(x), with the lengths w = (xi - phi y,
 /// eta + phi x). An element sticks or slips by Coulomb's law, each by this slip of its own.
 ///
+/// Motions and resultants are 0, or 1e-100 to 1e100 times those by the bound's strain. Tractions have
+/// errors of 1e-9 of the bound's peak, and of 1e-3 of themselves where they are smaller.
+///
 /// With Pressure::computed, forces are those of CONTACT v25.2 to nine digits, and the same elements
 /// slip: tests/unit/standard_patch_test.cpp. The scheme is of first order in the element.
 ///

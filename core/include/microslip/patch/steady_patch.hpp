@@ -33,7 +33,9 @@ void validate(const SteadyPatch& problem);
 /// \throws std::invalid_argument if a number is not finite, or a resultant is not less than friction
 ///         carries on its own: forces less than full sliding, as the length of their vector, and
 ///         the moment less than that of turning about the centre
-void validate(const PatchLoad& load, const PatchBound& bound);
+/// \param full_sliding    [N]
+/// \param turning_moment  [N mm]
+void validate(const PatchLoad& load, double full_sliding, double turning_moment);
 
 /// Tractions and slip at the centres of cells, in the order of JoinedRows; resultants and motion.
 struct SteadyPatchSolution {

@@ -27,7 +27,8 @@ struct EllipseConvergenceParameters {
 EllipseConvergenceParameters read_ellipse_convergence(Scene& scene);
 
 /// Tables: circle (errors of joined rows, the standard scheme and CONTACT), limits (of the first
-/// and the last), ellipses (errors of joined rows and the standard scheme), summary (over all states), lines (line contacts in the place of ellipses), claims.
+/// and the last), ellipses (errors of joined rows and the standard scheme), summary (over all
+/// states), lines (line contacts in the place of ellipses), claims.
 std::vector<Table> ellipse_convergence(const EllipseConvergenceParameters& parameters,
                                        const Progress& progress);
 
