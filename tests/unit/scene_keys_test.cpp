@@ -362,7 +362,7 @@ TEST(KeysOfScenes, SayWhatTheyAccept) {
   EXPECT_EQ(said("basis"), "constant, linear, quadratic [constant]; quadratic for odd N");
   EXPECT_EQ(said("kernel.width"), "> 0");
   EXPECT_EQ(said("grid.elements"),
-            "1 ... 4 000 000; 20 000 where matrices are dense; of an ellipse 1 ... 100, and the "
+            "1 ... 4 000 000; 20 000 where matrices are dense; of an ellipse 2 ... 100, and the "
             "program's choice without it and grid.rows");
   EXPECT_EQ(said("grid.leading_offset"), "0 ... 1 [0.5]");
   EXPECT_EQ(said("solver.violation"), "above 0, at most 1 [0.05]");
