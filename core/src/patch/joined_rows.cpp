@@ -186,6 +186,11 @@ double JoinedRows::x(Index j, Index k) const {
                                                  static_cast<double>(2 * elements_));
 }
 
+double JoinedRows::theta_of(double x, Index k) const {
+  const Row& row = row_of(k);
+  return std::acos(std::clamp((x - row.middle) / row.half_length, -1.0, 1.0));
+}
+
 /// The area is a(y) sin(theta) d theta dy.
 VectorXd JoinedRows::areas() const {
   const double width = pi / static_cast<double>(elements_);

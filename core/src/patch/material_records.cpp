@@ -5,6 +5,7 @@
 
 namespace microslip {
 
+using Eigen::Index;
 using Eigen::Vector2d;
 
 MaterialRecords::MaterialRecords(double trailing, double leading, double least_spacing)
@@ -38,6 +39,7 @@ Vector2d MaterialRecords::at(double place) const {
 }
 
 void MaterialRecords::enter(double place, const Vector2d& value) {
+  while (records_.size() > 2 && records_.back().place >= place) records_.pop_back();
   const std::size_t size = records_.size();
   if (records_[size - 1].place - records_[size - 2].place < least_spacing_ * (1 - 1e-9)) {
     records_.pop_back();
@@ -54,6 +56,28 @@ void MaterialRecords::leave(double place) {
 
 void MaterialRecords::change(const std::function<void(double, Vector2d&)>& by) {
   for (Record& record : records_) by(record.place, record.value);
+}
+
+void MaterialRecords::move(const std::function<double(double, Vector2d&)>& to) {
+  for (Record& record : records_) record.place = to(record.place, record.value);
+}
+
+void MaterialRecords::archive(Archive& archive) {
+  constexpr Index most = 1 << 20;
+  auto count = static_cast<Index>(records_.size());
+  archive.whole("records", count, 2, most);
+  Eigen::VectorXd numbers(3 * count);
+  for (Index i = 0; !archive.reads() && i < count; ++i) {
+    const Record& record = records_[static_cast<std::size_t>(i)];
+    numbers.segment<3>(3 * i) << record.place, record.value;
+  }
+  archive.numbers("material", numbers, 3 * count);
+  archive.number("least_spacing", least_spacing_);
+  if (!archive.reads()) return;
+  records_.clear();
+  for (Index i = 0; i < count; ++i) {
+    records_.push_back({numbers[3 * i], numbers.segment<2>(3 * i + 1)});
+  }
 }
 
 }  // namespace microslip

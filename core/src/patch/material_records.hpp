@@ -5,6 +5,8 @@
 #include <functional>
 #include <vector>
 
+#include "microslip/support/archive.hpp"
+
 namespace microslip {
 
 /// The sum of all rigid slip so far of material at a place, x + q, in a row at y:
@@ -31,14 +33,14 @@ class MaterialRecords {
  public:
   using Vector2d = Eigen::Vector2d;
 
-  /// Remembers nothing but zero, from the trailing edge to the leading one.
+  /// Remembers nothing but zero, from the place of the trailing edge to that of the leading one.
   /// \param least_spacing  of records of material that has entered
   MaterialRecords(double trailing, double leading, double least_spacing);
 
   /// The value at a place, by the cubic polynomial through the four records around it.
   Vector2d at(double place) const;
 
-  /// Records what enters, ahead of all that has entered before.
+  /// Records what enters at the leading edge, and forgets what is ahead of it.
   void enter(double place, const Vector2d& value);
 
   /// Forgets what has left, behind a place.
@@ -46,6 +48,11 @@ class MaterialRecords {
 
   /// Changes what is remembered, record by record.
   void change(const std::function<void(double place, Vector2d& value)>& by);
+
+  /// The same, where places move, too: `to` returns the new place, and keeps their order.
+  void move(const std::function<double(double place, Vector2d& value)>& to);
+
+  void archive(Archive& archive);
 
  private:
   struct Record {

@@ -21,7 +21,8 @@ PatchSlipMap map_own_slip(const JoinedRows& rows, const MatrixXd& displacement) 
       const Index here = 2 * i + 1, ahead = i == 0 ? 0 : here - 2;
       const double from = rows.x(ahead, k), to = rows.x(here, k);
       const double weight = 1 / (from - to);
-      set_slip(map, rows, displacement, i, k, {{here, ahead}, {weight, -weight}, (from + to) / 2});
+      set_slip(map, rows, displacement, i, k, {{here, ahead}, {weight, -weight}, (from + to) / 2},
+               rows.y(k));
     }
   }
   return map;
@@ -31,7 +32,7 @@ PatchSlipMap map_centre_slip(const JoinedRows& rows, const MatrixXd& displacemen
   PatchSlipMap map = map_for(rows);
   for (Index k = 0; k < rows.rows(); ++k) {
     for (Index i = 0; i < rows.elements(); ++i) {
-      set_slip(map, rows, displacement, i, k, centre_slip(rows, i, k));
+      set_slip(map, rows, displacement, i, k, centre_slip(rows, i, k), rows.y(k));
     }
   }
   return map;
@@ -55,12 +56,7 @@ PatchResponse::PatchResponse(const JoinedRows& rows, const PatchSlipMap& own,
   rigid_own_slip_ = own.by_motion;
   rigid_centre_slip_ = centre.by_motion;
   stiffness_ = own.by_traction.diagonal();
-  const Index n = rows.cells();
-  const Eigen::Matrix3Xd moments = rows.moments();
-  resultants_.setZero(3, 2 * n);
-  resultants_.row(0).head(n) = moments.row(0);
-  resultants_.row(1).tail(n) = moments.row(0);
-  resultants_.row(2) << -moments.row(2), moments.row(1);
+  resultants_ = resultants_by_traction(rows);
   relief_ = resultants_ * unknowns_;
   linear_ = -relief_ * rigid_own_slip_;
 }

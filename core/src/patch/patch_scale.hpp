@@ -12,11 +12,14 @@ namespace microslip {
 struct PatchUnits {
   Eigen::Vector3d motion, resultant;
   Eigen::Vector3d shift;  ///< of shifts and the rotation in the place of motions
+  double peak;            ///< of the bound  [N/mm^2]
+  double size;            ///< c  [mm]
 
-  /// \param peak   of the bound  [N/mm^2]
-  /// \param size   c  [mm]
-  PatchUnits(const Material& material, double peak, double size)
-      : resultant(peak * size * size * Eigen::Vector3d(1, 1, size)) {
+  PatchUnits(const Material& material, double peak_of_bound, double size_of_patch)
+      : resultant(peak_of_bound * size_of_patch * size_of_patch *
+                  Eigen::Vector3d(1, 1, size_of_patch)),
+        peak(peak_of_bound),
+        size(size_of_patch) {
     const double strain = peak / material.shear_modulus;
     motion = {strain, strain, strain / size};
     shift = size * motion;

@@ -30,7 +30,7 @@ PatchSlipMap map_for(const JoinedRows& rows) {
 }
 
 void set_slip(PatchSlipMap& map, const JoinedRows& rows, const MatrixXd& displacement, Index i,
-              Index k, const PointSlip& slip) {
+              Index k, const PointSlip& slip, double y) {
   const Index n = rows.cells(), cell = rows.cell(i, k);
   map.by_traction.row(cell).setZero();
   map.by_traction.row(n + cell).setZero();
@@ -40,13 +40,49 @@ void set_slip(PatchSlipMap& map, const JoinedRows& rows, const MatrixXd& displac
     map.by_traction.row(cell) += slip.weights[l] * displacement.row(point);
     map.by_traction.row(n + cell) += slip.weights[l] * displacement.row(rows.points() + point);
   }
-  map.by_motion.row(cell) << 1, 0, -rows.y(k);
+  map.by_motion.row(cell) << 1, 0, -y;
   map.by_motion.row(n + cell) << 0, 1, slip.x;
 }
 
 Index mirrored(const JoinedRows& rows, Index j) {
   const Index last = 2 * rows.elements();
   return j < 0 ? -j : j > last ? 2 * last - j : j;
+}
+
+PointSlip between(const JoinedRows& rows, double theta) {
+  const double at = theta / pi * static_cast<double>(2 * rows.elements());
+  const auto first = static_cast<Index>(std::floor(at)) - 1;
+  PointSlip found{};
+  for (Index j = 0; j < 4; ++j) {
+    double weight = 1;
+    for (Index l = 0; l < 4; ++l) {
+      if (l != j) weight *= (at - static_cast<double>(first + l)) / static_cast<double>(j - l);
+    }
+    found.points[static_cast<std::size_t>(j)] = mirrored(rows, first + j);
+    found.weights[static_cast<std::size_t>(j)] = weight;
+  }
+  return found;
+}
+
+Eigen::Vector2d displacement_at(const Eigen::VectorXd& u, const JoinedRows& rows, double theta,
+                                Index k) {
+  const PointSlip points = between(rows, theta);
+  Eigen::Vector2d value = Eigen::Vector2d::Zero();
+  for (std::size_t l = 0; l < 4; ++l) {
+    const Index point = rows.point(points.points[l], k);
+    value += points.weights[l] * Eigen::Vector2d(u[point], u[rows.points() + point]);
+  }
+  return value;
+}
+
+Eigen::Matrix3Xd resultants_by_traction(const JoinedRows& rows) {
+  const Index n = rows.cells();
+  const Eigen::Matrix3Xd moments = rows.moments();
+  Eigen::Matrix3Xd resultants = Eigen::Matrix3Xd::Zero(3, 2 * n);
+  resultants.row(0).head(n) = moments.row(0);
+  resultants.row(1).tail(n) = moments.row(0);
+  resultants.row(2) << -moments.row(2), moments.row(1);
+  return resultants;
 }
 
 PointSlip centre_slip(const JoinedRows& rows, Index i, Index k) {

@@ -23,8 +23,9 @@ struct PointSlip {
 
 /// Sets the slip of a cell.
 /// \param displacement  as displacement_by_traction()
+/// \param y             of the rigid slip by spin
 void set_slip(PatchSlipMap& map, const JoinedRows& rows, const Eigen::MatrixXd& displacement,
-              Eigen::Index i, Eigen::Index k, const PointSlip& slip);
+              Eigen::Index i, Eigen::Index k, const PointSlip& slip, double y);
 
 /// An empty map for all cells.
 PatchSlipMap map_for(const JoinedRows& rows);
@@ -32,6 +33,16 @@ PatchSlipMap map_for(const JoinedRows& rows);
 /// The point of a row that has the same displacement as the point j, which may lie two points beyond
 /// an edge: displacements are even in theta there, as they are smooth in x.
 Eigen::Index mirrored(const JoinedRows& rows, Eigen::Index j);
+
+/// Four points of a row around an angle, with the weights of the cubic in theta; x is not set.
+PointSlip between(const JoinedRows& rows, double theta);
+
+/// The displacement along and across at an angle of a row, by those at points.
+Eigen::Vector2d displacement_at(const Eigen::VectorXd& u, const JoinedRows& rows, double theta,
+                                Eigen::Index k);
+
+/// Forces along and across, and the moment about the centre, by the unknowns: 3 x 2n.
+Eigen::Matrix3Xd resultants_by_traction(const JoinedRows& rows);
 
 /// -du/dx at a centre, by differences of fourth order in theta.
 PointSlip centre_slip(const JoinedRows& rows, Eigen::Index i, Eigen::Index k);

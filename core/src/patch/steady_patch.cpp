@@ -8,12 +8,12 @@
 
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
+#include "patch_evidence.hpp"
 #include "patch_scale.hpp"
 
 namespace microslip {
 
 using Eigen::Index;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
@@ -41,23 +41,19 @@ struct ScaledLoad {
 };
 
 Evidence evidence_of(const SteadyPatch& problem, const SteadyPatchSolution& solution,
-                     const PatchResponse& response, const VectorXd& limits) {
-  const JoinedRows& rows = response.rows();
-  const Index n = rows.cells();
-  const auto shares = response.resultants().row(0).head(n);  // the integral of p by v of a cell
+                     const PatchResponse& response, const VectorXd& limits, double divisor) {
+  const Index n = limits.size();
+  const VectorXd shares = response.resultants().row(0).head(n);
   const double c = problem.bound.size(), scale = c * c * problem.bound.peak();
-  Evidence evidence{.residual = solution.state.residual,
-                    .load = solution.force(),
-                    .power = std::abs(solution.dissipation),
-                    .full_sliding = problem.bound.total()};
-  for (Index i = 0; i < n; ++i) {
-    if (!solution.slips[static_cast<std::size_t>(i)]) continue;
-    const Vector2d v(solution.state.unknowns[i], solution.state.unknowns[n + i]);
-    const double power = scale * shares[i] * v.dot(solution.slip.row(i));
-    evidence.excess += scale * shares[i] * std::max(0.0, v.norm() - limits[i]);
-    evidence.backward += std::max(0.0, power);
-    evidence.dissipated -= power;
-  }
+  const double strain = PatchUnits(problem.material, problem.bound.peak(), c).motion[0];
+  Evidence evidence = friction_of(solution.state, shares, limits);
+  evidence.excess *= scale;
+  evidence.backward *= divisor * strain * scale;
+  evidence.dissipated *= divisor * strain * scale;
+  evidence.residual = solution.state.residual;
+  evidence.load = solution.force();
+  evidence.power = std::abs(solution.dissipation);
+  evidence.full_sliding = problem.bound.total();
   // Where all slides, rows of three cells or more have the bound's force but for rounding.
   evidence.unresolved = std::abs(scale * shares.dot(limits) - evidence.full_sliding) *
                         solution.slip_area() / solution.area.sum();
@@ -139,7 +135,7 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse
   }
   solution.traction = tractions_of(rows, state.unknowns, problem.bound.peak());
   solution.slip = scaled.divisor * units.motion[0] * slip_of(state);
-  solution.evidence = evidence_of(problem, solution, response, limits);
+  solution.evidence = evidence_of(problem, solution, response, limits, scaled.divisor);
   return solution;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,6 +20,7 @@ namespace microslip {
 
 using Eigen::Index;
 using Eigen::Matrix2d;
+using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 using Eigen::Vector2d;
@@ -113,11 +115,28 @@ class Newton {
       solve(state);
       ++state.iterations;
       state.residual = residual(state);
-      if (state.residual < tolerance_) return true;
+      if (state.residual < tolerance_) {
+        state.transition = attempt.width;
+        return true;
+      }
       if (!std::isfinite(state.residual)) return false;
       take(state, i < 2 ? std::numeric_limits<double>::infinity() : attempt.longest_step);
     }
     return false;
+  }
+
+  /// The resultants by the motion, about a solution.
+  Matrix3d jacobian(const PatchState& state) {
+    length_ratio_ = 1;
+    width_ = state.transition;
+    q_ = quotients(state);
+    load = {{{true, 0}, {true, 0}, {true, 0}}};
+    assemble(state);
+    const Index size = system_.rows() - 3;
+    const MatrixXd by_motion = -MatrixXd(system_.topLeftCorner(size, size))
+                                    .partialPivLu()
+                                    .solve(system_.topRightCorner(size, 3));
+    return system_.bottomLeftCorner(3, size) * by_motion + system_.bottomRightCorner(3, 3);
   }
 
  private:
@@ -152,8 +171,8 @@ class Newton {
     return largest;
   }
 
-  /// Solves the conditions of cells that slip, linear about the state, and those of the load.
-  void solve(PatchState& state) {
+  /// Sets the conditions of cells that slip, linear about a state, and those of the load.
+  void assemble(const PatchState& state) {
     split_motion();
     columns_.clear();
     stuck_.noalias() = -response_.rigid_own_slip() * motions_;
@@ -168,12 +187,17 @@ class Newton {
     for (Index r = 0; r < size; ++r) {
       columns_.push_back(cells_ + columns_[static_cast<std::size_t>(r)]);
     }
-    const auto columns = index_view(columns_);
     const Index free = motions_.cols() - 1;
     system_.resize(2 * size + free, 2 * size + free);
     right_.resize(2 * size + free);
     for (Index r = 0; r < size; ++r) set_condition(state, r, size);
     for (Index j = 0; j < free; ++j) set_resultant(j, 2 * size);
+  }
+
+  void solve(PatchState& state) {
+    assemble(state);
+    const auto columns = index_view(columns_);
+    const Index free = motions_.cols() - 1, size = static_cast<Index>(columns_.size()) / 2;
     const VectorXd solution =
         solver_.solve(system_, right_, previous_solution(state, size), rows_of_unknowns());
     VectorXd motion(1 + free);
@@ -372,6 +396,11 @@ PatchState solve_stick_slip(const PatchResponse& response, const VectorXd& limit
           "spin",
           format_roughly(part)),
       0, state.residual);
+}
+
+Matrix3d stick_slip_jacobian(const PatchResponse& response, const VectorXd& limits,
+                             const PatchState& state) {
+  return Newton(response, limits, nullptr).jacobian(state);
 }
 
 }  // namespace microslip

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/core.h>
-
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -11,8 +9,7 @@
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
-#include "microslip/support/checksum.hpp"
-#include "microslip/support/shown.hpp"
+#include "microslip/support/sealed_text.hpp"
 #include "rolling_grid.hpp"
 
 namespace microslip {
@@ -22,40 +19,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr std::string_view mark = "microslip state ";
-constexpr std::string_view version = "3";
-constexpr std::string_view sum_mark = "checksum ";
-
-/// First line, members, and a last line with their checksum.
-std::string sealed(const std::string& members) {
-  const std::string text = std::string(mark) + std::string(version) + '\n' + members;
-  return text + std::string(sum_mark) + checksum(text) + '\n';
-}
-
-/// The members of a sealed text.
-/// \throws std::invalid_argument unless it is whole and of this version
-std::string_view members_of(std::string_view text) {
-  if (!text.starts_with(mark)) {
-    throw std::invalid_argument(
-        fmt::format("expected a state that microslip has saved, which begins with '{}'", mark));
-  }
-  const std::size_t end = text.find('\n');
-  const std::string_view found = text.substr(mark.size(), end - mark.size());
-  const std::size_t last = text.rfind(sum_mark);
-  const bool is_whole = end != std::string_view::npos && last != std::string_view::npos &&
-                        text.substr(last) == std::string(sum_mark) +
-                                                 checksum(std::string(text.substr(0, last))) + '\n';
-  if (!is_whole) {
-    throw std::invalid_argument(
-        "expected the whole state as it was saved; its checksum is missing or of another text");
-  }
-  if (found != version) {
-    throw std::invalid_argument(
-        fmt::format("version = '{}': expected {}, the version of this program's states",
-                    shown(found), version));
-  }
-  return text.substr(end + 1, last - end - 1);
-}
+constexpr SealedText format{.mark = "microslip state ", .version = "3"};
 
 void archive_kernel(Archive& archive, const Kernel& kernel) {
   archive.same("kernel.type", kernel.name());
@@ -144,7 +108,7 @@ void TransientRolling::archive(Archive& archive) {
 std::string TransientRolling::save() {
   Archive members;
   archive(members);
-  return sealed(members.text());
+  return format.sealed(members.text());
 }
 
 void TransientRolling::restore(const SavedState& saved) {
@@ -152,7 +116,7 @@ void TransientRolling::restore(const SavedState& saved) {
 }
 
 double distance_of(const SavedState& saved, const TransientProblem& problem) {
-  Archive archive(members_of(saved.text));
+  Archive archive(format.members_of(saved.text));
   archive_problem(archive, problem);
   double distance = 0;
   archive.number("distance", distance);
@@ -161,7 +125,7 @@ double distance_of(const SavedState& saved, const TransientProblem& problem) {
 
 /// Nothing has happened to the grid yet.
 void TransientRolling::read(const SavedState& saved) {
-  Archive members(members_of(saved.text));
+  Archive members(format.members_of(saved.text));
   archive(members);
   members.require_end();
 }

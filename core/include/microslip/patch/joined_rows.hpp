@@ -66,8 +66,9 @@ class JoinedRows {
   double theta(Index i) const;                                         ///< of the centre of a cell
   double half_length(Index k) const { return row_of(k).half_length; }  ///< of a row at its middle
   double y(Index k) const { return row_of(k).y; }
-  double x(Index j, Index k) const;  ///< of a point
-  Eigen::VectorXd areas() const;     ///< of the cells
+  double x(Index j, Index k) const;          ///< of a point
+  double theta_of(double x, Index k) const;  ///< of a place in a row; 0 or pi beyond its edges
+  Eigen::VectorXd areas() const;             ///< of the cells
   Kernels kernels() const;
 
   /// The force, and the first moments in x and in y, of v = 1 in a cell: 3 x cells.

@@ -3,10 +3,13 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "microslip/patch/patch_load.hpp"
 #include "microslip/patch/steady_patch.hpp"
+#include "microslip/rolling/contact_scale.hpp"
+#include "microslip/rolling/transient_problem.hpp"
 
 namespace microslip {
 
@@ -24,21 +27,35 @@ namespace microslip {
 ///
 /// Motions are at most 1e8 times the strain mu p0/G, beside which displacements keep their digits.
 ///
-/// A step that throws leaves all as it was before. One object serves one thread.
+/// A copy continues with the same bits as the original, and independently of it; it shares the
+/// matrices. So a step is tried on a copy. A step that throws leaves all as it was before. One
+/// object serves one thread.
 /// Order: 2 in dq; tests/unit/patch_rolling_test.cpp
 /// Cost of a step: that of steady rolling; plus that of a response if its length is another one
-/// than before.
+/// than before, or if the contact changes its size.
 class PatchRolling {
  public:
   using Index = Eigen::Index;
 
   /// Begins at rest, without tractions.
   /// \param problem  its load is not used
+  /// \param contact  as set_contact()
   /// \throws std::invalid_argument if a number is out of its range
-  explicit PatchRolling(const SteadyPatch& problem);
+  explicit PatchRolling(const SteadyPatch& problem, const ContactScale& contact = {});
   ~PatchRolling();
+  PatchRolling(const PatchRolling& other);
   PatchRolling(PatchRolling&&) noexcept;
+  PatchRolling& operator=(const PatchRolling& other);
   PatchRolling& operator=(PatchRolling&&) noexcept;
+
+  /// Sets the contact at the end of the next step, and of those after it. In that step its lengths
+  /// change linearly; in a shift they cannot. Only an ellipse changes its lengths.
+  /// \param scale  half_width on both half-widths; 0.01 ... 100, and the bound 1e-6 ... 1e6
+  /// \throws std::invalid_argument outside the ranges, and for another shape
+  void set_contact(const ContactScale& scale);
+
+  /// The contact that was set last.
+  const ContactScale& contact() const;
 
   /// Shifts the bodies without rolling.
   /// \param load  shifts of the first body [mm] and its rotation [rad] in the place of motions, or
@@ -46,7 +63,8 @@ class PatchRolling {
   /// \throws std::invalid_argument as validate(SteadyPatch); NotConverged
   void shift(const PatchLoad& load);
 
-  /// Rolls over a step.
+  /// Rolls over a step. A step in which stick and slip are not found is divided into halves, up to
+  /// six times, on the way of which resultants go linearly to those prescribed.
   /// \param dq  from 1e-6 of the size and the distance rolled, to 1e6 of the size  [mm]
   /// \throws std::invalid_argument if a number is out of its range; NotConverged
   void roll(double dq, const PatchLoad& load);
@@ -54,19 +72,54 @@ class PatchRolling {
   double distance() const;             ///< rolled so far  [mm]
   Eigen::VectorXd x() const;           ///< of the centres of cells  [mm]
   Eigen::VectorXd y() const;           ///< [mm]
+  Eigen::VectorXd areas() const;       ///< of the cells  [mm^2]
+  Eigen::VectorXd bound() const;       ///< at the centres  [N/mm^2]
   Eigen::MatrixX2d tractions() const;  ///< along and across, at the centres  [N/mm^2]
   Eigen::MatrixX2d slip() const;       ///< [1]; by a shift [mm]; 0 where a cell sticks
   const std::vector<bool>& slips() const;
+  double full_sliding() const;         ///< the force that the bound allows  [N]
   Eigen::Vector3d resultants() const;  ///< Fx, Fy [N], Mz about the centre [N mm]
   /// xi, eta [1] and phi [1/mm], as means over the step; of a shift in [mm] and [rad]
   Eigen::Vector3d motion() const;
 
-  int iterations() const;   ///< systems that the last step took
-  double residual() const;  ///< largest error of the slip conditions, over the bound  [1]
+  /// Half of the integral of tractions times displacements  [N mm]
+  double elastic_energy() const;
+
+  /// The energy that the last step lost, over dq [N]; in a shift, the energy [N mm]. In a step it is
+  /// what the balance leaves, with the mean of the resultants at its ends,
+  ///   -mean(Fx, Fy, Mz) (xi, eta, phi) - (change of elastic energy)/dq,
+  /// which includes what material takes along that leaves the contact with tractions. In a shift
+  /// it is the work of friction by the tractions at the end, which is exact where slip keeps its
+  /// direction.
+  double dissipation() const;
+
+  /// The derivatives of Fx, Fy [N] and Mz [N mm] at the end of the last step by its motions xi, eta
+  /// [1] and phi [1/mm], or shifts [mm] and rotation [rad]. They are exact where no cell changes
+  /// between stick and slip, and one-sided elsewhere. Of a divided step they are those of its last
+  /// part. Cost: that of a system.
+  /// \throws std::logic_error before the first step
+  Eigen::Matrix3d jacobian() const;
+
+  int iterations() const;     ///< systems that the last step took
+  Evidence evidence() const;  ///< of the last step; powers are energies per mm rolled  [N]
+  double residual() const;    ///< largest error of the slip conditions, over the bound  [1]
+  double condition() const;   ///< of the equations of the last step in adhesion; 0 before it
+
+  /// A text of all that the next steps depend on. A PatchRolling of the same problem that restores
+  /// it continues with the same bits, on the same machine in the same build.
+  std::string save() const;
+
+  /// \throws std::invalid_argument for a text that is not a saved state, is damaged, or belongs to
+  ///         another version or problem; all stays as it was
+  void restore(const SavedState& saved);
 
  private:
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };
+
+/// The distance rolled in a saved state  [mm].
+/// \throws std::invalid_argument as PatchRolling::restore
+double distance_of(const SavedState& saved, const SteadyPatch& problem);
 
 }  // namespace microslip

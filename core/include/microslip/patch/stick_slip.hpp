@@ -18,6 +18,8 @@ struct PatchState {
   std::vector<bool> slips;      ///< n
   int iterations = 0;           ///< systems that were solved
   double residual = 0;          ///< largest error of the slip conditions, over the bound  [1]
+  /// The width of the transition from own slip to centre slip that was solved, see solve_stick_slip()
+  double transition = 0;
 };
 
 /// Solves the slip conditions of steady rolling: with q = v/g, g the limit of a cell, and s its slip
@@ -36,5 +38,11 @@ struct PatchState {
 PatchState solve_stick_slip(const PatchResponse& response, const Eigen::VectorXd& limits,
                             const PatchLoad& load, const PatchState* start = nullptr,
                             const ImposedSlip* imposed = nullptr);
+
+/// The derivatives of the resultants by the motion, in a state that is solved. They are exact where
+/// no cell changes between stick and slip, and one-sided elsewhere.
+/// \return 3 x 3, in the scale of PatchResponse
+Eigen::Matrix3d stick_slip_jacobian(const PatchResponse& response, const Eigen::VectorXd& limits,
+                                    const PatchState& state);
 
 }  // namespace microslip

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch_evidence.hpp"
+
+#include <algorithm>
+
+#include "component_pairs.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+Evidence friction_of(const PatchState& state, const VectorXd& shares, const VectorXd& limits) {
+  Evidence evidence;
+  for (Index i = 0; i < limits.size(); ++i) {
+    if (!state.slips[static_cast<std::size_t>(i)]) continue;
+    const Vector2d v = pair_of(state.unknowns, i);
+    const double power = shares[i] * v.dot(pair_of(state.centre_slip, i));
+    evidence.excess += shares[i] * std::max(0.0, v.norm() - limits[i]);
+    evidence.backward += std::max(0.0, power);
+    evidence.dissipated -= power;
+  }
+  return evidence;
+}
+
+}  // namespace microslip

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch_material.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "component_pairs.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+using std::numbers::pi;
+
+namespace {
+
+/// Records of material that has entered are not closer than this part of the half-length of a row,
+/// over the number of cells.
+constexpr double spacing_of_records = 0.5;
+
+MaterialRecords row_at_rest(const JoinedRows& rows, Index k, double size, double distance) {
+  const double spacing = spacing_of_records * size * rows.half_length(k);
+  return {size * rows.x(2 * rows.elements(), k) + distance, size * rows.x(0, k) + distance,
+          spacing / static_cast<double>(rows.elements())};
+}
+
+Vector2d point_of(const VectorXd& values, const JoinedRows& rows, Index j, Index k) {
+  const Index point = rows.point(j, k);
+  return {values[point], values[rows.points() + point]};
+}
+
+}  // namespace
+
+PatchMaterial::PatchMaterial(const JoinedRows& rows, double size)
+    : size_(size), u_before_(VectorXd::Zero(2 * rows.points())), u_(u_before_) {
+  for (Index k = 0; k < rows.rows(); ++k) memory_.push_back(row_at_rest(rows, k, size, 0));
+}
+
+double PatchMaterial::ratio_before(double dq) const {
+  constexpr double most = 5;
+  return step_before_ > dq * most || step_before_ * most < dq ? 0 : step_before_ / dq;
+}
+
+ImposedSlip PatchMaterial::imposed(const JoinedRows& rows, const PatchStep& step) const {
+  if (step.to != size_) {
+    PatchMaterial there = *this;
+    there.resize(rows, step.to);
+    return there.imposed(rows, step);
+  }
+  const StepWays ways(rows, step);
+  const Index n = rows.cells();
+  ImposedSlip found{VectorXd(2 * n), VectorXd(2 * n)};
+  for (Index k = 0; k < rows.rows(); ++k) {
+    for (Index i = 0; i < rows.elements(); ++i) {
+      const Index cell = rows.cell(i, k);
+      if (step.dq == 0) {
+        const Vector2d before = -point_of(u_, rows, 2 * i + 1, k);
+        set_pair(found.own, cell, before);
+        set_pair(found.centre, cell, before);
+        continue;
+      }
+      set_pair(found.own, cell, imposed_by(rows, step, ways.to_centre(i, k), k));
+      set_pair(found.centre, cell, imposed_by(rows, step, ways.about_centre(i, k), k));
+    }
+  }
+  return found;
+}
+
+/// The displacement that material remembers, without the rigid slip.
+/// \param x  at the end of a step dq
+Vector2d PatchMaterial::remembered(const JoinedRows& rows, double x, Index k, double dq) const {
+  const double place = x + distance_ + dq;
+  return memory_[static_cast<std::size_t>(k)].at(place) - path_.at(place, size_ * rows.y(k));
+}
+
+Vector2d PatchMaterial::imposed_by(const JoinedRows& rows, const PatchStep& step, const Way& way,
+                                   Index k) const {
+  if (way.entered == 0) return -remembered(rows, way.x, k, step.dq) / way.length;
+  const EntryWeights weights(way.entered, step.ratio);
+  return -(weights.before * point_of(u_, rows, 0, k) +
+           weights.earlier * point_of(u_before_, rows, 0, k)) /
+         way.length;
+}
+
+void PatchMaterial::take(const JoinedRows& rows, const PatchStep& step, const VectorXd& u,
+                         const Eigen::Vector3d& motion, const std::vector<bool>& slips) {
+  const bool grows = step.to != size_;
+  const double size_before = size_;
+  if (grows) resize(rows, step.to);
+  u_before_ = u_;
+  u_ = u;
+  path_ = path_.after(motion, step.dq == 0 ? 1 : step.dq, distance_ + step.dq / 2);
+  distance_ += step.dq;
+  step_before_ = step.dq;
+  const double b = rows.shape().lateral_half_width();
+  for (Index k = 0; k < rows.rows(); ++k) {
+    MaterialRecords& row = memory_[static_cast<std::size_t>(k)];
+    const double y = size_ * rows.y(k);
+    const double front = size_ * rows.x(0, k), exit = size_ * rows.x(2 * rows.elements(), k);
+    if (grows && std::abs(y) >= size_before * b) {
+      touch_anew(rows, k, u);
+      continue;
+    }
+    if (step.dq > 0) {
+      const double place = front + distance_;
+      row.enter(place, point_of(u, rows, 0, k) + path_.at(place, y));
+      row.leave(exit + distance_);
+    }
+    row.change([&](double place, Vector2d& value) {
+      const double x = place - distance_;
+      if (x <= exit || x >= front) return;
+      const double theta = rows.theta_of(x / size_, k);
+      const auto cell = static_cast<Index>(theta / pi * static_cast<double>(rows.elements()));
+      const Index i = std::min(cell, rows.elements() - 1);
+      if (!slips[static_cast<std::size_t>(rows.cell(i, k))]) return;
+      value = displacement_at(u, rows, theta, k) + path_.at(place, y);
+    });
+  }
+}
+
+/// Lets a row remember the present displacements, all along.
+void PatchMaterial::touch_anew(const JoinedRows& rows, Index k, const VectorXd& u) {
+  MaterialRecords row = row_at_rest(rows, k, size_, distance_);
+  row.change([&](double place, Vector2d& value) {
+    const double theta = rows.theta_of((place - distance_) / size_, k);
+    value = displacement_at(u, rows, theta, k) + path_.at(place, size_ * rows.y(k));
+  });
+  memory_[static_cast<std::size_t>(k)] = row;
+}
+
+/// Moves the rows to the places that they have in a contact of another size. Rows outside the
+/// present contact remember what the outermost ones do, until they touch.
+void PatchMaterial::resize(const JoinedRows& rows, double size) {
+  std::vector<MaterialRecords> moved;
+  for (Index k = 0; k < rows.rows(); ++k) moved.push_back(moved_row(rows, k, size));
+  memory_ = std::move(moved);
+  size_ = size;
+}
+
+/// A row at y of another size, by the four rows about it: with y = b sin(psi) and x = s a cos(psi),
+/// what is remembered at equal s is a smooth function of psi, which continues beyond the ends with
+/// psi' = pi - psi and s' = -s.
+MaterialRecords PatchMaterial::moved_row(const JoinedRows& rows, Index k, double size) const {
+  const double b = rows.shape().lateral_half_width(), a = rows.shape().half_width();
+  const double y = size * rows.y(k), sine = std::clamp(y / (size_ * b), -1.0, 1.0);
+  const double psi = std::asin(sine), half_length = size_ * a * std::cos(psi);
+  const double at = (psi / pi + 0.5) * static_cast<double>(rows.rows()) - 0.5;
+  const auto first = static_cast<Index>(std::floor(at)) - 1;
+  const auto value_at = [&](Index row, double s) {
+    const Index last = rows.rows() - 1;
+    const bool is_mirrored = row < 0 || row > last;
+    row = std::clamp<Index>(row < 0 ? -1 - row : row > last ? 2 * last + 1 - row : row, 0, last);
+    const double x = (is_mirrored ? -s : s) * size_ * rows.half_length(row);
+    return remembered(rows, x, row, 0);
+  };
+  MaterialRecords moved = memory_[static_cast<std::size_t>(k)];
+  const double scale = half_length / (size_ * rows.half_length(k));
+  moved.move([&](double place, Vector2d& value) {
+    const double s = (place - distance_) / (size_ * rows.half_length(k));
+    const double there = distance_ + scale * (place - distance_);
+    value.setZero();
+    for (Index j = 0; j < 4; ++j) {
+      double weight = 1;
+      for (Index l = 0; l < 4; ++l) {
+        if (l != j) weight *= (at - static_cast<double>(first + l)) / static_cast<double>(j - l);
+      }
+      value += weight * value_at(first + j, s);
+    }
+    value += path_.at(there, y);
+    return there;
+  });
+  return moved;
+}
+
+void PatchMaterial::archive(Archive& archive, const JoinedRows& rows) {
+  archive.number("distance", distance_);
+  archive.number("size", size_);
+  archive.number("step_before", step_before_);
+  archive.number("path_along", path_.along);
+  archive.number("path_across", path_.across);
+  archive.number("path_turn", path_.turn);
+  archive.numbers("u_before", u_before_, 2 * rows.points());
+  archive.numbers("u", u_, 2 * rows.points());
+  for (MaterialRecords& row : memory_) row.archive(archive);
+}
+
+}  // namespace microslip

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "material_records.hpp"
+#include "microslip/patch/joined_rows.hpp"
+#include "microslip/patch/patch_response.hpp"
+#include "microslip/support/archive.hpp"
+#include "step_ways.hpp"
+
+namespace microslip {
+
+/// All that the material of a patch remembers of its displacement and of all rigid slip, row by row.
+/// Lengths are over the size of the problem's patch.
+class PatchMaterial {
+ public:
+  using Index = Eigen::Index;
+  using Vector2d = Eigen::Vector2d;
+  using VectorXd = Eigen::VectorXd;
+
+  /// Remembers nothing: no displacement, no slip.
+  /// \param size  of the contact
+  PatchMaterial(const JoinedRows& rows, double size);
+
+  double distance() const { return distance_; }  ///< rolled so far
+  double size() const { return size_; }          ///< of the contact now
+
+  const VectorXd& displacements() const { return u_; }  ///< at points, along and across
+
+  /// The length of the last step over that of the next one; 0 where these differ too much for the
+  /// one to tell of the other, and after a shift.
+  double ratio_before(double dq) const;
+
+  /// The part of the slip in a step that comes from what was before it.
+  ImposedSlip imposed(const JoinedRows& rows, const PatchStep& step) const;
+
+  /// Takes over a step.
+  /// \param u       displacements at points at its end, along and across
+  /// \param motion  as a mean over the step, or that of the shift
+  /// \param slips   cells that slip, which remember where they are now
+  void take(const JoinedRows& rows, const PatchStep& step, const VectorXd& u,
+            const Eigen::Vector3d& motion, const std::vector<bool>& slips);
+
+  void archive(Archive& archive, const JoinedRows& rows);
+
+ private:
+  Vector2d remembered(const JoinedRows& rows, double x, Index k, double dq) const;
+  Vector2d imposed_by(const JoinedRows& rows, const PatchStep& step, const Way& way, Index k) const;
+  void resize(const JoinedRows& rows, double size);
+  MaterialRecords moved_row(const JoinedRows& rows, Index k, double size) const;
+  void touch_anew(const JoinedRows& rows, Index k, const VectorXd& u);
+
+  std::vector<MaterialRecords> memory_;
+  RigidPath path_;
+  double distance_ = 0, size_;
+  double step_before_ = 0;  ///< its length; 0 if there was none, or a shift
+  VectorXd u_before_, u_;   ///< at points, before the last step and after it
+};
+
+}  // namespace microslip

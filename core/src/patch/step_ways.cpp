@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "step_ways.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+/// The part of the step at which material enters that ends at x: 0 if it was in the contact before.
+/// With t from 0 to 1 and the size r(t) of an ellipse, it is within where
+///   f(t) = r(t)^2 - (x + (1 - t) dq)^2/a^2 - y^2/b^2 >= 0,
+/// a quadratic function.
+double StepWays::entry(double x, Index k) const {
+  const auto& [dq, from, to, ratio] = step_;
+  const double way = this->x(0, k) - x;
+  if (from == to) return way >= dq ? 0 : 1 - way / dq;
+  const double a = rows_.shape().half_width(), b = rows_.shape().lateral_half_width();
+  const double grown = to - from, begin = (x + dq) / a, passed = dq / a, y = to * rows_.y(k) / b;
+  const double before = from * from - begin * begin - y * y;
+  if (before >= 0) return 0;
+  const double square = grown * grown - passed * passed;
+  const double half = from * grown + begin * passed;
+  const double root = std::sqrt(std::max(0.0, half * half - square * before));
+  // It is outside at t = 0 and within at t = 1, so that this is the root between both.
+  return std::clamp(-before / (half + root), 0.0, 1 - 1e-9);
+}
+
+Way StepWays::way_to(double x, Index k) const {
+  const double entered = entry(x, k);
+  return {x, step_.dq * (1 - entered), entered};
+}
+
+Way StepWays::about_centre(Index i, Index k) const {
+  return way_to(std::max(x(2 * i + 1, k) - step_.dq / 2, x(2 * i + 2, k)), k);
+}
+
+PointSlip StepWays::slip_about(const Way& way, Index k) const {
+  PointSlip slip = between(rows_, rows_.theta_of(way.x / step_.to, k));
+  for (double& weight : slip.weights) weight *= step_.to / way.length;
+  slip.points[4] = 0;
+  slip.weights[4] = -EntryWeights(way.entered, step_.ratio).now * step_.to / way.length;
+  slip.x = way.x + way.length / 2;
+  return slip;
+}
+
+PatchResponse StepWays::response(const MatrixXd& displacement) const {
+  PatchSlipMap own = map_for(rows_), at_centre = map_for(rows_);
+  const double size = step_.to;
+  for (Index k = 0; k < rows_.rows(); ++k) {
+    for (Index i = 0; i < rows_.elements(); ++i) {
+      const Index here = 2 * i + 1;
+      const double y = size * rows_.y(k);
+      if (step_.dq == 0) {
+        const PointSlip shifted{{here}, {size}, x(here, k)};
+        set_slip(own, rows_, displacement, i, k, shifted, y);
+        set_slip(at_centre, rows_, displacement, i, k, shifted, y);
+        continue;
+      }
+      const Way way = to_centre(i, k);
+      const double entering = EntryWeights(way.entered, step_.ratio).now;
+      const PointSlip slip{
+          {here, 0}, {size / way.length, -entering * size / way.length}, way.x + way.length / 2};
+      set_slip(own, rows_, displacement, i, k, slip, y);
+      set_slip(at_centre, rows_, displacement, i, k, slip_about(about_centre(i, k), k), y);
+    }
+  }
+  return {rows_, own, at_centre};
+}
+
+}  // namespace microslip

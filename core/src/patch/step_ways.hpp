@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "microslip/patch/joined_rows.hpp"
+#include "microslip/patch/patch_response.hpp"
+#include "slip_maps.hpp"
+
+namespace microslip {
+
+/// A step of a patch, in which the contact grows or shrinks linearly. Lengths are over the size of
+/// the problem's patch.
+struct PatchStep {
+  double dq;         ///< that is rolled; 0 in a shift
+  double from = 1;   ///< size of the contact before it, over the problem's
+  double to = 1;     ///< at its end
+  double ratio = 0;  ///< of the step before to this one, 0 without
+
+  bool operator==(const PatchStep&) const = default;
+};
+
+/// The way of material in a step.
+struct Way {
+  double x;        ///< where it is at the end
+  double length;   ///< that it rolled within the contact
+  double entered;  ///< at this part of the step; 0 if before
+};
+
+/// Weights of the displacements at the leading edge at the end of a step, before it and a step
+/// earlier, for that at the time between: a parabola, or a line without an earlier step.
+struct EntryWeights {
+  double now, before, earlier;
+
+  /// \param entered  part of the step
+  /// \param ratio    of the step before to this one; 0 without
+  EntryWeights(double entered, double ratio) : now(entered), before(1 - entered), earlier(0) {
+    if (ratio == 0) return;
+    now = entered * (entered + ratio) / (1 + ratio);
+    before = (1 - entered) * (entered + ratio) / ratio;
+    earlier = -entered * (1 - entered) / (ratio * (1 + ratio));
+  }
+};
+
+/// The ways of the material at the cells of a patch in a step, which may change the size of an
+/// ellipse, and the slip by them.
+class StepWays {
+ public:
+  using Index = Eigen::Index;
+
+  StepWays(const JoinedRows& rows, const PatchStep& step) : rows_(rows), step_(step) {}
+
+  /// The way to the centre of a cell at the end.
+  Way to_centre(Index i, Index k) const { return way_to(x(2 * i + 1, k), k); }
+
+  /// The way of the material that passes the centre in the middle of the step; or, in long steps,
+  /// that is at the trailing side of the cell at the end.
+  Way about_centre(Index i, Index k) const;
+
+  /// The slip of all cells in the step, and that at the centres, as a linear response.
+  /// \param displacement  as displacement_by_traction()
+  PatchResponse response(const Eigen::MatrixXd& displacement) const;
+
+ private:
+  double x(Index j, Index k) const { return step_.to * rows_.x(j, k); }
+  Way way_to(double x, Index k) const;
+  double entry(double x, Index k) const;
+  PointSlip slip_about(const Way& way, Index k) const;
+
+  const JoinedRows& rows_;
+  PatchStep step_;
+};
+
+}  // namespace microslip
