@@ -80,13 +80,13 @@ TEST(ChangingPatch, ForgetsTheContactBefore) {
 
 TEST(ChangingPatch, DoesNotDependOnTheStep) {
   const auto by = [](double step, double distance) {
-    PatchRolling rolling(circle(8, 12));
+    PatchRolling rolling(circle(6, 9));
     roll_to(rolling, distance, step, motion(0.15, 0.1, 0.3), waves);
     return Vector3d(rolling.resultants() / full);
   };
-  for (const double distance : {0.8, 2.2, 3.9}) {
-    const Vector3d small = by(0.01, distance);
-    for (const double step : {0.16, 0.08, 0.04}) {
+  for (const double distance : {0.8, 2.2}) {
+    const Vector3d small = by(0.02, distance);
+    for (const double step : {0.16, 0.08}) {
       EXPECT_LT((by(step, distance) - small).cwiseAbs().maxCoeff(), 1e-3 + 0.1 * step * step)
           << distance << ' ' << step;
     }
@@ -250,6 +250,19 @@ TEST(PatchState, CopiesAndSavedOnesContinueWithTheSameBits) {
   EXPECT_EQ(copy.resultants(), rolling.resultants());
   EXPECT_EQ(restored.resultants(), rolling.resultants());
   EXPECT_EQ(restored.jacobian(), rolling.jacobian());
+}
+
+// Steps that follow earlier ones in which the same cells slip take no new factors.
+TEST(PatchState, SavedOnesFollowAsTheOriginalDoes) {
+  PatchRolling rolling(circle(6, 8)), restored(circle(6, 8));
+  const PatchLoad load = motion(0.1, 0.05, 0.2);
+  for (int i = 0; i < 60; ++i) rolling.roll(0.1, load);
+  restored.restore({rolling.save()});
+  for (int i = 0; i < 3; ++i) {
+    rolling.roll(0.1, load);
+    restored.roll(0.1, load);
+    EXPECT_EQ(restored.save(), rolling.save());
+  }
 }
 
 TEST(PatchState, RefusesOtherTexts) {

@@ -26,15 +26,16 @@ MaterialRecords row_at_rest(const JoinedRows& rows, Index k, double size, double
           spacing / static_cast<double>(rows.elements())};
 }
 
-Vector2d point_of(const VectorXd& values, const JoinedRows& rows, Index j, Index k) {
-  const Index point = rows.point(j, k);
-  return {values[point], values[rows.points() + point]};
+void archive_edge(Archive& archive, const char* name, Eigen::MatrixX2d& edge) {
+  VectorXd values = edge.reshaped();
+  archive.numbers(name, values, edge.size());
+  edge = values.reshaped(edge.rows(), 2);
 }
 
 }  // namespace
 
 PatchMaterial::PatchMaterial(const JoinedRows& rows, double size)
-    : size_(size), u_before_(VectorXd::Zero(2 * rows.points())), u_(u_before_) {
+    : size_(size), edge_before_(Eigen::MatrixX2d::Zero(rows.rows(), 2)), edge_(edge_before_) {
   for (Index k = 0; k < rows.rows(); ++k) memory_.push_back(row_at_rest(rows, k, size, 0));
 }
 
@@ -43,20 +44,21 @@ double PatchMaterial::ratio_before(double dq) const {
   return step_before_ > dq * most || step_before_ * most < dq ? 0 : step_before_ / dq;
 }
 
-ImposedSlip PatchMaterial::imposed(const JoinedRows& rows, const PatchStep& step) const {
+void PatchMaterial::impose(const PatchStep& step, PointDisplacements& u, ImposedSlip& found) const {
+  const JoinedRows& rows = u.rows();
   if (step.to != size_) {
     PatchMaterial there = *this;
     there.resize(rows, step.to);
-    return there.imposed(rows, step);
+    return there.impose(step, u, found);
   }
   const StepWays ways(rows, step);
-  const Index n = rows.cells();
-  ImposedSlip found{VectorXd(2 * n), VectorXd(2 * n)};
+  found.own.resize(2 * rows.cells());
+  found.centre.resize(2 * rows.cells());
   for (Index k = 0; k < rows.rows(); ++k) {
     for (Index i = 0; i < rows.elements(); ++i) {
       const Index cell = rows.cell(i, k);
       if (step.dq == 0) {
-        const Vector2d before = -point_of(u_, rows, 2 * i + 1, k);
+        const Vector2d before = -u.at(2 * i + 1, k);
         set_pair(found.own, cell, before);
         set_pair(found.centre, cell, before);
         continue;
@@ -65,7 +67,6 @@ ImposedSlip PatchMaterial::imposed(const JoinedRows& rows, const PatchStep& step
       set_pair(found.centre, cell, imposed_by(rows, step, ways.about_centre(i, k), k));
     }
   }
-  return found;
 }
 
 /// The displacement that material remembers, without the rigid slip.
@@ -75,22 +76,22 @@ Vector2d PatchMaterial::remembered(const JoinedRows& rows, double x, Index k, do
   return memory_[static_cast<std::size_t>(k)].at(place) - path_.at(place, size_ * rows.y(k));
 }
 
-Vector2d PatchMaterial::imposed_by(const JoinedRows& rows, const PatchStep& step, const Way& way,
-                                   Index k) const {
+Vector2d PatchMaterial::imposed_by(const JoinedRows& rows, const PatchStep& step,
+                                   const MaterialWay& way, Index k) const {
   if (way.entered == 0) return -remembered(rows, way.x, k, step.dq) / way.length;
   const EntryWeights weights(way.entered, step.ratio);
-  return -(weights.before * point_of(u_, rows, 0, k) +
-           weights.earlier * point_of(u_before_, rows, 0, k)) /
+  return -(weights.before * edge_.row(k) + weights.earlier * edge_before_.row(k)).transpose() /
          way.length;
 }
 
-void PatchMaterial::take(const JoinedRows& rows, const PatchStep& step, const VectorXd& u,
+void PatchMaterial::take(const PatchStep& step, PointDisplacements& u,
                          const Eigen::Vector3d& motion, const std::vector<bool>& slips) {
+  const JoinedRows& rows = u.rows();
   const bool grows = step.to != size_;
   const double size_before = size_;
   if (grows) resize(rows, step.to);
-  u_before_ = u_;
-  u_ = u;
+  edge_before_ = edge_;
+  for (Index k = 0; k < rows.rows(); ++k) edge_.row(k) = u.at(0, k);
   path_ = path_.after(motion, step.dq == 0 ? 1 : step.dq, distance_ + step.dq / 2);
   distance_ += step.dq;
   step_before_ = step.dq;
@@ -100,12 +101,12 @@ void PatchMaterial::take(const JoinedRows& rows, const PatchStep& step, const Ve
     const double y = size_ * rows.y(k);
     const double front = size_ * rows.x(0, k), exit = size_ * rows.x(2 * rows.elements(), k);
     if (grows && std::abs(y) >= size_before * b) {
-      touch_anew(rows, k, u);
+      touch_anew(k, u);
       continue;
     }
     if (step.dq > 0) {
       const double place = front + distance_;
-      row.enter(place, point_of(u, rows, 0, k) + path_.at(place, y));
+      row.enter(place, u.at(0, k) + path_.at(place, y));
       row.leave(exit + distance_);
     }
     row.change([&](double place, Vector2d& value) {
@@ -115,17 +116,18 @@ void PatchMaterial::take(const JoinedRows& rows, const PatchStep& step, const Ve
       const auto cell = static_cast<Index>(theta / pi * static_cast<double>(rows.elements()));
       const Index i = std::min(cell, rows.elements() - 1);
       if (!slips[static_cast<std::size_t>(rows.cell(i, k))]) return;
-      value = displacement_at(u, rows, theta, k) + path_.at(place, y);
+      value = u.at_angle(theta, k) + path_.at(place, y);
     });
   }
 }
 
 /// Lets a row remember the present displacements, all along.
-void PatchMaterial::touch_anew(const JoinedRows& rows, Index k, const VectorXd& u) {
+void PatchMaterial::touch_anew(Index k, PointDisplacements& u) {
+  const JoinedRows& rows = u.rows();
   MaterialRecords row = row_at_rest(rows, k, size_, distance_);
   row.change([&](double place, Vector2d& value) {
     const double theta = rows.theta_of((place - distance_) / size_, k);
-    value = displacement_at(u, rows, theta, k) + path_.at(place, size_ * rows.y(k));
+    value = u.at_angle(theta, k) + path_.at(place, size_ * rows.y(k));
   });
   memory_[static_cast<std::size_t>(k)] = row;
 }
@@ -174,15 +176,15 @@ MaterialRecords PatchMaterial::moved_row(const JoinedRows& rows, Index k, double
   return moved;
 }
 
-void PatchMaterial::archive(Archive& archive, const JoinedRows& rows) {
+void PatchMaterial::archive(Archive& archive) {
   archive.number("distance", distance_);
   archive.number("size", size_);
   archive.number("step_before", step_before_);
   archive.number("path_along", path_.along);
   archive.number("path_across", path_.across);
   archive.number("path_turn", path_.turn);
-  archive.numbers("u_before", u_before_, 2 * rows.points());
-  archive.numbers("u", u_, 2 * rows.points());
+  archive_edge(archive, "edge_before", edge_before_);
+  archive_edge(archive, "edge", edge_);
   for (MaterialRecords& row : memory_) row.archive(archive);
 }
 

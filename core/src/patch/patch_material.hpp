@@ -8,6 +8,7 @@
 #include "microslip/patch/joined_rows.hpp"
 #include "microslip/patch/patch_response.hpp"
 #include "microslip/support/archive.hpp"
+#include "point_displacements.hpp"
 #include "step_ways.hpp"
 
 namespace microslip {
@@ -18,7 +19,6 @@ class PatchMaterial {
  public:
   using Index = Eigen::Index;
   using Vector2d = Eigen::Vector2d;
-  using VectorXd = Eigen::VectorXd;
 
   /// Remembers nothing: no displacement, no slip.
   /// \param size  of the contact
@@ -27,36 +27,38 @@ class PatchMaterial {
   double distance() const { return distance_; }  ///< rolled so far
   double size() const { return size_; }          ///< of the contact now
 
-  const VectorXd& displacements() const { return u_; }  ///< at points, along and across
-
   /// The length of the last step over that of the next one; 0 where these differ too much for the
   /// one to tell of the other, and after a shift.
   double ratio_before(double dq) const;
 
   /// The part of the slip in a step that comes from what was before it.
-  ImposedSlip imposed(const JoinedRows& rows, const PatchStep& step) const;
+  /// \param u      displacements before it
+  /// \param found  out
+  void impose(const PatchStep& step, PointDisplacements& u, ImposedSlip& found) const;
 
   /// Takes over a step.
-  /// \param u       displacements at points at its end, along and across
+  /// \param u       displacements at its end
   /// \param motion  as a mean over the step, or that of the shift
   /// \param slips   cells that slip, which remember where they are now
-  void take(const JoinedRows& rows, const PatchStep& step, const VectorXd& u,
-            const Eigen::Vector3d& motion, const std::vector<bool>& slips);
+  void take(const PatchStep& step, PointDisplacements& u, const Eigen::Vector3d& motion,
+            const std::vector<bool>& slips);
 
-  void archive(Archive& archive, const JoinedRows& rows);
+  void archive(Archive& archive);
 
  private:
   Vector2d remembered(const JoinedRows& rows, double x, Index k, double dq) const;
-  Vector2d imposed_by(const JoinedRows& rows, const PatchStep& step, const Way& way, Index k) const;
+  Vector2d imposed_by(const JoinedRows& rows, const PatchStep& step, const MaterialWay& way,
+                      Index k) const;
   void resize(const JoinedRows& rows, double size);
   MaterialRecords moved_row(const JoinedRows& rows, Index k, double size) const;
-  void touch_anew(const JoinedRows& rows, Index k, const VectorXd& u);
+  void touch_anew(Index k, PointDisplacements& u);
 
   std::vector<MaterialRecords> memory_;
   RigidPath path_;
   double distance_ = 0, size_;
   double step_before_ = 0;  ///< its length; 0 if there was none, or a shift
-  VectorXd u_before_, u_;   ///< at points, before the last step and after it
+  /// Displacements at the leading edges, along and across, before the last step and after it.
+  Eigen::MatrixX2d edge_before_, edge_;
 };
 
 }  // namespace microslip

@@ -14,7 +14,7 @@ namespace {
 
 /// Makes the own slip, from the centre of a cell to the point ahead: the centre ahead, or the
 /// leading edge. It is the slip halfway.
-PatchSlipMap map_own_slip(const JoinedRows& rows, const MatrixXd& displacement) {
+PatchSlipMap map_own_slip(const JoinedRows& rows, const PatchResponse::Matrix& displacement) {
   PatchSlipMap map = map_for(rows);
   for (Index k = 0; k < rows.rows(); ++k) {
     for (Index i = 0; i < rows.elements(); ++i) {
@@ -28,7 +28,7 @@ PatchSlipMap map_own_slip(const JoinedRows& rows, const MatrixXd& displacement) 
   return map;
 }
 
-PatchSlipMap map_centre_slip(const JoinedRows& rows, const MatrixXd& displacement) {
+PatchSlipMap map_centre_slip(const JoinedRows& rows, const PatchResponse::Matrix& displacement) {
   PatchSlipMap map = map_for(rows);
   for (Index k = 0; k < rows.rows(); ++k) {
     for (Index i = 0; i < rows.elements(); ++i) {
@@ -43,7 +43,7 @@ PatchSlipMap map_centre_slip(const JoinedRows& rows, const MatrixXd& displacemen
 PatchResponse::PatchResponse(const JoinedRows& rows, double poisson_ratio)
     : PatchResponse(rows, displacement_by_traction(rows, poisson_ratio)) {}
 
-PatchResponse::PatchResponse(const JoinedRows& rows, const MatrixXd& displacement)
+PatchResponse::PatchResponse(const JoinedRows& rows, const Matrix& displacement)
     : PatchResponse(rows, map_own_slip(rows, displacement), map_centre_slip(rows, displacement)) {}
 
 PatchResponse::PatchResponse(const JoinedRows& rows, const PatchSlipMap& own,

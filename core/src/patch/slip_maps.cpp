@@ -12,12 +12,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using std::numbers::pi;
 
-MatrixXd displacement_by_traction(const JoinedRows& rows, double poisson_ratio) {
+PatchResponse::Matrix displacement_by_traction(const JoinedRows& rows, double poisson_ratio) {
   require(poisson_ratio >= 0 && poisson_ratio <= 0.5, "poisson_ratio", poisson_ratio,
           "a number from 0 to 0.5");
   const JoinedRows::Kernels kernels = rows.kernels();
   const double nu = poisson_ratio;
-  MatrixXd displacement(2 * rows.points(), 2 * rows.cells());
+  PatchResponse::Matrix displacement(2 * rows.points(), 2 * rows.cells());
   displacement << kernels.near - nu * kernels.across, nu * kernels.mixed, nu * kernels.mixed,
       (1 - nu) * kernels.near + nu * kernels.across;
   displacement /= pi;
@@ -29,8 +29,8 @@ PatchSlipMap map_for(const JoinedRows& rows) {
   return {MatrixXd::Zero(2 * n, 2 * n), Eigen::MatrixX3d::Zero(2 * n, 3)};
 }
 
-void set_slip(PatchSlipMap& map, const JoinedRows& rows, const MatrixXd& displacement, Index i,
-              Index k, const PointSlip& slip, double y) {
+void set_slip(PatchSlipMap& map, const JoinedRows& rows, const PatchResponse::Matrix& displacement,
+              Index i, Index k, const PointSlip& slip, double y) {
   const Index n = rows.cells(), cell = rows.cell(i, k);
   map.by_traction.row(cell).setZero();
   map.by_traction.row(n + cell).setZero();
@@ -62,17 +62,6 @@ PointSlip between(const JoinedRows& rows, double theta) {
     found.weights[static_cast<std::size_t>(j)] = weight;
   }
   return found;
-}
-
-Eigen::Vector2d displacement_at(const Eigen::VectorXd& u, const JoinedRows& rows, double theta,
-                                Index k) {
-  const PointSlip points = between(rows, theta);
-  Eigen::Vector2d value = Eigen::Vector2d::Zero();
-  for (std::size_t l = 0; l < 4; ++l) {
-    const Index point = rows.point(points.points[l], k);
-    value += points.weights[l] * Eigen::Vector2d(u[point], u[rows.points() + point]);
-  }
-  return value;
 }
 
 Eigen::Matrix3Xd resultants_by_traction(const JoinedRows& rows) {

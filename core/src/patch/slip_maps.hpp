@@ -12,7 +12,7 @@ namespace microslip {
 /// The displacements along, then across, at the points of rows by the tractions v: 2P x 2n, over the
 /// size of the patch and with G = 1.
 /// \param poisson_ratio  nu, in [0, 0.5]
-Eigen::MatrixXd displacement_by_traction(const JoinedRows& rows, double poisson_ratio);
+PatchResponse::Matrix displacement_by_traction(const JoinedRows& rows, double poisson_ratio);
 
 /// The slip of a cell as displacements at points of its row, times weights, and the rigid slip at x.
 struct PointSlip {
@@ -24,7 +24,7 @@ struct PointSlip {
 /// Sets the slip of a cell.
 /// \param displacement  as displacement_by_traction()
 /// \param y             of the rigid slip by spin
-void set_slip(PatchSlipMap& map, const JoinedRows& rows, const Eigen::MatrixXd& displacement,
+void set_slip(PatchSlipMap& map, const JoinedRows& rows, const PatchResponse::Matrix& displacement,
               Eigen::Index i, Eigen::Index k, const PointSlip& slip, double y);
 
 /// An empty map for all cells.
@@ -36,10 +36,6 @@ Eigen::Index mirrored(const JoinedRows& rows, Eigen::Index j);
 
 /// Four points of a row around an angle, with the weights of the cubic in theta; x is not set.
 PointSlip between(const JoinedRows& rows, double theta);
-
-/// The displacement along and across at an angle of a row, by those at points.
-Eigen::Vector2d displacement_at(const Eigen::VectorXd& u, const JoinedRows& rows, double theta,
-                                Eigen::Index k);
 
 /// Forces along and across, and the moment about the centre, by the unknowns: 3 x 2n.
 Eigen::Matrix3Xd resultants_by_traction(const JoinedRows& rows);

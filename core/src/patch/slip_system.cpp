@@ -30,7 +30,7 @@ void SlipSystem::split_motion(const PatchLoad& load) {
   }
 }
 
-void SlipSystem::assemble(const SlipConditions& conditions, const PatchState& state,
+void SlipSystem::assemble(const CellConditions& conditions, const PatchState& state,
                           const VectorXd& q, const PatchLoad& load, const ImposedSlip& imposed) {
   const Index cells = limits_.size();
   split_motion(load);
@@ -57,7 +57,7 @@ void SlipSystem::assemble(const SlipConditions& conditions, const PatchState& st
   for (Index j = 0; j < free; ++j) set_resultant(load, j, 2 * size);
 }
 
-void SlipSystem::set_condition(const SlipCondition& condition, Index r, Index size,
+void SlipSystem::set_condition(const CellCondition& condition, Index r, Index size,
                                const ImposedSlip& imposed) {
   const Index cells = limits_.size(), i = columns_[static_cast<std::size_t>(r)];
   const Eigen::Matrix2d by_q = condition.by_q / limits_[i];

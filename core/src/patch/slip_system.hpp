@@ -4,10 +4,10 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "cell_conditions.hpp"
 #include "microslip/patch/patch_load.hpp"
 #include "microslip/patch/patch_response.hpp"
 #include "microslip/patch/stick_slip.hpp"
-#include "slip_conditions.hpp"
 
 namespace microslip {
 
@@ -24,7 +24,7 @@ class SlipSystem {
 
   /// Sets the conditions about a state, and those of the load.
   /// \param q  of all cells, on the disc
-  void assemble(const SlipConditions& conditions, const PatchState& state, const VectorXd& q,
+  void assemble(const CellConditions& conditions, const PatchState& state, const VectorXd& q,
                 const PatchLoad& load, const ImposedSlip& imposed);
 
   const Matrix& matrix() const { return matrix_; }
@@ -53,7 +53,7 @@ class SlipSystem {
 
  private:
   void split_motion(const PatchLoad& load);
-  void set_condition(const SlipCondition& condition, Index r, Index size,
+  void set_condition(const CellCondition& condition, Index r, Index size,
                      const ImposedSlip& imposed);
   void set_resultant(const PatchLoad& load, Index j, Index size);
 

@@ -7,7 +7,6 @@
 namespace microslip {
 
 using Eigen::Index;
-using Eigen::MatrixXd;
 
 /// The part of the step at which material enters that ends at x: 0 if it was in the contact before.
 /// With t from 0 to 1 and the size r(t) of an ellipse, it is within where
@@ -28,16 +27,16 @@ double StepWays::entry(double x, Index k) const {
   return std::clamp(-before / (half + root), 0.0, 1 - 1e-9);
 }
 
-Way StepWays::way_to(double x, Index k) const {
+MaterialWay StepWays::way_to(double x, Index k) const {
   const double entered = entry(x, k);
   return {x, step_.dq * (1 - entered), entered};
 }
 
-Way StepWays::about_centre(Index i, Index k) const {
+MaterialWay StepWays::about_centre(Index i, Index k) const {
   return way_to(std::max(x(2 * i + 1, k) - step_.dq / 2, x(2 * i + 2, k)), k);
 }
 
-PointSlip StepWays::slip_about(const Way& way, Index k) const {
+PointSlip StepWays::slip_about(const MaterialWay& way, Index k) const {
   PointSlip slip = between(rows_, rows_.theta_of(way.x / step_.to, k));
   for (double& weight : slip.weights) weight *= step_.to / way.length;
   slip.points[4] = 0;
@@ -46,7 +45,7 @@ PointSlip StepWays::slip_about(const Way& way, Index k) const {
   return slip;
 }
 
-PatchResponse StepWays::response(const MatrixXd& displacement) const {
+PatchResponse StepWays::response(const PatchResponse::Matrix& displacement) const {
   PatchSlipMap own = map_for(rows_), at_centre = map_for(rows_);
   const double size = step_.to;
   for (Index k = 0; k < rows_.rows(); ++k) {
@@ -59,7 +58,7 @@ PatchResponse StepWays::response(const MatrixXd& displacement) const {
         set_slip(at_centre, rows_, displacement, i, k, shifted, y);
         continue;
       }
-      const Way way = to_centre(i, k);
+      const MaterialWay way = to_centre(i, k);
       const double entering = EntryWeights(way.entered, step_.ratio).now;
       const PointSlip slip{
           {here, 0}, {size / way.length, -entering * size / way.length}, way.x + way.length / 2};

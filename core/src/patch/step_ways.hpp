@@ -21,7 +21,7 @@ struct PatchStep {
 };
 
 /// The way of material in a step.
-struct Way {
+struct MaterialWay {
   double x;        ///< where it is at the end
   double length;   ///< that it rolled within the contact
   double entered;  ///< at this part of the step; 0 if before
@@ -51,21 +51,21 @@ class StepWays {
   StepWays(const JoinedRows& rows, const PatchStep& step) : rows_(rows), step_(step) {}
 
   /// The way to the centre of a cell at the end.
-  Way to_centre(Index i, Index k) const { return way_to(x(2 * i + 1, k), k); }
+  MaterialWay to_centre(Index i, Index k) const { return way_to(x(2 * i + 1, k), k); }
 
   /// The way of the material that passes the centre in the middle of the step; or, in long steps,
   /// that is at the trailing side of the cell at the end.
-  Way about_centre(Index i, Index k) const;
+  MaterialWay about_centre(Index i, Index k) const;
 
   /// The slip of all cells in the step, and that at the centres, as a linear response.
   /// \param displacement  as displacement_by_traction()
-  PatchResponse response(const Eigen::MatrixXd& displacement) const;
+  PatchResponse response(const PatchResponse::Matrix& displacement) const;
 
  private:
   double x(Index j, Index k) const { return step_.to * rows_.x(j, k); }
-  Way way_to(double x, Index k) const;
+  MaterialWay way_to(double x, Index k) const;
   double entry(double x, Index k) const;
-  PointSlip slip_about(const Way& way, Index k) const;
+  PointSlip slip_about(const MaterialWay& way, Index k) const;
 
   const JoinedRows& rows_;
   PatchStep step_;

@@ -9,12 +9,12 @@
 #include <limits>
 #include <span>
 
+#include "cell_conditions.hpp"
 #include "component_pairs.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "raised_load.hpp"
 #include "row_block_solver.hpp"
-#include "slip_conditions.hpp"
 #include "slip_system.hpp"
 
 namespace microslip {
@@ -132,7 +132,7 @@ class Newton {
 
   ImposedSlip imposed_;
   Index cells_;
-  SlipConditions conditions_;
+  CellConditions conditions_;
   SlipSystem system_;
   RowBlockSolver solver_;
   double tolerance_;

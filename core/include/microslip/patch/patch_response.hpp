@@ -68,7 +68,7 @@ class PatchResponse {
   const Eigen::Matrix3d& linear() const { return linear_; }
 
  private:
-  PatchResponse(const JoinedRows& rows, const Eigen::MatrixXd& displacement);
+  PatchResponse(const JoinedRows& rows, const Matrix& displacement);
 
   JoinedRows rows_;
   Matrix unknowns_, centre_slip_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "slip_conditions.hpp"
+#include "cell_conditions.hpp"
 
 #include <algorithm>
 
@@ -45,40 +45,40 @@ struct MixedSlip {
 
 }  // namespace
 
-SlipConditions::SlipConditions(const PatchResponse& response, const VectorXd& limits)
-    : limits_(limits), lengths_(lengths_of(response, limits)) {}
+CellConditions::CellConditions(const PatchResponse& response, const VectorXd& limits)
+    : limits_(&limits), lengths_(lengths_of(response, limits)) {}
 
-void SlipConditions::set(double length_ratio, double width) {
+void CellConditions::set(double length_ratio, double width) {
   length_ratio_ = length_ratio;
   width_ = width;
 }
 
-Vector2d SlipConditions::quotient(const PatchState& state, Index i) const {
-  return pair_of(state.unknowns, i) / limits_[i];
+Vector2d CellConditions::quotient(const PatchState& state, Index i) const {
+  return pair_of(state.unknowns, i) / (*limits_)[i];
 }
 
-bool SlipConditions::slips_next(const PatchState& state, Index i) const {
+bool CellConditions::slips_next(const PatchState& state, Index i) const {
   const double length = lengths_[i] * length_ratio_;
   return (quotient(state, i) - length * pair_of(state.own_slip, i)).norm() > 1;
 }
 
-double SlipConditions::error(const PatchState& state, Index i) const {
+double CellConditions::error(const PatchState& state, Index i) const {
   const Vector2d q = quotient(state, i), own = pair_of(state.own_slip, i);
   const MixedSlip slip(own, pair_of(state.centre_slip, i), (q - lengths_[i] * own).norm() - 1,
                        width_);
   return (q - onto_disc(q - lengths_[i] * slip.value)).norm();
 }
 
-double SlipConditions::residual(const PatchState& state) const {
+double CellConditions::residual(const PatchState& state) const {
   double largest = 0;
-  for (Index i = 0; i < limits_.size(); ++i) {
+  for (Index i = 0; i < limits_->size(); ++i) {
     const double found = error(state, i);
     if (!(found <= largest)) largest = found;
   }
   return largest;
 }
 
-SlipCondition SlipConditions::about(const PatchState& state, Index i, const Vector2d& q) const {
+CellCondition CellConditions::about(const PatchState& state, Index i, const Vector2d& q) const {
   const Vector2d own = pair_of(state.own_slip, i), centre = pair_of(state.centre_slip, i);
   const double own_length = lengths_[i], length = length_ratio_ * own_length;
   const MixedSlip slip(own, centre, (q - own_length * own).norm() - 1, width_);
@@ -89,7 +89,7 @@ SlipCondition SlipConditions::about(const PatchState& state, Index i, const Vect
     e = z.normalized();
     D = (D - e * e.transpose()) / z.norm();
   }
-  SlipCondition found{.by_q = Matrix2d::Identity() - D,
+  CellCondition found{.by_q = Matrix2d::Identity() - D,
                       .by_own = length * (1 - slip.part) * D,
                       .by_centre = length * slip.part * D,
                       .right = e};

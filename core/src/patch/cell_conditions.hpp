@@ -9,19 +9,19 @@
 namespace microslip {
 
 /// The condition of a cell, linear about a state: by_q q + by_own t + by_centre c = right.
-struct SlipCondition {
+struct CellCondition {
   Eigen::Matrix2d by_q, by_own, by_centre;
   Eigen::Vector2d right;
 };
 
 /// The slip conditions of cells; equations and letters are those of solve_stick_slip().
-class SlipConditions {
+class CellConditions {
  public:
   using Index = Eigen::Index;
   using Vector2d = Eigen::Vector2d;
 
   /// \param limits  g, which must outlive this object
-  SlipConditions(const PatchResponse& response, const Eigen::VectorXd& limits);
+  CellConditions(const PatchResponse& response, const Eigen::VectorXd& limits);
 
   /// \param length_ratio  r over r0
   /// \param width         of the transition: |q - r0 t| - 1 from which the slip is that at the centre
@@ -43,10 +43,10 @@ class SlipConditions {
   /// Within the disc the condition is s = 0, which is e = 0 and D = 1.
   /// In the transition s depends on q - r0 t, too.
   /// \param q  on the disc
-  SlipCondition about(const PatchState& state, Index i, const Vector2d& q) const;
+  CellCondition about(const PatchState& state, Index i, const Vector2d& q) const;
 
  private:
-  const Eigen::VectorXd& limits_;
+  const Eigen::VectorXd* limits_;
   Eigen::VectorXd lengths_;  ///< r0
   double length_ratio_ = 1, width_ = 0;
 };

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "microslip/support/sealed_text.hpp"
+#include "patch_rolling_parts.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr SealedText state_of_patch{.mark = "microslip state of a patch ", .version = "1"};
+
+/// The problem that a state belongs to.
+void archive_problem(Archive& archive, const PatchConstants& constants) {
+  const SteadyPatch& problem = constants.problem;
+  archive.same("material.shear_modulus", problem.material.shear_modulus);
+  archive.same("material.poisson_ratio", problem.material.poisson_ratio);
+  archive.same("grid.rows", static_cast<double>(problem.rows));
+  archive.same("grid.elements", static_cast<double>(problem.elements));
+  archive.same("contact.size", problem.bound.size());
+  archive.same("contact.peak_traction", problem.bound.peak());
+  const Eigen::MatrixX2d centres = centres_of(constants.rows);
+  archive.same("x", VectorXd(centres.col(0)));
+  archive.same("y", VectorXd(centres.col(1)));
+  archive.same("bound", constants.limits);
+}
+
+void archive_state(Archive& archive, PatchState& state, Index cells) {
+  archive.numbers("unknowns", state.unknowns, 2 * cells);
+  archive.numbers("own_slip", state.own_slip, 2 * cells);
+  archive.numbers("centre_slip", state.centre_slip, 2 * cells);
+  VectorXd motion = state.motion;
+  archive.numbers("motion", motion, 3);
+  state.motion = motion;
+  std::vector<Index> slipping;
+  for (Index i = 0; i < cells; ++i) {
+    if (state.slips[static_cast<std::size_t>(i)]) slipping.push_back(i);
+  }
+  archive.wholes("slips", slipping, cells, 0, cells - 1);
+  state.slips.assign(static_cast<std::size_t>(cells), false);
+  for (const Index i : slipping) state.slips[static_cast<std::size_t>(i)] = true;
+  Index iterations = state.iterations;
+  archive.whole("iterations", iterations, 0, 1 << 20);
+  state.iterations = static_cast<int>(iterations);
+  archive.number("residual", state.residual);
+  archive.number("transition", state.transition);
+}
+
+}  // namespace
+
+void PatchRolling::Parts::archive(Archive& archive) {
+  const PatchConstants& of = *constants;
+  const Index n = of.rows.cells();
+  archive_problem(archive, of);
+  material.archive(archive);
+  archive.number("half_width", now.half_width);
+  archive.number("bound", now.bound);
+  archive.number("next_half_width", next.half_width);
+  archive.number("next_bound", next.bound);
+  require_contact(now, of.problem.bound.shape());
+  require_contact(next, of.problem.bound.shape());
+  archive.flag("moved", moved);
+  archive.number("step", step.dq);
+  archive.number("step_from", step.from);
+  archive.number("step_to", step.to);
+  archive.number("step_ratio", step.ratio);
+  double lost_energy = archive.reads() ? 0 : lost();
+  archive.number("dissipation", lost_energy);
+  dissipation = lost_energy;
+  archive_state(archive, state, n);
+  archive_follower(archive);
+}
+
+/// The follower is prepared anew by the same state.
+void PatchRolling::Parts::archive_follower(Archive& archive) {
+  bool follows = follower.has_value();
+  archive.flag("follows", follows);
+  if (!follows) return;
+  PatchState with = archive.reads() ? state : follower->prepared_with();
+  archive_state(archive, with, constants->rows.cells());
+  std::vector<Index> free = archive.reads() ? std::vector<Index>() : follower->free();
+  archive.wholes("free", free, 3, 0, 2);
+  if (!archive.reads()) return;
+  PatchLoad load;
+  for (const Index j : free) load[static_cast<std::size_t>(j)].by_resultant = true;
+  const PatchResponse& of = last_response();
+  follower.emplace(of, last_limits(), with, load);
+}
+
+std::string PatchRolling::save() const {
+  Archive members;
+  parts_->archive(members);
+  return state_of_patch.sealed(members.text());
+}
+
+void PatchRolling::restore(const SavedState& saved) {
+  Archive members(state_of_patch.members_of(saved.text));
+  Parts restored(parts_->constants, {});
+  restored.archive(members);
+  members.require_end();
+  *parts_ = std::move(restored);
+}
+
+double distance_of(const SavedState& saved, const SteadyPatch& problem) {
+  PatchRolling rolling(problem);
+  rolling.restore(saved);
+  return rolling.distance();
+}
+
+}  // namespace microslip

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch_rolling_parts.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "component_pairs.hpp"
+#include "microslip/support/not_converged.hpp"
+#include "microslip/support/require.hpp"
+#include "patch_evidence.hpp"
+#include "slip_maps.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Displacements are lost beside larger ones, in what the material remembers.
+constexpr double largest_motion_of_step = 1e8;
+
+/// Contacts over the problem's.
+constexpr double largest_size = 100, largest_bound = 1e6;
+
+/// Corrections from which on a follower is prepared anew.
+constexpr int many_corrections = 6;
+
+}  // namespace
+
+void require_contact(const ContactScale& scale, const PatchShape& shape) {
+  const auto& [size, bound] = scale;
+  require(size >= 1 / largest_size && size <= largest_size, "half_width", size,
+          "0.01 ... 100 times that of the problem");
+  require(bound >= 1 / largest_bound && bound <= largest_bound, "bound", bound,
+          "1e-6 ... 1e6 times that of the problem");
+  require(size == 1 || shape.is_ellipse(), "half_width", size,
+          "1 of a contact that is no ellipse: it has one size");
+}
+
+PatchConstants::PatchConstants(const SteadyPatch& given)
+    : problem(given),
+      units(given.material, given.bound.peak(), given.bound.size()),
+      rows(rows_of(given)),
+      displacement(displacement_by_traction(rows, given.material.poisson_ratio)),
+      limits(limits_of(rows, given.bound)),
+      resultants(resultants_by_traction(rows)) {}
+
+PatchRolling::Parts::Parts(std::shared_ptr<const PatchConstants> given, const ContactScale& contact)
+    : constants(std::move(given)),
+      material(constants->rows, contact.half_width),
+      now(contact),
+      next(contact),
+      displacements(constants->rows, constants->displacement) {
+  const Index n = constants->rows.cells();
+  state.unknowns = state.own_slip = state.centre_slip = VectorXd::Zero(2 * n);
+  state.motion.setZero();
+  state.slips.assign(static_cast<std::size_t>(n), false);
+  before = state;
+}
+
+VectorXd PatchRolling::Parts::shares() const {
+  const Index n = constants->rows.cells();
+  return now.half_width * now.half_width * constants->resultants.row(0).head(n).transpose();
+}
+
+Vector3d PatchRolling::Parts::resultants_of(const PatchState& of, double size) const {
+  return PatchConstants::by_size(size).cwiseProduct(constants->resultants * of.unknowns);
+}
+
+double PatchRolling::Parts::elastic_energy_of(const PatchState& of, double size) const {
+  const JoinedRows& rows = constants->rows;
+  double energy = 0;
+  for (Index k = 0; k < rows.rows(); ++k) {
+    for (Index i = 0; i < rows.elements(); ++i) {
+      const Index cell = rows.cell(i, k), point = rows.point(2 * i + 1, k);
+      const Eigen::Vector2d u(constants->displacement.row(point).dot(of.unknowns),
+                              constants->displacement.row(rows.points() + point).dot(of.unknowns));
+      energy += constants->resultants(0, cell) * pair_of(of.unknowns, cell).dot(u) / 2;
+    }
+  }
+  return size * size * size * energy;
+}
+
+double PatchRolling::Parts::lost() {
+  if (dissipation) return *dissipation;
+  if (step.dq == 0) {
+    dissipation = friction_of(state, shares(), last_limits()).dissipated;
+  } else {
+    const Vector3d mean = (resultants_of(before, step.from) + resultants()) / 2;
+    const double stored = elastic_energy() - elastic_energy_of(before, step.from);
+    dissipation = -mean.dot(state.motion) - stored / step.dq;
+  }
+  return *dissipation;
+}
+
+const PatchResponse& PatchRolling::Parts::response_of(const PatchStep& wanted) {
+  if (!response || response->step != wanted) {
+    follower.reset();
+    const StepWays ways(constants->rows, wanted);
+    response = std::make_shared<const StepResponse>(
+        StepResponse{wanted, ways.response(constants->displacement)});
+  }
+  return response->of;
+}
+
+const VectorXd& PatchRolling::Parts::limits_of_bound(double bound) {
+  if (!limits || limits->bound != bound) {
+    follower.reset();
+    limits = std::make_shared<const StepLimits>(StepLimits{bound, bound * constants->limits});
+  }
+  return limits->values;
+}
+
+/// The load of the next step, over the units of a contact of its size.
+PatchLoad PatchRolling::Parts::scaled(const PatchLoad& load, bool rolls) const {
+  const Vector3d by_size = PatchConstants::by_size(next.half_width);
+  const PatchBound& bound = constants->problem.bound;
+  validate(load, bound.total() * by_size[0] * next.bound,
+           bound.turning_moment() * by_size[2] * next.bound);
+  PatchLoad scaled = units().scaled(load, rolls ? units().motion : units().shift);
+  for (std::size_t j = 0; j < scaled.size(); ++j) {
+    if (scaled[j].by_resultant) {
+      scaled[j].value /= by_size[static_cast<Index>(j)];
+      continue;
+    }
+    require(std::abs(scaled[j].value) <= largest_motion_of_step, name_of(load, j), load[j].value,
+            "a motion of at most 1e8 times that by the bound's strain");
+  }
+  return scaled;
+}
+
+/// Solves a step into `before`, from the state before it. If the same cells slip in two steps that
+/// are solved anew, the next ones may follow.
+void PatchRolling::Parts::solve(const PatchResponse& of, const VectorXd& limits_now,
+                                const PatchLoad& load) {
+  before = state;
+  const bool can_follow = follower && follower->fits(load, state.slips);
+  const bool followed = can_follow && follower->follow(load, imposed, before);
+  if (!followed) before = solve_stick_slip(of, limits_now, load, &state, &imposed);
+  const bool is_slow = followed && before.iterations >= many_corrections;
+  if (is_slow || (!followed && before.slips == state.slips)) {
+    follower.emplace(of, limits_now, before, load);
+  } else if (!followed) {
+    follower.reset();
+  }
+}
+
+void PatchRolling::Parts::take(double dq, const PatchLoad& load) {
+  const PatchLoad wanted = scaled(load, dq > 0);
+  const PatchStep taken{.dq = dq,
+                        .from = now.half_width,
+                        .to = next.half_width,
+                        .ratio = dq > 0 ? material.ratio_before(dq) : 0};
+  const PatchResponse& of = response_of(taken);
+  displacements.set(state.unknowns, taken.from);
+  material.impose(taken, displacements, imposed);
+  solve(of, limits_of_bound(next.bound), wanted);
+  std::swap(state, before);
+  step = taken;
+  moved = true;
+  now = next;
+  dissipation.reset();
+  displacements.set(state.unknowns, taken.to);
+  material.take(step, displacements, state.motion, state.slips);
+}
+
+void PatchRolling::Parts::roll(double dq, const PatchLoad& load, int divisions) {
+  try {
+    return take(dq, load);
+  } catch (const NotConverged&) {
+    if (divisions == 0) throw;
+  }
+  Parts halves = *this;
+  const Vector3d from = resultants().cwiseProduct(units().resultant);
+  PatchLoad middle = load;
+  for (std::size_t j = 0; j < middle.size(); ++j) {
+    if (!middle[j].by_resultant) continue;
+    middle[j].value = (load[j].value + from[static_cast<Index>(j)]) / 2;
+  }
+  halves.next = between(now, next, 0.5);
+  halves.roll(dq / 2, middle, divisions - 1);
+  const Vector3d motion = halves.state.motion;
+  const double lost = halves.lost();
+  const int iterations = halves.state.iterations;
+  halves.next = next;
+  halves.roll(dq / 2, load, divisions - 1);
+  halves.dissipation = (lost + halves.lost()) / 2;
+  halves.state.motion = (motion + halves.state.motion) / 2;
+  halves.state.iterations += iterations;
+  *this = std::move(halves);
+}
+
+}  // namespace microslip

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+
+#include "microslip/patch/patch_rolling.hpp"
+#include "microslip/support/archive.hpp"
+#include "patch_material.hpp"
+#include "patch_scale.hpp"
+#include "point_displacements.hpp"
+#include "step_follower.hpp"
+#include "step_ways.hpp"
+
+namespace microslip {
+
+/// All that stays the same. Lengths, tractions and energies are in units by which the size of the
+/// problem's patch, the bound's peak and the shear modulus are 1.
+struct PatchConstants {
+  SteadyPatch problem;
+  PatchUnits units;
+  JoinedRows rows;
+  PatchResponse::Matrix displacement;  ///< by tractions, at points
+  Eigen::VectorXd limits;
+  Eigen::Matrix3Xd resultants;
+
+  explicit PatchConstants(const SteadyPatch& given);
+
+  /// The factors of resultants in a contact of a size.
+  static Eigen::Vector3d by_size(double size) { return size * size * Eigen::Vector3d(1, 1, size); }
+};
+
+/// The response in steps of one kind.
+struct StepResponse {
+  PatchStep step;
+  PatchResponse of;
+};
+
+/// The limits by a bound, over the problem's.
+struct StepLimits {
+  double bound;
+  Eigen::VectorXd values;
+};
+
+/// \throws std::invalid_argument outside the ranges of PatchRolling::set_contact()
+void require_contact(const ContactScale& scale, const PatchShape& shape);
+
+struct PatchRolling::Parts {
+  std::shared_ptr<const PatchConstants> constants;
+  PatchMaterial material;
+  ContactScale now, next;  ///< at the end of the last step, and of the next one
+  PatchState state, before;
+  PatchStep step = {0};                   ///< the last one
+  bool moved = false;                     ///< whether there was one
+  std::optional<double> dissipation = 0;  ///< of the last step; computed when it is asked for
+
+  Parts(std::shared_ptr<const PatchConstants> given, const ContactScale& contact);
+
+  const PatchUnits& units() const { return constants->units; }
+  const Eigen::Vector3d& motion_unit() const {
+    return step.dq > 0 ? units().motion : units().shift;
+  }
+
+  /// Integrals of tractions by the unknowns, over the size of the problem's patch.
+  Eigen::VectorXd shares() const;
+  Eigen::Vector3d resultants() const { return resultants_of(state, now.half_width); }
+  double elastic_energy() const { return elastic_energy_of(state, now.half_width); }
+  double lost();
+
+  /// The response and the limits of the last step.
+  const PatchResponse& last_response() { return response_of(step); }
+  const Eigen::VectorXd& last_limits() { return limits_of_bound(now.bound); }
+  double condition() const { return response ? response->of.condition() : 0; }
+
+  /// \param dq  0 for a shift
+  void take(double dq, const PatchLoad& load);
+
+  /// Takes a step; one that is not solved is divided into halves, and these again.
+  void roll(double dq, const PatchLoad& load, int divisions);
+
+  void archive(Archive& archive);
+
+ private:
+  Eigen::Vector3d resultants_of(const PatchState& of, double size) const;
+  double elastic_energy_of(const PatchState& of, double size) const;
+  const PatchResponse& response_of(const PatchStep& wanted);
+  const Eigen::VectorXd& limits_of_bound(double bound);
+  PatchLoad scaled(const PatchLoad& load, bool rolls) const;
+  void solve(const PatchResponse& of, const Eigen::VectorXd& limits, const PatchLoad& load);
+  void archive_follower(Archive& archive);
+
+  std::shared_ptr<const StepResponse> response = nullptr;
+  std::shared_ptr<const StepLimits> limits = nullptr;
+  std::optional<StepFollower> follower = std::nullopt;  ///< of this response and these limits
+  PointDisplacements displacements;
+  ImposedSlip imposed;
+};
+
+}  // namespace microslip
