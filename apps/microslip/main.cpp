@@ -27,6 +27,7 @@ program::Work prepare(Scene& scene) {
 /// \param state  in which the scene ends, filled by the work
 program::Work prepare_to_save(Scene& scene, std::string& state) {
   reject_sweep(scene, for_many);
+  require_line_contact(scene);
   const Model model = read_model(scene);
   const auto* transient = std::get_if<TransientScene>(&model);
   if (transient == nullptr) {

@@ -38,7 +38,7 @@ void WorstOfSteps::include(const TransientState& state) {
 }
 
 void add_evidence(Table& summary, const Evidence& evidence, const Judged& judged) {
-  require_evidence(evidence, judged.condition, judged.iterations, judged.accepted);
+  require_evidence(evidence, judged.condition.value_or(1), judged.iterations, judged.accepted);
   const Rounding rounding{"value", 1e-12};
   summary.add({"residual", evidence.residual, "1"}, rounding);
   summary.add({"bound_violation", evidence.bound_violation(), "1"}, rounding);
@@ -46,7 +46,7 @@ void add_evidence(Table& summary, const Evidence& evidence, const Judged& judged
   summary.add({"bound_resolution", evidence.bound_resolution(), "1"}, rounding);
   if (judged.steady) summary.add({"dissipation_error", evidence.dissipation_error(), "1"});
   if (evidence.change > 0) summary.add({"change", evidence.change, "1"});
-  summary.add({"condition", judged.condition, "1"});
+  if (judged.condition) summary.add({"condition", *judged.condition, "1"});
   const auto doubt =
       judged.doubt ? judged.doubt : doubt_of(evidence, judged.accepted, judged.steady);
   summary.add({"warning", doubt.value_or("none"), "1"});

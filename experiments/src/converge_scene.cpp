@@ -91,6 +91,7 @@ Outcome outcome_of(const TransientScene& scene) {
 Outcome outcome_of(const SteadyTarget&) { throw std::logic_error("converge: a target error"); }
 Outcome outcome_of(const CylinderScene&) { reject_cylinder(); }
 Outcome outcome_of(const SteadyPatch&) { throw std::logic_error("converge: an ellipse"); }
+Outcome outcome_of(const PatchTransient&) { throw std::logic_error("converge: an ellipse"); }
 
 /// Relative errors.
 struct Errors {

@@ -39,6 +39,7 @@ SteadyProblem read_contact_of_curve(Scene& scene) {
                        "target_error: expected a scene without it, as a curve has a method");
   }
   if (scene.word("problem") == "steady") return read_unloaded_steady(scene);
+  require_line_contact(scene);
   const Model model = read_model(scene);
   const auto* transient = std::get_if<TransientScene>(&model);
   return contact_of(transient != nullptr ? transient->problem

@@ -16,7 +16,8 @@ namespace microslip::program {
 struct Result {
   std::filesystem::path folder;
   std::string name;  ///< as it was typed
-  std::string kind;  ///< steady, ellipse, transient, cylinder, response, converge, sweep or curve
+  std::string kind;  ///< steady, ellipse, transient, history (of an ellipse), cylinder, response,
+                     ///< converge, sweep or curve
 };
 
 /// That two results are not drawn over one another. \throws std::invalid_argument

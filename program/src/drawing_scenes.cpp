@@ -116,19 +116,35 @@ void add_exact(Drawing& drawing, const std::vector<Parameters>& all) {
   }
 }
 
-/// The creepage of a transient belongs to a step: its first row, the start, has none.
-void leave_out_first_creepage(Table& history, std::size_t row) {
-  if (row < history.rows()) history.put(row, "creepage", "NaN");
+/// Columns of a kind's history that belong to a step: the first row, the start, has none.
+Names motions_of(const std::string& kind) {
+  if (kind == "transient") return {"creepage"};
+  if (kind == "history") return {"creepage", "lateral_creepage", "spin"};
+  return {};
 }
 
 /// Columns of a kind's history that are drawn over distance or time.
 Names quantities_of(const std::string& kind) {
   if (kind == "transient") return {"force", "creepage"};
+  if (kind == "history") {
+    return {"force", "lateral_force", "spin_moment", "creepage", "lateral_creepage", "spin"};
+  }
   return {"v", "force", "total", "potential", "X"};
 }
 
 /// The column of a history that has the distance rolled.
-std::string distance_column(const std::string& kind) { return kind == "transient" ? "q" : "X"; }
+std::string distance_column(const std::string& kind) { return kind == "cylinder" ? "X" : "q"; }
+
+/// A history whose numbers are 0 where they are nothing but rounding.
+Table without_rounding(Table history, const Names& columns) {
+  for (const std::string& column : columns) {
+    for (std::size_t i = 0; i < history.rows(); ++i) {
+      const auto value = number_of(history.at(i, column));
+      if (value && std::abs(*value) <= history.rounding(i, column)) history.put(i, column, "0");
+    }
+  }
+  return history;
+}
 
 void require_times(const Result& result, const Table& history) {
   const Names names = names_of(history.columns());
@@ -153,11 +169,14 @@ void add_histories(Drawing& drawing, const std::vector<Result>& results) {
       "over", over_time ? "time t [s]" : fmt::format("distance rolled {} [mm]", distance));
   Table all = empty_table("history", drawn);
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const Table history = table_in(results[i].folder, "history").table;
+    const Table history =
+        without_rounding(table_in(results[i].folder, "history").table, quantities);
     if (over_time) require_times(results[i], history);
     const std::size_t begin = all.rows();
     append(all, i + 1, history, taken, drawing.history);
-    if (drawing.kind == "transient") leave_out_first_creepage(all, begin);
+    for (const std::string& motion : motions_of(drawing.kind)) {
+      if (begin < all.rows()) all.put(begin, motion, "NaN");
+    }
   }
   drawing.tables.push_back(all);
 }
@@ -166,20 +185,22 @@ void add_histories(Drawing& drawing, const std::vector<Result>& results) {
 
 Drawing drawing_of_scenes(const std::vector<Result>& results, const std::string& over) {
   Drawing drawing{.kind = common_kind(results)};
-  const bool responds = drawing.kind == "response";
+  const bool responds = drawing.kind == "response", is_patch = drawing.kind == "history";
   const std::string first = responds ? "response" : "traction";
   const Names columns = responds ? Names{"wavelength_ratio", "size", "phase"}
                                  : Names{"x", "bound", "traction", "slip"};
   std::vector<Parameters> parameters;
-  drawing.tables.push_back(empty_table(first, columns));
+  if (!is_patch) drawing.tables.push_back(empty_table(first, columns));
   if (responds) drawing.unit = "1";
   for (std::size_t i = 0; i < results.size(); ++i) {
     const WrittenTable table = table_in(results[i].folder, first);
     parameters.push_back(table.parameters);
-    append(drawing.tables[0], i + 1, table.table, columns, drawing.horizontal);
+    if (!is_patch) append(drawing.tables[0], i + 1, table.table, columns, drawing.horizontal);
   }
   if (!over.empty()) drawing.over = over;
-  if (drawing.kind == "transient" || drawing.kind == "cylinder") add_histories(drawing, results);
+  if (drawing.kind == "transient" || drawing.kind == "cylinder" || is_patch) {
+    add_histories(drawing, results);
+  }
   for (const std::string& label : labels_of(results, parameters)) {
     drawing.lines.push_back({label, color_of(drawing.lines.size(), results.size())});
   }

@@ -67,8 +67,10 @@ std::string kind_of(const fs::path& folder) {
     if (fs::exists(folder / fmt::format("{}.tsv", kind))) return kind;
   }
   if (!fs::exists(folder / "traction.tsv")) reject(folder, "it has no traction.tsv");
-  if (header_of(folder / "traction.tsv").starts_with("x\ty\t")) return "ellipse";
   const std::string history = header_of(folder / "history.tsv");
+  if (header_of(folder / "traction.tsv").starts_with("x\ty\t")) {
+    return history.empty() ? "ellipse" : "history";
+  }
   if (history.empty()) return "steady";
   return history.starts_with("q\t") ? "transient" : "cylinder";
 }
@@ -224,6 +226,7 @@ Drawing drawing_of(const std::vector<Result>& results, const Given& given) {
     require_one(results);
     return {.kind = kind};
   }
+  if (kind == "history") reject_options_of(given, {"x"}, "a line contact, a sweep or a curve");
   if (kind != "converge" && kind != "shifts") {
     const Drawing drawing = drawing_of_scenes(results, text_of(given, "over"));
     if (drawing.history.values.empty()) {
@@ -277,6 +280,10 @@ void draw_scenes(const std::string& name, std::vector<Result> results, const Giv
       std::ranges::any_of(std::vector{"q", "time", "over"},
                           [&](const char* option) { return given.count(option) != 0; });
   const bool is_shifts = text_of(given, "figure") == "shifts";
+  const bool is_map = text_of(given, "figure") == "ellipse";
+  if (results.size() == 1 && all.front().name == "history" && (is_map || !shows_history)) {
+    all.push_back({"ellipse", "", "_ellipse"});
+  }
   if (results.size() == 1 && all.front().name == "transient" && has_loop(first) &&
       (is_shifts || !shows_history)) {
     all.push_back({"shifts", "", "_shifts"});

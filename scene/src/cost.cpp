@@ -15,6 +15,9 @@ namespace {
 
 constexpr double row_of_history = 1000;
 
+/// Memory of a patch that rolls by steps, over that of steady rolling.
+constexpr double memory_of_steps = 2;
+
 /// Cost of a shift, in steps: some ten partitions, each with new factors.
 constexpr double steps_of_shift = 16;
 
@@ -67,6 +70,10 @@ struct MemoryOf {
                      by_fft(scene.problem), scene.problem.grid.size()) +
            row_of_history * (steps_needed(scene) + static_cast<double>(scene.shifts.size()));
   }
+  double operator()(const PatchTransient& scene) const {
+    const double rows = steps_needed(scene) + static_cast<double>(scene.shifts.size());
+    return memory_of_steps * (*this)(scene.patch) + row_of_history * rows;
+  }
   double operator()(const CylinderScene& scene) const {
     return memory_by({.element = 1600, .matrices = 5}, by_fft(scene.problem),
                      scene.problem.grid.size()) +
@@ -80,6 +87,9 @@ struct StepsOf {
   double operator()(const SteadyPatch&) const { return 0; }
   double operator()(const TransientScene& scene) const {
     return static_cast<double>(number_of_steps(scene.distance, scene.step_lengths(), scene.from));
+  }
+  double operator()(const PatchTransient& scene) const {
+    return static_cast<double>(number_of_steps(scene.distance, scene.step_lengths()));
   }
   double operator()(const CylinderScene& scene) const {
     const double length = scene.step_ratio * scene.problem.grid.spacing();
@@ -108,6 +118,15 @@ struct WorkOf {
   double operator()(const SteadyPatch& patch) const {
     const auto n = static_cast<double>(patch.rows * patch.elements);
     return 5e6 * static_cast<double>(patch.rows) + (15e3 + 60 * n) * n * n / 4;
+  }
+  /// Integrals and matrices as in steady rolling, a system for each step, and a response for each
+  /// length of step, and for the first one.
+  double operator()(const PatchTransient& scene) const {
+    const auto n = static_cast<double>(scene.patch.rows * scene.patch.elements);
+    const double steps = steps_needed(scene) + static_cast<double>(scene.shifts.size());
+    const double response = 45 * n * n * n, step = 300 * n * n;
+    const double responses = scene.step_ratios.size() == 1 ? std::min(steps, 3.0) : steps;
+    return (*this)(scene.patch) + steps * step + responses * response;
   }
   double operator()(const TransientScene& scene) const {
     const double steps = steps_needed(scene);

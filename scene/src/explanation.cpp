@@ -211,38 +211,91 @@ Explanation with_kernel(const Contact& contact, Explanation found) {
   return found;
 }
 
-Explanation of_patch(const SteadyPatch& patch) {
+/// "a creepage along the rolling, a force across it, ..."
+std::string kind_of(const PatchLoad& load) {
   constexpr std::array names{"along the rolling", "across it", "about the normal"};
-  std::string load;
+  std::string kinds;
   for (std::size_t j = 0; j < names.size(); ++j) {
     const bool is_moment = j == 2;
-    load += fmt::format("{}{} {}", load.empty() ? "" : ", ",
-                        patch.load[j].by_resultant ? (is_moment ? "a moment" : "a force")
-                                                   : (is_moment ? "a spin" : "a creepage"),
-                        names[j]);
+    kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ",
+                         load[j].by_resultant ? (is_moment ? "a moment" : "a force")
+                                              : (is_moment ? "a spin" : "a creepage"),
+                         names[j]);
   }
+  return kinds;
+}
+
+std::string name_of(const PatchShape& shape) {
+  return shape.is_ellipse() ? "an ellipse" : "a patch";
+}
+
+/// The largest resultants, the shape and the grid.
+std::vector<std::string> sizes_of(const SteadyPatch& patch) {
   const PatchShape& shape = patch.bound.shape();
   const std::string c = five_digits(patch.bound.size());
   const std::size_t lobes = shape.lobes().size();
   return {
-      fmt::format("steady rolling of {} under {}", shape.is_ellipse() ? "an ellipse" : "a patch",
-                  load),
-      {fmt::format("full sliding at {} N; turning about {} at {} N mm",
-                   five_digits(patch.bound.total()),
-                   shape.is_ellipse() ? "the centre" : "x = y = 0",
-                   five_digits(patch.bound.turning_moment())),
-       shape.is_ellipse()
-           ? fmt::format("a/b = {}, c = (a b)^(1/2) = {} mm", five_digits(patch.bound.ratio()), c)
-           : fmt::format("{} of the area {} mm^2, c = (area/pi)^(1/2) = {} mm, mean length over "
-                         "width {}",
-                         lobes == 1 ? "one lobe" : fmt::format("{} lobes", lobes),
-                         five_digits(shape.area()), c, five_digits(patch.bound.ratio())),
-       fmt::format("{} rows of {} elements between their own edges", patch.rows, patch.elements),
-       "stick and slip are found by Newton's method; where nothing slips, forces are right to "
-       "1e-3"},
-      {normal, how_steady,
-       "that the pressure of bodies of different material displaces their surfaces",
-       "spin that changes the shape of the contact, and a contact in more than one plane"}};
+      fmt::format("full sliding at {} N; turning about {} at {} N mm",
+                  five_digits(patch.bound.total()), shape.is_ellipse() ? "the centre" : "x = y = 0",
+                  five_digits(patch.bound.turning_moment())),
+      shape.is_ellipse()
+          ? fmt::format("a/b = {}, c = (a b)^(1/2) = {} mm", five_digits(patch.bound.ratio()), c)
+          : fmt::format("{} of the area {} mm^2, c = (area/pi)^(1/2) = {} mm, mean length over "
+                        "width {}",
+                        lobes == 1 ? "one lobe" : fmt::format("{} lobes", lobes),
+                        five_digits(shape.area()), c, five_digits(patch.bound.ratio())),
+      fmt::format("{} rows of {} elements between their own edges", patch.rows, patch.elements)};
+}
+
+const std::string unlike_patch =
+    "that the pressure of bodies of different material displaces their surfaces";
+const std::string shape_by_spin =
+    "spin that changes the shape of the contact, and a contact in more than one plane";
+
+Explanation of_patch(const SteadyPatch& patch) {
+  Explanation found{fmt::format("steady rolling of {} under {}", name_of(patch.bound.shape()),
+                                kind_of(patch.load)),
+                    sizes_of(patch),
+                    {normal, how_steady, unlike_patch, shape_by_spin}};
+  found.consequences.emplace_back(
+      "stick and slip are found by Newton's method; where nothing slips, forces are right to 1e-3");
+  return found;
+}
+
+/// The shifts of a patch before it rolls, and to which part of the largest resultants they lead.
+std::vector<std::string> shifted(const PatchTransient& scene) {
+  if (scene.shifts.empty()) return {};
+  double most = 0;
+  for (const PatchLoad& load : scene.shifts) {
+    for (std::size_t j = 0; j < load.size(); ++j) {
+      const PatchBound& bound = scene.patch.bound;
+      if (!load[j].by_resultant) continue;
+      most = std::max(most,
+                      std::abs(load[j].value) / (j < 2 ? bound.total() : bound.turning_moment()));
+    }
+  }
+  const std::size_t count = scene.shifts.size();
+  return {fmt::format(
+      "{} shift{} without rolling before it{}", count, count == 1 ? "" : "s",
+      most > 0 ? ", to at most " + five_digits(most) + " of the largest force or moment" : "")};
+}
+
+Explanation of_patch(const PatchTransient& scene) {
+  Explanation found{fmt::format("transient rolling of {} under {}{}",
+                                name_of(scene.patch.bound.shape()), kind_of(scene.loads.at(0)),
+                                scene.loads.distances().empty() ? "" : ", that change"),
+                    sizes_of(scene.patch),
+                    {normal, "inertia of the bodies", unlike_patch, shape_by_spin}};
+  std::vector<std::string>& lines = found.consequences;
+  std::ranges::move(shifted(scene), std::back_inserter(lines));
+  lines.push_back(fmt::format("rolls {} mm, {} contact lengths, in {} steps",
+                              five_digits(scene.distance),
+                              five_digits(scene.distance / (2 * scene.patch.bound.half_width())),
+                              five_digits(steps_needed(scene))));
+  lines.emplace_back(
+      "the material remembers its displacement: second order in the step, of any length; stick and "
+      "slip are found by Newton's method");
+  return found;
 }
 
 struct Explain {
@@ -269,6 +322,7 @@ struct Explain {
              "calibrated elements as the error needs"}));
   }
   Explanation operator()(const SteadyPatch& patch) const { return of_patch(patch); }
+  Explanation operator()(const PatchTransient& scene) const { return of_patch(scene); }
   Explanation operator()(const TransientScene& scene) const {
     std::vector<std::string> consequences = {loaded(scene), elements_of(scene.problem.grid)};
     std::ranges::copy(tabulated(scene.problem.contact.bound, scene.problem.grid),

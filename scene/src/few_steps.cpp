@@ -3,10 +3,12 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <variant>
 
+#include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/straight_steps.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "microslip/support/format.hpp"
@@ -26,6 +28,28 @@ double length_of_change(const TransientProblem& problem, const LoadHistory& load
 }
 
 }  // namespace
+
+std::vector<double> read_step_ratios(Scene& scene) {
+  std::vector<double> ratios = scene.numbers("step.ratio");
+  for (const double ratio : ratios) {
+    require(ratio == 0 || ratio >= min_step_ratio, "step.ratio", ratio,
+            ratio < 0 ? "numbers >= 1e-15 or 0; rolling backwards is not in this version"
+                      : "numbers >= 1e-15 or 0");
+  }
+  std::erase(ratios, 0);
+  require(!ratios.empty(), "step.ratio", 0, "at least one number > 0");
+  return ratios;
+}
+
+double read_distance(Scene& scene, double of_file) {
+  if (std::isinf(of_file)) return scene.positive("motion.distance");
+  const double distance = scene.number("motion.distance", of_file);
+  constexpr double printed = 1e-6;  // the file's distance may be a rounded one
+  require_positive("motion.distance", distance);
+  require(distance <= (1 + printed) * of_file, "motion.distance", distance,
+          [&] { return "at most the distance of load.file, " + format_short(of_file); });
+  return std::min(distance, of_file);
+}
 
 LoadTolerance tolerance_of_load(const TransientProblem& problem, double part) {
   const double force = part * full_sliding_force(problem.contact.bound);

@@ -34,7 +34,11 @@ constexpr std::string_view unlike =
 constexpr std::string_view rolls = "problem transient or cylinder";
 constexpr std::string_view line_contacts = "line contacts";
 constexpr std::string_view ellipses = "ellipses";
-constexpr std::string_view lateral_radii = "problem steady with contact.normal_load";
+constexpr std::string_view ellipses_by_shifts = "ellipses with start.type cattaneo";
+constexpr std::string_view steady_or_transient = "problem steady or transient";
+constexpr std::string_view transient = "problem transient";
+constexpr std::string_view by_shifts = "start.type cattaneo";
+constexpr std::string_view lateral_radii = "problem steady or transient with contact.normal_load";
 constexpr std::string_view response = "microslip response";
 constexpr std::string_view converge = "microslip converge";
 constexpr std::string_view curve = "microslip curve";
@@ -72,7 +76,7 @@ constexpr auto keys = std::to_array<Key>({
     {"contact.half_width", number, "mm", "half-width a of the contact", above_zero},
     {"contact.lateral_half_width", number, "mm",
      "half-width b of an ellipse, across the rolling: the contact has three dimensions", above_zero,
-     "between a/10 and 1000 a; or contact.lateral_radius_1 or _2", "problem steady"},
+     "between a/10 and 1000 a; or contact.lateral_radius_1 or _2", steady_or_transient},
     {"contact.peak_traction", number, "N/mm^2", "peak mu p0 of the Hertzian traction bound",
      above_zero},
     {.name = "contact.normal_load",
@@ -116,7 +120,7 @@ constexpr auto keys = std::to_array<Key>({
      .meaning = "edges of a contact that has three dimensions and need not be an ellipse: columns "
                 "y, trailing and leading, and lobe if there are several",
      .note = "a file; instead of contact.half_width",
-     .role = "problem steady"},
+     .role = steady_or_transient},
     {.name = "contact.bound_file",
      .type = file,
      .meaning = "table with columns x and bound, linear between its rows, to zero at +-a; of an "
@@ -208,24 +212,22 @@ constexpr auto keys = std::to_array<Key>({
     {"target_error", number, "1",
      "relative error wanted of the force or creepage of steady rolling", range(1e-11, 0.1),
      "instead of method, basis and grid", "problem steady"},
-    {.name = "load.creepage",
-     .meaning = "relative rigid slip w",
-     .role = "problem steady or transient"},
+    {.name = "load.creepage", .meaning = "relative rigid slip w", .role = steady_or_transient},
     {.name = "load.force",
      .unit = "N/mm",
      .meaning = "force F",
      .note = "less than full sliding; instead of load.creepage",
-     .role = "problem steady or transient",
+     .role = steady_or_transient,
      .patch_unit = "N"},
     {.name = "load.force_ratio",
      .meaning = "force over full sliding",
      .note = "above -1, below 1; instead of load.creepage",
-     .role = "problem steady or transient"},
+     .role = steady_or_transient},
     {.name = "load.stick_ratio",
      .meaning = "part a' of the contact that sticks in Carter's solution; the force is "
                 "a'^2 - 1 times full sliding",
      .note = "above 0, below 1, for Hertz's bound in plane strain; instead of load.creepage",
-     .role = "problem steady or transient"},
+     .role = steady_or_transient},
     {.name = "load.lateral_creepage",
      .meaning = "eta, relative rigid slip across the rolling",
      .note = "0 if none of the component is given",
@@ -260,7 +262,7 @@ constexpr auto keys = std::to_array<Key>({
                 "and of the contact normal_load, half_width, peak_traction, friction; with units "
                 "behind them, t [s]",
      .note = "a file; instead of load.creepage",
-     .role = "problem transient"},
+     .role = transient},
     {.name = "load.columns",
      .type = Key::Type::text,
      .meaning = "names of columns of load.file: t = Time, v = Speed [km/h], creepage = Slip",
@@ -272,21 +274,56 @@ constexpr auto keys = std::to_array<Key>({
      .type = word,
      .meaning = "start of a transient: no tractions, a shift without rolling, tractions of a file, "
                 "or a state that --save wrote",
-     .role = "problem transient",
-     .words = {"rest", "cattaneo", "file", "state"}},
+     .role = transient,
+     .words = {"rest", "cattaneo", "file", "state"},
+     .patch_role = transient},
     {.name = "start.force",
      .type = list,
      .unit = "N/mm",
      .meaning = "force of the shift; or several, shifted to one after the other",
-     .note = "each less than full sliding; load.force if neither it nor start.shift is given",
-     .role = "start.type cattaneo"},
+     .note =
+         "each less than full sliding; load.force if neither it nor start.shift is given; of an "
+         "ellipse all resultants of the load if no key of a shift is given",
+     .role = by_shifts,
+     .patch_unit = "N",
+     .patch_role = by_shifts},
     {.name = "start.shift",
      .type = list,
      .unit = "mm",
      .meaning =
          "rigid shift, or several, one after the other; a positive one gives a negative force",
      .note = "finite; instead of start.force",
-     .role = "start.type cattaneo"},
+     .role = by_shifts,
+     .patch_role = by_shifts},
+    {.name = "start.lateral_force",
+     .type = list,
+     .unit = "N",
+     .meaning = "Fy at the end of the shift, or of each of them",
+     .note = "less than full sliding, as many numbers as the other components have; instead of "
+             "start.lateral_shift",
+     .role = ellipses_by_shifts,
+     .patch_role = by_shifts},
+    {.name = "start.lateral_shift",
+     .type = list,
+     .unit = "mm",
+     .meaning = "rigid shift across the rolling, or several, one after the other",
+     .note = "0 if none of the component is given",
+     .role = ellipses_by_shifts,
+     .patch_role = by_shifts},
+    {.name = "start.spin_moment",
+     .type = list,
+     .unit = "N mm",
+     .meaning = "Mz at the end of the shift, or of each of them",
+     .note = "less than if all turns about the centre; instead of start.rotation",
+     .role = ellipses_by_shifts,
+     .patch_role = by_shifts},
+    {.name = "start.rotation",
+     .type = list,
+     .unit = "rad",
+     .meaning = "rigid rotation about the normal, or several, one after the other",
+     .note = "0 if none of the component is given",
+     .role = ellipses_by_shifts,
+     .patch_role = by_shifts},
     {.name = "start.file",
      .type = file,
      .meaning = "table with columns x and traction, with rows up to the edges of the contact",
@@ -301,13 +338,15 @@ constexpr auto keys = std::to_array<Key>({
     {.name = "step.ratio",
      .type = list,
      .meaning =
-         "c = dq/dx; of a transient one or more, taken in turn; of a cylinder a step lasts c dx / "
-         "v, and near rest the part c dx/a of the period on the contact or less",
+         "c = dq/dx, in an ellipse dx = 2 a/N; of a transient one or more, taken in turn; of a "
+         "cylinder a step lasts c dx / v, and near rest the part c dx/a of the period on the "
+         "contact or less",
      .range = {.least = min_step_ratio},
      .note = "no default in a transient, except with load.file, where steps end at its rows; with "
              "step.tolerance one, the longest",
      .role = whole_contact,
-     .fallback = 1},
+     .fallback = 1,
+     .patch_role = transient},
     {"step.tolerance", number, "1",
      "steps of load.file are as long as the load is straight: the shift (integral of the creepage) "
      "or force to this part of full sliding, half-width and bound to this part of the problem's",
@@ -315,9 +354,11 @@ constexpr auto keys = std::to_array<Key>({
     {.name = "step.scheme",
      .type = word,
      .meaning = "how the previous tractions move with the material",
+     .note = "of an ellipse remembered",
      .role = rolls,
      .catalogue = &advection_names,
-     .first_is_default = true},
+     .first_is_default = true,
+     .patch_role = transient},
     {.name = "step.relaxation",
      .meaning = "c* of the relaxed schemes",
      .note = "at least step.ratio",
@@ -336,11 +377,14 @@ constexpr auto keys = std::to_array<Key>({
      .range = {.least = 0},
      .role = "problem cylinder",
      .fallback = 0},
-    {"motion.distance", number, "mm",
-     "distance rolled; the last step of a transient is shortened to end there", above_zero,
-     "at most 1e6 steps; with load.file at most its distance, which is the default; with "
-     "start.state more than its distance, which is included",
-     rolls},
+    {.name = "motion.distance",
+     .unit = "mm",
+     .meaning = "distance rolled; the last step of a transient is shortened to end there",
+     .range = above_zero,
+     .note = "at most 1e6 steps; with load.file at most its distance, which is the default; with "
+             "start.state more than its distance, which is included",
+     .role = rolls,
+     .patch_role = transient},
     {.name = "motion.integrator",
      .type = word,
      .meaning = "how motion and contact go together",

@@ -60,16 +60,6 @@ AdvectionScheme read_scheme(Scene& scene) {
   return entry.scheme(entry.takes_relaxation ? scene.number("step.relaxation") : 1);
 }
 
-/// \param instead  ways out, behind the message
-template <class Instead>
-void require_few_steps(double distance, double from, double length, const Instead& instead) {
-  const double steps = std::ceil((distance - from) / length);
-  require(steps <= most_steps, "motion.distance", distance, [&] {
-    return fmt::format("at most {} steps, not {}{}", format_short(most_steps), format_short(steps),
-                       instead());
-  });
-}
-
 LoadHistory read_loads(Scene& scene, const TransientProblem& problem) {
   std::vector<std::string> keys = load_keys;
   keys.emplace_back("load.file");
@@ -105,19 +95,6 @@ std::vector<double> read_straight_steps(Scene& scene, const TransientProblem& pr
   return ratios;
 }
 
-/// Leaves out steps of length 0, in which nothing happens.
-std::vector<double> read_step_ratios(Scene& scene) {
-  std::vector<double> ratios = scene.numbers("step.ratio");
-  for (const double ratio : ratios) {
-    require(ratio == 0 || ratio >= min_step_ratio, "step.ratio", ratio,
-            ratio < 0 ? "numbers >= 1e-15 or 0; rolling backwards is not in this version"
-                      : "numbers >= 1e-15 or 0");
-  }
-  std::erase(ratios, 0);
-  require(!ratios.empty(), "step.ratio", 0, "at least one number > 0");
-  return ratios;
-}
-
 /// \return dq/dx; of load.file without step.ratio from row to row
 std::vector<double> read_steps(Scene& scene, const TransientProblem& problem,
                                const LoadHistory& loads) {
@@ -134,19 +111,9 @@ std::vector<double> judged_steps(const Scene& scene, const std::vector<double>& 
   return {least, most};
 }
 
-double read_distance(Scene& scene, const LoadHistory& loads) {
-  if (loads.distances().empty()) return scene.positive("motion.distance");
-  const double distance = scene.number("motion.distance", loads.distance());
-  constexpr double printed = 1e-6;  // the file's distance may be a rounded one
-  require_positive("motion.distance", distance);
-  require(distance <= (1 + printed) * loads.distance(), "motion.distance", distance,
-          [&] { return "at most the distance of load.file, " + format_short(loads.distance()); });
-  return std::min(distance, loads.distance());
-}
-
 /// \param from  where the run starts
 double read_distance(Scene& scene, const LoadHistory& loads, double from) {
-  const double distance = read_distance(scene, loads);
+  const double distance = read_distance(scene, loads.distance());
   require(distance > from, "motion.distance", distance,
           [&] { return "more than the distance of start.state, " + format_short(from); });
   return distance;
@@ -403,6 +370,7 @@ namespace {
 Model read_any(Scene& scene) {
   const std::string problem = scene.word("problem");
   if (problem == "steady" && scene.has_patch()) return read_steady_patch(scene);
+  if (problem == "transient" && scene.has_patch()) return read_patch_transient(scene);
   if (problem == "transient") return read_transient(scene);
   if (problem == "cylinder") return read_cylinder(scene);
   if (scene.has("target_error")) return read_steady_target(scene);
@@ -425,6 +393,7 @@ Eigen::Index elements_of(const Model& model) {
     Eigen::Index operator()(const SteadyTarget&) const { return 0; }
     Eigen::Index operator()(const SteadyPatch& patch) const { return patch.elements; }
     Eigen::Index operator()(const TransientScene& scene) const { return scene.problem.grid.size(); }
+    Eigen::Index operator()(const PatchTransient& scene) const { return scene.patch.elements; }
     Eigen::Index operator()(const CylinderScene& scene) const { return scene.problem.grid.size(); }
   };
   return std::visit(Elements{}, model);

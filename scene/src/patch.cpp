@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -16,6 +15,7 @@
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 #include "patch_files.hpp"
+#include "patch_parts.hpp"
 
 namespace microslip {
 
@@ -25,19 +25,6 @@ constexpr const char* lateral_half_width = "contact.lateral_half_width";
 /// The ratios a/b at which rows are known to converge: tests/property/generated_patches_test.cpp
 constexpr double least_ratio = 1e-3, largest_ratio = 10;
 constexpr Eigen::Index most_cells_of_side = 100;
-
-/// A component's keys: of its motion, of its resultant, and of the resultant's ratio to the largest.
-struct ComponentKeys {
-  const char* motion;
-  const char* resultant;
-  const char* ratio;
-};
-
-constexpr std::array<ComponentKeys, 3> components{{
-    {"load.creepage", "load.force", "load.force_ratio"},
-    {"load.lateral_creepage", "load.lateral_force", "load.lateral_force_ratio"},
-    {"load.spin", "load.spin_moment", "load.spin_moment_ratio"},
-}};
 
 /// Reads the radii across the rolling.
 Radii read_lateral_radii(Scene& scene) {
@@ -162,7 +149,7 @@ PatchBound read_patch(Scene& scene) {
 }
 
 /// \param most  the largest resultant
-PatchComponent read_component(Scene& scene, const ComponentKeys& keys, double most) {
+PatchComponent read_component(Scene& scene, const PatchKeys& keys, double most) {
   const std::string given = scene.at_most_one_of({keys.motion, keys.resultant, keys.ratio});
   if (given.empty()) return {};
   const double value = scene.number(given);
@@ -171,21 +158,6 @@ PatchComponent read_component(Scene& scene, const ComponentKeys& keys, double mo
   require(std::abs(value) < 1, given, value, "a number above -1, below 1");
   scene.derive(keys.resultant, value * most);
   return {.by_resultant = true, .value = value * most};
-}
-
-PatchLoad read_load(Scene& scene, const PatchBound& bound) {
-  std::vector<std::string> all;
-  for (const ComponentKeys& keys : components) {
-    all.insert(all.end(), {keys.motion, keys.resultant, keys.ratio});
-  }
-  const bool is_loaded =
-      std::ranges::any_of(all, [&](const std::string& key) { return scene.has(key); });
-  if (!is_loaded) scene.one_of(all);  // says which are missing
-  PatchLoad load;
-  for (std::size_t j = 0; j < load.size(); ++j) {
-    load[j] = read_component(scene, components[j], j < 2 ? bound.total() : bound.turning_moment());
-  }
-  return load;
 }
 
 /// Cells of a side, which has the other side `ratio` times as long.
@@ -243,12 +215,12 @@ void require_line_contact(const Scene& scene) {
       std::ranges::find_if(patch_keys, [&](const char* one) { return scene.has(one); });
   if (key == patch_keys.end()) return;
   throw BadParameter(*key, fmt::format("{}: expected a line contact here, without this key; an "
-                                       "ellipse has problem steady, with sweep, explain and plot, "
-                                       "in this version",
+                                       "ellipse has problem steady and transient, with sweep, "
+                                       "explain and plot, in this version",
                                        *key));
 }
 
-SteadyPatch read_steady_patch(Scene& scene) {
+SteadyPatch read_unloaded_patch(Scene& scene) {
   const Material material = read_material(scene);
   const PatchBound bound =
       scene.has(patch_file) ? read_patch(scene) : read_ellipse(scene, material);
@@ -268,14 +240,48 @@ SteadyPatch read_steady_patch(Scene& scene) {
     scene.derive("grid.rows", static_cast<double>(patch.rows));
     scene.derive("grid.elements", static_cast<double>(patch.elements));
   }
-  patch.load = read_load(scene, bound);
-  validate(patch);
-  const double mean_strain = bound.total() / bound.shape().area() / material.shear_modulus;
+  return patch;
+}
+
+bool has_patch_load(const Scene& scene) {
+  return std::ranges::any_of(patch_components, [&](const PatchKeys& keys) {
+    return scene.has(keys.motion) || scene.has(keys.resultant) || scene.has(keys.ratio);
+  });
+}
+
+PatchLoad read_patch_load(Scene& scene, const PatchBound& bound) {
+  PatchLoad load;
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    const double most = j < 2 ? bound.total() : bound.turning_moment();
+    load[j] = read_component(scene, patch_components[j], most);
+  }
+  return load;
+}
+
+std::vector<std::string> keys_of_patch_loads() {
+  std::vector<std::string> all;
+  for (const PatchKeys& keys : patch_components) {
+    all.insert(all.end(), {keys.motion, keys.resultant, keys.ratio});
+  }
+  return all;
+}
+
+void warn_of_large_creepages(Scene& scene, const SteadyPatch& patch) {
+  const double strain =
+      patch.bound.total() / patch.bound.shape().area() / patch.material.shear_modulus;
   for (std::size_t j = 0; j < 2; ++j) {
     const auto& [by_resultant, value] = patch.load[j];
-    const std::string doubt = doubt_of_creepage(value, mean_strain);
-    if (!by_resultant && !doubt.empty()) scene.warn(components[j].motion, value, doubt);
+    const std::string doubt = doubt_of_creepage(value, strain);
+    if (!by_resultant && !doubt.empty()) scene.warn(patch_components[j].motion, value, doubt);
   }
+}
+
+SteadyPatch read_steady_patch(Scene& scene) {
+  SteadyPatch patch = read_unloaded_patch(scene);
+  if (!has_patch_load(scene)) scene.one_of(keys_of_patch_loads());  // says which are missing
+  patch.load = read_patch_load(scene, patch.bound);
+  validate(patch);
+  warn_of_large_creepages(scene, patch);
   return patch;
 }
 

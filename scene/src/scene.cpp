@@ -413,10 +413,11 @@ void Scene::record(const std::string& key, const std::string& value) {
 void Scene::reject_unread() const {
   const auto role_of = [&](const Key& key) -> std::string {
     const std::string role(key.role.empty() ? "scenes" : key.role);
-    if (role == "ellipses") {
+    if (role.starts_with("ellipses") && !has_patch()) {
       return fmt::format("{}; {} makes the contact one", role, joined(patch_keys, " or "));
     }
     if (!has_patch()) return role;
+    if (!key.patch_role.empty()) return std::string(key.patch_role);
     return role + (has("contact.patch_file") ? ", not for this patch" : ", not for this ellipse");
   };
   refuse_names_of_others(*this);

@@ -289,7 +289,6 @@ void TransientRolling::roll_to(double distance, const std::vector<double>& lengt
 void TransientRolling::roll_on(double origin, double start, double distance,
                                const std::vector<double>& lengths, const LoadHistory& loads,
                                const std::function<void(const TransientState&)>& after_step) {
-  const Schedule schedule(distance, lengths, start);
   const auto roll_between = [&](double from, double to, double length) {
     if (loads.changes_contact()) set_contact(loads.contact_at(to));
     step(length, loads.between(from, to));
@@ -297,12 +296,10 @@ void TransientRolling::roll_on(double origin, double start, double distance,
     grid_->move_to(state_.distance);
     after_step(state_);
   };
-  for (std::size_t k = schedule.first();; ++k) {
+  for_steps(distance, lengths, start, [&](double from, double to, double length) {
     // Bodies that part forget: a step ends where contact is lost, unless it ends there but for
     // rounding.
     constexpr double rounding = 1e-9;
-    double from = schedule.begin(k);
-    const double to = schedule.end(k);
     const double margin = rounding * (to - from);
     bool is_whole = true;
     while (const auto lost = loads.lost_between(from + margin, to - margin)) {
@@ -310,9 +307,8 @@ void TransientRolling::roll_on(double origin, double start, double distance,
       from = *lost;
       is_whole = false;
     }
-    roll_between(from, to, is_whole ? schedule.length(k) : to - from);
-    if (schedule.is_last(k)) return;
-  }
+    roll_between(from, to, is_whole ? length : to - from);
+  });
 }
 
 double stiffness(const TransientProblem& problem) {
@@ -320,6 +316,15 @@ double stiffness(const TransientProblem& problem) {
   const double shift = 1e-9 * problem.grid.half_width();
   TransientRolling at_rest(problem);
   return -at_rest.attempt(length, PrescribedCreepage{shift / length}).force / shift;
+}
+
+void for_steps(double distance, const std::vector<double>& lengths, double start,
+               const std::function<void(double from, double to, double length)>& step) {
+  const Schedule schedule(distance, lengths, start);
+  for (std::size_t k = schedule.first();; ++k) {
+    step(schedule.begin(k), schedule.end(k), schedule.length(k));
+    if (schedule.is_last(k)) return;
+  }
 }
 
 std::size_t number_of_steps(double distance, const std::vector<double>& lengths, double start) {

@@ -165,6 +165,15 @@ class TransientRolling {
 /// -dF/dS for a shift S so small that nothing slips  [N/mm^2]
 double stiffness(const TransientProblem& problem);
 
+/// Calls an action for each step of lengths that are taken in turn, the last of which ends at the
+/// distance.
+/// \param start  in [0, distance); the first step ends where a step from 0 on ends  [mm]
+/// \param step   begin, end and length, which is free of their rounding  [mm]
+/// \throws std::invalid_argument if a length or the distance is not positive, or it is not more than
+///         the start
+void for_steps(double distance, const std::vector<double>& lengths, double start,
+               const std::function<void(double from, double to, double length)>& step);
+
 /// Number of steps that TransientRolling::roll takes; with a start above 0, roll_to().
 /// \param start  in [0, distance)  [mm]
 std::size_t number_of_steps(double distance, const std::vector<double>& lengths, double start = 0);

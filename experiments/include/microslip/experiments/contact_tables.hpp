@@ -41,7 +41,7 @@ struct WorstOfSteps {
 
 /// Data by which the evidence of a result is judged.
 struct Judged {
-  double condition;  ///< of the equations in adhesion, estimate
+  std::optional<double> condition;  ///< of the equations in adhesion, estimate; none if unknown
   int iterations;    ///< iterations of the result
   Acceptance accepted;
   bool steady = false;

@@ -13,7 +13,8 @@ namespace microslip::experiments {
 /// \file
 /// Solves a scene. Tables: `traction`, one row per node; `summary`, with quantity, value and unit,
 /// and with the rows of add_evidence; `history`, one row per step, unless rolling is steady; and
-/// `shifts`, one row per shift, for a transient with TransientScene::shifts. Progress counts shifts
+/// `shifts`, one row per shift, for a transient with TransientScene::shifts, or a patch with
+/// PatchTransient::shifts; and `edges` of a patch. Progress counts shifts
 /// and steps, thousandths of a cylinder's distance, or percents of the expected operations of a
 /// steady solution.
 
@@ -25,6 +26,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
 /// \param at_end  called with the contact in its state after the last step
 std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress,
                                 const std::function<void(TransientRolling&)>& at_end);
+std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& progress);
 std::vector<Table> scene_tables(const CylinderScene& scene, const Progress& progress);
 
 }  // namespace microslip::experiments

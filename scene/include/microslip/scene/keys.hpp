@@ -55,6 +55,7 @@ struct Key {
   std::vector<std::string_view> (*catalogue)() = nullptr;
   bool first_is_default = false;     ///< whether the first word is the default
   std::string_view patch_unit = "";  ///< in three dimensions, if it differs
+  std::string_view patch_role = "";  ///< in three dimensions, where only some have the key
 };
 
 /// All keys of scenes, in the order of a written scene.

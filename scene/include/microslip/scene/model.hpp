@@ -7,6 +7,7 @@
 
 #include "microslip/dynamics/cylinder.hpp"
 #include "microslip/patch/steady_patch.hpp"
+#include "microslip/rolling/patch_history.hpp"
 #include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/target_error.hpp"
 #include "microslip/rolling/transient.hpp"
@@ -104,6 +105,24 @@ SteadyTarget read_steady_target(Scene& scene);
 /// load.* of all three components.
 SteadyPatch read_steady_patch(Scene& scene);
 
+/// A contact patch that rolls by steps.
+struct PatchTransient {
+  SteadyPatch patch;                     ///< with the load at the start
+  std::vector<PatchLoad> shifts = {};    ///< without rolling, one after the other from the start on
+  double distance = 0;                   ///< rolled at the end, (0, inf)  [mm]
+  std::vector<double> step_ratios = {};  ///< dq over spacing(), taken in turn, each (0, inf)  [1]
+  PatchHistory loads;
+
+  double spacing() const;                    ///< the mean length of cells, 2 a/N  [mm]
+  std::vector<double> step_lengths() const;  ///< dq, taken in turn  [mm]
+};
+
+/// Reads steps of an ellipse or another patch: the keys of read_steady_patch(), step.ratio (one or
+/// more numbers), motion.distance, and start.type `rest` or `cattaneo`. The latter has start.force
+/// or start.shift, and the same of the other components, of which all have as many numbers; without
+/// them, the bodies are shifted to the resultants of the load.
+PatchTransient read_patch_transient(Scene& scene);
+
 /// Refuses an ellipse where only a line contact can be.
 void require_line_contact(const Scene& scene);
 
@@ -151,10 +170,12 @@ CylinderScene read_cylinder(Scene& scene);
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator);
 
 /// The problem of a scene.
-using Model = std::variant<SteadyProblem, SteadyTarget, SteadyPatch, TransientScene, CylinderScene>;
+using Model = std::variant<SteadyProblem, SteadyTarget, SteadyPatch, TransientScene, PatchTransient,
+                           CylinderScene>;
 
-/// Reads `problem`, and the keys of that problem: a steady scene with contact.lateral_half_width has
-/// the keys of read_steady_patch(), one with target_error those of read_steady_target().
+/// Reads `problem`, and the keys of that problem: with one of `patch_keys` those of
+/// read_steady_patch() or read_patch_transient(), and with target_error those of
+/// read_steady_target().
 Model read_model(Scene& scene);
 
 /// Returns N; 0 with target_error.

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch_tables.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "microslip/patch/joined_rows.hpp"
+#include "microslip/support/format.hpp"
+
+namespace microslip::experiments {
+
+Table patch_traction_table(const std::string& rolling, const PatchValues& values) {
+  Table table("traction",
+              rolling +
+                  " of a patch, values at the centres of cells, from the leading edge on, row "
+                  "by row",
+              {{"x", "mm", "position along the rolling; the leading edge is at x > 0"},
+               {"y", "mm", "position across the rolling"},
+               {"traction_x", "N/mm^2", "tangential traction along the rolling"},
+               {"traction_y", "N/mm^2", "tangential traction across the rolling"},
+               {"bound", "N/mm^2", "traction bound g"},
+               {"slip_x", "1", "relative slip along the rolling"},
+               {"slip_y", "1", "relative slip across the rolling"},
+               {"zone", "1", "A adhesion, S slip"},
+               {"area", "mm^2", "area of the cell"}});
+  for (Eigen::Index i = 0; i < values.x.size(); ++i) {
+    table.add({values.x[i], values.y[i], values.traction(i, 0), values.traction(i, 1),
+               values.bound[i], values.slip(i, 0), values.slip(i, 1),
+               values.slips[static_cast<std::size_t>(i)] ? "S" : "A", values.area[i]});
+  }
+  return table;
+}
+
+Table patch_edges_table(const SteadyPatch& patch) {
+  Table table("edges", "the edges of the contact, and the rows that lie between its sides",
+              {{"lobe", "1", "number of a part of the contact, from 1 on"},
+               {"row", "1", "the row above this side, from 1 on; of the last side that below"},
+               {"y", "mm", "position across the rolling"},
+               {"trailing", "mm", "x of the trailing edge"},
+               {"leading", "mm", "x of the leading edge"}});
+  const JoinedRows rows(patch.bound.shape(), patch.rows, patch.elements);
+  const Eigen::Index strips = patch.rows < 30 ? 4 : 1;
+  const auto add = [&](Eigen::Index k, double psi) {
+    const std::size_t l = rows.lobe(k);
+    const Lobe& lobe = rows.shape().lobes()[l];
+    const Lobe::Row row = lobe.row(psi);
+    table.add({static_cast<Eigen::Index>(l + 1), k + 1, lobe.y(psi), row.middle - row.half_length,
+               row.middle + row.half_length});
+  };
+  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
+    const double half = rows.height(k) / 2;
+    for (Eigen::Index i = 0; i < strips; ++i) {
+      const auto part = static_cast<double>(2 * i) / static_cast<double>(strips);
+      add(k, rows.psi(k) + (part - 1) * half);
+    }
+    if (k + 1 == rows.rows() || rows.lobe(k + 1) != rows.lobe(k)) add(k, rows.psi(k) + half);
+  }
+  return table;
+}
+
+void add_patch_load(Table& summary, const Eigen::Vector3d& resultants,
+                    const Eigen::Vector3d& motion) {
+  summary.add({"force", resultants[0], "N"});
+  summary.add({"lateral_force", resultants[1], "N"});
+  summary.add({"spin_moment", resultants[2], "N mm"});
+  summary.add({"creepage", motion[0], "1"});
+  summary.add({"lateral_creepage", motion[1], "1"});
+  summary.add({"spin", motion[2], "1/mm"});
+}
+
+void add_patch_shares(Table& summary, const SteadyPatch& patch, double force, double slip_share) {
+  summary.add({"force_ratio", force / patch.bound.total(), "1"});
+  summary.add({"full_sliding_force", patch.bound.total(), "N"});
+  summary.add({"adhesion_share", std::max(0.0, 1 - slip_share), "1"});
+  summary.add({"slip_share", slip_share, "1"});
+}
+
+void add_patch_sizes(Table& summary, const SteadyPatch& patch) {
+  summary.add({"half_width", patch.bound.half_width(), "mm"});
+  summary.add({"lateral_half_width", patch.bound.lateral_half_width(), "mm"});
+  summary.add({"rows", patch.rows, "1"});
+  summary.add({"elements", patch.elements, "1"});
+}
+
+std::optional<std::string> doubt_of_patch(const Evidence& evidence) {
+  constexpr double doubtful = 0.03;
+  if (evidence.change <= doubtful) return std::nullopt;
+  return fmt::format(
+      "the change of the result from rows and elements that are a third fewer is {} of full "
+      "sliding, and the error may be as large: take more of them",
+      format_roughly(evidence.change));
+}
+
+}  // namespace microslip::experiments

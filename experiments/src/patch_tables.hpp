@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "microslip/patch/steady_patch.hpp"
+#include "microslip/scene/table.hpp"
+
+namespace microslip::experiments {
+
+/// Values at the centres of the elements of a patch; for the units see SteadyPatchSolution.
+struct PatchValues {
+  const Eigen::VectorXd& x;
+  const Eigen::VectorXd& y;
+  const Eigen::VectorXd& area;
+  const Eigen::VectorXd& bound;
+  const Eigen::MatrixX2d& traction;
+  const Eigen::MatrixX2d& slip;
+  const std::vector<bool>& slips;
+};
+
+/// The table `traction` of a patch, a row for each element.
+/// \param rolling  "steady rolling"
+Table patch_traction_table(const std::string& rolling, const PatchValues& values);
+
+/// The table `edges`: the sides of rows, and some between them where there are few.
+Table patch_edges_table(const SteadyPatch& patch);
+
+/// Adds resultants and motion to the table `summary`.
+void add_patch_load(Table& summary, const Eigen::Vector3d& resultants,
+                    const Eigen::Vector3d& motion);
+
+/// Adds the force over full sliding, and the shares of the area that stick and slip.
+/// \param slip_share  [1]
+void add_patch_shares(Table& summary, const SteadyPatch& patch, double force, double slip_share);
+
+/// Adds the sizes of the contact and of the grid.
+void add_patch_sizes(Table& summary, const SteadyPatch& patch);
+
+/// Warns of a result that other rows and elements change.
+std::optional<std::string> doubt_of_patch(const Evidence& evidence);
+
+}  // namespace microslip::experiments

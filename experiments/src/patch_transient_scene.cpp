@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "microslip/experiments/contact_tables.hpp"
+#include "microslip/experiments/scene_tables.hpp"
+#include "microslip/patch/joined_rows.hpp"
+#include "microslip/patch/patch_rolling.hpp"
+#include "microslip/rolling/transient.hpp"
+#include "microslip/support/not_converged.hpp"
+#include "patch_tables.hpp"
+
+namespace microslip::experiments {
+
+using Eigen::Index;
+using Eigen::MatrixX2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace {
+
+/// Values of a patch that do not change as it rolls, at the elements.
+struct PatchElements {
+  VectorXd area;    ///< [mm^2]
+  VectorXd bound;   ///< [N/mm^2]
+  VectorXd weight;  ///< the force in an element over the traction at its centre  [mm^2]
+
+  explicit PatchElements(const SteadyPatch& patch) {
+    const double c = patch.bound.size();
+    const JoinedRows rows(patch.bound.shape().scaled(1 / c), patch.rows, patch.elements);
+    area = c * c * rows.areas();
+    weight = c * c * rows.moments().row(0);
+    bound.resize(rows.cells());
+    for (Index k = 0; k < rows.rows(); ++k) {
+      for (Index i = 0; i < rows.elements(); ++i) {
+        const Index cell = rows.cell(i, k);
+        bound[cell] = patch.bound(rows.lobe(k), rows.psi(k), rows.theta(i));
+        weight[cell] /= std::tan(rows.theta(i) / 2);
+      }
+    }
+  }
+};
+
+/// The end of a step or a shift.
+struct PatchStepEnd {
+  Vector3d resultants, motion;
+  double slip_share;  ///< [1]
+  int iterations;
+  Evidence evidence;
+};
+
+/// A patch that rolls or is shifted, with evidence for each step.
+class RolledPatch {
+ public:
+  explicit RolledPatch(const SteadyPatch& patch)
+      : patch_(patch), elements_(patch), rolling_(patch) {}
+
+  PatchStepEnd shift(const PatchLoad& load) {
+    rolling_.shift(load);
+    return end(load);
+  }
+
+  PatchStepEnd roll(double dq, const PatchLoad& load) {
+    rolling_.roll(dq, load);
+    return end(load);
+  }
+
+  Table tractions() const {
+    return patch_traction_table("transient rolling",
+                                {rolling_.x(), rolling_.y(), elements_.area, elements_.bound,
+                                 rolling_.tractions(), rolling_.slip(), rolling_.slips()});
+  }
+
+ private:
+  PatchStepEnd end(const PatchLoad& load) const {
+    PatchStepEnd found{.resultants = rolling_.resultants(),
+                       .motion = rolling_.motion(),
+                       .slip_share = 0,
+                       .iterations = rolling_.iterations(),
+                       .evidence = {}};
+    for (std::size_t j = 0; j < load.size(); ++j) {  // without rounding
+      (load[j].by_resultant ? found.resultants : found.motion)[static_cast<Index>(j)] =
+          load[j].value;
+    }
+    Evidence& evidence = found.evidence;
+    evidence.residual = rolling_.residual();
+    evidence.load = found.resultants.head<2>().norm();
+    evidence.full_sliding = patch_.bound.total();
+    const MatrixX2d tractions = rolling_.tractions(), slip = rolling_.slip();
+    double slipping = 0;
+    for (Index i = 0; i < elements_.area.size(); ++i) {
+      if (!rolling_.slips()[static_cast<std::size_t>(i)]) continue;
+      slipping += elements_.area[i];
+      const double weight = elements_.weight[i], power = weight * tractions.row(i).dot(slip.row(i));
+      evidence.excess += weight * std::max(0.0, tractions.row(i).norm() - elements_.bound[i]);
+      evidence.backward += std::max(0.0, power);
+      evidence.dissipated -= power;
+    }
+    found.slip_share = slipping / elements_.area.sum();
+    evidence.power = std::max(std::abs(found.motion.dot(found.resultants)), evidence.dissipated);
+    evidence.unresolved =
+        found.slip_share * std::abs(elements_.weight.dot(elements_.bound) - evidence.full_sliding);
+    return found;
+  }
+
+  SteadyPatch patch_;
+  PatchElements elements_;
+  PatchRolling rolling_;
+};
+
+/// The patch with rows and elements that are a third fewer; none if there are no fewer.
+std::optional<SteadyPatch> with_fewer_elements(SteadyPatch patch) {
+  const auto lobes = static_cast<Index>(patch.bound.shape().lobes().size());
+  if (patch.rows == lobes || patch.elements == least_elements) return std::nullopt;
+  patch.rows = std::max(lobes, (2 * patch.rows + 1) / 3);
+  patch.elements = std::max(least_elements, (2 * patch.elements + 1) / 3);
+  return patch;
+}
+
+/// The largest change of a motion, by its kind, over the largest motion of that kind.
+struct MotionChange {
+  double size;  ///< of the patch  [mm]
+  Vector3d changes = Vector3d::Zero(), largest = Vector3d::Zero();
+
+  void include(const Vector3d& from, const Vector3d& to) {
+    const Vector3d units(1, 1, size);
+    changes = changes.cwiseMax((to - from).cwiseProduct(units).cwiseAbs());
+    largest = largest.cwiseMax(to.cwiseProduct(units).cwiseAbs());
+  }
+
+  double relative() const {
+    const double creep = largest.head<2>().maxCoeff(), spin = largest[2];
+    return std::max(creep > 0 ? changes.head<2>().maxCoeff() / creep : 0,
+                    spin > 0 ? changes[2] / spin : 0);
+  }
+};
+
+/// The same contact on rows and elements that are a third fewer, as long as it is solved there. The
+/// change is the largest one of resultants after each step, over the largest resultants; of the
+/// shifts, and of the way that is crept, over the largest; and of motions in the last step.
+class CoarsePatch {
+ public:
+  explicit CoarsePatch(const SteadyPatch& patch) : bound_(patch.bound) {
+    if (const auto fewer = with_fewer_elements(patch)) rolled_.emplace(*fewer);
+  }
+
+  /// \param length  of the step; 1 for a shift  [mm]
+  /// \param step    of RolledPatch
+  template <class Step>
+  void follow(const PatchStepEnd& fine, double length, const Step& step) {
+    if (!rolled_) return;
+    try {
+      const PatchStepEnd coarse = step(*rolled_);
+      const double full = bound_.total(), turning = bound_.turning_moment();
+      const Vector3d of_resultants =
+          (coarse.resultants - fine.resultants).cwiseQuotient(Vector3d(full, full, turning));
+      of_resultants_ = std::max(of_resultants_, of_resultants.lpNorm<Eigen::Infinity>());
+      path_ += length * fine.motion;
+      coarse_path_ += length * coarse.motion;
+      of_path_.include(coarse_path_, path_);
+      of_last_ = {bound_.size()};
+      of_last_.include(coarse.motion, fine.motion);
+    } catch (const NotConverged&) {
+      rolled_.reset();
+    }
+  }
+
+  double change() const {
+    if (!rolled_) return 1;
+    return std::max({of_resultants_, of_path_.relative(), of_last_.relative()});
+  }
+
+ private:
+  PatchBound bound_;
+  std::optional<RolledPatch> rolled_;
+  double of_resultants_ = 0;
+  Vector3d path_ = Vector3d::Zero(), coarse_path_ = Vector3d::Zero();
+  MotionChange of_path_{bound_.size()}, of_last_{bound_.size()};
+};
+
+/// Resultants of this part of the largest ones are nothing but rounding, and so are shifts and
+/// rotations of this part of those by the strain of the bound over the size of the patch.
+constexpr double rounding_of_patch = 1e-9;
+
+/// \param length  over which a shift is a motion; 0 for the shift  [mm]
+Vector3d rounding_of_motions(const SteadyPatch& patch, double length) {
+  const double c = patch.bound.size();
+  const double shift = rounding_of_patch * patch.bound.peak() / patch.material.shear_modulus * c;
+  return Vector3d(shift, shift, shift / c) / (length > 0 ? std::min(c, length) : 1);
+}
+
+std::vector<Column> with_patch_load(const SteadyPatch& patch, const std::vector<Column>& first,
+                                    const std::vector<Column>& motions) {
+  std::vector<Column> columns = first;
+  const double force = rounding_of_patch * patch.bound.total();
+  columns.push_back({"force", "N", "Fx, force along the rolling", force});
+  columns.push_back({"lateral_force", "N", "Fy, force across the rolling", force});
+  columns.push_back({"spin_moment", "N mm", "Mz, moment about x = y = 0",
+                     rounding_of_patch * patch.bound.turning_moment()});
+  columns.insert(columns.end(), motions.begin(), motions.end());
+  columns.push_back({"slip_share", "1", "part of the area that slips"});
+  columns.push_back({"iterations", "1", "systems that were solved"});
+  return columns;
+}
+
+Table empty_patch_history(const PatchTransient& scene) {
+  const Vector3d rounding =
+      rounding_of_motions(scene.patch, std::ranges::min(scene.step_lengths()));
+  std::vector<Column> columns =
+      with_patch_load(scene.patch, {{"q", "mm", "distance rolled"}},
+                      {{"creepage", "1", "xi, as a mean over the step", rounding[0]},
+                       {"lateral_creepage", "1", "eta, as a mean over the step", rounding[1]},
+                       {"spin", "1/mm", "phi, as a mean over the step", rounding[2]}});
+  if (scene.loads.time_at(0)) columns.push_back({"t", "s", "time"});
+  return {"history",
+          "transient rolling of a patch, a row a step; the first is the start, where nothing moves",
+          columns};
+}
+
+Table empty_patch_shifts(const SteadyPatch& patch) {
+  const Vector3d rounding = rounding_of_motions(patch, 0);
+  return {"shifts",
+          "shifts without rolling before the bodies roll, a row a shift; the first is the start",
+          with_patch_load(patch, {},
+                          {{"shift", "mm", "rigid shift along the rolling", rounding[0]},
+                           {"lateral_shift", "mm", "rigid shift across the rolling", rounding[1]},
+                           {"rotation", "rad", "rigid rotation about x = y = 0", rounding[2]}})};
+}
+
+/// Cells of a row from the resultants on.
+std::vector<Cell> cells_of(const PatchStepEnd& end) {
+  std::vector<Cell> row(end.resultants.begin(), end.resultants.end());
+  row.insert(row.end(), end.motion.begin(), end.motion.end());
+  row.insert(row.end(), {end.slip_share, end.iterations});
+  return row;
+}
+
+void add(Table& history, const PatchHistory& loads, double q, const PatchStepEnd& end) {
+  std::vector<Cell> row = cells_of(end);
+  row.insert(row.begin(), q);
+  if (const auto time = loads.time_at(q)) row.emplace_back(*time);
+  history.add(row);
+}
+
+/// The worst evidence of all steps.
+struct WorstOfPatch {
+  Evidence evidence;
+  int iterations = 0;
+
+  void include(const PatchStepEnd& end) {
+    evidence = worst_of(evidence, end.evidence);
+    iterations = std::max(iterations, end.iterations);
+  }
+};
+
+}  // namespace
+
+std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& progress) {
+  const std::vector<double> lengths = scene.step_lengths();
+  const std::size_t steps = number_of_steps(scene.distance, lengths);
+  std::size_t done = 0;
+  progress(done, scene.shifts.size() + steps);
+  RolledPatch rolled(scene.patch);
+  CoarsePatch coarse(scene.patch);
+  WorstOfPatch worst;
+  const auto take = [&](double length, const auto& step) {
+    const PatchStepEnd end = step(rolled);
+    coarse.follow(end, length, step);
+    worst.include(end);
+    progress(++done, scene.shifts.size() + steps);
+    return end;
+  };
+
+  PatchStepEnd end{Vector3d::Zero(), Vector3d::Zero(), 0, 0, {}};
+  Table shifts = empty_patch_shifts(scene.patch);
+  shifts.add(cells_of(end));
+  for (const PatchLoad& load : scene.shifts) {
+    end = take(1, [&](RolledPatch& patch) { return patch.shift(load); });
+    shifts.add(cells_of(end));
+  }
+
+  Table history = empty_patch_history(scene);
+  end.motion.setZero();
+  end.iterations = 0;  // the start is no step
+  add(history, scene.loads, 0, end);
+  Vector3d path = Vector3d::Zero();
+  for_steps(scene.distance, lengths, 0, [&](double from, double to, double length) {
+    const PatchLoad load = scene.loads.between(from, to);
+    end = take(length, [&](RolledPatch& patch) { return patch.roll(length, load); });
+    add(history, scene.loads, to, end);
+    path += length * end.motion;
+  });
+  worst.evidence.change = coarse.change();
+
+  Table summary = empty_summary("transient rolling of a patch, the whole contact at the end");
+  summary.add({"distance", scene.distance, "mm"});
+  summary.add({"steps", steps, "1"});
+  add_patch_load(summary, end.resultants, end.motion);
+  summary.add({"cumulative_creep", path[0], "mm"});
+  summary.add({"cumulative_lateral_creep", path[1], "mm"});
+  summary.add({"cumulative_spin", path[2], "rad"});
+  add_patch_shares(summary, scene.patch, end.evidence.load, end.slip_share);
+  add_patch_sizes(summary, scene.patch);
+  if (!scene.shifts.empty()) summary.add({"shifts", scene.shifts.size(), "1"});
+  summary.add({"method", "remembered", "1"});
+  summary.add({"iterations", worst.iterations, "1"});
+  add_evidence(summary, worst.evidence,
+               {.condition = std::nullopt,
+                .iterations = worst.iterations,
+                .accepted = scene.patch.accepted,
+                .doubt = doubt_of_patch(worst.evidence)});
+  std::vector<Table> tables{rolled.tractions(), patch_edges_table(scene.patch), history, summary};
+  if (!scene.shifts.empty()) tables.push_back(shifts);
+  return tables;
+}
+
+}  // namespace microslip::experiments
