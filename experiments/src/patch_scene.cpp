@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <string>
+
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/scene_tables.hpp"
 #include "patch_tables.hpp"
@@ -21,10 +23,10 @@ std::vector<Table> scene_tables(const SteadyPatch& patch, const Progress& progre
                 .accepted = patch.accepted,
                 .steady = true,
                 .doubt = doubt_of_patch(solution.evidence)});
-  return {
-      patch_traction_table("steady rolling", {solution.x, solution.y, solution.area, solution.bound,
-                                              solution.traction, solution.slip, solution.slips}),
-      patch_edges_table(patch), summary};
+  return {patch_traction_table(std::string("steady rolling") + at_cells,
+                               {solution.x, solution.y, solution.area, solution.bound,
+                                solution.traction, solution.slip, solution.slips}),
+          patch_edges_table(patch), summary};
 }
 
 }  // namespace microslip::experiments

@@ -10,11 +10,8 @@
 
 namespace microslip::experiments {
 
-Table patch_traction_table(const std::string& rolling, const PatchValues& values) {
-  Table table("traction",
-              rolling +
-                  " of a patch, values at the centres of cells, from the leading edge on, row "
-                  "by row",
+Table patch_traction_table(const std::string& description, const PatchValues& values) {
+  Table table("traction", description,
               {{"x", "mm", "position along the rolling; the leading edge is at x > 0"},
                {"y", "mm", "position across the rolling"},
                {"traction_x", "N/mm^2", "tangential traction along the rolling"},
@@ -32,13 +29,37 @@ Table patch_traction_table(const std::string& rolling, const PatchValues& values
   return table;
 }
 
+namespace {
+
+Table empty_edges() {
+  return {"edges",
+          "the edges of the contact, and the rows that lie between its sides",
+          {{"lobe", "1", "number of a part of the contact, from 1 on"},
+           {"row", "1", "the row above this side, from 1 on; of the last side that below"},
+           {"y", "mm", "position across the rolling"},
+           {"trailing", "mm", "x of the trailing edge"},
+           {"leading", "mm", "x of the leading edge"}}};
+}
+
+}  // namespace
+
+Table rectangles_edges_table(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double dx,
+                             double dy) {
+  Table table = empty_edges();
+  Eigen::Index row = 0;
+  for (Eigen::Index first = 0, next = 0; first < x.size(); first = next) {
+    while (next < x.size() && y[next] == y[first]) ++next;
+    const auto of_row = x.segment(first, next - first);
+    ++row;
+    for (const double side : {-dy / 2, dy / 2}) {
+      table.add({1, row, y[first] + side, of_row.minCoeff() - dx / 2, of_row.maxCoeff() + dx / 2});
+    }
+  }
+  return table;
+}
+
 Table patch_edges_table(const SteadyPatch& patch) {
-  Table table("edges", "the edges of the contact, and the rows that lie between its sides",
-              {{"lobe", "1", "number of a part of the contact, from 1 on"},
-               {"row", "1", "the row above this side, from 1 on; of the last side that below"},
-               {"y", "mm", "position across the rolling"},
-               {"trailing", "mm", "x of the trailing edge"},
-               {"leading", "mm", "x of the leading edge"}});
+  Table table = empty_edges();
   const JoinedRows rows(patch.bound.shape(), patch.rows, patch.elements);
   const Eigen::Index strips = patch.rows < 30 ? 4 : 1;
   const auto add = [&](Eigen::Index k, double psi) {

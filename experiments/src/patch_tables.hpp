@@ -22,12 +22,21 @@ struct PatchValues {
   const std::vector<bool>& slips;
 };
 
+/// Where values on joined rows are, for a description.
+inline constexpr const char* at_cells =
+    " of a patch, values at the centres of cells, from the leading edge on, row by row";
+
 /// The table `traction` of a patch, a row for each element.
-/// \param rolling  "steady rolling"
-Table patch_traction_table(const std::string& rolling, const PatchValues& values);
+Table patch_traction_table(const std::string& description, const PatchValues& values);
 
 /// The table `edges`: the sides of rows, and some between them where there are few.
 Table patch_edges_table(const SteadyPatch& patch);
+
+/// The table `edges` of equal rectangles, row by row.
+/// \param x, y    of the centres, in the order of the rows  [mm]
+/// \param dx, dy  sides of a rectangle  [mm]
+Table rectangles_edges_table(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double dx,
+                             double dy);
 
 /// Adds resultants and motion to the table `summary`.
 void add_patch_load(Table& summary, const Eigen::Vector3d& resultants,

@@ -2,12 +2,16 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/scene_tables.hpp"
 #include "microslip/patch/joined_rows.hpp"
 #include "microslip/patch/patch_rolling.hpp"
+#include "microslip/patch/standard_patch.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "patch_tables.hpp"
@@ -26,22 +30,39 @@ struct PatchElements {
   VectorXd area;    ///< [mm^2]
   VectorXd bound;   ///< [N/mm^2]
   VectorXd weight;  ///< the force in an element over the traction at its centre  [mm^2]
+};
 
-  explicit PatchElements(const SteadyPatch& patch) {
-    const double c = patch.bound.size();
-    const JoinedRows rows(patch.bound.shape().scaled(1 / c), patch.rows, patch.elements);
-    area = c * c * rows.areas();
-    weight = c * c * rows.moments().row(0);
-    bound.resize(rows.cells());
-    for (Index k = 0; k < rows.rows(); ++k) {
-      for (Index i = 0; i < rows.elements(); ++i) {
-        const Index cell = rows.cell(i, k);
-        bound[cell] = patch.bound(rows.lobe(k), rows.psi(k), rows.theta(i));
-        weight[cell] /= std::tan(rows.theta(i) / 2);
-      }
+PatchElements elements_of(const SteadyPatch& patch, const PatchRolling&) {
+  const double c = patch.bound.size();
+  const JoinedRows rows(patch.bound.shape().scaled(1 / c), patch.rows, patch.elements);
+  PatchElements found{.area = c * c * rows.areas(),
+                      .bound = VectorXd(rows.cells()),
+                      .weight = c * c * rows.moments().row(0)};
+  for (Index k = 0; k < rows.rows(); ++k) {
+    for (Index i = 0; i < rows.elements(); ++i) {
+      const Index cell = rows.cell(i, k);
+      found.bound[cell] = patch.bound(rows.lobe(k), rows.psi(k), rows.theta(i));
+      found.weight[cell] /= std::tan(rows.theta(i) / 2);
     }
   }
-};
+  return found;
+}
+
+PatchElements elements_of(const SteadyPatch&, const RectangleRolling& rolling) {
+  const VectorXd area = VectorXd::Constant(rolling.size(), rolling.area());
+  return {.area = area, .bound = rolling.bound(), .weight = area};
+}
+
+using AnyRolling = std::variant<PatchRolling, RectangleRolling>;
+
+AnyRolling rolling_of(const SteadyPatch& patch, const AdvectionScheme& scheme) {
+  if (std::holds_alternative<Remembered>(scheme)) return PatchRolling(patch);
+  const PatchBound& bound = patch.bound;
+  return RectangleRolling({.material = patch.material,
+                           .bound = {bound.half_width(), bound.lateral_half_width(), bound.peak()},
+                           .elements = patch.elements,
+                           .rows = patch.rows});
+}
 
 /// The end of a step or a shift.
 struct PatchStepEnd {
@@ -54,44 +75,62 @@ struct PatchStepEnd {
 /// A patch that rolls or is shifted, with evidence for each step.
 class RolledPatch {
  public:
-  explicit RolledPatch(const SteadyPatch& patch)
-      : patch_(patch), elements_(patch), rolling_(patch) {}
+  RolledPatch(const SteadyPatch& patch, const AdvectionScheme& scheme)
+      : patch_(patch),
+        rolling_(rolling_of(patch, scheme)),
+        elements_(std::visit([&](const auto& of) { return elements_of(patch, of); }, rolling_)) {}
 
   PatchStepEnd shift(const PatchLoad& load) {
-    rolling_.shift(load);
+    std::visit([&](auto& of) { of.shift(load); }, rolling_);
     return end(load);
   }
 
   PatchStepEnd roll(double dq, const PatchLoad& load) {
-    rolling_.roll(dq, load);
+    std::visit([&](auto& of) { of.roll(dq, load); }, rolling_);
     return end(load);
   }
 
   Table tractions() const {
-    return patch_traction_table("transient rolling",
-                                {rolling_.x(), rolling_.y(), elements_.area, elements_.bound,
-                                 rolling_.tractions(), rolling_.slip(), rolling_.slips()});
+    return std::visit(
+        [&](const auto& of) {
+          return patch_traction_table(
+              "transient rolling", {of.x(), of.y(), elements_.area, elements_.bound, of.tractions(),
+                                    of.slip(), of.slips()});
+        },
+        rolling_);
+  }
+
+  Table edges() const {
+    const auto* rectangles = std::get_if<RectangleRolling>(&rolling_);
+    if (rectangles == nullptr) return patch_edges_table(patch_);
+    return rectangles_edges_table(rectangles->x(), rectangles->y(), rectangles->element(),
+                                  rectangles->area() / rectangles->element());
   }
 
  private:
   PatchStepEnd end(const PatchLoad& load) const {
-    PatchStepEnd found{.resultants = rolling_.resultants(),
-                       .motion = rolling_.motion(),
+    return std::visit([&](const auto& of) { return end_of(of, load); }, rolling_);
+  }
+
+  template <class Rolling>
+  PatchStepEnd end_of(const Rolling& rolling, const PatchLoad& load) const {
+    PatchStepEnd found{.resultants = rolling.resultants(),
+                       .motion = rolling.motion(),
                        .slip_share = 0,
-                       .iterations = rolling_.iterations(),
+                       .iterations = rolling.iterations(),
                        .evidence = {}};
     for (std::size_t j = 0; j < load.size(); ++j) {  // without rounding
       (load[j].by_resultant ? found.resultants : found.motion)[static_cast<Index>(j)] =
           load[j].value;
     }
     Evidence& evidence = found.evidence;
-    evidence.residual = rolling_.residual();
+    evidence.residual = rolling.residual();
     evidence.load = found.resultants.head<2>().norm();
     evidence.full_sliding = patch_.bound.total();
-    const MatrixX2d tractions = rolling_.tractions(), slip = rolling_.slip();
+    const MatrixX2d tractions = rolling.tractions(), slip = rolling.slip();
     double slipping = 0;
     for (Index i = 0; i < elements_.area.size(); ++i) {
-      if (!rolling_.slips()[static_cast<std::size_t>(i)]) continue;
+      if (!rolling.slips()[static_cast<std::size_t>(i)]) continue;
       slipping += elements_.area[i];
       const double weight = elements_.weight[i], power = weight * tractions.row(i).dot(slip.row(i));
       evidence.excess += weight * std::max(0.0, tractions.row(i).norm() - elements_.bound[i]);
@@ -106,8 +145,8 @@ class RolledPatch {
   }
 
   SteadyPatch patch_;
+  AnyRolling rolling_;
   PatchElements elements_;
-  PatchRolling rolling_;
 };
 
 /// The patch with rows and elements that are a third fewer; none if there are no fewer.
@@ -142,8 +181,8 @@ struct MotionChange {
 /// shifts, and of the way that is crept, over the largest; and of motions in the last step.
 class CoarsePatch {
  public:
-  explicit CoarsePatch(const SteadyPatch& patch) : bound_(patch.bound) {
-    if (const auto fewer = with_fewer_elements(patch)) rolled_.emplace(*fewer);
+  CoarsePatch(const SteadyPatch& patch, const AdvectionScheme& scheme) : bound_(patch.bound) {
+    if (const auto fewer = with_fewer_elements(patch)) rolled_.emplace(*fewer, scheme);
   }
 
   /// \param length  of the step; 1 for a shift  [mm]
@@ -262,8 +301,8 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   const std::size_t steps = number_of_steps(scene.distance, lengths);
   std::size_t done = 0;
   progress(done, scene.shifts.size() + steps);
-  RolledPatch rolled(scene.patch);
-  CoarsePatch coarse(scene.patch);
+  RolledPatch rolled(scene.patch, scene.scheme);
+  CoarsePatch coarse(scene.patch, scene.scheme);
   WorstOfPatch worst;
   const auto take = [&](double length, const auto& step) {
     const PatchStepEnd end = step(rolled);
@@ -304,14 +343,14 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   add_patch_shares(summary, scene.patch, end.evidence.load, end.slip_share);
   add_patch_sizes(summary, scene.patch);
   if (!scene.shifts.empty()) summary.add({"shifts", scene.shifts.size(), "1"});
-  summary.add({"method", "remembered", "1"});
+  summary.add({"method", name_of(scene.scheme), "1"});
   summary.add({"iterations", worst.iterations, "1"});
   add_evidence(summary, worst.evidence,
                {.condition = std::nullopt,
                 .iterations = worst.iterations,
                 .accepted = scene.patch.accepted,
                 .doubt = doubt_of_patch(worst.evidence)});
-  std::vector<Table> tables{rolled.tractions(), patch_edges_table(scene.patch), history, summary};
+  std::vector<Table> tables{rolled.tractions(), rolled.edges(), history, summary};
   if (!scene.shifts.empty()) tables.push_back(shifts);
   return tables;
 }

@@ -67,7 +67,7 @@ void warn_of_missed_rows(Scene& scene, const LoadHistory& loads,
                          const std::vector<double>& step_ratios, double spacing) {
   if (!loads.changes_contact() || !scene.has("step.ratio") || scene.has("step.tolerance")) return;
   const double longest = std::ranges::max(step_ratios);
-  const std::vector<double> rows = row_ratios(loads, spacing);
+  const std::vector<double> rows = row_ratios(loads.distances(), spacing);
   if (longest <= std::ranges::min(rows)) return;
   scene.warn("step.ratio", longest,
              "longer than rows of load.file: changes of the contact between its ends are missed; "

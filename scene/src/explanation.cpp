@@ -230,7 +230,7 @@ std::string name_of(const PatchShape& shape) {
 }
 
 /// The largest resultants, the shape and the grid.
-std::vector<std::string> sizes_of(const SteadyPatch& patch) {
+std::vector<std::string> sizes_of(const SteadyPatch& patch, bool by_rectangles = false) {
   const PatchShape& shape = patch.bound.shape();
   const std::string c = five_digits(patch.bound.size());
   const std::size_t lobes = shape.lobes().size();
@@ -292,9 +292,16 @@ Explanation of_patch(const PatchTransient& scene) {
                               five_digits(scene.distance),
                               five_digits(scene.distance / (2 * scene.patch.bound.half_width())),
                               five_digits(steps_needed(scene))));
-  lines.emplace_back(
-      "the material remembers its displacement: second order in the step, of any length; stick and "
-      "slip are found by Newton's method");
+  if (std::holds_alternative<Direct>(scene.scheme)) {
+    lines.emplace_back(
+        "tractions are constant in equal rectangles, and displacements are moved with the "
+        "material, "
+        "as in CONTACT: first order in dx");
+  } else {
+    lines.emplace_back(
+        "the material remembers its displacement: second order in the step, of any length; stick "
+        "and slip are found by Newton's method");
+  }
   return found;
 }
 

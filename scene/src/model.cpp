@@ -101,7 +101,7 @@ std::vector<double> read_steps(Scene& scene, const TransientProblem& problem,
   require_few_rows(scene, problem, loads);
   if (has_step_tolerance(scene, problem)) return read_straight_steps(scene, problem, loads);
   if (scene.has("step.ratio") || loads.distances().empty()) return read_step_ratios(scene);
-  return row_ratios(loads, problem.grid.spacing());
+  return row_ratios(loads.distances(), problem.grid.spacing());
 }
 
 /// The steps to warn of: all that are given, but of rows, which may be many, the extremes.

@@ -266,12 +266,14 @@ std::vector<std::string> keys_of_patch_loads() {
   return all;
 }
 
+double mean_strain(const SteadyPatch& patch) {
+  return patch.bound.total() / patch.bound.shape().area() / patch.material.shear_modulus;
+}
+
 void warn_of_large_creepages(Scene& scene, const SteadyPatch& patch) {
-  const double strain =
-      patch.bound.total() / patch.bound.shape().area() / patch.material.shear_modulus;
   for (std::size_t j = 0; j < 2; ++j) {
     const auto& [by_resultant, value] = patch.load[j];
-    const std::string doubt = doubt_of_creepage(value, strain);
+    const std::string doubt = doubt_of_creepage(value, mean_strain(patch));
     if (!by_resultant && !doubt.empty()) scene.warn(patch_components[j].motion, value, doubt);
   }
 }

@@ -38,6 +38,9 @@ bool has_patch_load(const Scene& scene);
 /// Reads load.* of all components; the motion of one that is not given is 0.
 PatchLoad read_patch_load(Scene& scene, const PatchBound& bound);
 
+/// The mean of the bound over the shear modulus.
+double mean_strain(const SteadyPatch& patch);
+
 /// Warns of prescribed creepages as warn_of_large_creepage().
 void warn_of_large_creepages(Scene& scene, const SteadyPatch& patch);
 

@@ -7,12 +7,18 @@
 #include <cmath>
 #include <numeric>
 
+#include "doubts.hpp"
 #include "few_steps.hpp"
+#include "microslip/patch/standard_patch.hpp"
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
+#include "patch_files.hpp"
 #include "patch_parts.hpp"
+#include "patch_run.hpp"
+#include "run_file.hpp"
 
 namespace microslip {
 
@@ -32,22 +38,6 @@ constexpr std::array<ShiftKeys, 3> shift_components{{
 
 /// The residual at which steps end, over the bound.
 constexpr double residual_of_steps = 1e-9;
-
-/// Calls an action; a message about a component is then about its key.
-/// \param names  of the component's motion or resultant in `load`
-template <class Action, class Name>
-void with_names(const PatchLoad& load, const Action& action, const Name& name) {
-  try {
-    action();
-  } catch (const BadParameter& error) {
-    for (std::size_t j = 0; j < load.size(); ++j) {
-      const std::string known = name_of(load, j);
-      if (error.name() != known) continue;
-      throw BadParameter(name(j), name(j) + std::string(error.what()).substr(known.size()));
-    }
-    throw;
-  }
-}
 
 void require_lengths(const std::vector<double>& numbers, const std::string& key,
                      const std::vector<double>& first, const std::string& first_key) {
@@ -96,7 +86,7 @@ std::vector<PatchLoad> read_patch_shifts(Scene& scene, const PatchBound& bound,
   }
   if (shifts.empty()) return {shift_to(scene, load)};
   for (const PatchLoad& shift : shifts) {
-    with_names(
+    with_names_of(
         shift, [&] { validate(shift, bound.total(), bound.turning_moment()); },
         [&](std::size_t j) { return given[j]; });
   }
@@ -111,26 +101,50 @@ std::vector<PatchLoad> read_patch_start(Scene& scene, const PatchBound& bound,
   reject("start.type", type, "rest or cattaneo, as the contact has three dimensions");
 }
 
-void warn_of_sudden_resultants(Scene& scene, const PatchLoad& load, double first_step) {
+void warn_of_sudden_resultants(Scene& scene, const PatchTransient& read) {
   if (scene.word("start.type") != "rest") return;
+  const PatchLoad load = read.loads.at(0);
   for (std::size_t j = 0; j < load.size(); ++j) {
     const auto& [by_resultant, value] = load[j];
     if (!by_resultant || value == 0) continue;
-    scene.warn(patch_components[j].resultant, value,
+    const std::string key = patch_components[j].resultant;
+    const bool is_given = scene.has(key) || scene.has(patch_components[j].ratio);
+    scene.warn(is_given ? key : key.substr(5) + " of load.file", value,
                fmt::format("from a start at rest, it is reached over the first step, of {} mm; "
                            "start.type cattaneo starts under it",
-                           format_roughly(first_step)));
+                           format_roughly(read.step_lengths().front())));
   }
 }
 
+/// \return dq/dx; of load.file without step.ratio from row to row
+std::vector<double> read_patch_steps(Scene& scene, const PatchTransient& read) {
+  const std::vector<double>& rows = read.loads.distances();
+  if (scene.has("step.ratio") || rows.empty()) return read_step_ratios(scene);
+  const auto steps = static_cast<double>(rows.size()) - 1;
+  scene.with_file("load.file", [&] {
+    if (steps > most_steps && !scene.has("motion.distance")) {
+      throw std::invalid_argument(fmt::format("expected at most {} steps, and its rows make {:.0f}",
+                                              format_short(most_steps), steps));
+    }
+  });
+  return row_ratios(rows, read.spacing());
+}
+
 /// Refuses steps that PatchRolling does not take.
-void require_step_lengths(const PatchTransient& read) {
+void require_step_lengths(const Scene& scene, const PatchTransient& read) {
   const double c = read.patch.bound.size(), dx = read.spacing();
   const double least = 1e-6 * (c + read.distance), most = 1e6 * c;
   for (const double ratio : read.step_ratios) {
-    require(ratio * dx >= least && ratio * dx <= most, "step.ratio", ratio, [&] {
-      return fmt::format("a number from {} to {}, by the size of the contact and the distance",
-                         format_roughly(least / dx), format_roughly(most / dx));
+    if (ratio * dx >= least && ratio * dx <= most) continue;
+    if (scene.has("step.ratio")) {
+      require(false, "step.ratio", ratio,
+              fmt::format("a number from {} to {}, by the size of the contact and the distance",
+                          format_roughly(least / dx), format_roughly(most / dx)));
+    }
+    scene.with_file("load.file", [&] {
+      throw std::invalid_argument(fmt::format(
+          "expected rows that are {} to {} mm apart, not {}; step.ratio makes other steps",
+          format_roughly(least), format_roughly(most), format_roughly(ratio * dx)));
     });
   }
   const double last = last_step(read.distance, read.step_lengths());
@@ -138,6 +152,20 @@ void require_step_lengths(const PatchTransient& read) {
     return fmt::format("another distance: the last step would be {} mm long, shorter than {} mm",
                        format_roughly(last), format_roughly(least));
   });
+}
+
+AdvectionScheme read_patch_scheme(Scene& scene) {
+  const std::string scheme = scene.word("step.scheme");
+  if (scheme == "remembered") return Remembered{};
+  if (scheme != "direct") {
+    reject("step.scheme", scheme, "remembered or direct, as the contact has three dimensions");
+  }
+  for (const char* key : {patch_file, bound_file}) {
+    if (!scene.has(key)) continue;
+    reject("step.scheme", scheme,
+           fmt::format("remembered with {}, as direct has Hertz's bound", key));
+  }
+  return Direct{};
 }
 
 }  // namespace
@@ -155,23 +183,35 @@ std::vector<double> PatchTransient::step_lengths() const {
 PatchTransient read_patch_transient(Scene& scene) {
   SteadyPatch patch = read_unloaded_patch(scene);
   patch.accepted.residual = residual_of_steps;
-  const std::string scheme = scene.word("step.scheme");
-  if (scheme != "remembered") {
-    reject("step.scheme", scheme, "remembered, as the contact has three dimensions");
+  const AdvectionScheme scheme = read_patch_scheme(scene);
+  const bool has_file = scene.has("load.file");
+  if (!has_file && !has_patch_load(scene)) {
+    std::vector<std::string> all = keys_of_patch_loads();
+    all.emplace_back("load.file");
+    scene.one_of(all);  // says which are missing
   }
-  if (!has_patch_load(scene)) scene.one_of(keys_of_patch_loads());  // says which are missing
   patch.load = read_patch_load(scene, patch.bound);
   validate(patch);
   warn_of_large_creepages(scene, patch);
-  PatchTransient read{.patch = patch, .loads = patch.load};
-  read.step_ratios = read_step_ratios(scene);
-  read.shifts = read_patch_start(scene, patch.bound, patch.load);
+  PatchTransient read{.patch = patch, .scheme = scheme, .loads = patch.load};
+  if (has_file) read.loads = read_patch_run(scene, patch);
+  read.patch.load = read.loads.at(0);
+  read.step_ratios = read_patch_steps(scene, read);
+  read.shifts = read_patch_start(scene, patch.bound, read.patch.load);
   read.distance = read_distance(scene, read.loads.distance());
   const double mean = std::accumulate(read.step_ratios.begin(), read.step_ratios.end(), 0.0) /
                       static_cast<double>(read.step_ratios.size());
   require_few_steps(read.distance, 0, mean * read.spacing(), [] { return ""; });
-  require_step_lengths(read);
-  warn_of_sudden_resultants(scene, patch.load, read.step_lengths().front());
+  if (std::holds_alternative<Remembered>(scheme)) {
+    require_step_lengths(scene, read);
+  } else {
+    const auto [least, most] = std::ranges::minmax(read.step_ratios);
+    for (const double ratio : {least, most}) {
+      warn_outside(scene, entry_of(scheme).safe_steps, "step.ratio", ratio,
+                   "step.scheme remembered");
+    }
+  }
+  warn_of_sudden_resultants(scene, read);
   return read;
 }
 

@@ -34,6 +34,19 @@ const std::vector<FileColumn> all_columns = {{"q", "mm", false},
                                              {"peak_traction", "N/mm^2", false},
                                              {"friction", "1", false}};
 
+/// The same of a patch, with the other components.
+std::vector<FileColumn> columns_of_patches() {
+  std::vector<FileColumn> columns = all_columns;
+  for (FileColumn& column : columns) {
+    if (column.name == "force" || column.name == "normal_load") column.unit = "N";
+  }
+  columns.insert(columns.end(), {{"lateral_creepage", "1", false},
+                                 {"lateral_force", "N", false},
+                                 {"spin", "1/mm", false},
+                                 {"spin_moment", "N mm", false}});
+  return columns;
+}
+
 /// One of the columns, "t = Time": the unit of the file's name is the file's if it has none.
 void take_name(Scene& scene, std::vector<FileColumn>& columns, const std::string& part) {
   const std::string& text = scene.text(columns_key);
@@ -100,6 +113,17 @@ constexpr Synonym synonyms[] = {{"angular velocity", "omega"},
                                 {"peak traction", "peak_traction"},
                                 {"friction", "friction"},
                                 {"mu", "friction"},
+                                {"lateral slip", "lateral_creepage"},
+                                {"lateral creep", "lateral_creepage"},
+                                {"lateral creepage", "lateral_creepage"},
+                                {"querschlupf", "lateral_creepage"},
+                                {"lateral force", "lateral_force"},
+                                {"querkraft", "lateral_force"},
+                                {"fy", "lateral_force"},
+                                {"spin moment", "spin_moment"},
+                                {"mz", "spin_moment"},
+                                {"spin", "spin"},
+                                {"bohrschlupf", "spin"},
                                 {"slip", "creepage"},
                                 {"creep", "creepage"},
                                 {"creepage", "creepage"},
@@ -127,9 +151,10 @@ constexpr Synonym synonyms[] = {{"angular velocity", "omega"},
                                 {"force", "force"},
                                 {"kraft", "force"}};
 
-std::string likely_column(const std::string& name) {
+std::string likely_column(const std::string& name, const std::vector<FileColumn>& wanted) {
   const std::string words = words_in(name);
   for (const auto& [meant, column] : synonyms) {
+    if (std::ranges::find(wanted, column, &FileColumn::name) == wanted.end()) continue;
     if (words.find(fmt::format(" {} ", meant)) != std::string::npos) return std::string(column);
   }
   return "";
@@ -143,7 +168,7 @@ std::vector<std::string> likely_columns(const std::vector<std::string>& names,
     if (std::ranges::find(names, column.name) != names.end()) taken.push_back(column.name);
   }
   for (const std::string& name : names) {
-    const std::string column = likely_column(name);
+    const std::string column = likely_column(name, wanted);
     if (column.empty() || std::ranges::find(taken, column) != taken.end()) continue;
     if (name.find_first_of(",=\"") != std::string::npos) continue;
     taken.push_back(column);
@@ -174,7 +199,7 @@ std::vector<std::string> likely_columns(const std::vector<std::string>& names,
 }  // namespace
 
 std::vector<FileColumn> run_columns(Scene& scene) {
-  std::vector<FileColumn> columns = all_columns;
+  std::vector<FileColumn> columns = scene.has_patch() ? columns_of_patches() : all_columns;
   if (!scene.has(columns_key)) return columns;
   const std::string text = scene.free_text(columns_key);
   std::vector<std::string> parts;
@@ -183,19 +208,71 @@ std::vector<FileColumn> run_columns(Scene& scene) {
   return columns;
 }
 
-void require_run(Scene& scene, const std::vector<FileColumn>& wanted,
-                 const std::vector<std::optional<Eigen::VectorXd>>& found) {
-  const auto has = [&](std::string_view name) {
-    const auto at = std::ranges::find(wanted, name, &FileColumn::name);
-    return found[static_cast<std::size_t>(at - wanted.begin())].has_value();
-  };
-  if (has("q") == has("t")) fail_with_names(scene, wanted, "either q or t");
-  if (int(has("creepage")) + int(has("force")) + int(has("omega")) != 1) {
-    fail_with_names(scene, wanted, "one of creepage, force and omega");
+namespace {
+
+/// The names of columns that a file has.
+class FoundColumns {
+ public:
+  FoundColumns(const std::vector<FileColumn>& wanted,
+               const std::vector<std::optional<Eigen::VectorXd>>& found) {
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (found[i]) names_.push_back(wanted[i].name);
+    }
   }
-  if (has("t") != has("v")) {
+
+  bool has(std::string_view name) const { return std::ranges::find(names_, name) != names_.end(); }
+
+  int count(const std::vector<std::string>& names) const {
+    return static_cast<int>(
+        std::ranges::count_if(names, [&](const auto& one) { return has(one); }));
+  }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+void require_places(Scene& scene, const std::vector<FileColumn>& wanted,
+                    const FoundColumns& found) {
+  if (found.has("q") == found.has("t")) fail_with_names(scene, wanted, "either q or t");
+}
+
+void require_speeds(Scene& scene, const std::vector<FileColumn>& wanted,
+                    const FoundColumns& found) {
+  if (found.has("t") != found.has("v")) {
     fail_with_names(scene, wanted, "v where there is t, and only there");
   }
+}
+
+}  // namespace
+
+void require_run(Scene& scene, const std::vector<FileColumn>& wanted,
+                 const std::vector<std::optional<Eigen::VectorXd>>& columns) {
+  const FoundColumns found(wanted, columns);
+  require_places(scene, wanted, found);
+  if (found.count({"creepage", "force", "omega"}) != 1) {
+    fail_with_names(scene, wanted, "one of creepage, force and omega");
+  }
+  require_speeds(scene, wanted, found);
+}
+
+void require_patch_run(Scene& scene, const std::vector<FileColumn>& wanted,
+                       const std::vector<std::optional<Eigen::VectorXd>>& columns) {
+  const FoundColumns found(wanted, columns);
+  require_places(scene, wanted, found);
+  int components = 0;
+  for (const std::vector<std::string>& component :
+       {std::vector<std::string>{"creepage", "force", "omega"},
+        {"lateral_creepage", "lateral_force"},
+        {"spin", "spin_moment"}}) {
+    const int count = found.count(component);
+    if (count > 1) fail_with_names(scene, wanted, "only one of " + joined(component, ", "));
+    components += count;
+  }
+  if (components == 0) {
+    fail_with_names(scene, wanted,
+                    "creepage, force, omega, lateral_creepage, lateral_force, spin or spin_moment");
+  }
+  require_speeds(scene, wanted, found);
 }
 
 }  // namespace microslip

@@ -9,7 +9,7 @@
 
 namespace microslip {
 
-/// The columns that load.file may have, with their names in the file if load.columns gives them.
+/// The columns that load.file may have, in a patch also those of the other components, with their names in the file if load.columns gives them.
 /// \throws BadParameter for a load.columns that names other columns, or one of them twice
 std::vector<FileColumn> run_columns(Scene& scene);
 
@@ -19,5 +19,9 @@ std::vector<FileColumn> run_columns(Scene& scene);
 /// \throws std::invalid_argument with the names of the file, and which of them may be meant
 void require_run(Scene& scene, const std::vector<FileColumn>& wanted,
                  const std::vector<std::optional<Eigen::VectorXd>>& found);
+
+/// The same of a patch: at most one column for each component, and one for some component.
+void require_patch_run(Scene& scene, const std::vector<FileColumn>& wanted,
+                       const std::vector<std::optional<Eigen::VectorXd>>& found);
 
 }  // namespace microslip

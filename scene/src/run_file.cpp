@@ -104,9 +104,8 @@ LoadHistory read_run(Scene& scene, const TransientProblem& problem) {
   });
 }
 
-std::vector<double> row_ratios(const LoadHistory& loads, double spacing) {
+std::vector<double> row_ratios(const std::vector<double>& rows, double spacing) {
   std::vector<double> ratios;
-  const std::vector<double>& rows = loads.distances();
   for (std::size_t i = 1; i < rows.size(); ++i) {
     if (rows[i] > rows[i - 1]) ratios.push_back((rows[i] - rows[i - 1]) / spacing);
   }

@@ -17,7 +17,8 @@ namespace microslip {
 LoadHistory read_run(Scene& scene, const TransientProblem& problem);
 
 /// The steps from row to row, dq/dx; without those of length 0, in which nothing happens  [1]
+/// \param rows     their distances  [mm]
 /// \param spacing  dx  [mm]
-std::vector<double> row_ratios(const LoadHistory& loads, double spacing);
+std::vector<double> row_ratios(const std::vector<double>& rows, double spacing);
 
 }  // namespace microslip

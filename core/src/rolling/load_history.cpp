@@ -158,14 +158,14 @@ LoadHistory::LoadHistory(const RunRows& rows) {
 
   take_contact(rows);
   if (rows.force) {
-    require_finite(*rows.force, n, "force");
-    require_kept_at_standstill(rows.force, "force", distances_);
+    require_finite(*rows.force, n, rows.force_name);
+    require_kept_at_standstill(rows.force, rows.force_name, distances_);
     force_ = in_std(*rows.force);
     return;
   }
   const std::vector<double> acceleration = slopes(speed_, lengths_);
   if (rows.creepage) {
-    require_finite(*rows.creepage, n, "creepage");
+    require_finite(*rows.creepage, n, rows.creepage_name);
     const std::vector<double> creepage = in_std(*rows.creepage);
     const std::vector<double> change = slopes(creepage, lengths_);
     for (std::size_t i = 0; i < lengths_.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <concepts>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
@@ -37,6 +38,9 @@ struct RunRows {
     double peak_traction = 1;
     double friction = 1;
   } of_problem = {};
+
+  /// Names of the columns in messages, of a component that is not along the rolling.
+  std::string creepage_name = "creepage", force_name = "force";
 };
 
 /// A load that changes on the way. Nothing happens between rows at one distance, or with v = 0 in

@@ -107,7 +107,8 @@ SteadyPatch read_steady_patch(Scene& scene);
 
 /// A contact patch that rolls by steps.
 struct PatchTransient {
-  SteadyPatch patch;                     ///< with the load at the start
+  SteadyPatch patch;                      ///< with the load at the start
+  AdvectionScheme scheme = Remembered{};  ///< Remembered, or Direct on equal rectangles
   std::vector<PatchLoad> shifts = {};    ///< without rolling, one after the other from the start on
   double distance = 0;                   ///< rolled at the end, (0, inf)  [mm]
   std::vector<double> step_ratios = {};  ///< dq over spacing(), taken in turn, each (0, inf)  [1]
@@ -117,8 +118,9 @@ struct PatchTransient {
   std::vector<double> step_lengths() const;  ///< dq, taken in turn  [mm]
 };
 
-/// Reads steps of an ellipse or another patch: the keys of read_steady_patch(), step.ratio (one or
-/// more numbers), motion.distance, and start.type `rest` or `cattaneo`. The latter has start.force
+/// Reads steps of an ellipse or another patch: the keys of read_steady_patch(), step.scheme
+/// `remembered` or `direct`, load.file, whose columns go before load.*, step.ratio (one or more
+/// numbers; the rows of load.file by default), motion.distance, and start.type `rest` or `cattaneo`. The latter has start.force
 /// or start.shift, and the same of the other components, of which all have as many numbers; without
 /// them, the bodies are shifted to the resultants of the load.
 PatchTransient read_patch_transient(Scene& scene);

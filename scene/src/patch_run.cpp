@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch_run.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "doubts.hpp"
+#include "microslip/rolling/large_creepage.hpp"
+#include "microslip/support/require.hpp"
+#include "patch_parts.hpp"
+#include "run_columns.hpp"
+
+namespace microslip {
+
+using Eigen::VectorXd;
+
+namespace {
+
+/// A component's columns.
+struct RunNames {
+  const char* motion;
+  const char* resultant;
+};
+
+constexpr std::array<RunNames, 3> run_components{{
+    {"creepage", "force"},
+    {"lateral_creepage", "lateral_force"},
+    {"spin", "spin_moment"},
+}};
+
+/// Columns of a file by their names.
+struct NamedColumns {
+  std::vector<FileColumn> wanted;
+  std::vector<std::optional<VectorXd>> found;
+
+  const std::optional<VectorXd>& operator[](std::string_view name) const {
+    const auto at = std::ranges::find(wanted, name, &FileColumn::name);
+    return found[static_cast<std::size_t>(at - wanted.begin())];
+  }
+};
+
+/// A component has either a column or a key.
+void require_one_source(const Scene& scene, const NamedColumns& columns) {
+  for (std::size_t j = 0; j < run_components.size(); ++j) {
+    const auto& [motion, resultant] = run_components[j];
+    const bool has_column = columns[motion] || columns[resultant] || (j == 0 && columns["omega"]);
+    const auto& keys = patch_components[j];
+    for (const char* key : {keys.motion, keys.resultant, keys.ratio}) {
+      if (!has_column || !scene.has(key)) continue;
+      throw BadParameter(key, fmt::format("{}: expected no such key, as load.file has a column of "
+                                          "this component",
+                                          key));
+    }
+  }
+}
+
+void refuse_changes_of_contact(const NamedColumns& columns) {
+  for (const char* name : {"normal_load", "half_width", "peak_traction", "friction"}) {
+    if (!columns[name]) continue;
+    throw std::invalid_argument(fmt::format(
+        "column '{}': expected none, as a contact of three dimensions does not change in this "
+        "version; a name that begins with _ is left out",
+        name));
+  }
+}
+
+/// The rows of one component.
+RunRows rows_of_component(const NamedColumns& columns, std::size_t j,
+                          const PatchComponent& constant) {
+  const auto& [motion, resultant] = run_components[j];
+  RunRows rows;
+  rows.distance = columns["q"];
+  rows.time = columns["t"];
+  rows.velocity = columns["v"];
+  rows.creepage_name = motion;
+  rows.force_name = resultant;
+  rows.creepage = columns[motion];
+  rows.force = columns[resultant];
+  if (j == 0) rows.angular_velocity = columns["omega"];
+  if (rows.creepage || rows.force || rows.angular_velocity) return rows;
+  const Eigen::Index n = (rows.time ? rows.time : rows.distance)->size();
+  (constant.by_resultant ? rows.force : rows.creepage) = VectorXd::Constant(n, constant.value);
+  return rows;
+}
+
+/// Requires that friction carries the resultants of each row.
+void require_patch_carried(const NamedColumns& columns, const PatchHistory& loads,
+                           const PatchBound& bound) {
+  const std::vector<double>& distances = loads.distances();
+  for (std::size_t i = 0; i < distances.size(); ++i) {
+    const PatchLoad load = loads.at(distances[i]);
+    with_names_of(
+        load, [&] { validate(load, bound.total(), bound.turning_moment()); },
+        [&](std::size_t j) {
+          const auto& [motion, resultant] = run_components[j];
+          const std::string name = load[j].by_resultant ? resultant : motion;
+          return columns[name] ? fmt::format("row {}: {}", i + 1, name) : "load." + name;
+        });
+  }
+}
+
+void warn_of_creepages_in_run(Scene& scene, const PatchHistory& loads, const SteadyPatch& patch) {
+  std::array<double, 2> largest{};
+  for (const double distance : loads.distances()) {
+    const PatchLoad load = loads.at(distance);
+    for (std::size_t j = 0; j < largest.size(); ++j) {
+      const bool is_larger = std::abs(load[j].value) > std::abs(largest[j]);
+      if (!load[j].by_resultant && is_larger) largest[j] = load[j].value;
+    }
+  }
+  for (std::size_t j = 0; j < largest.size(); ++j) {
+    const std::string doubt = doubt_of_creepage(largest[j], mean_strain(patch));
+    if (doubt.empty()) continue;
+    scene.warn(fmt::format("{} of load.file", run_components[j].motion), largest[j], doubt);
+  }
+}
+
+}  // namespace
+
+PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch) {
+  NamedColumns columns{run_columns(scene), {}};
+  columns.found = scene.from_columns("load.file", columns.wanted, [&](const auto& found) {
+    require_patch_run(scene, columns.wanted, found);
+    return found;
+  });
+  require_one_source(scene, columns);
+  double radius = 0;
+  if (columns["omega"]) {
+    radius = scene.positive("load.radius");
+    warn_of_small_radius(scene, "load.radius", radius, patch.bound.half_width());
+  }
+  return scene.with_file("load.file", [&] {
+    refuse_changes_of_contact(columns);
+    std::vector<LoadHistory> histories;
+    for (std::size_t j = 0; j < run_components.size(); ++j) {
+      RunRows rows = rows_of_component(columns, j, patch.load[j]);
+      rows.radius = radius;
+      histories.emplace_back(rows);
+    }
+    const PatchHistory loads({histories[0], histories[1], histories[2]});
+    require_patch_carried(columns, loads, patch.bound);
+    warn_of_creepages_in_run(scene, loads, patch);
+    return loads;
+  });
+}
+
+}  // namespace microslip

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "microslip/patch/steady_patch.hpp"
+#include "microslip/rolling/patch_history.hpp"
+#include "microslip/scene/scene.hpp"
+
+namespace microslip {
+
+/// The run of load.file for a patch, with load.radius if the file has a column omega.
+/// \param patch  its load has the components that are not in the file
+/// \throws std::invalid_argument with a message that names the file, and the line or row and column
+PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch);
+
+/// Calls an action; a message about a component of a load is then about its key, or its column.
+/// \param names  called with the number of the component
+template <class Action, class Name>
+void with_names_of(const PatchLoad& load, const Action& action, const Name& name) {
+  try {
+    action();
+  } catch (const BadParameter& error) {
+    for (std::size_t j = 0; j < load.size(); ++j) {
+      const std::string known = name_of(load, j);
+      if (error.name() != known) continue;
+      throw BadParameter(name(j), name(j) + std::string(error.what()).substr(known.size()));
+    }
+    throw;
+  }
+}
+
+}  // namespace microslip
