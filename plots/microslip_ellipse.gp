@@ -9,6 +9,10 @@ quantity(name) = real(by_awk(summary, sprintf("$at[\"quantity\"] == \"%s\" { pri
 rows = int(quantity("rows"))
 elements = int(quantity("elements"))
 cells = rows * elements
+# Equal rectangles of the scheme direct, which are fewer than those around the contact.
+is_direct = by_awk(summary, "$at[\"quantity\"] == \"method\" { print $at[\"value\"] }'") eq "direct"
+dx = 2 * quantity("half_width") / elements
+dy = 2 * quantity("lateral_half_width") / rows
 least = 1e-9 * quantity("lateral_half_width")
 # The colour of a cell, its tractions over their bound; what slips is beyond 1.
 array part[cells]
@@ -16,6 +20,14 @@ array py[cells]
 peak = 0
 stats traction using (i = int($0) + 1, py[i] = abs(column("y")) < least ? 0 : column("y"), r = sqrt(column("traction_x")**2 + column("traction_y")**2), \
   g = column("bound"), peak = g > peak ? g : peak, part[i] = strcol("zone") eq "S" ? 1.2 : r / g, 0) nooutput
+# The places of rows of rectangles.
+array y_of_rectangles[rows]
+last_y = -1e300
+row_count = 0
+if (is_direct) {
+  stats traction using (y = column("y"), y > last_y ? (row_count = row_count + 1, y_of_rectangles[row_count] = abs(y) < least ? 0 : y, last_y = y) : 0, 0) nooutput
+}
+y_of(k) = is_direct ? y_of_rectangles[k + 1] : py[k * elements + 1]
 # The edges at the sides of rows, and at some places between them.
 stats edges using (column("y")) nooutput
 sides_of_rows = int(STATS_records)
@@ -43,7 +55,7 @@ x_middle = (left_end + right_end) / 2
 y_middle = (low_end + high_end) / 2
 # The sides of cells, each with the colour of the cell that begins there.
 set print $sides
-do for [i=1:sides_of_rows] {
+do for [i=1:is_direct ? 0 : sides_of_rows] {
   do for [j=0:elements] {
     is_inside = lobe[i + 1] == lobe[i] && j < elements
     print sprintf("%.9g\t%.9g\t%.9g", (trailing[i] + leading[i]) / 2 + (leading[i] - trailing[i]) / 2 * cos(pi * j / elements), y_side[i], \
@@ -56,7 +68,9 @@ unset print
 # Arrows: at most some 300, the longest as long as a third of the distance between rows of a coarse grid.
 every = int(ceil(sqrt(cells / 300.)))
 longest = 0.16 * sqrt(a * b / lobes)
-is_drawn(n) = (int(n) % elements) % every == every / 2 && int(n / elements) % every == every / 2
+column_of(n) = is_direct ? int((column("x") - left_end) / dx) : int(n) % elements
+row_of(n) = is_direct ? int((column("y") - low_end) / dy) : int(n / elements)
+is_drawn(n) = column_of(n) % every == every / 2 && row_of(n) % every == every / 2
 # Half the map, which has room for numbers beside a narrow contact, too.
 wide = 1.15 * (a > 0.5 * b ? a : 0.5 * b)
 high = 1.15 * (b > 0.3 * a ? b : 0.3 * a)
@@ -64,14 +78,15 @@ map_height = 260. / wide < 200. / high ? 520. / wide * high : 400.
 top = 44.
 middle_row = last_of_lobe[1] / 2
 side_row = lobes > 1 ? (last_of_lobe[1] + last_of_lobe[2]) / 2 : int(rows * (0.5 + asin(0.5) / pi))
+if (is_direct) { middle_row = row_count / 2; side_row = int(0.75 * row_count) }
 last_row = side_row > middle_row ? side_row : side_row - 1
 # The key of the lower panel: along the middle row, the bound and both components, and along another row the components.
 entries = last_row < side_row ? 3 : 5
-entry_label(i) = i == 5 ? "bound ±g" : sprintf("p_%s, y = %.3g mm", i % 2 ? "x" : "y", py[(i < 3 ? middle_row : side_row) * elements + 1])
+entry_label(i) = i == 5 ? "bound ±g" : sprintf("p_%s, y = %.3g mm", i % 2 ? "x" : "y", y_of(i < 3 ? middle_row : side_row))
 entry_colour(i) = i == 5 ? "#999999" : word(line_colours, 2 - i % 2)
 entry_dash(i) = i < 3 ? 1 : 2
 entry_width(i) = 1.4
-if (entries == 3) { entry_label(i) = i == 3 ? "bound ±g" : sprintf("p_%s, y = %.3g mm", i % 2 ? "x" : "y", py[middle_row * elements + 1]) }
+if (entries == 3) { entry_label(i) = i == 3 ? "bound ±g" : sprintf("p_%s, y = %.3g mm", i % 2 ? "x" : "y", y_of(middle_row)) }
 key_columns = 2
 key_top = top + map_height + 78
 height = top + map_height + 404
@@ -94,9 +109,16 @@ do for [pass=1:2] {
   set cbtics ("0" 0, "0.5" 0.5, "1" 1) offset 0, 0.4 scale 0
   set view map
   set pm3d corners2color c1
-  splot $sides using 1:2:(0):3 with pm3d, \
-        traction using "x":"y":(0):(is_drawn($0) ? longest * column("traction_x") / peak : NaN):(longest * column("traction_y") / peak):(0) \
-        with vectors head filled size screen 0.008, 20 linecolor rgb "black" linewidth 1
+  arrow_along(n) = is_drawn(n) ? longest * column("traction_x") / peak : NaN
+  if (is_direct) {
+    plot traction using "x":"y":(dx / 2):(dy / 2):(part[int($0) + 1]) with boxxyerror palette fillstyle solid noborder, \
+         traction using "x":"y":(arrow_along($0)):(longest * column("traction_y") / peak) \
+         with vectors head filled size screen 0.008, 20 linecolor rgb "black" linewidth 1
+  } else {
+    splot $sides using 1:2:(0):3 with pm3d, \
+          traction using "x":"y":(0):(arrow_along($0)):(longest * column("traction_y") / peak):(0) \
+          with vectors head filled size screen 0.008, 20 linecolor rgb "black" linewidth 1
+  }
   unset label
   unset colorbox
   set xtics scale 0.6 autofreq
@@ -107,7 +129,7 @@ do for [pass=1:2] {
   set autoscale
   set xrange [x_middle - 1.05 * a:x_middle + 1.05 * a]
   set ylabel "traction [N/mm^2]" offset 0, 0
-  of_row(k, value) = int($0) / elements == k ? value : NaN
+  of_row(k, value) = (is_direct ? abs(column("y") - y_of(k)) < least : int($0) / elements == k) ? value : NaN
   eval draw_key
   plot traction using (of_row(middle_row, column("x"))):"bound" with @bound_line, \
        traction using (of_row(middle_row, column("x"))):(-column("bound")) with @bound_line, \

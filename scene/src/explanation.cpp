@@ -244,7 +244,9 @@ std::vector<std::string> sizes_of(const SteadyPatch& patch, bool by_rectangles =
                         "width {}",
                         lobes == 1 ? "one lobe" : fmt::format("{} lobes", lobes),
                         five_digits(shape.area()), c, five_digits(patch.bound.ratio())),
-      fmt::format("{} rows of {} elements between their own edges", patch.rows, patch.elements)};
+      fmt::format(
+          "{} rows of {} {}", patch.rows, patch.elements,
+          by_rectangles ? "rectangles around the ellipse" : "elements between their own edges")};
 }
 
 const std::string unlike_patch =

@@ -32,6 +32,9 @@ ellipse.info --set contact.lateral_radius_2=30 --out long_ellipse
 ellipse.info --set contact.radius_1=40 --out wide_ellipse
 transient.info --out transient
 transient.info --set step.ratio=0.5 --out fine
+ellipse_transient.info --out steps
+ellipse_transient.info --set step.scheme=direct --out rectangles
+ellipse_transient.info --set load.spin=0 --set load.lateral_force= --out along
 transient.info --set start.force="-100 100 -100 100" --out shifts
 run.info --out run
 cylinder.info --set grid.elements=20 --out cylinder
@@ -48,7 +51,8 @@ response steady.info --set load.force=-100 --out response_of_little
 """
 # These figures are drawn of them.
 PLOTS = {"steady": "steady", "little": "little", "plane": "plane", "wheel": "wheel", "ellipse": "ellipse", "long_ellipse": "long_ellipse",
-         "wide_ellipse": "wide_ellipse", "transient": "transient", "run": "run",
+         "wide_ellipse": "wide_ellipse", "steps": "steps --figure history", "both_steps": "steps rectangles",
+         "along": "along --figure history", "rectangles": "rectangles --figure ellipse", "transient": "transient", "run": "run",
          "cylinder": "cylinder", "sweep": "sweep", "curve": "curve", "converge": "converge",
          "converge_transient": "converge_transient", "response": "response", "shifts": "shifts --figure shifts",
          "three": "steady little plane", "long": "DEEP/steady DEEP/little DEEP/plane", "tractions": "steady run cylinder",
@@ -76,7 +80,7 @@ class Texts(unittest.TestCase):
         cls.addClassCleanup(cls.browser.close)
         for number, bound in enumerate(BOUNDS):
             (WORK / bound).write_text(f"x\tbound\n-5\t0\n{number - 2}\t300\n5\t0\n", encoding="utf-8")
-        for kind in ("steady", "wheel", "ellipse", "transient", "run", "cylinder", "sweep"):
+        for kind in ("steady", "wheel", "ellipse", "transient", "ellipse_transient", "run", "cylinder", "sweep"):
             run(f"init {kind}")
         for words in RESULTS.replace("\\\n", "").strip().splitlines():
             made = run(words.replace("SWEEP", SWEEP).replace("BOUNDS", " ".join(BOUNDS)))

@@ -102,7 +102,8 @@ TEST_F(Ellipses, AreRefusedInOneLineThatNamesTheKey) {
   expect_refused(
       "--set kernel.type=plane",
       "key 'kernel.type' has no role here: it is for line contacts, not for this ellipse");
-  expect_refused("--set problem=transient",
+  expect_refused("--set problem=transient", "missing keys 'step.ratio', 'start.type'");
+  expect_refused("--set problem=cylinder",
                  "ellipse.info:15: contact.lateral_radius_2: expected a line contact here");
   expect_refused("--set load.spin= --set load.creepage= --set load.lateral_creepage=",
                  "missing key 'load.creepage' or ");
@@ -169,7 +170,7 @@ TEST_F(Ellipses, MayBeContactsOfAnyShape) {
       {"contact.bound_file=none.tsv", "contact.bound_file = 'none.tsv': "},
       {"contact.patch_file=" MICROSLIP_SOURCE "/examples/patch_bound.tsv",
        "expected a column 'trailing'"},
-      {"problem=transient", "contact.patch_file: expected a line contact here"},
+      {"problem=cylinder", "contact.patch_file: expected a line contact here"},
       {"kernel.type=plane", "it is for line contacts, not for this patch"},
   };
   for (const auto& [setting, error] : refused) {

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps of an ellipse as they are typed: the scene of `init`, its figures, and what is refused.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include "robustness/executables.hpp"
+
+namespace microslip::patch_steps_test {
+
+class PatchSteps : public Executables {
+ protected:
+  void SetUp() override {
+    Executables::SetUp();
+    run_in_folder("init ellipse_transient");
+  }
+
+  Outcome run_in_folder(const std::string& words) const {
+    return run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip " + words);
+  }
+
+  Outcome solve(const std::string& words) const {
+    return run_in_folder("ellipse_transient.info --quiet --set grid.rows=6 --set grid.elements=8 " +
+                         words);
+  }
+
+  /// \param error  behind the program's name
+  void expect_refused(const std::string& words, const std::string& error) const {
+    const Outcome outcome = solve(words);
+    EXPECT_EQ(outcome.status, 1) << words;
+    EXPECT_EQ(outcome.error.find("microslip: " + error), 0U) << outcome.error;
+    EXPECT_FALSE(fs::exists(folder_ / "out")) << words;
+  }
+};
+
+TEST_F(PatchSteps, HaveTablesAndFigures) {
+  const Outcome solved = solve("");
+  EXPECT_EQ(solved.status, 0);
+  EXPECT_EQ(solved.error, "");
+  const std::string history = text_of(folder_ / "out" / "history.tsv");
+  EXPECT_NE(
+      history.find("\nq\tforce\tlateral_force\tspin_moment\tcreepage\tlateral_creepage\tspin\t"),
+      std::string::npos);
+  EXPECT_NE(text_of(folder_ / "out" / "summary.tsv").find("\nwarning\tnone"), std::string::npos);
+  EXPECT_EQ(run_in_folder("plot out").status, 0);
+  EXPECT_TRUE(fs::exists(folder_ / "out.svg"));
+  EXPECT_TRUE(fs::exists(folder_ / "out_ellipse.svg"));
+  ASSERT_EQ(solve("--set step.scheme=direct --out direct").status, 0);
+  EXPECT_EQ(run_in_folder("plot direct --figure ellipse --to map.svg").status, 0);
+  EXPECT_EQ(run_in_folder("plot out direct --q 0:20 --to both.svg").status, 0);
+  EXPECT_EQ(run_in_folder("plot out --x 0:1").error,
+            "microslip: --x: expected a line contact, a sweep or a curve with it\n");
+  EXPECT_EQ(
+      run_in_folder("plot out --over t").error.find("microslip: --over t: 'out' has no times"), 0U);
+}
+
+TEST_F(PatchSteps, FollowARun) {
+  std::ofstream(folder_ / "run.csv")
+      << "t [ms];v [m/s];creepage [%];lateral_force [kN];spin [1/m]\n"
+         "0;1;0;0;0\n2;2;0.1;1;0.1\n10;2;0.1;-1;0.1\n";
+  const Outcome solved = solve(
+      "--set load.force= --set load.lateral_force= --set load.spin= --set load.file=run.csv --set "
+      "motion.distance= --set start.type=rest --set step.ratio=2");
+  EXPECT_EQ(solved.status, 0) << solved.error;
+  const std::string history = text_of(folder_ / "out" / "history.tsv");
+  EXPECT_NE(history.find("iterations\tt\n"), std::string::npos) << history;
+  EXPECT_EQ(run_in_folder("plot out --over t --figure history").status, 0);
+}
+
+TEST_F(PatchSteps, AreSwept) {
+  EXPECT_EQ(
+      run_in_folder("sweep ellipse_transient.info --quiet --set grid.rows=5 --set "
+                    "grid.elements=6 --set motion.distance=4 --set 'sweep.load.spin=0 0.2 1/m' "
+                    "--set 'sweep.start.type=rest cattaneo' --out s")
+          .status,
+      0);
+  EXPECT_NE(text_of(folder_ / "s" / "sweep.tsv").find("spin_moment"), std::string::npos);
+}
+
+TEST_F(PatchSteps, AreRefusedInOneLineThatNamesTheKey) {
+  expect_refused("--set step.ratio=-1", "step.ratio = -1: expected numbers >= 1e-15 or 0; rolling");
+  expect_refused("--set motion.distance=0", "motion.distance = 0: expected");
+  expect_refused("--set load.force=30kN", "load.force = 30000: expected less than full sliding");
+  expect_refused("--set load.force= --set load.creepage=1e9",
+                 "load.creepage = 1000000000: expected a motion of at most 1e8 times");
+  expect_refused("--set start.lateral_force=1e6",
+                 "start.lateral_force = 1000000: expected less than full sliding, 24000 N");
+  expect_refused("--set start.state=x --set start.type=state",
+                 "start.type = 'state': expected rest or cattaneo");
+  expect_refused("--set cylinder.mass=1", "key 'cylinder.mass' has no role here");
+  expect_refused("--save x", "ellipse_transient.info:");
+  for (const char* command : {"curve", "converge", "response"}) {
+    const Outcome outcome = run_in_folder(std::string(command) + " ellipse_transient.info");
+    EXPECT_EQ(outcome.status, 1) << command;
+    EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
+  }
+  EXPECT_EQ(run_in_folder("ellipse_transient.info --quiet --set load.force_ratio=0.9 --set "
+                          "load.force= --set load.spin= --set load.spin_moment_ratio=0.9")
+                .status,
+            2);
+}
+
+}  // namespace microslip::patch_steps_test
