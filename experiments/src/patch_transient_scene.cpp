@@ -219,68 +219,74 @@ class CoarsePatch {
   MotionChange of_path_{bound_.size()}, of_last_{bound_.size()};
 };
 
-/// Resultants of this part of the largest ones are nothing but rounding, and so are shifts and
-/// rotations of this part of those by the strain of the bound over the size of the patch.
-constexpr double rounding_of_patch = 1e-9;
+/// Ends of steps, or of shifts, as rows of a table. Where a component is 0 by symmetry, the steps of
+/// Newton's method leave up to 4e-7 of the largest one.
+class PatchRecord {
+ public:
+  /// \param size  of the patch  [mm]
+  explicit PatchRecord(double size) : size_(size) {}
 
-/// \param length  over which a shift is a motion; 0 for the shift  [mm]
-Vector3d rounding_of_motions(const SteadyPatch& patch, double length) {
-  const double c = patch.bound.size();
-  const double shift = rounding_of_patch * patch.bound.peak() / patch.material.shear_modulus * c;
-  return Vector3d(shift, shift, shift / c) / (length > 0 ? std::min(c, length) : 1);
+  /// \param before, behind  cells of columns before and behind those of the record
+  void add(const PatchStepEnd& end, std::vector<Cell> before = {},
+           const std::vector<Cell>& behind = {}) {
+    std::vector<Cell>& row = before;
+    row.insert(row.end(), end.resultants.begin(), end.resultants.end());
+    row.insert(row.end(), end.motion.begin(), end.motion.end());
+    row.insert(row.end(), {end.slip_share, end.iterations});
+    row.insert(row.end(), behind.begin(), behind.end());
+    rows_.push_back(row);
+    const Vector3d arms(1, 1, 1 / size_);
+    force_ = std::max(force_, end.resultants.cwiseProduct(arms).lpNorm<Eigen::Infinity>());
+    motion_ = std::max(motion_, end.motion.cwiseQuotient(arms).lpNorm<Eigen::Infinity>());
+  }
+
+  /// \param motions  names, units and meanings of the three columns of motions
+  Table table(const std::string& name, const std::string& description,
+              const std::vector<Column>& before, std::vector<Column> motions,
+              const std::vector<Column>& behind) const {
+    constexpr double rounding = 1e-6;
+    std::vector<Column> columns = before;
+    columns.push_back({"force", "N", "Fx, force along the rolling", rounding * force_});
+    columns.push_back({"lateral_force", "N", "Fy, force across the rolling", rounding * force_});
+    columns.push_back(
+        {"spin_moment", "N mm", "Mz, moment about x = y = 0", rounding * force_ * size_});
+    for (std::size_t j = 0; j < motions.size(); ++j) {
+      motions[j].rounding = rounding * motion_ / (j < 2 ? 1 : size_);
+      columns.push_back(motions[j]);
+    }
+    columns.push_back({"slip_share", "1", "part of the area that slips"});
+    columns.push_back({"iterations", "1", "systems that were solved"});
+    columns.insert(columns.end(), behind.begin(), behind.end());
+    Table made(name, description, columns);
+    for (const std::vector<Cell>& row : rows_) made.add(row);
+    return made;
+  }
+
+ private:
+  double size_;
+  double force_ = 0, motion_ = 0;  ///< largest ones; of moments over the size, of spin times it
+  std::vector<std::vector<Cell>> rows_;
+};
+
+Table history_of(const PatchRecord& record, bool has_times) {
+  return record.table(
+      "history",
+      "transient rolling of a patch, a row a step; the first is the start, where nothing moves",
+      {{"q", "mm", "distance rolled"}},
+      {{"creepage", "1", "xi, as a mean over the step"},
+       {"lateral_creepage", "1", "eta, as a mean over the step"},
+       {"spin", "1/mm", "phi, as a mean over the step"}},
+      has_times ? std::vector<Column>{{"t", "s", "time"}} : std::vector<Column>{});
 }
 
-std::vector<Column> with_patch_load(const SteadyPatch& patch, const std::vector<Column>& first,
-                                    const std::vector<Column>& motions) {
-  std::vector<Column> columns = first;
-  const double force = rounding_of_patch * patch.bound.total();
-  columns.push_back({"force", "N", "Fx, force along the rolling", force});
-  columns.push_back({"lateral_force", "N", "Fy, force across the rolling", force});
-  columns.push_back({"spin_moment", "N mm", "Mz, moment about x = y = 0",
-                     rounding_of_patch * patch.bound.turning_moment()});
-  columns.insert(columns.end(), motions.begin(), motions.end());
-  columns.push_back({"slip_share", "1", "part of the area that slips"});
-  columns.push_back({"iterations", "1", "systems that were solved"});
-  return columns;
-}
-
-Table empty_patch_history(const PatchTransient& scene) {
-  const Vector3d rounding =
-      rounding_of_motions(scene.patch, std::ranges::min(scene.step_lengths()));
-  std::vector<Column> columns =
-      with_patch_load(scene.patch, {{"q", "mm", "distance rolled"}},
-                      {{"creepage", "1", "xi, as a mean over the step", rounding[0]},
-                       {"lateral_creepage", "1", "eta, as a mean over the step", rounding[1]},
-                       {"spin", "1/mm", "phi, as a mean over the step", rounding[2]}});
-  if (scene.loads.time_at(0)) columns.push_back({"t", "s", "time"});
-  return {"history",
-          "transient rolling of a patch, a row a step; the first is the start, where nothing moves",
-          columns};
-}
-
-Table empty_patch_shifts(const SteadyPatch& patch) {
-  const Vector3d rounding = rounding_of_motions(patch, 0);
-  return {"shifts",
-          "shifts without rolling before the bodies roll, a row a shift; the first is the start",
-          with_patch_load(patch, {},
-                          {{"shift", "mm", "rigid shift along the rolling", rounding[0]},
-                           {"lateral_shift", "mm", "rigid shift across the rolling", rounding[1]},
-                           {"rotation", "rad", "rigid rotation about x = y = 0", rounding[2]}})};
-}
-
-/// Cells of a row from the resultants on.
-std::vector<Cell> cells_of(const PatchStepEnd& end) {
-  std::vector<Cell> row(end.resultants.begin(), end.resultants.end());
-  row.insert(row.end(), end.motion.begin(), end.motion.end());
-  row.insert(row.end(), {end.slip_share, end.iterations});
-  return row;
-}
-
-void add(Table& history, const PatchHistory& loads, double q, const PatchStepEnd& end) {
-  std::vector<Cell> row = cells_of(end);
-  row.insert(row.begin(), q);
-  if (const auto time = loads.time_at(q)) row.emplace_back(*time);
-  history.add(row);
+Table shifts_of(const PatchRecord& record) {
+  return record.table(
+      "shifts",
+      "shifts without rolling before the bodies roll, a row a shift; the first is the start", {},
+      {{"shift", "mm", "rigid shift along the rolling"},
+       {"lateral_shift", "mm", "rigid shift across the rolling"},
+       {"rotation", "rad", "rigid rotation about x = y = 0"}},
+      {});
 }
 
 /// The worst evidence of all steps.
@@ -313,22 +319,25 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   };
 
   PatchStepEnd end{Vector3d::Zero(), Vector3d::Zero(), 0, 0, {}};
-  Table shifts = empty_patch_shifts(scene.patch);
-  shifts.add(cells_of(end));
+  PatchRecord shifts(scene.patch.bound.size()), history = shifts;
+  shifts.add(end);
   for (const PatchLoad& load : scene.shifts) {
     end = take(1, [&](RolledPatch& patch) { return patch.shift(load); });
-    shifts.add(cells_of(end));
+    shifts.add(end);
   }
 
-  Table history = empty_patch_history(scene);
+  const auto record = [&](double q) {
+    const auto time = scene.loads.time_at(q);
+    history.add(end, {q}, time ? std::vector<Cell>{*time} : std::vector<Cell>{});
+  };
   end.motion.setZero();
   end.iterations = 0;  // the start is no step
-  add(history, scene.loads, 0, end);
+  record(0);
   Vector3d path = Vector3d::Zero();
   for_steps(scene.distance, lengths, 0, [&](double from, double to, double length) {
     const PatchLoad load = scene.loads.between(from, to);
     end = take(length, [&](RolledPatch& patch) { return patch.roll(length, load); });
-    add(history, scene.loads, to, end);
+    record(to);
     path += length * end.motion;
   });
   worst.evidence.change = coarse.change();
@@ -350,8 +359,9 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
                 .iterations = worst.iterations,
                 .accepted = scene.patch.accepted,
                 .doubt = doubt_of_patch(worst.evidence)});
-  std::vector<Table> tables{rolled.tractions(), rolled.edges(), history, summary};
-  if (!scene.shifts.empty()) tables.push_back(shifts);
+  std::vector<Table> tables{rolled.tractions(), rolled.edges(),
+                            history_of(history, scene.loads.time_at(0).has_value()), summary};
+  if (!scene.shifts.empty()) tables.push_back(shifts_of(shifts));
   return tables;
 }
 

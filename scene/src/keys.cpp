@@ -360,8 +360,8 @@ constexpr auto keys = std::to_array<Key>({
      range(1e-9, 0.1), "off without it", "load.file with step.scheme remembered"},
     {.name = "step.scheme",
      .type = word,
-     .meaning = "how the previous tractions move with the material",
-     .note = "of an ellipse remembered, or direct on equal rectangles",
+     .meaning = "how the previous tractions move with the material; in an ellipse remembered, or "
+                "direct on equal rectangles",
      .role = rolls,
      .catalogue = &advection_names,
      .first_is_default = true,

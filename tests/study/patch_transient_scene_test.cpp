@@ -66,8 +66,8 @@ Settings transient(const Settings& more) {
   return all;
 }
 
-// Steady rolling is another solution, of other equations: tests/unit/patch_rolling_test.cpp has the
-// difference of both after 20 half-lengths, 2e-4 of full sliding.
+// Steady rolling is another solution, of other equations. With steps of one cell the moment differs
+// by 5e-4 of full sliding times a, and forces by less.
 TEST(PatchTransientTables, EndInTheSteadyState) {
   const Settings load{"load.creepage=0.002", "load.lateral_force=3 kN", "load.spin=0.3 1/m"};
   Settings steady = load;
@@ -76,33 +76,33 @@ TEST(PatchTransientTables, EndInTheSteadyState) {
   for (const char* quantity : {"force", "lateral_force"}) {
     EXPECT_NEAR(rolled.of(quantity), at_once.of(quantity), 5e-4 * full) << quantity;
   }
-  EXPECT_NEAR(rolled.of("spin_moment"), at_once.of("spin_moment"), 5e-4 * full * 5);
+  EXPECT_NEAR(rolled.of("spin_moment"), at_once.of("spin_moment"), 1e-3 * full * 5);
   EXPECT_NEAR(rolled.of("lateral_creepage"), at_once.of("lateral_creepage"), 2e-5);
   EXPECT_NEAR(rolled.of("slip_share"), at_once.of("slip_share"), 0.03);
-  EXPECT_EQ(rolled.named("history").rows(), 122U);
+  EXPECT_EQ(rolled.named("history").rows(), 121U);
 }
 
-// Mindlin's compliance of a circle that sticks: F = 8 G a delta/(2 - nu) = 4 G a delta (1 -
-// nu/2)^-1. The force is so small that slip at the edge has a part of 1e-3.
+// Two like bodies that stick on a circle: delta = F (2 - nu)/(4 G a), Mindlin (1949). The force is so
+// small that slip at the edge has a part of 1e-3, and the cells an error of 2e-3.
 TEST(PatchTransientTables, BeginWithMindlinsShift) {
   const PatchTables shifted(transient(
       {"start.type=cattaneo", "start.lateral_force=-20", "load.creepage=0", "motion.distance=1"}));
   const Table& shifts = shifted.named("shifts");
   ASSERT_EQ(shifts.rows(), 2U);
-  EXPECT_NEAR(shifts.number(1, "lateral_shift"), 20 * (2 - 0.28) / (8 * 8e4 / 2 * 5), 3e-3 * 2e-5);
+  EXPECT_NEAR(shifts.number(1, "lateral_shift"), 20 * (2 - 0.28) / (4 * 8e4 * 5), 5e-3 * 2e-5);
   EXPECT_EQ(shifts.number(1, "lateral_force"), -20);
   EXPECT_EQ(shifted.named("history").number(0, "lateral_force"), -20);
 }
 
-// Errors of the scheme direct, of first order: tests/unit/standard_patch_test.cpp.
+// The scheme direct has an error of first order: on 24 x 24 rectangles forces differ by 8e-3.
 TEST(PatchTransientTables, AgreeWithTheStandardScheme) {
   const Settings load =
       transient({"load.creepage=0.002", "load.lateral_creepage=0.001", "motion.distance=8"});
   Settings direct = load;
   direct.insert(direct.end(), {"step.scheme=direct", "grid.rows=24", "grid.elements=24"});
   const PatchTables one(load), other(direct);
-  EXPECT_NEAR(one.of("force"), other.of("force"), 0.02 * full);
-  EXPECT_NEAR(one.of("lateral_force"), other.of("lateral_force"), 0.02 * full);
+  EXPECT_NEAR(one.of("force"), other.of("force"), 0.012 * full);
+  EXPECT_NEAR(one.of("lateral_force"), other.of("lateral_force"), 0.012 * full);
   EXPECT_GT(std::abs(one.of("force")), 0.3 * full);
   EXPECT_EQ(other.named("history").columns().size(), one.named("history").columns().size());
   EXPECT_GT(other.named("traction").rows(), 400U);
