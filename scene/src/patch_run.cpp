@@ -88,14 +88,18 @@ RunRows rows_of_component(const NamedColumns& columns, std::size_t j,
   return rows;
 }
 
-/// Requires that friction carries the resultants of each row.
+/// Requires that friction carries the resultants of each row, and that motions are not too large.
 void require_patch_carried(const NamedColumns& columns, const PatchHistory& loads,
-                           const PatchBound& bound) {
+                           const SteadyPatch& patch) {
   const std::vector<double>& distances = loads.distances();
   for (std::size_t i = 0; i < distances.size(); ++i) {
     const PatchLoad load = loads.at(distances[i]);
     with_names_of(
-        load, [&] { validate(load, bound.total(), bound.turning_moment()); },
+        load,
+        [&] {
+          validate(load, patch.bound.total(), patch.bound.turning_moment());
+          require_motions(load, patch);
+        },
         [&](std::size_t j) {
           const auto& [motion, resultant] = run_components[j];
           const std::string name = load[j].by_resultant ? resultant : motion;
@@ -122,6 +126,19 @@ void warn_of_creepages_in_run(Scene& scene, const PatchHistory& loads, const Ste
 
 }  // namespace
 
+void require_motions(const PatchLoad& load, const SteadyPatch& patch, bool are_shifts) {
+  constexpr double largest = 1e8;  // as PatchRolling
+  const double strain = patch.bound.peak() / patch.material.shear_modulus;
+  const double c = patch.bound.size();
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    const auto& [by_resultant, value] = load[j];
+    const double most = largest * strain * (are_shifts ? c : 1) / (j < 2 ? 1 : c);
+    if (by_resultant || std::abs(value) <= most) continue;
+    require(false, name_of(load, j), value,
+            fmt::format("at most {:.3g} in size, 1e8 times what the bound's strain makes", most));
+  }
+}
+
 PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch) {
   NamedColumns columns{run_columns(scene), {}};
   columns.found = scene.from_columns("load.file", columns.wanted, [&](const auto& found) {
@@ -143,7 +160,7 @@ PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch) {
       histories.emplace_back(rows);
     }
     const PatchHistory loads({histories[0], histories[1], histories[2]});
-    require_patch_carried(columns, loads, patch.bound);
+    require_patch_carried(columns, loads, patch);
     warn_of_creepages_in_run(scene, loads, patch);
     return loads;
   });

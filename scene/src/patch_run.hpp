@@ -12,6 +12,11 @@ namespace microslip {
 /// \throws std::invalid_argument with a message that names the file, and the line or row and column
 PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch);
 
+/// Refuses motions, or shifts, of more than 1e8 times those by the bound's strain, beside which
+/// displacements would be lost.
+/// \throws BadParameter with the name of the component, see name_of()
+void require_motions(const PatchLoad& load, const SteadyPatch& patch, bool are_shifts = false);
+
 /// Calls an action; a message about a component of a load is then about its key, or its column.
 /// \param names  called with the number of the component
 template <class Action, class Name>

@@ -84,9 +84,9 @@ TEST_F(PatchSteps, AreRefusedInOneLineThatNamesTheKey) {
   expect_refused("--set motion.distance=0", "motion.distance = 0: expected");
   expect_refused("--set load.force=30kN", "load.force = 30000: expected less than full sliding");
   expect_refused("--set load.force= --set load.creepage=1e9",
-                 "load.creepage = 1000000000: expected a motion of at most 1e8 times");
+                 "load.creepage = 1e+09: expected at most ");
   expect_refused("--set start.lateral_force=1e6",
-                 "start.lateral_force = 1000000: expected less than full sliding, 24000 N");
+                 "start.lateral_force = 1e+06: expected less than full sliding, 24000 N");
   expect_refused("--set start.state=x --set start.type=state",
                  "start.type = 'state': expected rest or cattaneo");
   expect_refused("--set cylinder.mass=1", "key 'cylinder.mass' has no role here");

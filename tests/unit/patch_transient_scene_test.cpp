@@ -136,6 +136,8 @@ TEST(PatchTransientScene, HasNoShiftsBeyondFrictionOrOfOtherNumbers) {
   expect_refused({cattaneo, "start.lateral_force=20 kN"},
                  "start.lateral_force = 20000: expected less than full sliding, ");
   expect_refused({cattaneo, "start.spin_moment=1e9"}, "start.spin_moment = 1e+09: expected less");
+  expect_refused({cattaneo, "start.lateral_shift=1e9"},
+                 "start.lateral_shift = 1e+09: expected at most");
   expect_refused({cattaneo, "start.force=1", "start.shift=1"},
                  "expected only one of 'start.shift' and 'start.force'");
   expect_refused({cattaneo, "start.force=1 2", "start.rotation=1"},
@@ -159,6 +161,7 @@ TEST(PatchTransientScene, HasNoRunsThatDoNotFit) {
   refused("q,creepage,normal_load\n0,0,1\n20,0,1\n", "column 'normal_load': expected none");
   refused("q,lateral_force\n0,0\n20,9e9\n", "row 2: lateral_force = 9e+09: expected less");
   refused("q,force,lateral_force\n0,0,0\n20,12e3,12e3\n", "row 2: lateral_force");
+  refused("q,spin\n0,0\n20,1e9\n", "row 2: spin = 1e+09: expected at most", "load.creepage=0");
   refused("q,spin\n0,0\n0,1\n20,x\n", "line 4", "load.creepage=0");
   refused("q,lateral_force\n0,0\n0,1\n20,1\n",
           "row 2: lateral_force = 1: expected 0 of the row before");
@@ -172,6 +175,10 @@ TEST(PatchTransientScene, IsWarnedOfForcesAtOnceAndOfOtherSteps) {
   EXPECT_EQ(warnings[0].find("step.ratio = 0.2: this scheme is safe from 0.5"), 0U) << warnings[0];
   EXPECT_EQ(warnings[1].find("load.force = -4000: from a start at rest"), 0U) << warnings[1];
   EXPECT_TRUE(warnings_of({"start.type=cattaneo"}).empty());
+  EXPECT_TRUE(warnings_of({"start.type=cattaneo", "step.ratio=2"}).empty());
+  const auto of_long = warnings_of({"start.type=cattaneo", "step.ratio=1 2.2"});
+  ASSERT_EQ(of_long.size(), 1U);
+  EXPECT_EQ(of_long[0].find("step.ratio = 1 2.2: steps are up to 3.3 mm long"), 0U) << of_long[0];
   const auto of_file =
       warnings_of({"load.file=run", "load.force="}, "q,lateral_force\n0,100\n20,100\n");
   ASSERT_EQ(of_file.size(), 1U);
