@@ -71,8 +71,13 @@ struct MemoryOf {
            row_of_history * (steps_needed(scene) + static_cast<double>(scene.shifts.size()));
   }
   double operator()(const PatchTransient& scene) const {
+    constexpr double of_rectangle = 4000;
     const double rows = steps_needed(scene) + static_cast<double>(scene.shifts.size());
-    return memory_of_steps * (*this)(scene.patch) + row_of_history * rows;
+    const double of_contact =
+        std::holds_alternative<Direct>(scene.scheme)
+            ? of_rectangle * static_cast<double>(scene.patch.rows * scene.patch.elements)
+            : memory_of_steps * (*this)(scene.patch);
+    return of_contact + row_of_history * rows;
   }
   double operator()(const CylinderScene& scene) const {
     return memory_by({.element = 1600, .matrices = 5}, by_fft(scene.problem),
@@ -120,11 +125,12 @@ struct WorkOf {
     return 5e6 * static_cast<double>(patch.rows) + (15e3 + 60 * n) * n * n / 4;
   }
   /// Integrals and matrices as in steady rolling, a system for each step, and a response for each
-  /// length of step, and for the first one.
+  /// length of step, and for the first one. Rectangles have products by FFT.
   double operator()(const PatchTransient& scene) const {
     const auto n = static_cast<double>(scene.patch.rows * scene.patch.elements);
     const double steps = steps_needed(scene) + static_cast<double>(scene.shifts.size());
-    const double response = 45 * n * n * n, step = 300 * n * n;
+    if (std::holds_alternative<Direct>(scene.scheme)) return 60 * steps * n * n;
+    const double response = 22 * n * n * n, step = 300 * n * n;
     const double responses = scene.step_ratios.size() == 1 ? std::min(steps, 3.0) : steps;
     return (*this)(scene.patch) + steps * step + responses * response;
   }

@@ -36,8 +36,8 @@ constexpr std::array<ShiftKeys, 3> shift_components{{
     {"start.rotation", "start.spin_moment"},
 }};
 
-/// The residual at which steps end, over the bound.
-constexpr double residual_of_steps = 1e-9;
+/// Steps end at smaller residuals than this, over the bound.
+constexpr double residual_of_steps = 1e-7;
 
 void require_lengths(const std::vector<double>& numbers, const std::string& key,
                      const std::vector<double>& first, const std::string& first_key) {
