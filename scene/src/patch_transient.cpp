@@ -139,11 +139,13 @@ void warn_of_long_steps(Scene& scene, const PatchTransient& read) {
   const double most = 0.5 * read.patch.bound.half_width();
   const double longest = std::min(std::ranges::max(read.step_lengths()), read.distance);
   if (longest <= (1 + 1e-9) * most) return;
-  const std::string key = scene.has("step.ratio") ? "step.ratio" : "load.file";
+  const bool by_rows = !scene.has("step.ratio");
+  const std::string key = by_rows ? "load.file" : "step.ratio";
   scene.warn(key, scene.text(key),
              fmt::format("steps are up to {} mm long: above half of the half-width, {} mm, forces "
-                         "may have errors of more than 1 % of full sliding",
-                         format_roughly(longest), format_roughly(most)));
+                         "may have errors of more than 1 % of full sliding{}",
+                         format_roughly(longest), format_roughly(most),
+                         by_rows ? "; step.ratio 1 has steps of an element" : ""));
 }
 
 /// Refuses steps that PatchRolling does not take.
