@@ -169,8 +169,8 @@ void add_histories(Drawing& drawing, const std::vector<Result>& results) {
       "over", over_time ? "time t [s]" : fmt::format("distance rolled {} [mm]", distance));
   Table all = empty_table("history", drawn);
   for (std::size_t i = 0; i < results.size(); ++i) {
-    const Table history =
-        without_rounding(table_in(results[i].folder, "history").table, quantities);
+    Table history = table_in(results[i].folder, "history").table;
+    if (drawing.kind == "history") history = without_rounding(history, quantities);
     if (over_time) require_times(results[i], history);
     const std::size_t begin = all.rows();
     append(all, i + 1, history, taken, drawing.history);
