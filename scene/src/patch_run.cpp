@@ -52,9 +52,9 @@ void require_one_source(const Scene& scene, const NamedColumns& columns) {
     const auto& keys = patch_components[j];
     for (const char* key : {keys.motion, keys.resultant, keys.ratio}) {
       if (!has_column || !scene.has(key)) continue;
-      throw BadParameter(key, fmt::format("{}: expected no such key, as load.file has a column of "
-                                          "this component",
-                                          key));
+      const char* column = columns[motion] ? motion : columns[resultant] ? resultant : "omega";
+      throw BadParameter(
+          key, fmt::format("expected only one of '{}' and column '{}' of load.file", key, column));
     }
   }
 }

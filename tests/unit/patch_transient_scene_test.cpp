@@ -156,7 +156,8 @@ TEST(PatchTransientScene, HasNoRunsThatDoNotFit) {
   refused("q,spin,spin_moment\n0,0,0\n20,0,0\n", "expected only one of spin, spin_moment",
           "load.creepage=0");
   refused("q,creepage\n0,0\n20,0\n",
-          "load.creepage: expected no such key, as load.file has a column", "load.creepage=0");
+          "expected only one of 'load.creepage' and column 'creepage' of load.file",
+          "load.creepage=0");
   refused("q,other\n0,0\n20,0\n", "expected creepage, force, omega, lateral_creepage");
   refused("q,creepage,normal_load\n0,0,1\n20,0,1\n", "column 'normal_load': expected none");
   refused("q,lateral_force\n0,0\n20,9e9\n", "row 2: lateral_force = 9e+09: expected less");

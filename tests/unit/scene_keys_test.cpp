@@ -44,6 +44,10 @@ const Settings ellipse =
 const Settings patch = with(
     ellipse, {"contact.lateral_half_width=", "contact.half_width=", "contact.patch_file=edges"});
 
+const Settings steps =
+    with(ellipse, {"problem=transient", "load.creepage=", "start.type=cattaneo",
+                   "step.scheme=remembered", "step.ratio=1", "motion.distance=0.3"});
+
 const Settings without_material =
     with(steady, {"kernel.width=", "material.shear_modulus=", "material.poisson_ratio="});
 
@@ -91,6 +95,8 @@ const std::map<std::string, Settings> scenes = {
     {"ellipse_table", with(ellipse, {"contact.peak_traction=", "contact.bound_file=points"})},
     {"patch", patch},
     {"patch_table", with(patch, {"contact.peak_traction=", "contact.bound_file=points"})},
+    {"steps", with(steps, {"load.force=-1"})},
+    {"steps_run", with(steps, {"load.file=run", "load.radius=460", "start.type=rest"})},
     {"cylinder", cylinder},
     {"cylinder_relaxed", with(cylinder, {"step.scheme=relaxed", "motion.integrator=verlet"})}};
 
@@ -152,7 +158,10 @@ const std::string strips =
     transients + cylinders;
 const std::string half_spaces = unlike + "plane layer " + strips;
 const std::string lines = half_spaces + "winkler symbol ";
-const std::string ellipses = "ellipse loaded_ellipse ellipse_table patch patch_table ";
+const std::string patch_steps = "steps steps_run ";
+const std::string ellipses =
+    "ellipse loaded_ellipse ellipse_table patch patch_table " + patch_steps;
+const std::string shifted = "remembered direct relaxed relaxed_traction fractional creepage steps";
 const std::string all = lines + ellipses;
 const std::string hertzian = unlike +
                              "layer winkler symbol plane calibrated rough youngs force_ratio "
@@ -213,24 +222,28 @@ const std::vector<Role> roles = {
     {"load.spin_moment", "0.1", ellipses},
     {"load.spin_moment_ratio", "0.1", ellipses},
     {"load.stick_ratio", "0.6", with_target + transients},
-    {"load.file", "run", transients},
-    {"load.columns", "t = t", "run"},
-    {"load.radius", "460", "run"},
-    {"start.type", "rest", transients},
-    {"start.force", "-1", "remembered direct relaxed relaxed_traction fractional creepage"},
-    {"start.shift", "0.1", "remembered direct relaxed relaxed_traction fractional creepage"},
+    {"load.file", "run", transients + patch_steps},
+    {"load.columns", "t = t", "run steps_run"},
+    {"load.radius", "460", "run steps_run"},
+    {"start.type", "rest", transients + patch_steps},
+    {"start.force", "-1", shifted},
+    {"start.shift", "0.1", shifted},
+    {"start.lateral_force", "0.1", "steps"},
+    {"start.lateral_shift", "0.1", "steps"},
+    {"start.spin_moment", "0.1", "steps"},
+    {"start.rotation", "0.1", "steps"},
     {"start.file", "traction", "file"},
     {"start.state", "state", "state"},
-    {"step.ratio", "1", differences + transients + cylinders},
+    {"step.ratio", "1", differences + transients + cylinders + patch_steps},
     {"step.tolerance", "1e-3", "run"},
-    {"step.scheme", "relaxed_traction", transients + cylinders},
+    {"step.scheme", "relaxed_traction", transients + cylinders + patch_steps},
     {"step.relaxation", "1", "relaxed relaxed_traction cylinder_relaxed"},
     {"cylinder.mass", "1", cylinders},
     {"cylinder.inertia", "5e3", cylinders},
     {"cylinder.radius", "100", cylinders},
     {"cylinder.slope_force", "0.3", cylinders},
     {"cylinder.velocity", "0", cylinders},
-    {"motion.distance", "0.3", transients + cylinders},
+    {"motion.distance", "0.3", transients + cylinders + patch_steps},
     {"motion.integrator", "midpoint", cylinders},
     {"motion.tolerance", "1e-4", "cylinder"},
     {"solver.type", "auto", by_elements + transients + cylinders},
