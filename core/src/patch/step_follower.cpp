@@ -22,6 +22,9 @@ constexpr int most_corrections = 12;
 /// are rounding, so that short steps do not inherit each other's errors.
 constexpr double largest_residual = 1e-10;
 
+/// Below this one, a residual that is not made smaller is rounding.
+constexpr double rounding_of_corrections = 1e-8;
+
 /// A correction that leaves more than this part is too slow.
 constexpr double slowest = 0.5;
 
@@ -151,8 +154,8 @@ bool StepFollower::follow(const PatchLoad& load, const ImposedSlip& imposed, Pat
     if (before < largest_residual && (i > 0 || prepared_->free.empty())) return true;
     if (!std::isfinite(before) || !correct(load, state)) return false;
     state.residual = residual(state);
-    if (i > 1 && state.residual > slowest * before && state.residual > largest_residual)
-      return false;
+    const bool is_slow = i > 1 && state.residual > slowest * before;
+    if (is_slow) return state.residual < rounding_of_corrections;
   }
   return false;
 }

@@ -102,8 +102,8 @@ class PatchRolling {
 
   int iterations() const;     ///< systems that the last step took
   Evidence evidence() const;  ///< of the last step; powers are energies per mm rolled  [N]
-  double residual() const;    ///< largest error of the slip conditions, over the bound  [1]
-  double condition() const;   ///< of the equations of the last step in adhesion; 0 before it
+  double residual() const;   ///< largest error of the slip conditions, over the bound, <= 1e-7  [1]
+  double condition() const;  ///< of the equations of the last step in adhesion; 0 before it
 
   /// A text of all that the next steps depend on. A PatchRolling of the same problem that restores
   /// it continues with the same bits, on the same machine in the same build.
