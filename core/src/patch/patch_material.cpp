@@ -63,8 +63,8 @@ void PatchMaterial::impose(const PatchStep& step, PointDisplacements& u, Imposed
         set_pair(found.centre, cell, before);
         continue;
       }
-      set_pair(found.own, cell, imposed_by(rows, step, ways.to_centre(i, k), k));
-      set_pair(found.centre, cell, imposed_by(rows, step, ways.about_centre(i, k), k));
+      set_pair(found.own, cell, imposed_by(rows, ways, step, ways.to_centre(i, k), k));
+      set_pair(found.centre, cell, imposed_by(rows, ways, step, ways.about_centre(i, k), k));
     }
   }
 }
@@ -76,12 +76,13 @@ Vector2d PatchMaterial::remembered(const JoinedRows& rows, double x, Index k, do
   return memory_[static_cast<std::size_t>(k)].at(place) - path_.at(place, size_ * rows.y(k));
 }
 
-Vector2d PatchMaterial::imposed_by(const JoinedRows& rows, const PatchStep& step,
-                                   const MaterialWay& way, Index k) const {
+Vector2d PatchMaterial::imposed_by(const JoinedRows& rows, const StepWays& ways,
+                                   const PatchStep& step, const MaterialWay& way, Index k) const {
   if (way.entered == 0) return -remembered(rows, way.x, k, step.dq) / way.length;
   const EntryWeights weights(way.entered, step.ratio);
-  return -(weights.before * edge_.row(k) + weights.earlier * edge_before_.row(k)).transpose() /
-         way.length;
+  Vector2d at_entry = weights.before * edge_.row(k) + weights.earlier * edge_before_.row(k);
+  at_entry -= ways.by_change_of_motion(way) * ways.rigid_slip_at_edge(k) * motion_;
+  return -at_entry / way.length;
 }
 
 void PatchMaterial::take(const PatchStep& step, PointDisplacements& u,
@@ -95,6 +96,7 @@ void PatchMaterial::take(const PatchStep& step, PointDisplacements& u,
   path_ = path_.after(motion, step.dq == 0 ? 1 : step.dq, distance_ + step.dq / 2);
   distance_ += step.dq;
   step_before_ = step.dq;
+  motion_ = motion;
   const double b = rows.shape().lateral_half_width();
   for (Index k = 0; k < rows.rows(); ++k) {
     MaterialRecords& row = memory_[static_cast<std::size_t>(k)];
@@ -183,6 +185,9 @@ void PatchMaterial::archive(Archive& archive) {
   archive.number("path_along", path_.along);
   archive.number("path_across", path_.across);
   archive.number("path_turn", path_.turn);
+  VectorXd motion = motion_;
+  archive.numbers("motion_before", motion, 3);
+  motion_ = motion;
   archive_edge(archive, "edge_before", edge_before_);
   archive_edge(archive, "edge", edge_);
   for (MaterialRecords& row : memory_) row.archive(archive);

@@ -47,8 +47,8 @@ class PatchMaterial {
 
  private:
   Vector2d remembered(const JoinedRows& rows, double x, Index k, double dq) const;
-  Vector2d imposed_by(const JoinedRows& rows, const PatchStep& step, const MaterialWay& way,
-                      Index k) const;
+  Vector2d imposed_by(const JoinedRows& rows, const StepWays& ways, const PatchStep& step,
+                      const MaterialWay& way, Index k) const;
   void resize(const JoinedRows& rows, double size);
   MaterialRecords moved_row(const JoinedRows& rows, Index k, double size) const;
   void touch_anew(Index k, PointDisplacements& u);
@@ -56,6 +56,7 @@ class PatchMaterial {
   std::vector<MaterialRecords> memory_;
   RigidPath path_;
   double distance_ = 0, size_;
+  Eigen::Vector3d motion_ = Eigen::Vector3d::Zero();  ///< of the last step
   double step_before_ = 0;  ///< its length; 0 if there was none, or a shift
   /// Displacements at the leading edges, along and across, before the last step and after it.
   Eigen::MatrixX2d edge_before_, edge_;

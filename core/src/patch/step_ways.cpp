@@ -36,6 +36,24 @@ MaterialWay StepWays::about_centre(Index i, Index k) const {
   return way_to(std::max(x(2 * i + 1, k) - step_.dq / 2, x(2 * i + 2, k)), k);
 }
 
+double StepWays::by_change_of_motion(const MaterialWay& way) const {
+  if (way.entered == 0) return 0;
+  return (EntryWeights(way.entered, step_.ratio).now - way.entered) * step_.dq;
+}
+
+Eigen::Matrix<double, 2, 3> StepWays::rigid_slip_at_edge(Index k) const {
+  return Eigen::Matrix<double, 2, 3>{{1, 0, -step_.to * rows_.y(k)}, {0, 1, x(0, k)}};
+}
+
+/// Adds the part of the motion in the displacement at entry.
+void StepWays::add_entry(PatchSlipMap& map, Index i, Index k, const MaterialWay& way) const {
+  const double part = by_change_of_motion(way) / way.length;
+  const auto by_motion = rigid_slip_at_edge(k);
+  const Index cell = rows_.cell(i, k);
+  map.by_motion.row(cell) -= part * by_motion.row(0);
+  map.by_motion.row(rows_.cells() + cell) -= part * by_motion.row(1);
+}
+
 PointSlip StepWays::slip_about(const MaterialWay& way, Index k) const {
   PointSlip slip = between(rows_, rows_.theta_of(way.x / step_.to, k));
   for (double& weight : slip.weights) weight *= step_.to / way.length;
@@ -63,7 +81,10 @@ PatchResponse StepWays::response(const PatchResponse::Matrix& displacement) cons
       const PointSlip slip{
           {here, 0}, {size / way.length, -entering * size / way.length}, way.x + way.length / 2};
       set_slip(own, rows_, displacement, i, k, slip, y);
-      set_slip(at_centre, rows_, displacement, i, k, slip_about(about_centre(i, k), k), y);
+      add_entry(own, i, k, way);
+      const MaterialWay about = about_centre(i, k);
+      set_slip(at_centre, rows_, displacement, i, k, slip_about(about, k), y);
+      add_entry(at_centre, i, k, about);
     }
   }
   return {rows_, own, at_centre};

@@ -57,6 +57,14 @@ class StepWays {
   /// that is at the trailing side of the cell at the end.
   MaterialWay about_centre(Index i, Index k) const;
 
+  /// The length by which the change of the rigid slip from the step before to this one adds to the
+  /// displacement at entry. What material remembers, its displacement and all rigid slip, is smooth
+  /// where motions change, unlike the displacement alone: the parabola goes through that.
+  double by_change_of_motion(const MaterialWay& way) const;
+
+  /// The rigid slip at the leading edge of a row by the motion: 2 x 3.
+  Eigen::Matrix<double, 2, 3> rigid_slip_at_edge(Index k) const;
+
   /// The slip of all cells in the step, and that at the centres, as a linear response.
   /// \param displacement  as displacement_by_traction()
   PatchResponse response(const PatchResponse::Matrix& displacement) const;
@@ -65,6 +73,7 @@ class StepWays {
   double x(Index j, Index k) const { return step_.to * rows_.x(j, k); }
   MaterialWay way_to(double x, Index k) const;
   double entry(double x, Index k) const;
+  void add_entry(PatchSlipMap& map, Index i, Index k, const MaterialWay& way) const;
   PointSlip slip_about(const MaterialWay& way, Index k) const;
 
   const JoinedRows& rows_;
