@@ -1,0 +1,421 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/ellipse_wiggles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "contact_ellipse.hpp"
+#include "contact_transients.hpp"
+#include "ellipse_wiggles_runs.hpp"
+#include "microslip/experiments/claims.hpp"
+#include "study_keys.hpp"
+#include "table_values.hpp"
+
+namespace microslip::experiments {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+using namespace ellipse_wiggles_study;
+
+namespace {
+
+constexpr const char* schemes =
+    "remembered: joined rows; direct: equal rectangles; contact: CONTACT's own results";
+
+struct Tables {
+  Table wiggles{
+      "wiggles",
+      "deviation of tractions and forces from the reference, which remembers on more cells",
+      {{"load", "1", "creepage, held force: after a shift by 0.6 of full sliding; spin: from rest"},
+       {"scheme", "1", schemes},
+       {"step_ratio", "1", "c = dq/dx"},
+       {"distance", "1", "q/a"},
+       {"wave", "1",
+        "largest wave from element to element in adhesion, (d- - 2 d + d+)/4 of the deviation d, "
+        "over mu p0",
+        1e-6},
+       {"deviation", "1", "mean deviation in adhesion in the row at the centre, over mu p0", 1e-6},
+       {"peak", "1", "largest traction in adhesion over that of the reference"},
+       {"force", "1", "along, over full sliding; lateral force under spin"},
+       {"force_error", "1", "its deviation", 1e-7},
+       {"moment_error", "1", "of the moment, over full sliding times a", 1e-7},
+       {"creepage", "1", "along, in the step that ends here"},
+       {"divided", "1", "steps so far that did not converge, and were divided"}}};
+  Table dependence{
+      "dependence",
+      "largest differences from the shortest steps, over all longer ones",
+      {{"load", "1", "as in wiggles"},
+       {"scheme", "1", "remembered or direct"},
+       {"distance", "1", "q/a"},
+       {"force", "1", "of a force over full sliding, or the moment over it and a", 1e-8},
+       {"traction", "1", "root of the mean square over all cells, over mu p0", 1e-7},
+       {"largest", "1", "largest one of a cell, over mu p0", 1e-7}}};
+  Table tractions{"tractions",
+                  "tractions of the row at the centre under a creepage after the shift",
+                  {{"scheme", "1", "remembered, direct or reference"},
+                   {"step_ratio", "1", "c = dq/dx"},
+                   {"x", "mm", "position"},
+                   {"traction", "1", "-p_x over mu p0"},
+                   {"bound", "1", "over mu p0"}}};
+  Table creepages{"creepages",
+                  "creepage under a held force, in the middle of each step",
+                  {{"scheme", "1", "remembered, direct or reference"},
+                   {"step_ratio", "1", "c = dq/dx"},
+                   {"q", "mm", "distance at the middle of the step"},
+                   {"creepage", "1", "mean over the step"}}};
+  Table noise{
+      "noise",
+      "noise of the creepage under a held force",
+      {{"scheme", "1", "remembered or direct"},
+       {"step_ratio", "1", "c = dq/dx"},
+       {"noise", "1",
+        "root of the mean square of (w- - 2 w + w+)/4 over the mean creepage, from q = a/2 "
+        "on",
+        1e-7},
+       {"error", "1", "root of the mean square of its deviation from the reference, over the mean",
+        1e-7}}};
+  Table map{"map",
+            "tractions and slip under spin from rest, on joined rows",
+            {{"distance", "1", "q/a"},
+             {"x", "mm", "centre of a cell"},
+             {"y", "mm", "the same"},
+             {"p_x", "1", "traction along, over mu p0"},
+             {"p_y", "1", "traction across, over mu p0"},
+             {"part", "1", "size of the traction over the bound"},
+             {"slips", "1", "1 if the cell slips"}}};
+};
+
+Rolling under(const char* name, const EllipseWigglesParameters& p) {
+  Rolling found{name, true, {}, 0};
+  if (std::string(name) == "creepage") found.load[0].value = p.creepage;
+  if (std::string(name) == "force") {
+    found.load[0] = {true, -contact_force * contact_rectangles(1).bound.total()};
+  }
+  if (std::string(name) == "spin") {
+    found.after_shift = false;
+    found.load[2].value = p.spin;
+    found.component = 1;
+  }
+  return found;
+}
+
+/// Waves, deviation and peak of a row in adhesion, beside the reference.
+struct LineErrors {
+  double wave = 0, deviation = 0, peak = 0;
+
+  LineErrors(const VectorXd& line, const RolledCircle& reference) {
+    const VectorXd d = line - reference.line;
+    double sum = 0, count = 0, highest = 0, exact = 0;
+    for (Index i = 0; i < d.size(); ++i) {
+      const auto sticks = [&](Index at) {
+        return at >= 0 && at < d.size() && reference.sticks[static_cast<std::size_t>(at)];
+      };
+      if (!sticks(i)) continue;
+      sum += std::abs(d[i]);
+      count += 1;
+      highest = std::max(highest, std::abs(line[i]));
+      exact = std::max(exact, std::abs(reference.line[i]));
+      if (!sticks(i - 1) || !sticks(i + 1)) continue;
+      wave = std::max(wave, std::abs(d[i - 1] - 2 * d[i] + d[i + 1]) / 4);
+    }
+    deviation = sum / count;
+    peak = highest / exact;
+  }
+};
+
+class Runs {
+ public:
+  Runs(const EllipseWigglesParameters& p, Tables& tables, const std::function<void()>& advance)
+      : p_(p), tables_(tables), advance_(advance) {}
+
+  void run(const Rolling& rolling, const std::vector<double>& step_ratios) {
+    const SteadyPatch fine = joined_circle(p_.reference_rows, p_.reference_elements);
+    const Course reference =
+        rolled(PatchRolling(fine), fine, rolling,
+               2 * p_.reference_step_ratio / static_cast<double>(p_.reference_elements),
+               p_.distances, p_.elements);
+    advance_();
+    show("reference", p_.reference_step_ratio, rolling, reference, reference);
+    add("reference", p_.reference_step_ratio, rolling, reference, reference);
+    const auto compare = [&](const char* scheme, const auto& roll) {
+      std::vector<Course> courses;
+      for (const double c : step_ratios) {
+        courses.push_back(roll(2 * c / static_cast<double>(p_.elements)));
+        add(scheme, c, rolling, courses.back(), reference);
+        show(scheme, c, rolling, courses.back(), reference);
+        advance_();
+      }
+      add_dependence(scheme, rolling, courses);
+      return courses;
+    };
+    const SteadyPatch joined = joined_circle(p_.rows, p_.elements);
+    compare("remembered", [&](double step) {
+      return rolled(PatchRolling(joined), joined, rolling, step, p_.distances, p_.elements);
+    });
+    const std::vector<Course> direct = compare("direct", [&](double step) {
+      return rolled(RectangleRolling(contact_rectangles(p_.elements)), rolling, step, p_.distances);
+    });
+    if (rolling.load[0].by_resultant) add_contact(rolling, step_ratios, direct, reference);
+  }
+
+  /// The largest difference of a traction of the standard scheme from CONTACT's, over mu p0.
+  double from_contact() const { return from_contact_; }
+
+ private:
+  static bool is(const Rolling& rolling, const char* name) {
+    return rolling.name == std::string(name);
+  }
+
+  void add(const char* scheme, double c, const Rolling& rolling, const Course& course,
+           const Course& reference) {
+    for (std::size_t k = 0; k < p_.distances.size(); ++k) {
+      const RolledCircle &found = course.at[k], &exact = reference.at[k];
+      const LineErrors line(found.line, exact);
+      const Eigen::Vector3d error = (found.resultants - exact.resultants).cwiseAbs();
+      tables_.wiggles.add({rolling.name, scheme, c, p_.distances[k], line.wave, line.deviation,
+                           line.peak, found.resultants[rolling.component],
+                           error.head<2>().maxCoeff(), error[2], found.motion[0], found.divided});
+    }
+  }
+
+  void add_contact(const Rolling& rolling, const std::vector<double>& step_ratios,
+                   const std::vector<Course>& direct, const Course& reference) {
+    const auto last = std::ranges::find(p_.distances, contact_distances.back());
+    if (p_.elements != static_cast<Index>(ContactTransient{}.traction.size()) ||
+        last == p_.distances.end())
+      return;
+    const auto k = static_cast<std::size_t>(last - p_.distances.begin());
+    for (const ContactTransient& of : contact_transients()) {
+      const VectorXd traction =
+          Eigen::Map<const VectorXd>(of.traction.data(), static_cast<Index>(of.traction.size())) /
+          contact_rectangles(1).bound.peak();
+      const LineErrors line(traction, reference.at[k]);
+      for (std::size_t j = 0; j < step_ratios.size(); ++j) {
+        if (step_ratios[j] != of.step_ratio) continue;
+        const double difference = (direct[j].at[k].line - traction).cwiseAbs().maxCoeff();
+        from_contact_ = std::fmax(from_contact_, difference);
+      }
+      tables_.wiggles.add({rolling.name, "contact", of.step_ratio, *last, line.wave, line.deviation,
+                           line.peak, -contact_force, 0.0, 0.0, of.creepage.back(), 0.0});
+    }
+  }
+
+  void add_dependence(const char* scheme, const Rolling& rolling,
+                      const std::vector<Course>& courses) {
+    for (std::size_t k = 0; k < p_.distances.size(); ++k) {
+      const RolledCircle& least = courses.back().at[k];
+      double force = 0, mean = 0, largest = 0;
+      for (const Course& course : courses) {
+        const RolledCircle& other = course.at[k];
+        const VectorXd difference = (other.tractions - least.tractions).rowwise().norm();
+        force = std::max(force, (other.resultants - least.resultants).cwiseAbs().maxCoeff());
+        mean =
+            std::max(mean, difference.norm() / std::sqrt(static_cast<double>(difference.size())));
+        largest = std::max(largest, difference.maxCoeff());
+      }
+      tables_.dependence.add({rolling.name, scheme, p_.distances[k], force, mean, largest});
+    }
+  }
+
+  /// What figures show.
+  void show(const char* scheme, double c, const Rolling& rolling, const Course& course,
+            const Course& reference) {
+    if (is(rolling, "creepage")) {
+      const auto shown = std::ranges::find(p_.distances, p_.shown) - p_.distances.begin();
+      const VectorXd x = stations(p_.elements);
+      const double y = 1 / static_cast<double>(p_.elements);
+      for (Index i = 0; i < x.size(); ++i) {
+        const double traction = -course.at[static_cast<std::size_t>(shown)].line[i];
+        tables_.tractions.add(
+            {scheme, c, x[i], traction, std::sqrt(std::max(0.0, 1 - x[i] * x[i] - y * y))});
+      }
+    }
+    if (!rolling.load[0].by_resultant) return;
+    double sum = 0, squares = 0, errors = 0, count = 0;
+    for (std::size_t s = 0; s < course.steps.size(); ++s) {
+      const Step& step = course.steps[s];
+      tables_.creepages.add({scheme, c, step.middle, step.motion[0]});
+      if (step.middle < 0.5 || s + 1 == course.steps.size()) continue;
+      const double wave =
+          (course.steps[s - 1].motion[0] - 2 * step.motion[0] + course.steps[s + 1].motion[0]) / 4;
+      sum += step.motion[0];
+      squares += wave * wave;
+      errors += std::pow(step.motion[0] - creepage_at(reference, step.middle), 2);
+      count += 1;
+    }
+    if (std::string(scheme) == "reference") return;
+    tables_.noise.add({scheme, c, std::sqrt(squares / count) / (sum / count),
+                       std::sqrt(errors / count) / (sum / count)});
+  }
+
+  /// Linear between the middles of steps.
+  static double creepage_at(const Course& course, double q) {
+    const auto after = std::ranges::lower_bound(course.steps, q, {}, &Step::middle);
+    if (after == course.steps.begin()) return after->motion[0];
+    const Step& before = *(after - 1);
+    if (after == course.steps.end()) return before.motion[0];
+    const double part = (q - before.middle) / (after->middle - before.middle);
+    return before.motion[0] + part * (after->motion[0] - before.motion[0]);
+  }
+
+  const EllipseWigglesParameters& p_;
+  Tables& tables_;
+  const std::function<void()>& advance_;
+  double from_contact_ = not_given;
+};
+
+void add_map(Tables& tables, const EllipseWigglesParameters& p) {
+  const SteadyPatch circle = joined_circle(p.map_rows, p.elements);
+  PatchRolling cells(circle);
+  const VectorXd x = cells.x(), y = cells.y();
+  const Course course = rolled(std::move(cells), circle, under("spin", p),
+                               2 / static_cast<double>(p.elements), p.map_distances, p.elements);
+  for (const RolledCircle& at : course.at) {
+    for (Index i = 0; i < x.size(); ++i) {
+      const double bound = std::sqrt(1 - x[i] * x[i] - y[i] * y[i]);
+      tables.map.add({at.distance, x[i], y[i], at.tractions(i, 0), at.tractions(i, 1),
+                      at.tractions.row(i).norm() / bound,
+                      at.slips[static_cast<std::size_t>(i)] ? 1.0 : 0.0});
+    }
+  }
+}
+
+double least_peak(const Table& wiggles, const char* scheme) {
+  const Cell first = wiggles.at(0, "distance");
+  return least(wiggles, "peak", {{"load", "creepage"}, {"scheme", scheme}, {"distance", first}});
+}
+
+double least_error(const Table& wiggles) {
+  return least(wiggles, "force_error", {{"load", "spin"}, {"scheme", "direct"}});
+}
+
+Table claims_of(const EllipseWigglesParameters& p, const Tables& tables, double from_contact) {
+  constexpr double settled = 1.5, soon = 2;  // q/a
+  const char *by_error = "ellipse_wiggles_error", *by_traction = "ellipse_wiggles_traction";
+  const Table &of = tables.wiggles, &dependence = tables.dependence;
+  const double least = p.step_ratios.back(), last = p.distances.back();
+  const auto wave = [&](const char* scheme, const auto& wanted) {
+    return extreme(of, "wave", false, [&](std::size_t i) {
+      return has(of, i, {{"load", "creepage"}, {"scheme", scheme}}) && wanted(i);
+    });
+  };
+  const auto is_settled = [&](std::size_t i) { return of.number(i, "distance") >= settled; };
+  const auto spread = [&](const char* scheme, const char* column) {
+    return extreme(dependence, column, false, [&](std::size_t i) {
+      return has(dependence, i, {{"scheme", scheme}}) && dependence.number(i, "distance") <= soon;
+    });
+  };
+  const auto small_step = [&](const char* scheme, const char* column, double distance) {
+    return most(
+        of, column,
+        {{"load", "creepage"}, {"scheme", scheme}, {"step_ratio", least}, {"distance", distance}});
+  };
+  return claims_table(
+      {{"the standard scheme has CONTACT's tractions after a shift and steps of any length", "none",
+        not_given, from_contact, "1", ours_if({below(1e-4)}),
+        "largest difference over mu p0 in the row at the centre, c = 1, 0.5, 0.1; CONTACT iterates "
+        "to "
+        "1e-7",
+        by_traction},
+       {"small steps of the standard scheme make waves of a tenth of mu p0 or more", "7.1",
+        not_given,
+        wave("direct", [&](std::size_t i) { return of.number(i, "step_ratio") == least; }), "1",
+        ours_if({above(0.1)}), "largest wave in adhesion at the smallest c", by_error},
+       {"what remembers has no waves, however small the step", "7.1", not_given,
+        wave("remembered", is_settled), "1", ours_if({below(0.025)}),
+        "largest wave in adhesion over c, from q = 1.5 a on, when the peak has left", by_error},
+       {"forces of the standard scheme are percents off long after a shift, if steps are small",
+        "none", not_given, small_step("direct", "force_error", last), "1", ours_if({above(0.02)}),
+        "of full sliding, at the smallest c and the last distance", by_error},
+       {"forces of what remembers are not", "none", not_given,
+        most(of, "force_error",
+             {{"load", "creepage"}, {"scheme", "remembered"}, {"distance", last}}),
+        "1", ours_if({below(2.5e-3)}), "the largest over c at the last distance", by_error},
+       {"forces and moment of what remembers depend on the step by a thousandth", "none", not_given,
+        spread("remembered", "force"), "1", ours_if({below(1.5e-3)}),
+        "largest difference from the smallest c, over loads, c and distances up to 2 a", by_error},
+       {"forces and moment of the standard scheme depend on the step by a percent", "none",
+        not_given, spread("direct", "force"), "1", ours_if({above(0.01)}), "the same", by_error},
+       {"tractions of what remembers depend on the step by a percent, most of it in the cells "
+        "where "
+        "slip begins",
+        "none", not_given, spread("remembered", "traction"), "1", ours_if({below(0.015)}),
+        "root of the mean square over cells, largest over loads, c and distances up to 2 a",
+        by_error},
+       {"tractions of the standard scheme depend on the step by a tenth", "none", not_given,
+        spread("direct", "traction"), "1", ours_if({above(0.07)}), "the same", by_error},
+       {"what remembers keeps a travelling peak", "8", not_given, least_peak(of, "remembered"), "1",
+        ours_if({above(0.94)}),
+        "least height over that of the reference at the first distance, over c", by_traction},
+       {"small steps of the standard scheme smear it", "8", not_given, least_peak(of, "direct"),
+        "1", ours_if({below(0.88)}), "the same", by_traction},
+       {"under a held force the creepage of what remembers is closer to the reference than that of "
+        "the standard scheme",
+        "none", not_given,
+        most(tables.noise, "error", {{"scheme", "remembered"}}) /
+            most(tables.noise, "error", {{"scheme", "direct"}}),
+        "1", ours_if({below(0.7)}), "ratio of the largest errors over c",
+        "ellipse_wiggles_creepage"},
+       {"from rest under spin the standard scheme has percents of error in the lateral force",
+        "none", not_given, least_error(of), "1", ours_if({above(0.005)}),
+        "least error over c and distances, over full sliding", by_error}});
+}
+
+}  // namespace
+
+EllipseWigglesParameters read_ellipse_wiggles(Scene& scene) {
+  using P = EllipseWigglesParameters;
+  const StudyKeys<P> keys(
+      scene,
+      {{&P::elements, "grid.elements", "of a diameter in the standard scheme, and cells of a row",
+        range(8, 40)},
+       {&P::rows, "grid.rows", "joined rows; the standard scheme has as many as elements",
+        range(4, 40)},
+       {&P::step_ratios, "step.ratios", "c = dq/dx, after a shift by 0.6 of full sliding",
+        range(0.01, 2), falling},
+       {&P::force_step_ratios, "step.force_step_ratios", "c under a held force after the shift",
+        range(0.01, 2), falling},
+       {&P::spin_step_ratios, "step.spin_step_ratios", "c under spin from rest", range(0.01, 2),
+        falling},
+       {&P::creepage, "rolling.creepage", "after the shift", range(0.01, 0.5)},
+       {&P::spin, "rolling.spin", "1/mm", "from rest", range(0.01, 1)},
+       {&P::distances, "rolling.distances", "q/a of results", range(0.05, 20), rising},
+       {&P::shown, "rolling.shown", "q/a of the tractions in figures", range(0.05, 20),
+        "one of rolling.distances"},
+       {&P::reference_rows, "reference.rows", "M of the reference", range(4, 40)},
+       {&P::reference_elements, "reference.elements", "N of the reference", range(8, 60)},
+       {&P::reference_step_ratio, "reference.step_ratio", "c of the reference", range(0.05, 1)},
+       {&P::map_rows, "map.rows", "M of the map; its rows have grid.elements cells", range(4, 40)},
+       {&P::map_distances, "map.distances", "q/a of the map, under spin", range(0.05, 20),
+        rising}});
+  const P p = keys.read({});
+  scene.demand("rolling.shown", p.shown,
+               std::ranges::find(p.distances, p.shown) != p.distances.end());
+  return p;
+}
+
+std::vector<Table> ellipse_wiggles(const EllipseWigglesParameters& p, const Progress& progress) {
+  const std::size_t steps =
+      4 + 2 * (p.step_ratios.size() + p.force_step_ratios.size() + p.spin_step_ratios.size());
+  std::size_t done = 0;
+  const std::function<void()> advance = [&] { progress(++done, steps); };
+  Tables tables;
+  Runs runs(p, tables, advance);
+  runs.run(under("creepage", p), p.step_ratios);
+  runs.run(under("force", p), p.force_step_ratios);
+  runs.run(under("spin", p), p.spin_step_ratios);
+  add_map(tables, p);
+  advance();
+  return {tables.wiggles,
+          tables.dependence,
+          tables.tractions,
+          tables.creepages,
+          tables.noise,
+          tables.map,
+          claims_of(p, tables, runs.from_contact())};
+}
+
+}  // namespace microslip::experiments
