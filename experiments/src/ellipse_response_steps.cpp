@@ -77,6 +77,7 @@ Table steps_table(const EllipseResponseParameters& p, const std::function<void()
   const PatchFrequencyResponse exact(JoinedRows(1, p.reference, 5 * p.reference / 3),
                                      p.poisson_ratio);
   const Matrix3cd steady = exact.linear(0);
+  std::vector<std::vector<std::vector<Cell>>> found_at(p.waves.size());
   const auto add = [&](const char* scheme, double step_ratio, const auto& make) {
     const auto steps =
         static_cast<int>(std::lround(p.period * static_cast<double>(N) / (2 * step_ratio)));
@@ -86,8 +87,8 @@ Table steps_table(const EllipseResponseParameters& p, const std::function<void()
       const Matrix3cd error = found[w] - exact.linear(2 * pi / wavelength);
       const auto of = [&](Index i, Index k) { return std::abs(error(i, k) / steady(i, k)); };
       const std::array<double, 4> each{of(0, 0), of(1, 1), of(1, 2), of(2, 2)};
-      table.add({scheme, step_ratio, wavelength, each[0], each[1], each[2], each[3],
-                 std::ranges::max(each)});
+      found_at[w].push_back({scheme, step_ratio, wavelength, each[0], each[1], each[2], each[3],
+                             std::ranges::max(each)});
     }
     advance();
   };
@@ -100,6 +101,9 @@ Table steps_table(const EllipseResponseParameters& p, const std::function<void()
     add("direct", c, [&] {
       return RectangleRolling({.material = material, .bound = circle, .elements = N, .rows = N});
     });
+  }
+  for (const auto& rows : found_at) {
+    for (const std::vector<Cell>& row : rows) table.add(row);
   }
   return table;
 }

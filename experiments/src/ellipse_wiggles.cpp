@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <string>
 
 #include "contact_ellipse.hpp"
@@ -82,6 +83,10 @@ struct Tables {
             {{"distance", "1", "q/a"},
              {"x", "mm", "centre of a cell"},
              {"y", "mm", "the same"},
+             {"x_low", "mm", "end of the cell, at y"},
+             {"x_high", "mm", "the same"},
+             {"y_low", "mm", "the same, across"},
+             {"y_high", "mm", "the same"},
              {"p_x", "1", "traction along, over mu p0"},
              {"p_y", "1", "traction across, over mu p0"},
              {"part", "1", "size of the traction over the bound"},
@@ -139,14 +144,20 @@ class Runs {
                p_.distances, p_.elements);
     advance_();
     show("reference", p_.reference_step_ratio, rolling, reference, reference);
-    add("reference", p_.reference_step_ratio, rolling, reference, reference);
+    for (std::size_t k = 0; k < p_.distances.size(); ++k) {
+      add("reference", p_.reference_step_ratio, k, rolling, reference, reference);
+    }
     const auto compare = [&](const char* scheme, const auto& roll) {
       std::vector<Course> courses;
       for (const double c : step_ratios) {
         courses.push_back(roll(2 * c / static_cast<double>(p_.elements)));
-        add(scheme, c, rolling, courses.back(), reference);
         show(scheme, c, rolling, courses.back(), reference);
         advance_();
+      }
+      for (std::size_t k = 0; k < p_.distances.size(); ++k) {
+        for (std::size_t j = 0; j < courses.size(); ++j) {
+          add(scheme, step_ratios[j], k, rolling, courses[j], reference);
+        }
       }
       add_dependence(scheme, rolling, courses);
       return courses;
@@ -169,16 +180,15 @@ class Runs {
     return rolling.name == std::string(name);
   }
 
-  void add(const char* scheme, double c, const Rolling& rolling, const Course& course,
-           const Course& reference) {
-    for (std::size_t k = 0; k < p_.distances.size(); ++k) {
-      const RolledCircle &found = course.at[k], &exact = reference.at[k];
-      const LineErrors line(found.line, exact);
-      const Eigen::Vector3d error = (found.resultants - exact.resultants).cwiseAbs();
-      tables_.wiggles.add({rolling.name, scheme, c, p_.distances[k], line.wave, line.deviation,
-                           line.peak, found.resultants[rolling.component],
-                           error.head<2>().maxCoeff(), error[2], found.motion[0], found.divided});
-    }
+  /// Of one distance.
+  void add(const char* scheme, double c, std::size_t k, const Rolling& rolling,
+           const Course& course, const Course& reference) {
+    const RolledCircle &found = course.at[k], &exact = reference.at[k];
+    const LineErrors line(found.line, exact);
+    const Eigen::Vector3d error = (found.resultants - exact.resultants).cwiseAbs();
+    tables_.wiggles.add({rolling.name, scheme, c, p_.distances[k], line.wave, line.deviation,
+                         line.peak, found.resultants[rolling.component], error.head<2>().maxCoeff(),
+                         error[2], found.motion[0], found.divided});
   }
 
   void add_contact(const Rolling& rolling, const std::vector<double>& step_ratios,
@@ -275,8 +285,14 @@ void add_map(Tables& tables, const EllipseWigglesParameters& p) {
                                2 / static_cast<double>(p.elements), p.map_distances, p.elements);
   for (const RolledCircle& at : course.at) {
     for (Index i = 0; i < x.size(); ++i) {
-      const double bound = std::sqrt(1 - x[i] * x[i] - y[i] * y[i]);
-      tables.map.add({at.distance, x[i], y[i], at.tractions(i, 0), at.tractions(i, 1),
+      const double half_length = std::sqrt(1 - y[i] * y[i]);
+      const double bound = std::sqrt(half_length * half_length - x[i] * x[i]);
+      const double theta = std::acos(x[i] / half_length), psi = std::asin(y[i]);
+      const double half_cell = std::numbers::pi / 2 / static_cast<double>(p.elements);
+      const double half_row = std::numbers::pi / 2 / static_cast<double>(p.map_rows);
+      tables.map.add({at.distance, x[i], y[i], half_length * std::cos(theta + half_cell),
+                      half_length * std::cos(theta - half_cell), std::sin(psi - half_row),
+                      std::sin(psi + half_row), at.tractions(i, 0), at.tractions(i, 1),
                       at.tractions.row(i).norm() / bound,
                       at.slips[static_cast<std::size_t>(i)] ? 1.0 : 0.0});
     }
