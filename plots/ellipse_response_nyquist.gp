@@ -15,7 +15,7 @@ do for [k=1:4] {
   if (k % 2 == 1) { set ylabel "imaginary part [1]" } else { unset ylabel }
   set title k == 1 ? "C_{11}: longitudinal" : k == 2 ? "C_{22}: lateral" : k == 3 ? "C_{23}: lateral force of spin" : "C_{33}: moment of spin"
   set xrange [k == 3 ? -0.3 : k == 4 ? -0.2 : -0.05 : k == 4 ? 3.2 : 1.05]
-  set yrange [k == 4 ? -2.1 : -0.7 : k == 4 ? 0.2 : 0.06]
+  set yrange [k == 4 ? -2.5 : k == 3 ? -0.75 : -0.7 : k == 4 ? 1 : 0.06]
   if (k == 1) { set key at graph 0.95,0.95 } else { unset key }
   plot for [i=1:words(aspects)] curves using \
          (is(name, word(aspects, i)) ? column("real") : NaN): \
