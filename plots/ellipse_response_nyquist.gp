@@ -8,7 +8,7 @@ is(name, aspect) = strcol("coefficient") eq name && same(column("aspect"), real(
 aspects = by_awk(limits, "$at[\"coefficient\"] == \"C11\" && $at[\"aspect\"] <= 2 { printf(\"%s \", $at[\"aspect\"]) }'")
 
 eval page(800, 620)
-set multiplot layout 2,2 margins 0.11,0.98,0.095,0.95 spacing 0.085,0.11
+set multiplot layout 2,2 margins 0.12,0.98,0.125,0.95 spacing 0.085,0.11
 do for [k=1:4] {
   name = word(names, k)
   if (k > 2) { set xlabel "real part [1]" } else { unset xlabel }
