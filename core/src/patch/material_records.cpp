@@ -2,6 +2,7 @@
 #include "material_records.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace microslip {
 
@@ -56,6 +57,17 @@ void MaterialRecords::leave(double place) {
 
 void MaterialRecords::change(const std::function<void(double, Vector2d&)>& by) {
   for (Record& record : records_) by(record.place, record.value);
+}
+
+void MaterialRecords::forget(double from, double to) {
+  std::erase_if(records_, [&](const Record& r) { return r.place > from && r.place < to; });
+}
+
+void MaterialRecords::add(double place, const Vector2d& value, double distance) {
+  const auto after = std::ranges::upper_bound(records_, place, {}, &Record::place);
+  if (after != records_.end() && after->place - place < distance) return;
+  if (after != records_.begin() && place - std::prev(after)->place < distance) return;
+  records_.insert(after, {place, value});
 }
 
 void MaterialRecords::move(const std::function<double(double, Vector2d&)>& to) {

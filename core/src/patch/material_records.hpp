@@ -49,6 +49,12 @@ class MaterialRecords {
   /// Changes what is remembered, record by record.
   void change(const std::function<void(double place, Vector2d& value)>& by);
 
+  /// Forgets what is between two places.
+  void forget(double from, double to);
+
+  /// Adds a record, unless there is one closer than a distance.
+  void add(double place, const Vector2d& value, double distance);
+
   /// The same, where places move, too: `to` returns the new place, and keeps their order.
   void move(const std::function<double(double place, Vector2d& value)>& to);
 

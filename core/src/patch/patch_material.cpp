@@ -20,6 +20,9 @@ namespace {
 /// over the number of cells.
 constexpr double spacing_of_records = 0.5;
 
+/// Records of cells that slip are not closer to others than this part of the cell.
+constexpr double least_gap = 0.2;
+
 MaterialRecords row_at_rest(const JoinedRows& rows, Index k, double size, double distance) {
   const double spacing = spacing_of_records * size * rows.half_length(k);
   return {size * rows.x(2 * rows.elements(), k) + distance, size * rows.x(0, k) + distance,
@@ -111,15 +114,30 @@ void PatchMaterial::take(const PatchStep& step, PointDisplacements& u,
       row.enter(place, u.at(0, k) + path_.at(place, y));
       row.leave(exit + distance_);
     }
-    row.change([&](double place, Vector2d& value) {
-      const double x = place - distance_;
-      if (x <= exit || x >= front) return;
-      const double theta = rows.theta_of(x / size_, k);
-      const auto cell = static_cast<Index>(theta / pi * static_cast<double>(rows.elements()));
-      const Index i = std::min(cell, rows.elements() - 1);
-      if (!slips[static_cast<std::size_t>(rows.cell(i, k))]) return;
-      value = u.at_angle(theta, k) + path_.at(place, y);
-    });
+    replace_where_slips(k, u, slips);
+  }
+}
+
+/// Material that slips remembers where it is now: at the points of the cells, so that the next step
+/// begins with what was solved, and not with values between records.
+void PatchMaterial::replace_where_slips(Index k, PointDisplacements& u,
+                                        const std::vector<bool>& slips) {
+  const JoinedRows& rows = u.rows();
+  MaterialRecords& row = memory_[static_cast<std::size_t>(k)];
+  const auto place_of = [&](Index j) { return size_ * rows.x(j, k) + distance_; };
+  const auto is_slipping = [&](Index i) {
+    return slips[static_cast<std::size_t>(rows.cell(i, k))];
+  };
+  for (Index i = 0; i < rows.elements(); ++i) {
+    if (is_slipping(i)) row.forget(place_of(2 * i + 2), place_of(2 * i));
+  }
+  for (Index i = 0; i < rows.elements(); ++i) {
+    if (!is_slipping(i)) continue;
+    const double distance = least_gap * (place_of(2 * i) - place_of(2 * i + 2));
+    for (const Index j : {2 * i + 1, 2 * i + 2}) {
+      const double place = place_of(j);
+      row.add(place, u.at(j, k) + path_.at(place, size_ * rows.y(k)), distance);
+    }
   }
 }
 

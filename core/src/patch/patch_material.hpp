@@ -51,6 +51,7 @@ class PatchMaterial {
                       const MaterialWay& way, Index k) const;
   void resize(const JoinedRows& rows, double size);
   MaterialRecords moved_row(const JoinedRows& rows, Index k, double size) const;
+  void replace_where_slips(Index k, PointDisplacements& u, const std::vector<bool>& slips);
   void touch_anew(Index k, PointDisplacements& u);
 
   std::vector<MaterialRecords> memory_;
