@@ -30,13 +30,13 @@ help:
 	@echo 'make STUDY        one study with its figures: $(STUDIES)'
 	@echo 'make quick        every study, coarser, into results/quick'
 	@echo 'make bench        times against N into results/bench, with figures; about five minutes'
-	@echo 'make test         build and run all tests, those of units under the address and undefined-behaviour sanitizers'
+	@echo 'make test         build and run all tests'
 	@echo 'make verify       two clean builds: the same bytes; these, and other instructions and compilers: agreement with tests/reference_tables; all samples of property tests'
 	@echo 'make references   make the tables of this build those of tests/reference_tables'
 	@echo 'make accuracy     the orders that the tests measure, into docs/accuracy.md'
 	@echo 'make coverage     the lines of core and scene that the tests run; at least 95 %'
 	@echo 'make mutants      which test fails for each change of tests/mutants.tsv; MUTANTS="NAME ..." for some'
-	@echo 'make sanitize     the tests under sanitizers alone, and those of threads under the thread sanitizer'
+	@echo 'make sanitize     tests of units, of C and of the corpus under the address and undefined-behaviour sanitizers, and those of threads under the thread sanitizer'
 	@echo 'make fuzz         libFuzzer on every reader of input, FUZZ_SECONDS=$(FUZZ_SECONDS) each, with both sanitizers'
 	@echo 'make keep-corpus  what it found that reaches new code, into fuzz/corpus'
 	@echo 'make build        only build the programs, into $(BUILD)/bin'
@@ -140,11 +140,8 @@ bench:
 	  plots/draw.sh plots/$$(basename $$figure .svg).gp results/bench $$figure; \
 	done
 
-# Tests of units under sanitizers, and all others in the build of the programs.
 test: deps
-	@tools/deps.sh report clang
-	@$(sanitized)
-	$(run_sanitized)
+	@tools/deps.sh report
 	@$(call cmake_build,release)
 	ctest --preset release -j $(JOBS)
 
@@ -177,17 +174,15 @@ coverage:
 mutants: deps
 	@tools/mutants.py build/mutants $(JOBS) $(MUTANTS)
 
-# Without tests in long runs: other tests run the same code, and `make test` runs them without sanitizers.
+# Without tests in long runs: others run the same code, and `make test` runs all.
 # As many processes run the tests of units as there are jobs: to start one for each test takes as long
 # as the tests themselves.
-sanitized = $(call cmake_build,debug,--target unit_tests capi_tests corpus)
-run_sanitized = ctest --preset debug -L 'capi|corpus' -j $(JOBS); \
-  seq 0 $$(($(JOBS) - 1)) | GTEST_TOTAL_SHARDS=$(JOBS) xargs -P $(JOBS) -I {} env GTEST_SHARD_INDEX={} \
-    build/debug/bin/unit_tests --gtest_brief=1 --gtest_filter='-LongRuns*'
 sanitize:
 	@tools/deps.sh build clang
-	@$(sanitized)
-	$(run_sanitized)
+	@$(call cmake_build,debug,--target unit_tests capi_tests corpus)
+	ctest --preset debug -L 'capi|corpus' -j $(JOBS)
+	seq 0 $$(($(JOBS) - 1)) | GTEST_TOTAL_SHARDS=$(JOBS) xargs -P $(JOBS) -I {} env GTEST_SHARD_INDEX={} \
+	  build/debug/bin/unit_tests --gtest_brief=1 --gtest_filter='-LongRuns*'
 	@$(threads)
 
 # The thread sanitizer takes a build of its own.
