@@ -24,27 +24,47 @@ program::Work prepare(Scene& scene) {
   return solver_of(scene);
 }
 
-/// \param state  in which the scene ends, filled by the work
-program::Work prepare_to_save(Scene& scene, std::string& state) {
-  reject_sweep(scene, for_many);
-  require_line_contact(scene);
-  const Model model = read_model(scene);
-  const auto* transient = std::get_if<TransientScene>(&model);
-  if (transient == nullptr) {
+/// The scene, which then ends with a whole step if only rounding is in between.
+template <class Steps>
+Steps with_whole_steps(Steps scene) {
+  const double end = end_of_whole_steps(scene.distance, scene.step_lengths());
+  if (end <= scene.loads.distance()) scene.distance = end;
+  return scene;
+}
+
+/// Saves the state at the end of a scene with steps.
+struct PrepareToSave {
+  Scene& scene;
+  std::string& state;
+
+  program::Work operator()(const TransientScene& read) const {
+    return work(read, read.problem.scheme);
+  }
+  program::Work operator()(const PatchTransient& read) const { return work(read, read.scheme); }
+  template <class Other>
+  program::Work operator()(const Other&) const {
     throw BadParameter("problem", fmt::format("problem = '{}': expected transient with --save",
                                               scene.text("problem")));
   }
-  if (!std::holds_alternative<Remembered>(transient->problem.scheme)) {
-    reject("step.scheme", scene.text("step.scheme"), "remembered with --save");
+
+ private:
+  template <class Steps>
+  program::Work work(const Steps& read, const AdvectionScheme& scheme) const {
+    if (!std::holds_alternative<Remembered>(scheme)) {
+      reject("step.scheme", scene.text("step.scheme"), "remembered with --save");
+    }
+    program::require_memory("grid.elements", elements_of(read), memory_needed(read));
+    return [whole = with_whole_steps(read), &saved = state](const Progress& progress) {
+      return experiments::scene_tables(whole, progress,
+                                       [&](auto& rolling) { saved = rolling.save(); });
+    };
   }
-  program::require_memory("grid.elements", elements_of(model), memory_needed(model));
-  TransientScene whole = *transient;
-  whole.distance = end_of_whole_steps(whole.distance, whole.step_lengths());
-  if (whole.distance > whole.loads.distance()) whole.distance = transient->distance;
-  return [whole, &state](const Progress& progress) {
-    return experiments::scene_tables(whole, progress,
-                                     [&](TransientRolling& rolling) { state = rolling.save(); });
-  };
+};
+
+/// \param state  in which the scene ends, filled by the work
+program::Work prepare_to_save(Scene& scene, std::string& state) {
+  reject_sweep(scene, for_many);
+  return std::visit(PrepareToSave{scene, state}, read_model(scene));
 }
 
 program::Work prepare_response(Scene& scene) {

@@ -13,7 +13,8 @@ std::vector<Table> scene_tables(const SteadyPatch& patch, const Progress& progre
   progress(1, 1);
   Table summary = empty_summary("steady rolling, the whole contact");
   add_patch_load(summary, solution.resultants, solution.motion);
-  add_patch_shares(summary, patch, solution.force(), solution.slip_area() / solution.area.sum());
+  add_patch_shares(summary, patch.bound.total(), solution.force(),
+                   solution.slip_area() / solution.area.sum());
   summary.add({"dissipation", solution.dissipation, "N"});
   add_patch_sizes(summary, patch);
   summary.add({"iterations", solution.iterations, "1"});

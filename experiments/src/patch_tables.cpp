@@ -58,7 +58,7 @@ Table rectangles_edges_table(const Eigen::VectorXd& x, const Eigen::VectorXd& y,
   return table;
 }
 
-Table patch_edges_table(const SteadyPatch& patch) {
+Table patch_edges_table(const SteadyPatch& patch, double size) {
   Table table = empty_edges();
   const JoinedRows rows(patch.bound.shape(), patch.rows, patch.elements);
   const Eigen::Index strips = patch.rows < 30 ? 4 : 1;
@@ -66,8 +66,8 @@ Table patch_edges_table(const SteadyPatch& patch) {
     const std::size_t l = rows.lobe(k);
     const Lobe& lobe = rows.shape().lobes()[l];
     const Lobe::Row row = lobe.row(psi);
-    table.add({static_cast<Eigen::Index>(l + 1), k + 1, lobe.y(psi), row.middle - row.half_length,
-               row.middle + row.half_length});
+    table.add({static_cast<Eigen::Index>(l + 1), k + 1, size * lobe.y(psi),
+               size * (row.middle - row.half_length), size * (row.middle + row.half_length)});
   };
   for (Eigen::Index k = 0; k < rows.rows(); ++k) {
     const double half = rows.height(k) / 2;
@@ -90,16 +90,16 @@ void add_patch_load(Table& summary, const Eigen::Vector3d& resultants,
   summary.add({"spin", motion[2], "1/mm"});
 }
 
-void add_patch_shares(Table& summary, const SteadyPatch& patch, double force, double slip_share) {
-  summary.add({"force_ratio", force / patch.bound.total(), "1"});
-  summary.add({"full_sliding_force", patch.bound.total(), "N"});
+void add_patch_shares(Table& summary, double full_sliding, double force, double slip_share) {
+  summary.add({"force_ratio", force / full_sliding, "1"});
+  summary.add({"full_sliding_force", full_sliding, "N"});
   summary.add({"adhesion_share", std::max(0.0, 1 - slip_share), "1"});
   summary.add({"slip_share", slip_share, "1"});
 }
 
-void add_patch_sizes(Table& summary, const SteadyPatch& patch) {
-  summary.add({"half_width", patch.bound.half_width(), "mm"});
-  summary.add({"lateral_half_width", patch.bound.lateral_half_width(), "mm"});
+void add_patch_sizes(Table& summary, const SteadyPatch& patch, double size) {
+  summary.add({"half_width", size * patch.bound.half_width(), "mm"});
+  summary.add({"lateral_half_width", size * patch.bound.lateral_half_width(), "mm"});
   summary.add({"rows", patch.rows, "1"});
   summary.add({"elements", patch.elements, "1"});
 }

@@ -30,7 +30,8 @@ inline constexpr const char* at_cells =
 Table patch_traction_table(const std::string& description, const PatchValues& values);
 
 /// The table `edges`: the sides of rows, and some between them where there are few.
-Table patch_edges_table(const SteadyPatch& patch);
+/// \param size  of the contact, over the patch's  [1]
+Table patch_edges_table(const SteadyPatch& patch, double size = 1);
 
 /// The table `edges` of equal rectangles, row by row.
 /// \param x, y    of the centres, in the order of the rows  [mm]
@@ -43,11 +44,13 @@ void add_patch_load(Table& summary, const Eigen::Vector3d& resultants,
                     const Eigen::Vector3d& motion);
 
 /// Adds the force over full sliding, and the shares of the area that stick and slip.
-/// \param slip_share  [1]
-void add_patch_shares(Table& summary, const SteadyPatch& patch, double force, double slip_share);
+/// \param full_sliding, force  [N]
+/// \param slip_share           [1]
+void add_patch_shares(Table& summary, double full_sliding, double force, double slip_share);
 
 /// Adds the sizes of the contact and of the grid.
-void add_patch_sizes(Table& summary, const SteadyPatch& patch);
+/// \param size  of the contact, over the patch's  [1]
+void add_patch_sizes(Table& summary, const SteadyPatch& patch, double size = 1);
 
 /// Warns of a result that other rows and elements change.
 std::optional<std::string> doubt_of_patch(const Evidence& evidence);

@@ -94,7 +94,7 @@ struct StepsOf {
     return static_cast<double>(number_of_steps(scene.distance, scene.step_lengths(), scene.from));
   }
   double operator()(const PatchTransient& scene) const {
-    return static_cast<double>(number_of_steps(scene.distance, scene.step_lengths()));
+    return static_cast<double>(number_of_steps(scene.distance, scene.step_lengths(), scene.from));
   }
   double operator()(const CylinderScene& scene) const {
     const double length = scene.step_ratio * scene.problem.grid.spacing();
@@ -125,13 +125,15 @@ struct WorkOf {
     return 5e6 * static_cast<double>(patch.rows) + (15e3 + 60 * n) * n * n / 4;
   }
   /// Integrals and matrices as in steady rolling, a system for each step, and a response for each
-  /// length of step, and for the first one. Rectangles have products by FFT.
+  /// length of step, and for the first one; and for each step if the contact changes its size.
+  /// Rectangles have products by FFT.
   double operator()(const PatchTransient& scene) const {
     const auto n = static_cast<double>(scene.patch.rows * scene.patch.elements);
     const double steps = steps_needed(scene) + static_cast<double>(scene.shifts.size());
     if (std::holds_alternative<Direct>(scene.scheme)) return 60 * steps * n * n;
     const double response = 22 * n * n * n, step = 300 * n * n;
-    const double responses = scene.step_ratios.size() == 1 ? std::min(steps, 3.0) : steps;
+    const bool is_same = scene.step_ratios.size() == 1 && !scene.loads.changes_size();
+    const double responses = is_same ? std::min(steps, 3.0) : steps;
     return (*this)(scene.patch) + steps * step + responses * response;
   }
   double operator()(const TransientScene& scene) const {

@@ -69,10 +69,12 @@ void warn_of_missed_rows(Scene& scene, const LoadHistory& loads,
   const double longest = std::ranges::max(step_ratios);
   const std::vector<double> rows = row_ratios(loads.distances(), spacing);
   if (longest <= std::ranges::min(rows)) return;
-  scene.warn("step.ratio", longest,
-             "longer than rows of load.file: changes of the contact between its ends are missed; "
-             "without step.ratio, steps end at the rows, and step.tolerance makes them "
-             "shorter where the load bends");
+  scene.warn(
+      "step.ratio", longest,
+      std::string("longer than rows of load.file: changes of the contact between its ends "
+                  "are missed; without step.ratio, steps end at the rows") +
+          (scene.has_patch() ? ""
+                             : ", and step.tolerance makes them shorter where the load bends"));
 }
 
 void warn_of_other_radius(Scene& scene, double radius) {

@@ -88,17 +88,17 @@ std::vector<std::string> shifted(const TransientScene& scene) {
 }
 
 /// The sizes of a contact that changes.
-std::vector<std::string> changed(const TransientScene& scene) {
-  if (!scene.loads.changes_contact()) return {};
+/// \param a  half-width of the problem  [mm]
+std::vector<std::string> changed(const LoadHistory& loads, double a) {
+  if (!loads.changes_contact()) return {};
   double least = std::numeric_limits<double>::infinity(), most = 0;
   int lost = 0;
-  for (const double distance : scene.loads.distances()) {
-    const double ratio = scene.loads.contact_at(distance).half_width;
+  for (const double distance : loads.distances()) {
+    const double ratio = loads.contact_at(distance).half_width;
     least = std::min(least, ratio);
     most = std::max(most, ratio);
-    lost += scene.loads.contact_at(distance).carries() ? 0 : 1;
+    lost += loads.contact_at(distance).carries() ? 0 : 1;
   }
-  const double a = scene.problem.grid.half_width();
   const std::string loses =
       lost == 0 ? ""
                 : fmt::format(
@@ -267,13 +267,14 @@ Explanation of_patch(const SteadyPatch& patch) {
 /// The shifts of a patch before it rolls, and to which part of the largest resultants they lead.
 std::vector<std::string> shifted(const PatchTransient& scene) {
   if (scene.shifts.empty()) return {};
+  const auto [size, height] = scene.loads.contact_at(0);
+  const double force = size * size * height * scene.patch.bound.total();
+  const double moment = size * size * size * height * scene.patch.bound.turning_moment();
   double most = 0;
   for (const PatchLoad& load : scene.shifts) {
     for (std::size_t j = 0; j < load.size(); ++j) {
-      const PatchBound& bound = scene.patch.bound;
       if (!load[j].by_resultant) continue;
-      most = std::max(most,
-                      std::abs(load[j].value) / (j < 2 ? bound.total() : bound.turning_moment()));
+      most = std::max(most, std::abs(load[j].value) / (j < 2 ? force : moment));
     }
   }
   const std::size_t count = scene.shifts.size();
@@ -287,13 +288,16 @@ Explanation of_patch(const PatchTransient& scene) {
                                 name_of(scene.patch.bound.shape()), kind_of(scene.loads.at(0)),
                                 scene.loads.distances().empty() ? "" : ", that change"),
                     sizes_of(scene.patch),
-                    {normal, "inertia of the bodies", unlike_patch, shape_by_spin}};
+                    {scene.loads.changes_contact() ? normal_changes : normal,
+                     "inertia of the bodies", unlike_patch, shape_by_spin}};
   std::vector<std::string>& lines = found.consequences;
+  std::ranges::move(changed(scene.loads.rows(), scene.patch.bound.half_width()),
+                    std::back_inserter(lines));
   std::ranges::move(shifted(scene), std::back_inserter(lines));
-  lines.push_back(fmt::format("rolls {} mm, {} contact lengths, in {} steps",
-                              five_digits(scene.distance),
-                              five_digits(scene.distance / (2 * scene.patch.bound.half_width())),
-                              five_digits(steps_needed(scene))));
+  lines.push_back(fmt::format(
+      "rolls {} mm, {} contact lengths, in {} steps", five_digits(scene.distance - scene.from),
+      five_digits((scene.distance - scene.from) / (2 * scene.patch.bound.half_width())),
+      five_digits(steps_needed(scene))));
   if (std::holds_alternative<Direct>(scene.scheme)) {
     lines.emplace_back(
         "tractions are constant in equal rectangles, and displacements are moved with the "
@@ -336,7 +340,8 @@ struct Explain {
     std::vector<std::string> consequences = {loaded(scene), elements_of(scene.problem.grid)};
     std::ranges::copy(tabulated(scene.problem.contact.bound, scene.problem.grid),
                       std::back_inserter(consequences));
-    std::ranges::copy(changed(scene), std::back_inserter(consequences));
+    std::ranges::copy(changed(scene.loads, scene.problem.grid.half_width()),
+                      std::back_inserter(consequences));
     std::ranges::copy(shifted(scene), std::back_inserter(consequences));
     consequences.push_back(rolled(scene, scene.distance, scene.problem.grid));
     consequences.push_back(method_of(scene.problem.scheme));

@@ -41,7 +41,9 @@ std::vector<double> read_step_ratios(Scene& scene) {
   return ratios;
 }
 
-double read_distance(Scene& scene, double of_file) {
+namespace {
+
+double read_whole_distance(Scene& scene, double of_file) {
   if (std::isinf(of_file)) return scene.positive("motion.distance");
   const double distance = scene.number("motion.distance", of_file);
   constexpr double printed = 1e-6;  // the file's distance may be a rounded one
@@ -49,6 +51,15 @@ double read_distance(Scene& scene, double of_file) {
   require(distance <= (1 + printed) * of_file, "motion.distance", distance,
           [&] { return "at most the distance of load.file, " + format_short(of_file); });
   return std::min(distance, of_file);
+}
+
+}  // namespace
+
+double read_distance(Scene& scene, double of_file, double from) {
+  const double distance = read_whole_distance(scene, of_file);
+  require(distance > from, "motion.distance", distance,
+          [&] { return "more than the distance of start.state, " + format_short(from); });
+  return distance;
 }
 
 LoadTolerance tolerance_of_load(const TransientProblem& problem, double part) {

@@ -35,7 +35,8 @@ std::vector<double> read_step_ratios(Scene& scene);
 
 /// Reads motion.distance.
 /// \param of_file  distance of load.file, and the default; infinite without the file  [mm]
-double read_distance(Scene& scene, double of_file);
+/// \param from     where the run starts  [mm]
+double read_distance(Scene& scene, double of_file, double from);
 
 /// The tolerance of steps of a load from row to row: `part` of full sliding, or of the problem's
 /// contact.

@@ -111,14 +111,6 @@ std::vector<double> judged_steps(const Scene& scene, const std::vector<double>& 
   return {least, most};
 }
 
-/// \param from  where the run starts
-double read_distance(Scene& scene, const LoadHistory& loads, double from) {
-  const double distance = read_distance(scene, loads.distance());
-  require(distance > from, "motion.distance", distance,
-          [&] { return "more than the distance of start.state, " + format_short(from); });
-  return distance;
-}
-
 /// How a transient begins, before it rolls.
 struct Beginning {
   Start start = Rest{};
@@ -295,7 +287,7 @@ TransientScene read_transient(Scene& scene) {
   const Load load = loads.at(0);
   const Beginning beginning = read_beginning(scene, problem, load, loads.contact_at(0));
   warn_of_sudden_force(scene, loads, step_ratios.front() * problem.grid.spacing());
-  const double distance = read_distance(scene, loads, beginning.distance);
+  const double distance = read_distance(scene, loads.distance(), beginning.distance);
   const double mean = std::accumulate(step_ratios.begin(), step_ratios.end(), 0.0) /
                       static_cast<double>(step_ratios.size());
   require_few_steps(distance, beginning.distance, mean * problem.grid.spacing(), [&] {

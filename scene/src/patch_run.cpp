@@ -12,8 +12,10 @@
 #include "doubts.hpp"
 #include "microslip/rolling/large_creepage.hpp"
 #include "microslip/support/require.hpp"
+#include "patch_files.hpp"
 #include "patch_parts.hpp"
 #include "run_columns.hpp"
+#include "run_file.hpp"
 
 namespace microslip {
 
@@ -59,13 +61,68 @@ void require_one_source(const Scene& scene, const NamedColumns& columns) {
   }
 }
 
-void refuse_changes_of_contact(const NamedColumns& columns) {
+std::string in_row(std::size_t row, std::string_view name) {
+  return fmt::format("row {}: {}", row + 1, name);
+}
+
+/// Refuses a contact that is lost.
+void require_touching(const NamedColumns& columns) {
   for (const char* name : {"normal_load", "half_width", "peak_traction", "friction"}) {
     if (!columns[name]) continue;
-    throw std::invalid_argument(fmt::format(
-        "column '{}': expected none, as a contact of three dimensions does not change in this "
-        "version; a name that begins with _ is left out",
-        name));
+    const VectorXd& column = *columns[name];
+    for (Eigen::Index i = 0; i < column.size(); ++i) {
+      if (column[i] > 0) continue;
+      require(false, in_row(static_cast<std::size_t>(i), name), column[i],
+              "a number > 0: loss of contact is not in this version for a contact of three "
+              "dimensions");
+    }
+  }
+}
+
+/// Takes the columns of the contact.
+void take_contact(Scene& scene, const NamedColumns& columns, RunRows& rows) {
+  if (columns["half_width"] && scene.has(patch_file)) {
+    throw std::invalid_argument(
+        fmt::format("column 'half_width': expected none, as the contact of {} has one size; "
+                    "friction or peak_traction may change",
+                    patch_file));
+  }
+  require_touching(columns);
+  rows.point_contact = true;
+  rows.normal_load = columns["normal_load"];
+  rows.half_width = columns["half_width"];
+  rows.peak_traction = columns["peak_traction"];
+  rows.friction = columns["friction"];
+  rows.of_problem = reference_of(scene, rows);
+}
+
+/// Requires contacts that PatchRolling takes.
+void require_contacts(const NamedColumns& columns, const PatchHistory& loads,
+                      const SteadyPatch& patch) {
+  constexpr double largest_size = 100, largest_bound = 1e6;  // as PatchRolling
+  const char* sizes = columns["normal_load"] ? "normal_load" : "half_width";
+  const char* bounds = columns["friction"]        ? "friction"
+                       : columns["peak_traction"] ? "peak_traction"
+                                                  : "normal_load";
+  const auto value_of = [&](const char* name, std::size_t row) {
+    return (*columns[name])[static_cast<Eigen::Index>(row)];
+  };
+  for (std::size_t i = 0; i < loads.distances().size(); ++i) {
+    const auto [size, bound] = loads.contact_at(loads.distances()[i]);
+    if (size != 1 && !patch.bound.shape().is_ellipse()) {
+      require(false, in_row(i, sizes), value_of(sizes, i),
+              fmt::format("that of the scene, as the contact of {} has one size; friction or "
+                          "peak_traction may change",
+                          patch_file));
+    }
+    if (size < 1 / largest_size || size > largest_size) {
+      require(false, in_row(i, sizes), value_of(sizes, i),
+              fmt::format("half-widths 0.01 ... 100 times those of the scene, not {:.3g}", size));
+    }
+    if (bound < 1 / largest_bound || bound > largest_bound) {
+      require(false, in_row(i, bounds), value_of(bounds, i),
+              fmt::format("a bound 1e-6 ... 1e6 times that of the scene, not {:.3g}", bound));
+    }
   }
 }
 
@@ -89,21 +146,22 @@ RunRows rows_of_component(const NamedColumns& columns, std::size_t j,
 }
 
 /// Requires that friction carries the resultants of each row, and that motions are not too large.
-void require_patch_carried(const NamedColumns& columns, const PatchHistory& loads,
-                           const SteadyPatch& patch) {
+void require_rows_carried(const NamedColumns& columns, const PatchHistory& loads,
+                          const SteadyPatch& patch) {
   const std::vector<double>& distances = loads.distances();
   for (std::size_t i = 0; i < distances.size(); ++i) {
     const PatchLoad load = loads.at(distances[i]);
     with_names_of(
         load,
         [&] {
-          validate(load, patch.bound.total(), patch.bound.turning_moment());
+          require_patch_carried(load, patch.bound, loads.contact_at(distances[i]));
           require_motions(load, patch);
         },
         [&](std::size_t j) {
           const auto& [motion, resultant] = run_components[j];
           const std::string name = load[j].by_resultant ? resultant : motion;
-          return columns[name] ? fmt::format("row {}: {}", i + 1, name) : "load." + name;
+          if (columns[name]) return in_row(i, name);
+          return loads.changes_contact() ? in_row(i, "load." + name) : "load." + name;
         });
   }
 }
@@ -139,7 +197,13 @@ void require_motions(const PatchLoad& load, const SteadyPatch& patch, bool are_s
   }
 }
 
-PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch) {
+void require_patch_carried(const PatchLoad& load, const PatchBound& bound,
+                           const ContactScale& contact) {
+  const double force = contact.half_width * contact.half_width * contact.bound;
+  validate(load, force * bound.total(), force * contact.half_width * bound.turning_moment());
+}
+
+PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch, const AdvectionScheme& scheme) {
   NamedColumns columns{run_columns(scene), {}};
   columns.found = scene.from_columns("load.file", columns.wanted, [&](const auto& found) {
     require_patch_run(scene, columns.wanted, found);
@@ -152,15 +216,19 @@ PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch) {
     warn_of_small_radius(scene, "load.radius", radius, patch.bound.half_width());
   }
   return scene.with_file("load.file", [&] {
-    refuse_changes_of_contact(columns);
     std::vector<LoadHistory> histories;
     for (std::size_t j = 0; j < run_components.size(); ++j) {
       RunRows rows = rows_of_component(columns, j, patch.load[j]);
       rows.radius = radius;
+      if (j == 0) take_contact(scene, columns, rows);
       histories.emplace_back(rows);
     }
     const PatchHistory loads({histories[0], histories[1], histories[2]});
-    require_patch_carried(columns, loads, patch);
+    if (loads.changes_contact()) {
+      require_scheme_of_changes(scheme);
+      require_contacts(columns, loads, patch);
+    }
+    require_rows_carried(columns, loads, patch);
     warn_of_creepages_in_run(scene, loads, patch);
     return loads;
   });

@@ -2,15 +2,25 @@
 #pragma once
 
 #include "microslip/patch/steady_patch.hpp"
+#include "microslip/rolling/advection.hpp"
 #include "microslip/rolling/patch_history.hpp"
 #include "microslip/scene/scene.hpp"
 
 namespace microslip {
 
-/// The run of load.file for a patch, with load.radius if the file has a column omega.
-/// \param patch  its load has the components that are not in the file
+/// The run of load.file for a patch, with load.radius if the file has a column omega. Columns of the
+/// contact are divided by the problem's values, as in read_run().
+/// \param patch   its load has the components that are not in the file
+/// \param scheme  Remembered where the contact changes
 /// \throws std::invalid_argument with a message that names the file, and the line or row and column
-PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch);
+PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch, const AdvectionScheme& scheme);
+
+/// Refuses resultants that friction does not carry in a contact.
+/// \param bound    of the problem
+/// \param contact  over the problem's
+/// \throws BadParameter with the name of the component, see name_of()
+void require_patch_carried(const PatchLoad& load, const PatchBound& bound,
+                           const ContactScale& contact);
 
 /// Refuses motions, or shifts, of more than 1e8 times those by the bound's strain, beside which
 /// displacements would be lost.

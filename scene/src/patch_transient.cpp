@@ -9,7 +9,7 @@
 
 #include "doubts.hpp"
 #include "few_steps.hpp"
-#include "microslip/patch/standard_patch.hpp"
+#include "microslip/patch/patch_rolling.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "microslip/scene/model.hpp"
@@ -63,8 +63,9 @@ PatchLoad shift_to(Scene& scene, const PatchLoad& load) {
   return shift;
 }
 
+/// \param load, contact  at the start
 std::vector<PatchLoad> read_patch_shifts(Scene& scene, const SteadyPatch& patch,
-                                         const PatchLoad& load) {
+                                         const PatchLoad& load, const ContactScale& contact) {
   std::array<std::string, 3> given;
   std::string first_key;
   std::vector<double> first;
@@ -89,7 +90,7 @@ std::vector<PatchLoad> read_patch_shifts(Scene& scene, const SteadyPatch& patch,
     with_names_of(
         shift,
         [&] {
-          validate(shift, patch.bound.total(), patch.bound.turning_moment());
+          require_patch_carried(shift, patch.bound, contact);
           require_motions(shift, patch, true);
         },
         [&](std::size_t j) { return given[j]; });
@@ -97,12 +98,23 @@ std::vector<PatchLoad> read_patch_shifts(Scene& scene, const SteadyPatch& patch,
   return shifts;
 }
 
-std::vector<PatchLoad> read_patch_start(Scene& scene, const SteadyPatch& patch,
-                                        const PatchLoad& load) {
+void read_patch_start(Scene& scene, PatchTransient& read) {
   const std::string type = scene.word("start.type");
-  if (type == "rest") return {};
-  if (type == "cattaneo") return read_patch_shifts(scene, patch, load);
-  reject("start.type", type, "rest or cattaneo, as the contact has three dimensions");
+  if (type == "rest") return;
+  if (type == "cattaneo") {
+    read.shifts = read_patch_shifts(scene, read.patch, read.loads.at(0), read.loads.contact_at(0));
+    return;
+  }
+  if (type != "state") {
+    reject("start.type", type, "rest, cattaneo or state, as the contact has three dimensions");
+  }
+  if (!std::holds_alternative<Remembered>(read.scheme)) {
+    reject("step.scheme", scene.text("step.scheme"), "remembered with start.type state");
+  }
+  scene.with_file("start.state", [&] {
+    read.state = SavedState{scene.file("start.state")};
+    read.from = distance_of(*read.state, read.patch);
+  });
 }
 
 void warn_of_sudden_resultants(Scene& scene, const PatchTransient& read) {
@@ -136,15 +148,19 @@ std::vector<double> read_patch_steps(Scene& scene, const PatchTransient& read) {
 
 /// At 0.9 a, resultants have errors of 1 % of the largest ones, and creepages of 6 %.
 void warn_of_long_steps(Scene& scene, const PatchTransient& read) {
-  const double most = 0.5 * read.patch.bound.half_width();
+  double size = 1;
+  for (const double distance : read.loads.distances()) {
+    size = std::min(size, read.loads.contact_at(distance).half_width);
+  }
+  const double most = 0.5 * size * read.patch.bound.half_width();
   const double longest = std::min(std::ranges::max(read.step_lengths()), read.distance);
   if (longest <= (1 + 1e-9) * most) return;
   const bool by_rows = !scene.has("step.ratio");
   const std::string key = by_rows ? "load.file" : "step.ratio";
   scene.warn(key, scene.text(key),
-             fmt::format("steps are up to {} mm long: above half of the half-width, {} mm, forces "
-                         "may have errors of more than 1 % of full sliding{}",
-                         format_roughly(longest), format_roughly(most),
+             fmt::format("steps are up to {} mm long: above half of the {}half-width, {} mm, "
+                         "forces may have errors of more than 1 % of full sliding{}",
+                         format_roughly(longest), size < 1 ? "least " : "", format_roughly(most),
                          by_rows ? "; step.ratio 1 has steps of an element" : ""));
 }
 
@@ -165,10 +181,18 @@ void require_step_lengths(const Scene& scene, const PatchTransient& read) {
           format_roughly(least), format_roughly(most), format_roughly(ratio * dx)));
     });
   }
-  const double last = last_step(read.distance, read.step_lengths());
+  double first = 0, last = 0;
+  for_steps(read.distance, read.step_lengths(), read.from, [&](double, double, double length) {
+    if (first == 0) first = length;
+    last = length;
+  });
   require(last >= least, "motion.distance", read.distance, [&] {
     return fmt::format("another distance: the last step would be {} mm long, shorter than {} mm",
                        format_roughly(last), format_roughly(least));
+  });
+  require(first >= least, "motion.distance of start.state", read.from, [&] {
+    return fmt::format("the end of a step: the next step would be {} mm long, shorter than {} mm",
+                       format_roughly(first), format_roughly(least));
   });
 }
 
@@ -209,18 +233,23 @@ PatchTransient read_patch_transient(Scene& scene) {
     scene.one_of(all);  // says which are missing
   }
   patch.load = read_patch_load(scene, patch.bound);
-  validate(patch);
-  require_motions(patch.load, patch);
   warn_of_large_creepages(scene, patch);
   PatchTransient read{.patch = patch, .scheme = scheme, .loads = patch.load};
-  if (has_file) read.loads = read_patch_run(scene, patch);
-  read.patch.load = read.loads.at(0);
+  read.patch.load = {};
+  validate(read.patch);
+  if (has_file) {
+    read.loads = read_patch_run(scene, patch, scheme);
+  } else {
+    validate(patch);
+    require_motions(patch.load, patch);
+  }
   read.step_ratios = read_patch_steps(scene, read);
-  read.shifts = read_patch_start(scene, patch, read.patch.load);
-  read.distance = read_distance(scene, read.loads.distance());
+  warn_of_missed_rows(scene, read.loads.rows(), read.step_ratios, read.spacing());
+  read_patch_start(scene, read);
+  read.distance = read_distance(scene, read.loads.distance(), read.from);
   const double mean = std::accumulate(read.step_ratios.begin(), read.step_ratios.end(), 0.0) /
                       static_cast<double>(read.step_ratios.size());
-  require_few_steps(read.distance, 0, mean * read.spacing(), [] { return ""; });
+  require_few_steps(read.distance, read.from, mean * read.spacing(), [] { return ""; });
   if (std::holds_alternative<Remembered>(scheme)) {
     require_step_lengths(scene, read);
   } else {

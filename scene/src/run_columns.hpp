@@ -9,7 +9,8 @@
 
 namespace microslip {
 
-/// The columns that load.file may have, in a patch also those of the other components, with their names in the file if load.columns gives them.
+/// The columns that load.file may have, in a patch also those of the other components, with their
+/// names in the file if load.columns gives them.
 /// \throws BadParameter for a load.columns that names other columns, or one of them twice
 std::vector<FileColumn> run_columns(Scene& scene);
 

@@ -42,11 +42,7 @@ double of_problem(Scene& scene, const std::optional<Eigen::VectorXd>& column,
 
 void require_contacts(const LoadHistory& loads, const TransientProblem& problem) {
   if (!loads.changes_contact()) return;
-  if (!std::holds_alternative<Remembered>(problem.scheme)) {
-    reject("step.scheme", name_of(problem.scheme),
-           "remembered, which alone rolls on a contact that changes, as columns of load.file have "
-           "it");
-  }
+  require_scheme_of_changes(problem.scheme);
   if (problem.contact.has_unlike_bodies()) {
     throw std::invalid_argument(
         "columns normal_load, half_width, peak_traction and friction: expected none of them where "
@@ -92,16 +88,27 @@ LoadHistory read_run(Scene& scene, const TransientProblem& problem) {
     warn_of_small_radius(scene, "load.radius", rows.radius, problem.grid.half_width());
   }
   return scene.with_file("load.file", [&] {
-    rows.of_problem = {.normal_load = of_problem(scene, rows.normal_load, "normal_load"),
-                       .half_width = of_problem(scene, rows.half_width, "half_width"),
-                       .peak_traction = of_problem(scene, rows.peak_traction, "peak_traction"),
-                       .friction = of_problem(scene, rows.friction, "friction")};
+    rows.of_problem = reference_of(scene, rows);
     const LoadHistory loads(rows);
     require_contacts(loads, problem);
     warn_of_large_creepages(scene, loads, problem.contact.bound);
     if (rows.force) require_all_carried(*rows.force, loads, problem.contact.bound);
     return loads;
   });
+}
+
+RunRows::Reference reference_of(Scene& scene, const RunRows& rows) {
+  return {.normal_load = of_problem(scene, rows.normal_load, "normal_load"),
+          .half_width = of_problem(scene, rows.half_width, "half_width"),
+          .peak_traction = of_problem(scene, rows.peak_traction, "peak_traction"),
+          .friction = of_problem(scene, rows.friction, "friction")};
+}
+
+void require_scheme_of_changes(const AdvectionScheme& scheme) {
+  if (std::holds_alternative<Remembered>(scheme)) return;
+  reject("step.scheme", name_of(scheme),
+         "remembered, which alone rolls on a contact that changes, as columns of load.file have "
+         "it");
 }
 
 std::vector<double> row_ratios(const std::vector<double>& rows, double spacing) {

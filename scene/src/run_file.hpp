@@ -16,6 +16,13 @@ namespace microslip {
 /// \throws std::invalid_argument with a message that names the file, and the line or row and column
 LoadHistory read_run(Scene& scene, const TransientProblem& problem);
 
+/// The scene's values of the quantities in the columns of the contact.
+/// \throws std::invalid_argument for a column without such a value
+RunRows::Reference reference_of(Scene& scene, const RunRows& rows);
+
+/// Refuses schemes that do not roll on a contact that changes.
+void require_scheme_of_changes(const AdvectionScheme& scheme);
+
 /// The steps from row to row, dq/dx; without those of length 0, in which nothing happens  [1]
 /// \param rows     their distances  [mm]
 /// \param spacing  dx  [mm]

@@ -13,10 +13,24 @@ ContactScale between(const ContactScale& from, const ContactScale& to, double pa
           .bound = std::lerp(from.bound, to.bound, part)};
 }
 
-ContactScale hertz_scale(double load_ratio, double friction_ratio) {
+namespace {
+
+void require_ratios(double load_ratio, double friction_ratio) {
   require(load_ratio >= 0, "normal load ratio", load_ratio, "a number >= 0");
   require(friction_ratio >= 0, "friction ratio", friction_ratio, "a number >= 0");
+}
+
+}  // namespace
+
+ContactScale hertz_scale(double load_ratio, double friction_ratio) {
+  require_ratios(load_ratio, friction_ratio);
   const double size = std::sqrt(load_ratio);
+  return {.half_width = size, .bound = size * friction_ratio};
+}
+
+ContactScale hertz_point_scale(double load_ratio, double friction_ratio) {
+  require_ratios(load_ratio, friction_ratio);
+  const double size = std::cbrt(load_ratio);
   return {.half_width = size, .bound = size * friction_ratio};
 }
 

@@ -191,6 +191,7 @@ void LoadHistory::take_contact(const RunRows& rows) {
   }
   const auto n = static_cast<Index>(distances_.size());
   const RunRows::Reference& reference = rows.of_problem;
+  point_contact_ = rows.point_contact;
   load_ = sizes(rows.normal_load, n, "normal_load", reference.normal_load);
   size_ = sizes(rows.half_width, n, "half_width", reference.half_width);
   bound_ = rows.friction ? sizes(rows.friction, n, "friction", reference.friction)
@@ -241,7 +242,10 @@ ContactScale LoadHistory::contact_at(double distance) const {
   if (!changes_contact()) return {};
   const Place at = place_of(distance);
   const double bound = bound_.empty() ? 1 : between_rows(bound_, at);
-  if (!load_.empty()) return hertz_scale(between_rows(load_, at), bound);
+  if (!load_.empty()) {
+    const double load = between_rows(load_, at);
+    return point_contact_ ? hertz_point_scale(load, bound) : hertz_scale(load, bound);
+  }
   return {.half_width = size_.empty() ? 1 : between_rows(size_, at), .bound = bound};
 }
 

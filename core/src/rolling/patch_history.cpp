@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/rolling/patch_history.hpp"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace microslip {
@@ -31,6 +32,13 @@ PatchHistory::PatchHistory(const PatchLoad& constant)
 
 PatchHistory::PatchHistory(const std::array<LoadHistory, 3>& components)
     : components_(components) {}
+
+bool PatchHistory::changes_size() const {
+  if (!changes_contact()) return false;
+  const double first = contact_at(0).half_width;
+  return std::ranges::any_of(
+      distances(), [&](double distance) { return contact_at(distance).half_width != first; });
+}
 
 PatchLoad PatchHistory::at(double distance) const {
   return patch_load(components_, [&](const LoadHistory& of) { return of.at(distance); });

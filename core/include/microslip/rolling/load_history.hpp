@@ -29,6 +29,7 @@ struct RunRows {
   std::optional<Eigen::VectorXd> half_width;     ///< a >= 0  [mm]
   std::optional<Eigen::VectorXd> peak_traction;  ///< >= 0  [N/mm^2]
   std::optional<Eigen::VectorXd> friction;       ///< mu >= 0  [1]
+  bool point_contact = false;                    ///< whether Hertz's is that of a point, P in [N]
 
   /// The same quantities of the problem's contact, each > 0; a quantity without a column is
   /// ignored.
@@ -113,6 +114,7 @@ class LoadHistory {
   std::vector<double> load_;                ///< normal load over the problem's
   std::vector<double> size_;                ///< half-width over the problem's
   std::vector<double> bound_;               ///< peak, or friction coefficient, over the problem's
+  bool point_contact_ = false;              ///< as RunRows::point_contact
   std::vector<Eigen::Array3d> shift_rate_;  ///< coefficients of the shift's rate as a polynomial,
                                             ///< from each row on
 };

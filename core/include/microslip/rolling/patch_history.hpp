@@ -18,7 +18,7 @@ class PatchHistory {
   PatchHistory(const PatchLoad& constant);
 
   /// \param components  along the rolling, across it and about the normal; of equal rows. A creepage
-  ///                    is a motion, a force a resultant
+  ///                    is a motion, a force a resultant. The first one has the contact
   explicit PatchHistory(const std::array<LoadHistory, 3>& components);
 
   /// The distance from the first row to the last; infinite for a constant load  [mm]
@@ -37,9 +37,19 @@ class PatchHistory {
   /// The time at a distance, if the rows have times  [s]
   std::optional<double> time_at(double distance) const { return rows().time_at(distance); }
 
- private:
+  /// Whether the rows have columns of the contact.
+  bool changes_contact() const { return rows().changes_contact(); }
+
+  /// Whether the contact has another size in some row than in the first.
+  bool changes_size() const;
+
+  /// The contact at a distance within the rows; the problem's contact if the rows have none.
+  ContactScale contact_at(double distance) const { return rows().contact_at(distance); }
+
+  /// The first component, with distances, times and the contact of all.
   const LoadHistory& rows() const { return components_[0]; }
 
+ private:
   std::array<LoadHistory, 3> components_;
 };
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include "microslip/patch/patch_rolling.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/scene/table.hpp"
 #include "microslip/support/progress.hpp"
@@ -27,6 +28,10 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
 std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress,
                                 const std::function<void(TransientRolling&)>& at_end);
 std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& progress);
+
+/// \param at_end  called with the contact in its state after the last step, with Remembered
+std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& progress,
+                                const std::function<void(const PatchRolling&)>& at_end);
 std::vector<Table> scene_tables(const CylinderScene& scene, const Progress& progress);
 
 }  // namespace microslip::experiments

@@ -107,12 +107,14 @@ SteadyPatch read_steady_patch(Scene& scene);
 
 /// A contact patch that rolls by steps.
 struct PatchTransient {
-  SteadyPatch patch;                      ///< with the load at the start
+  SteadyPatch patch;                      ///< its load is not used
   AdvectionScheme scheme = Remembered{};  ///< Remembered, or Direct on equal rectangles
   std::vector<PatchLoad> shifts = {};    ///< without rolling, one after the other from the start on
-  double distance = 0;                   ///< rolled at the end, (0, inf)  [mm]
+  double distance = 0;                   ///< rolled at the end, above `from`  [mm]
   std::vector<double> step_ratios = {};  ///< dq over spacing(), taken in turn, each (0, inf)  [1]
   PatchHistory loads;
+  std::optional<SavedState> state = {};  ///< the start; none for one without tractions
+  double from = 0;                       ///< distance at the start, that of the state  [mm]
 
   double spacing() const;                    ///< the mean length of cells, 2 a/N  [mm]
   std::vector<double> step_lengths() const;  ///< dq, taken in turn  [mm]
@@ -120,9 +122,10 @@ struct PatchTransient {
 
 /// Reads steps of an ellipse or another patch: the keys of read_steady_patch(), step.scheme
 /// `remembered` or `direct`, load.file, whose columns go before load.*, step.ratio (one or more
-/// numbers; the rows of load.file by default), motion.distance, and start.type `rest` or `cattaneo`. The latter has start.force
-/// or start.shift, and the same of the other components, of which all have as many numbers; without
-/// them, the bodies are shifted to the resultants of the load.
+/// numbers; the rows of load.file by default), motion.distance, and start.type `rest`, `cattaneo`
+/// or `state`. `cattaneo` has start.force or start.shift, and the same of the other components, of
+/// which all have as many numbers; without them, the bodies are shifted to the resultants of the
+/// load. `state` has start.state.
 PatchTransient read_patch_transient(Scene& scene);
 
 /// Refuses an ellipse where only a line contact can be.
