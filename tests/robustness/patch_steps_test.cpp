@@ -69,6 +69,41 @@ TEST_F(PatchSteps, FollowARun) {
   EXPECT_EQ(run_in_folder("plot out --over t --figure history").status, 0);
 }
 
+/// A table without its comments.
+std::string rows_of(const std::string& text) {
+  return text.substr(text.find("\n" + std::string("q\t")));
+}
+
+TEST_F(PatchSteps, ContinueFromASavedState) {
+  std::ofstream(folder_ / "run.csv") << "q;force [kN];friction\n0;-10;0.3\n9;-5;0.2\n18;-8;0.3\n";
+  const std::string run =
+      "--set load.force= --set load.file=run.csv --set step.ratio=0.5 --set motion.distance=";
+  ASSERT_EQ(solve(run + "18 --out whole").status, 0);
+  const Outcome first = solve(run + "9.03 --save half.state --out first");
+  ASSERT_EQ(first.status, 0) << first.error;
+  const Outcome second =
+      solve(run + "18 --set start.type=state --set start.state=half.state --out second");
+  ASSERT_EQ(second.status, 0) << second.error;
+  const std::string traction = text_of(folder_ / "whole" / "traction.tsv");
+  const std::string again = text_of(folder_ / "second" / "traction.tsv");
+  EXPECT_EQ(again.substr(again.find("\nx\t")), traction.substr(traction.find("\nx\t")));
+  std::string head = rows_of(text_of(folder_ / "first" / "history.tsv"));
+  std::string tail = rows_of(text_of(folder_ / "second" / "history.tsv"));
+  const std::string all = rows_of(text_of(folder_ / "whole" / "history.tsv"));
+  for (int line = 0; line < 2; ++line) tail.erase(0, tail.find('\n', 1));
+  EXPECT_EQ(head.substr(0, head.size() - 1) + tail, all);
+  EXPECT_EQ(text_of(folder_ / "second" / "summary.tsv").find("\nchange"), std::string::npos);
+  std::ofstream(folder_ / "bad.state") << "no state\n";
+  const Outcome bad = solve("--set start.type=state --set start.state=bad.state --out third");
+  EXPECT_EQ(bad.status, 1);
+  EXPECT_NE(bad.error.find("start.state = 'bad.state': "), std::string::npos) << bad.error;
+  const Outcome other =
+      solve("--set grid.rows=7 --set start.type=state --set start.state=half.state --out third");
+  EXPECT_EQ(other.status, 1);
+  EXPECT_NE(other.error.find("half.state"), std::string::npos) << other.error;
+  EXPECT_NE(other.error.find("grid.rows"), std::string::npos) << other.error;
+}
+
 TEST_F(PatchSteps, AreSwept) {
   EXPECT_EQ(
       run_in_folder("sweep ellipse_transient.info --quiet --set grid.rows=5 --set "
@@ -87,10 +122,10 @@ TEST_F(PatchSteps, AreRefusedInOneLineThatNamesTheKey) {
                  "load.creepage = 1e+09: expected at most ");
   expect_refused("--set start.lateral_force=1e6",
                  "start.lateral_force = 1e+06: expected less than full sliding, 24000 N");
-  expect_refused("--set start.state=x --set start.type=state",
-                 "start.type = 'state': expected rest or cattaneo");
+  expect_refused("--set start.state=x --set start.type=state", "start.state = 'x': ");
   expect_refused("--set cylinder.mass=1", "key 'cylinder.mass' has no role here");
-  expect_refused("--save x", "ellipse_transient.info:");
+  expect_refused("--set step.scheme=direct --save x",
+                 "step.scheme = 'direct': expected remembered with --save");
   for (const char* command : {"curve", "converge", "response"}) {
     const Outcome outcome = run_in_folder(std::string(command) + " ellipse_transient.info");
     EXPECT_EQ(outcome.status, 1) << command;

@@ -27,18 +27,25 @@ using Settings = std::vector<std::string>;
 
 class PatchTables {
  public:
-  explicit PatchTables(const Settings& settings, const std::string& rows = "") {
+  /// \param state  of the file of start.state, from which the run continues
+  explicit PatchTables(const Settings& settings, const std::string& rows = "",
+                       const std::string& state = "") {
     Scene scene = scene_of(circle);
-    scene.read_files_by([rows](const std::string&) { return rows; });
+    scene.read_files_by([&](const std::string& name) { return name == "state" ? state : rows; });
     for (const std::string& setting : settings) scene.set(setting);
     const Model model = read_model(scene);
     scene.reject_unread();
-    tables_ = std::visit(
-        [](const auto& read) {
-          return experiments::scene_tables(read, [](std::size_t, std::size_t) {});
-        },
-        model);
+    const Progress none = [](std::size_t, std::size_t) {};
+    if (const auto* rolls = std::get_if<PatchTransient>(&model)) {
+      tables_ = experiments::scene_tables(
+          *rolls, none, [&](const PatchRolling& rolling) { state_ = rolling.save(); });
+    } else {
+      tables_ = std::visit([&](const auto& read) { return experiments::scene_tables(read, none); },
+                           model);
+    }
   }
+
+  const std::string& state() const { return state_; }
 
   const Table& named(const std::string& name) const {
     return *std::ranges::find_if(tables_, [&](const Table& table) { return table.name() == name; });
@@ -56,6 +63,7 @@ class PatchTables {
 
  private:
   std::vector<Table> tables_;
+  std::string state_;
 };
 
 constexpr double full = 2.0 / 3 * 3.14159265358979324 * 25 * 400;
@@ -115,6 +123,157 @@ TEST(PatchTransientTables, FollowAFileAsTheConstantLoadThatItHas) {
   const PatchTables file(transient({"load.file=run", "motion.distance=8"}),
                          "q,creepage\n0,0.002\n3,0.002\n8,0.002\n");
   EXPECT_EQ(file.of("force"), constant.of("force"));
+}
+
+const Settings by_load{"contact.peak_traction=", "contact.normal_load=70 kN",
+                       "contact.friction=0.3"};
+
+Settings loaded(const Settings& more) {
+  Settings all = by_load;
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+TEST(PatchTransientTables, AreTheSameWithAContactThatStays) {
+  const Settings load{"load.creepage=0.002", "load.spin=0.2 1/m", "motion.distance=8"};
+  const PatchTables constant(transient(loaded(load)));
+  const PatchTables file(
+      transient(loaded({"load.file=run", "load.spin=0.2 1/m", "motion.distance=8"})),
+      "q,creepage,normal_load [kN],friction\n0,0.002,70,0.3\n3,0.002,70,0.3\n8,0.002,70,0.3\n");
+  for (const char* quantity : {"force", "lateral_force", "spin_moment", "dissipated_energy"}) {
+    EXPECT_EQ(file.of(quantity), constant.of(quantity)) << quantity;
+  }
+  const Table& history = file.named("history");
+  EXPECT_EQ(history.number(0, "half_width"), 5);
+  EXPECT_NEAR(history.number(3, "full_sliding"), 21e3, 1e-8);
+  EXPECT_EQ(history.columns().size(), constant.named("history").columns().size() + 3);
+}
+
+// The normal load rises to twice and stays; steady rolling of that contact is another solution.
+TEST(PatchTransientTables, EndInTheSteadyStateOfTheLoadThatStays) {
+  const PatchTables rolled(
+      transient(loaded({"load.file=run", "load.lateral_creepage=-0.001", "load.spin=0.2 1/m",
+                        "step.ratio=0.5"})),
+      "q,creepage,normal_load [kN]\n0,0.002,70\n10,0.002,140\n100,0.002,140\n");
+  const double size = std::cbrt(2.0);
+  const std::string side = std::to_string(5 * size);
+  Settings steady{"problem=steady", "load.creepage=0.002", "load.lateral_creepage=-0.001",
+                  "load.spin=0.2 1/m"};
+  for (const std::string& more :
+       {std::string("contact.peak_traction="), std::string("contact.friction=0.3"),
+        std::string("contact.normal_load=140 kN"), "contact.half_width=" + side,
+        "contact.lateral_half_width=" + side}) {
+    steady.push_back(more);
+  }
+  const PatchTables at_once(steady);
+  const double all = 0.3 * 140e3;
+  EXPECT_GT(std::abs(at_once.of("force")), 0.2 * all);
+  EXPECT_NEAR(rolled.of("force"), at_once.of("force"), 1e-3 * all);
+  EXPECT_NEAR(rolled.of("lateral_force"), at_once.of("lateral_force"), 1e-3 * all);
+  EXPECT_NEAR(rolled.of("spin_moment"), at_once.of("spin_moment"), 1e-3 * all * 5 * size);
+  EXPECT_NEAR(rolled.of("full_sliding_force"), all, 1e-8 * all);
+  EXPECT_NEAR(rolled.of("half_width"), 5 * size, 1e-12);
+  EXPECT_NEAR(rolled.of("lateral_half_width"), 5 * size, 1e-12);
+  const Table& edges = rolled.named("edges");
+  double widest = 0;
+  for (std::size_t i = 0; i < edges.rows(); ++i) {
+    widest = std::max(widest, edges.number(i, "leading"));
+  }
+  EXPECT_NEAR(widest, 5 * size, 0.02 * size);
+  const Table &traction = rolled.named("traction"), &steadily = at_once.named("traction");
+  ASSERT_EQ(traction.rows(), steadily.rows());
+  for (std::size_t i = 0; i < traction.rows(); ++i) {
+    EXPECT_NEAR(traction.number(i, "x"), steadily.number(i, "x"), 1e-5);
+    EXPECT_NEAR(traction.number(i, "area"), steadily.number(i, "area"), 1e-5);
+    EXPECT_NEAR(traction.number(i, "bound"), steadily.number(i, "bound"), 1e-3);
+  }
+}
+
+// From rest to tractions that are gone again, all work is lost: the stored energy is 0 at both ends.
+// The work is by the histories of motions and resultants.
+TEST(PatchTransientTables, LoseTheWorkThatIsNotStored) {
+  const PatchTables rolled(
+      transient({"load.file=run", "motion.distance=60", "step.ratio=0.5"}),
+      "q,creepage,lateral_creepage,spin [1/m]\n0,0,0,0\n5,0.003,0.001,0.1\n15,0.003,-0.001,0.3\n"
+      "20,0,0,0\n60,0,0,0\n");
+  const Table& history = rolled.named("history");
+  double work = 0, lost = 0, half_way = 0;
+  for (std::size_t i = 1; i < history.rows(); ++i) {
+    const double dq = history.number(i, "q") - history.number(i - 1, "q");
+    for (const auto& [motion, resultant] : {std::pair{"creepage", "force"},
+                                            {"lateral_creepage", "lateral_force"},
+                                            {"spin", "spin_moment"}}) {
+      work -= dq * history.number(i, motion) *
+              (history.number(i, resultant) + history.number(i - 1, resultant)) / 2;
+    }
+    lost += dq * history.number(i, "dissipation");
+    if (history.number(i, "q") < 3) half_way = work - lost;
+  }
+  EXPECT_LT(std::abs(rolled.of("force")), 1e-3 * full);
+  EXPECT_GT(work, 100);
+  EXPECT_GT(half_way, 0.01 * work);  // is stored
+  EXPECT_NEAR(lost, work, 1e-5 * work);
+  EXPECT_NEAR(rolled.of("dissipated_energy"), lost, 1e-10 * work);
+  EXPECT_EQ(history.number(0, "dissipation"), 0);
+  EXPECT_GT(rolled.of("condition"), 1);
+}
+
+// A shift there and back leaves tractions, and has lost energy: Mindlin and Deresiewicz (1953).
+TEST(PatchTransientTables, LoseEnergyInShifts) {
+  const PatchTables shifted(transient({"start.type=cattaneo", "start.force=10 kN -10 kN 10 kN",
+                                       "load.creepage=0", "motion.distance=1"}));
+  const Table& shifts = shifted.named("shifts");
+  ASSERT_EQ(shifts.rows(), 4U);
+  double sum = 0;
+  for (std::size_t i = 0; i < shifts.rows(); ++i) sum += shifts.number(i, "dissipation");
+  EXPECT_EQ(shifts.number(0, "dissipation"), 0);
+  EXPECT_NEAR(shifted.of("shift_dissipated_energy"), sum, 1e-12 * sum);
+  // Over a cycle: 9 mu^2 P^2/(10 a) (2 - nu)/(2 G) [1 - b^5 - 5/6 f (1 + b^2)], b^3 = 1 - f, f =
+  // F/(mu P); a sixth of it is in each half of a quasi-static first loading.
+  const double f = 10e3 / full, b = std::cbrt(1 - f);
+  const double cycle =
+      1.8 * full * full / (5 * 8e4) * (2 - 0.28) * (1 - std::pow(b, 5) - 5.0 / 6 * f * (1 + b * b));
+  EXPECT_NEAR(shifts.number(2, "dissipation") + shifts.number(3, "dissipation"), cycle,
+              0.05 * cycle);
+}
+
+/// The rows of a table as numbers, but for its words.
+void expect_same_rows(const Table& one, std::size_t first, const Table& other, std::size_t of_other,
+                      std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const Column& column : one.columns()) {
+      if (column.name == "zone") continue;
+      EXPECT_EQ(one.number(first + i, column.name), other.number(of_other + i, column.name))
+          << column.name << " of row " << i;
+    }
+  }
+}
+
+TEST(PatchTransientTables, ContinueARunAsIfItWereOne) {
+  const std::string rows =
+      "q,creepage,lateral_force [kN],half_width\n0,0.001,1,5\n4,0.002,-1,6\n9,0,0,4.5\n";
+  const Settings run{"load.file=run", "load.spin=0.2 1/m", "step.ratio=0.7 1"};
+  const auto to = [&](const std::string& distance, const Settings& more = {}) {
+    Settings all = transient(run);
+    all.push_back("motion.distance=" + distance);
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  const PatchTables whole(to("9"), rows), first(to("4.25"), rows);
+  const PatchTables second(to("9", {"start.type=state", "start.state=state"}), rows, first.state());
+  const Table &all = whole.named("history"), &begun = first.named("history"),
+              &rest = second.named("history");
+  ASSERT_EQ(begun.rows() + rest.rows() - 1, all.rows());
+  expect_same_rows(begun, 0, all, 0, begun.rows());
+  expect_same_rows(rest, 0, all, begun.rows() - 1, rest.rows());
+  expect_same_rows(second.named("traction"), 0, whole.named("traction"), 0, 144);
+  EXPECT_TRUE(std::isnan(second.of("change")));
+  EXPECT_GT(whole.of("change"), 0);
+  EXPECT_EQ(first.of("steps") + second.of("steps"), whole.of("steps"));
+  EXPECT_EQ(message([&] {
+              PatchTables(to("4", {"start.type=state", "start.state=state"}), rows, first.state());
+            }).find("motion.distance = 4: expected more than the distance of start.state, 4.25"),
+            0U);
 }
 
 }  // namespace microslip::patch_transient_tables_test

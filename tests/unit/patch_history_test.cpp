@@ -43,6 +43,29 @@ TEST(PatchHistory, TakesMeansOfMotionsAndResultantsAtTheEnd) {
   EXPECT_EQ(history.distance(), 4);
 }
 
+TEST(PatchHistory, HasTheContactOfItsFirstComponent) {
+  RunRows along = rows(), across = rows(), about = rows();
+  along.creepage = across.creepage = about.creepage = VectorXd{{0, 0, 0}};
+  const PatchHistory constant({LoadHistory(along), LoadHistory(across), LoadHistory(about)});
+  EXPECT_FALSE(constant.changes_contact());
+  EXPECT_FALSE(constant.changes_size());
+  EXPECT_EQ(constant.contact_at(1), ContactScale{});
+  along.point_contact = true;
+  along.normal_load = VectorXd{{8, 64, 8}};
+  along.friction = VectorXd{{0.3, 0.3, 0.6}};
+  along.of_problem = {.normal_load = 8, .friction = 0.3};
+  const PatchHistory loaded({LoadHistory(along), LoadHistory(across), LoadHistory(about)});
+  EXPECT_TRUE(loaded.changes_size());
+  EXPECT_NEAR(loaded.contact_at(2).half_width, 2, 1e-15);
+  EXPECT_NEAR(loaded.contact_at(2).bound, 2, 1e-15);
+  EXPECT_NEAR(loaded.contact_at(1).half_width, std::cbrt(4.5), 1e-15);
+  EXPECT_NEAR(loaded.contact_at(4).bound, 2, 1e-15);
+  along.normal_load.reset();
+  const PatchHistory slippery({LoadHistory(along), LoadHistory(across), LoadHistory(about)});
+  EXPECT_TRUE(slippery.changes_contact());
+  EXPECT_FALSE(slippery.changes_size());
+}
+
 TEST(PatchHistory, NamesTheColumnOfAnError) {
   RunRows across = rows();
   across.force = VectorXd{{1, NAN, 7}};

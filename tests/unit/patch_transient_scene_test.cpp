@@ -97,7 +97,7 @@ TEST(PatchTransientScene, TakesForComponentsTheColumnsOfAFile) {
   EXPECT_TRUE(load[1].by_resultant);
   EXPECT_NEAR(load[1].value, 2000, 1e-9);
   EXPECT_EQ(load[2], (PatchComponent{false, 2e-4}));
-  EXPECT_EQ(read.patch.load, (PatchLoad{{{false, 0}, {true, 0}, {false, 2e-4}}}));
+  EXPECT_EQ(read.loads.at(0), (PatchLoad{{{false, 0}, {true, 0}, {false, 2e-4}}}));
 }
 
 TEST(PatchTransientScene, TakesTimesAndAnAngularVelocity) {
@@ -120,7 +120,7 @@ TEST(PatchTransientScene, IsRefusedInOneLineThatNamesTheKey) {
   expect_refused({"motion.distance=3 km"}, "motion.distance = 3e+06: expected at most 1e+06 steps");
   expect_refused({"motion.distance=12.0000003"}, "the last step would be 3e-07 mm long");
   expect_refused({"step.scheme=relaxed"}, "step.scheme = 'relaxed': expected remembered or direct");
-  expect_refused({"start.type=file"}, "start.type = 'file': expected rest or cattaneo");
+  expect_refused({"start.type=file"}, "start.type = 'file': expected rest, cattaneo or state");
   expect_refused({"start.force=1"},
                  "key 'start.force' has no role here: it is for start.type cattaneo");
   expect_refused({"kernel.type=plane"}, "it is for line contacts, not for this ellipse");
@@ -159,7 +159,8 @@ TEST(PatchTransientScene, HasNoRunsThatDoNotFit) {
           "expected only one of 'load.creepage' and column 'creepage' of load.file",
           "load.creepage=0");
   refused("q,other\n0,0\n20,0\n", "expected creepage, force, omega, lateral_creepage");
-  refused("q,creepage,normal_load\n0,0,1\n20,0,1\n", "column 'normal_load': expected none");
+  refused("q,creepage,normal_load\n0,0,1\n20,0,1\n",
+          "column 'normal_load': expected contact.normal_load to be given");
   refused("q,lateral_force\n0,0\n20,9e9\n", "row 2: lateral_force = 9e+09: expected less");
   refused("q,force,lateral_force\n0,0,0\n20,12e3,12e3\n", "row 2: lateral_force");
   refused("q,spin\n0,0\n20,1e9\n", "row 2: spin = 1e+09: expected at most", "load.creepage=0");
@@ -168,6 +169,127 @@ TEST(PatchTransientScene, HasNoRunsThatDoNotFit) {
           "row 2: lateral_force = 1: expected 0 of the row before");
   refused("q,creepage\n0,0\n5,0\n", "motion.distance = 12: expected at most the distance");
   refused("q,Fy\n0,0\n20,1\n", "lateral_force = Fy");
+}
+
+const Settings loaded{
+    "load.file=run",        "load.force=", "contact.peak_traction=", "contact.normal_load=50 kN",
+    "contact.friction=0.3", "step.ratio="};
+
+Settings loaded_with(const Settings& more) {
+  Settings all = loaded;
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+TEST(PatchTransientScene, ChangesItsContactByHertz) {
+  const std::string rows =
+      "q,force [kN],normal_load [kN],friction\n0,1,50,0.3\n6,1,400,0.3\n12,1,50,0.15\n";
+  const PatchTransient read = transient_of(loaded, rows);
+  EXPECT_TRUE(read.loads.changes_size());
+  EXPECT_EQ(read.loads.contact_at(0), ContactScale{});
+  EXPECT_NEAR(read.loads.contact_at(6).half_width, 2, 1e-15);
+  EXPECT_NEAR(read.loads.contact_at(6).bound, 2, 1e-15);
+  EXPECT_NEAR(read.loads.contact_at(12).bound, 0.5, 1e-15);
+  const std::string constant = "q,force [kN],friction\n0,1,0.3\n6,1,0.3\n12,1,0.15\n";
+  EXPECT_GT(work_needed(read),
+            3 * work_needed(transient_of(loaded_with({"step.ratio=1"}), constant)));
+}
+
+TEST(PatchTransientScene, ChangesItsHalfWidthsAndItsPeak) {
+  const PatchTransient read =
+      transient_of({"load.file=run", "load.force=", "step.ratio="},
+                   "q,creepage,half_width,peak_traction [MPa]\n0,0,6,300\n6,0,9,600\n12,0,9,600\n");
+  EXPECT_EQ(read.loads.contact_at(12), (ContactScale{.half_width = 1.5, .bound = 2}));
+}
+
+// Full sliding of the contact is 2/3 pi a b 300 MPa = 15.1 kN; it is as the square of the size, and
+// so 9 times as large with a bound that is, too, 2.25 times as large.
+TEST(PatchTransientScene, CarriesTheResultantsOfItsContact) {
+  const Settings settings{"load.file=run", "load.force=", "load.spin=", "step.ratio="};
+  const std::string grown = "q,force,half_width\n0,30e3,9\n12,33e3,9\n";
+  EXPECT_EQ(transient_of(settings, grown).loads.at(12)[0].value, 33e3);
+  expect_refused(settings, "row 2: force = 35000: expected less than full sliding, 33929",
+                 "q,force,half_width\n0,30e3,9\n12,35e3,9\n");
+  Settings constant = settings;
+  constant.emplace_back("load.lateral_force=20 kN");
+  EXPECT_NO_THROW(transient_of(constant, "q,creepage,half_width\n0,0,9\n12,0,9\n"));
+  expect_refused(constant, "row 2: load.lateral_force = 20000: expected less than full sliding",
+                 "q,creepage,half_width\n0,0,9\n12,0,6\n");
+  Settings shifted = settings;
+  shifted.insert(shifted.end(), {"start.type=cattaneo", "start.force=16 kN"});
+  EXPECT_NO_THROW(transient_of(shifted, "q,creepage,half_width\n0,0,9\n12,0,6\n"));
+  expect_refused(shifted, "start.force = 16000: expected less than full sliding, 15079",
+                 "q,creepage,half_width\n0,0,6\n12,0,9\n");
+  expect_refused(settings, "row 1: spin_moment = 50000: expected less than the moment of turning",
+                 "q,spin_moment,half_width\n0,5e4,6\n12,5e4,9\n");
+  EXPECT_NO_THROW(transient_of(settings, "q,spin_moment,half_width\n0,5e4,9\n12,5e4,9\n"));
+}
+
+TEST(PatchTransientScene, RefusesContactsThatDoNotChangeSo) {
+  const auto refused = [&](const std::string& columns, const std::string& rows,
+                           const std::string& error, const Settings& more = {}) {
+    expect_refused(loaded_with(more), error, "q,creepage," + columns + "\n" + rows);
+  };
+  refused("normal_load", "0,0,5e4\n20,0,0\n",
+          "row 2: normal_load = 0: expected a number > 0: loss of contact is not in this version");
+  refused("friction", "0,0,-0.1\n20,0,0.3\n", "row 1: friction = -0.1: expected a number > 0");
+  refused("normal_load", "0,0,5e4\n20,0,1e11\n",
+          "row 2: normal_load = 1e+11: expected half-widths 0.01 ... 100 times");
+  refused("friction", "0,0,0.3\n20,0,1e-8\n",
+          "row 2: friction = 1e-08: expected a bound 1e-6 ... 1e6 times");
+  refused("normal_load", "0,0,5e4\n20,0,1e5\n", "step.scheme = 'direct': expected remembered",
+          {"step.scheme=direct"});
+  refused("friction", "0,0,0.3\n20,0,0.2\n", "step.scheme = 'direct': expected remembered",
+          {"step.scheme=direct"});
+  refused("peak_traction", "0,0,300\n20,0,200\n", "expected contact.peak_traction to be given");
+  refused("normal_load,half_width", "0,0,5e4,6\n20,0,5e4,6\n", "half_width and peak_traction, or");
+  refused("normal_load", "0,0,5e4\n0,0,6e4\n20,0,6e4\n",
+          "row 2: normal_load = 60000: expected 50000 of the row before");
+}
+
+TEST(PatchTransientScene, HasOneSizeByAFile) {
+  const auto scene = [](const std::string& rows, const Settings& more) {
+    Scene read = scene_of(ellipse);
+    read.read_files_by([rows](const std::string& name) {
+      return name == "patch" ? "y,trailing,leading\n-1,0,0\n0,-1,1\n1,0,0\n" : rows;
+    });
+    for (const char* setting :
+         {"contact.half_width=", "contact.lateral_half_width=", "contact.patch_file=patch",
+          "load.force=", "load.file=run", "step.ratio=", "grid.rows=", "grid.elements="}) {
+      read.set(setting);
+    }
+    for (const std::string& setting : more) read.set(setting);
+    return std::get<PatchTransient>(read_model(read));
+  };
+  const Settings by_load{"contact.normal_load=100", "contact.friction=0.3",
+                         "contact.peak_traction="};
+  EXPECT_EQ(scene("q,creepage,peak_traction\n0,0,300\n20,0,150\n", {}).loads.contact_at(20).bound,
+            0.5);
+  EXPECT_EQ(scene("q,creepage,friction\n0,0,0.3\n20,0,0.6\n", by_load).loads.contact_at(20).bound,
+            2);
+  const auto error_of = [&](const std::string& rows, const Settings& more) {
+    return message_in_keys([&] { scene(rows, more); });
+  };
+  EXPECT_NE(error_of("q,creepage,half_width\n0,0,1\n20,0,1\n", {})
+                .find("column 'half_width': expected none, as the contact of contact.patch_file"),
+            std::string::npos);
+  EXPECT_NE(error_of("q,creepage,normal_load\n0,0,100\n20,0,101\n", by_load)
+                .find("row 2: normal_load = 101: expected that of the scene"),
+            std::string::npos);
+}
+
+TEST(PatchTransientScene, IsWarnedOfStepsThatMissTheContact) {
+  const std::string rows = "q,creepage,half_width\n0,0,6\n1,0,7\n2,0,5\n20,0,6\n";
+  const Settings settings{"load.file=run", "load.force=", "start.type=rest", "step.ratio=1"};
+  const auto warnings = warnings_of(settings, rows);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].find("step.ratio = 1: longer than rows of load.file"), 0U) << warnings[0];
+  EXPECT_EQ(warnings[0].find("step.tolerance"), std::string::npos) << warnings[0];
+  const auto of_small = warnings_of({"load.file=run", "load.force=", "step.ratio=1"},
+                                    "q,creepage,half_width\n0,0,6\n6,0,2\n20,0,6\n");
+  ASSERT_EQ(of_small.size(), 1U);
+  EXPECT_NE(of_small[0].find("above half of the least half-width, 1 mm"), std::string::npos)
+      << of_small[0];
 }
 
 TEST(PatchTransientScene, IsWarnedOfForcesAtOnceAndOfOtherSteps) {
