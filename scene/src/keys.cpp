@@ -261,7 +261,7 @@ constexpr auto keys = std::to_array<Key>({
      .meaning = "a run, linear between its rows: columns q, or t and v; creepage, force or omega; "
                 "and of the contact normal_load, half_width, peak_traction, friction; with units "
                 "behind them, t [s]; of an ellipse also lateral_creepage or lateral_force, spin or "
-                "spin_moment, and none of the contact",
+                "spin_moment",
      .note = "a file; instead of load.creepage, of an ellipse instead of the keys of its columns",
      .role = transient,
      .patch_role = transient},
@@ -341,7 +341,8 @@ constexpr auto keys = std::to_array<Key>({
      .meaning = "state of a transient that --save wrote, for the same contact, kernel, grid and "
                 "solver; the run continues from its distance",
      .note = "a file",
-     .role = "start.type state"},
+     .role = "start.type state",
+     .patch_role = "start.type state"},
     {.name = "step.ratio",
      .type = list,
      .meaning =

@@ -218,7 +218,7 @@ TEST(PatchTransientTables, LoseTheWorkThatIsNotStored) {
   EXPECT_GT(rolled.of("condition"), 1);
 }
 
-// A shift there and back leaves tractions, and has lost energy: Mindlin and Deresiewicz (1953).
+// Shifts there and back are a cycle of Mindlin and Deresiewicz (1953).
 TEST(PatchTransientTables, LoseEnergyInShifts) {
   const PatchTables shifted(transient({"start.type=cattaneo", "start.force=10 kN -10 kN 10 kN",
                                        "load.creepage=0", "motion.distance=1"}));
@@ -228,8 +228,8 @@ TEST(PatchTransientTables, LoseEnergyInShifts) {
   for (std::size_t i = 0; i < shifts.rows(); ++i) sum += shifts.number(i, "dissipation");
   EXPECT_EQ(shifts.number(0, "dissipation"), 0);
   EXPECT_NEAR(shifted.of("shift_dissipated_energy"), sum, 1e-12 * sum);
-  // Over a cycle: 9 mu^2 P^2/(10 a) (2 - nu)/(2 G) [1 - b^5 - 5/6 f (1 + b^2)], b^3 = 1 - f, f =
-  // F/(mu P); a sixth of it is in each half of a quasi-static first loading.
+  // Johnson, Contact Mechanics, section 7.4, for like bodies: with f = F/(mu P) and b^3 = 1 - f a
+  // cycle loses 9 (mu P)^2/(10 a) 2 (2 - nu)/G (1 - b^5 - 5/6 f (1 + b^2)).
   const double f = 10e3 / full, b = std::cbrt(1 - f);
   const double cycle =
       1.8 * full * full / (5 * 8e4) * (2 - 0.28) * (1 - std::pow(b, 5) - 5.0 / 6 * f * (1 + b * b));
