@@ -10,19 +10,22 @@
 
 namespace microslip::experiments {
 
-void LostEnergy::add(const TransientState& state) {
+void LostEnergy::add(const Step& step) {
+  (step.rate < 0 ? gained_ : lost_) += std::abs(step.rate) * step.length;
+  most_ = std::max(most_, step.rate);
+  least_ = std::min(least_, step.rate);
+  power_ = std::max(power_, step.power);
+  sudden_ += std::abs(step.sudden_rate - step.rate) * step.length;
+}
+
+void LostEnergy::add(const TransientState& before, const TransientState& state,
+                     double full_sliding) {
   constexpr double much = 0.05;  // of full sliding
-  const double length = state.distance - distance_;
-  const double rate = state.dissipation;
-  (rate < 0 ? gained_ : lost_) += std::abs(rate) * length;
-  most_ = std::max(most_, rate);
-  least_ = std::min(least_, rate);
-  power_ = std::max(power_, std::abs(state.mean_force * state.creepage));
-  if (std::abs(state.force - force_) > much * full_sliding_) {
-    sudden_ += std::abs(state.end_dissipation - rate) * length;
-  }
-  distance_ = state.distance;
-  force_ = state.force;
+  const bool is_sudden = std::abs(state.force - before.force) > much * full_sliding;
+  add({.length = state.distance - before.distance,
+       .rate = state.dissipation,
+       .power = std::abs(state.mean_force * state.creepage),
+       .sudden_rate = is_sudden ? state.end_dissipation : state.dissipation});
 }
 
 std::optional<std::string> LostEnergy::doubt() const {
@@ -30,25 +33,22 @@ std::optional<std::string> LostEnergy::doubt() const {
   constexpr double rounding = 1e-9;
   if (sudden_ > doubtful * lost_) {
     return fmt::format(
-        "the dissipated energy is uncertain by {} N, because the force changes by more than 0.05 "
-        "of "
-        "full sliding in single steps; change it in more of them, or by a shift at the start",
-        format_roughly(sudden_ + gained_));
+        "the dissipated energy is uncertain by {} {}, because the force changes by more than 0.05 "
+        "of full sliding in single steps; change it in more of them, or by a shift at the start",
+        format_roughly(sudden_ + gained_), energy_unit_);
   }
   if (-least_ <= rounding * power_) return std::nullopt;
   if (gained_ > doubtful * lost_) {
     return fmt::format(
-        "the dissipated energy is uncertain by {} N: negative dissipations of single steps have "
-        "this "
-        "sum, because the elements do not resolve the loss; take more of them",
-        format_roughly(gained_));
+        "the dissipated energy is uncertain by {} {}: negative dissipations of single steps have "
+        "this sum, because the elements do not resolve the loss; take more of them",
+        format_roughly(gained_), energy_unit_);
   }
   if (-least_ <= doubtful * most_) return std::nullopt;
   return fmt::format(
-      "the dissipation of single steps is uncertain by {} N/mm, as it is negative by so much in "
-      "one "
+      "the dissipation of single steps is uncertain by {} {}, as it is negative by so much in one "
       "of them; the sum of the negative ones is {} of the dissipated energy",
-      format_roughly(-least_), format_roughly(gained_ / lost_));
+      format_roughly(-least_), rate_unit_, format_roughly(gained_ / lost_));
 }
 
 }  // namespace microslip::experiments

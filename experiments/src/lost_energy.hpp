@@ -15,13 +15,23 @@ namespace microslip::experiments {
 /// end of the step is another estimate.
 class LostEnergy {
  public:
-  /// \param start         before the first step
-  /// \param full_sliding  the largest force of the contact  [N/mm]
-  LostEnergy(const TransientState& start, double full_sliding)
-      : full_sliding_(full_sliding), distance_(start.distance), force_(start.force) {}
+  /// The loss of a step. Units are those of a contact of lines.
+  struct Step {
+    double length;       ///< [mm]
+    double rate;         ///< per mm rolled  [N/mm]
+    double power;        ///< of the resultants, in size  [N/mm]
+    double sudden_rate;  ///< another estimate of the rate, where the force changes much  [N/mm]
+  };
 
-  /// Adds the step from the last state to this one.
-  void add(const TransientState& state);
+  /// \param patch  whether energies are those of a whole patch, in N mm and N
+  explicit LostEnergy(bool patch = false)
+      : energy_unit_(patch ? "N mm" : "N"), rate_unit_(patch ? "N" : "N/mm") {}
+
+  void add(const Step& step);
+
+  /// Adds the step from one state to another.
+  /// \param full_sliding  the largest force of the contact  [N/mm]
+  void add(const TransientState& before, const TransientState& state, double full_sliding);
 
   double sum() const { return lost_ - gained_; }  ///< per mm width  [N]
 
@@ -29,8 +39,7 @@ class LostEnergy {
   std::optional<std::string> doubt() const;
 
  private:
-  double full_sliding_;
-  double distance_, force_;       ///< of the last state  [mm, N/mm]
+  std::string energy_unit_, rate_unit_;
   double lost_ = 0, gained_ = 0;  ///< sums of the positive and negative losses  [N]
   double sudden_ = 0;            ///< differences of the estimates where the force changes much  [N]
   double most_ = 0, least_ = 0;  ///< of the losses per length  [N/mm]

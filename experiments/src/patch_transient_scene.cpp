@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lost_energy.hpp"
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/scene_tables.hpp"
 #include "microslip/rolling/transient.hpp"
@@ -127,11 +128,14 @@ struct WorstOfPatch {
 /// Quantities that add up from step to step.
 struct PatchSums {
   Vector3d path = Vector3d::Zero();  ///< [mm, mm, rad]
-  double energy = 0;                 ///< [N mm]
+  LostEnergy lost{true};
 
   void include(const PatchStepEnd& end, double length) {
     path += length * end.motion;
-    energy += length * end.dissipation;
+    lost.add({.length = length,
+              .rate = end.dissipation,
+              .power = end.evidence.power,
+              .sudden_rate = end.dissipation});
   }
 };
 
@@ -202,19 +206,20 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   summary.add({"cumulative_spin", sums.path[2], "rad"});
   add_patch_shares(summary, rolled.full_sliding(), end.resultants.head<2>().norm(), end.slip_share);
   summary.add({"dissipation", end.dissipation, "N"});
-  summary.add({"dissipated_energy", sums.energy, "N mm"});
+  summary.add({"dissipated_energy", sums.lost.sum(), "N mm"});
   add_patch_sizes(summary, scene.patch, end.contact.half_width);
   if (!scene.shifts.empty()) {
     summary.add({"shifts", scene.shifts.size(), "1"});
-    summary.add({"shift_dissipated_energy", of_shifts.energy, "N mm"});
+    summary.add({"shift_dissipated_energy", of_shifts.lost.sum(), "N mm"});
   }
   summary.add({"method", name_of(scene.scheme), "1"});
   summary.add({"iterations", worst.iterations, "1"});
+  const auto doubt = doubt_of_patch(worst.evidence);
   add_evidence(summary, worst.evidence,
                {.condition = rolled.condition(),
                 .iterations = worst.iterations,
                 .accepted = scene.patch.accepted,
-                .doubt = doubt_of_patch(worst.evidence)});
+                .doubt = doubt ? doubt : sums.lost.doubt()});
   std::vector<Table> tables{rolled.tractions(), rolled.edges(), history_of(history, loads),
                             summary};
   if (!scene.shifts.empty()) tables.push_back(shifts_of(shifts));

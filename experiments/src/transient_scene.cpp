@@ -129,14 +129,15 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   if (scene.from == 0) start.iterations = 0;  // the start is no step
   add(history, start, scene);
   double cumulative_creep = 0;
-  LostEnergy lost(start, full_sliding_force(scene.problem.contact.bound));
-  double before = start.distance;
+  LostEnergy lost;
+  const double full = full_sliding_force(scene.problem.contact.bound);
+  TransientState before = start;
   WorstOfSteps worst;
   rolling.roll_to(scene.distance, lengths, scene.loads, [&](const TransientState& state) {
     add(history, state, scene);
-    cumulative_creep += state.creepage * (state.distance - before);
-    lost.add(state);
-    before = state.distance;
+    cumulative_creep += state.creepage * (state.distance - before.distance);
+    lost.add(before, state, full);
+    before = state;
     worst.include(state);
     count();
   });

@@ -74,12 +74,13 @@ std::string rows_of(const std::string& text) {
   return text.substr(text.find("\n" + std::string("q\t")));
 }
 
+// The first part ends with a step: 11 times half of the mean element.
 TEST_F(PatchSteps, ContinueFromASavedState) {
   std::ofstream(folder_ / "run.csv") << "q;force [kN];friction\n0;-10;0.3\n9;-5;0.2\n18;-8;0.3\n";
   const std::string run =
       "--set load.force= --set load.file=run.csv --set step.ratio=0.5 --set motion.distance=";
   ASSERT_EQ(solve(run + "18 --out whole").status, 0);
-  const Outcome first = solve(run + "9.03 --save half.state --out first");
+  const Outcome first = solve(run + "9.1801068193 --save half.state --out first");
   ASSERT_EQ(first.status, 0) << first.error;
   const Outcome second =
       solve(run + "18 --set start.type=state --set start.state=half.state --out second");
