@@ -8,8 +8,8 @@
 
 namespace microslip {
 
-/// The run of load.file for a patch, with load.radius if the file has a column omega. Columns of the
-/// contact are divided by the problem's values, as in read_run().
+/// The run of load.file for a patch, with load.radius if the file has a column omega. Columns of
+/// the contact are divided by the problem's values, as in read_run().
 /// \param patch   its load has the components that are not in the file
 /// \param scheme  Remembered where the contact changes
 /// \throws std::invalid_argument with a message that names the file, and the line or row and column

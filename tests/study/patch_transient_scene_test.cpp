@@ -191,8 +191,8 @@ TEST(PatchTransientTables, EndInTheSteadyStateOfTheLoadThatStays) {
   }
 }
 
-// From rest to tractions that are gone again, all work is lost: the stored energy is 0 at both ends.
-// The work is by the histories of motions and resultants. A force of 1.6e-3 of full sliding is left
+// From rest to tractions that are gone again, all work is lost: the stored energy is 0 at both
+// ends. The work is by the histories of motions and resultants. A force of 1.6e-3 of full sliding is left
 // at the end, which stores 1e-6 of the work.
 TEST(PatchTransientTables, LoseTheWorkThatIsNotStored) {
   const PatchTables rolled(
@@ -232,7 +232,8 @@ TEST(PatchTransientTables, LoseEnergyInShifts) {
   EXPECT_EQ(shifts.number(0, "dissipation"), 0);
   EXPECT_NEAR(shifted.of("shift_dissipated_energy"), sum, 1e-12 * sum);
   // Johnson, Contact Mechanics, section 7.4, for like bodies: with f = F/(mu P) and b^3 = 1 - f a
-  // cycle loses 9 (mu P)^2/(10 a) 2 (2 - nu)/G (1 - b^5 - 5/6 f (1 + b^2)). These cells lose 6 % less.
+  // cycle loses 9 (mu P)^2/(10 a) 2 (2 - nu)/G (1 - b^5 - 5/6 f (1 + b^2)).
+  // These cells lose 6 % less.
   const double f = 10e3 / full, b = std::cbrt(1 - f);
   const double cycle =
       1.8 * full * full / (5 * 8e4) * (2 - 0.28) * (1 - std::pow(b, 5) - 5.0 / 6 * f * (1 + b * b));
