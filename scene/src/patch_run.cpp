@@ -97,8 +97,8 @@ void take_contact(Scene& scene, const NamedColumns& columns, RunRows& rows) {
 }
 
 /// Requires contacts that PatchRolling takes.
-void require_contacts(const NamedColumns& columns, const PatchHistory& loads,
-                      const SteadyPatch& patch) {
+void require_patch_contacts(const NamedColumns& columns, const PatchHistory& loads,
+                            const SteadyPatch& patch) {
   constexpr double largest_size = 100, largest_bound = 1e6;  // as PatchRolling
   const char* sizes = columns["normal_load"] ? "normal_load" : "half_width";
   const char* bounds = columns["friction"]        ? "friction"
@@ -226,7 +226,7 @@ PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch, const Advect
     const PatchHistory loads({histories[0], histories[1], histories[2]});
     if (loads.changes_contact()) {
       require_scheme_of_changes(scheme);
-      require_contacts(columns, loads, patch);
+      require_patch_contacts(columns, loads, patch);
     }
     require_rows_carried(columns, loads, patch);
     warn_of_creepages_in_run(scene, loads, patch);
