@@ -53,8 +53,8 @@ Evidence evidence_of(const RectangleRolling& rolling, const PatchBound& whole) {
   return evidence;
 }
 
-ContactScale contact_of(const PatchRolling& rolling) { return rolling.contact(); }
-ContactScale contact_of(const RectangleRolling&) { return {}; }
+ContactScale present_contact(const PatchRolling& rolling) { return rolling.contact(); }
+ContactScale present_contact(const RectangleRolling&) { return {}; }
 
 /// The largest resultants in a contact  [N, N mm]
 Vector3d largest_resultants(const PatchBound& bound, const ContactScale& contact) {
@@ -117,7 +117,7 @@ PatchStepEnd RolledPatch::end() const {
                             .slip_share = slip_share_of(areas_of(of), of.slips()),
                             .dissipation = of.dissipation(),
                             .iterations = of.iterations(),
-                            .contact = contact_of(of),
+                            .contact = present_contact(of),
                             .evidence = evidence_of(of, patch_.bound)};
       },
       rolling_);
