@@ -42,7 +42,7 @@ struct WorstOfSteps {
 /// Data by which the evidence of a result is judged.
 struct Judged {
   std::optional<double> condition;  ///< of the equations in adhesion, estimate; none if unknown
-  int iterations;    ///< iterations of the result
+  int iterations;                   ///< iterations of the result
   Acceptance accepted;
   bool steady = false;
   std::optional<std::string> doubt = std::nullopt;  ///< a further doubt, in a sentence; it comes
