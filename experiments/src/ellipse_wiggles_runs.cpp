@@ -56,9 +56,10 @@ class JoinedLine {
     double y, half_length;
   };
 
-  /// By the cubic in theta of p/tan(theta/2), which is smooth up to the edges.
+  /// By the cubic in theta of p/tan(theta/2), which is smooth up to the edges; 0 beyond these.
   double in_row(const VectorXd& tractions, const Row& row, double x) const {
-    const double theta = std::acos(std::clamp(x / row.half_length, -1.0, 1.0));
+    if (std::abs(x) >= row.half_length) return 0;
+    const double theta = std::acos(x / row.half_length);
     const double at = theta / pi * static_cast<double>(elements_) - 0.5;
     const Index first = std::clamp<Index>(static_cast<Index>(std::floor(at)) - 1, 0, elements_ - 4);
     double value = 0;
