@@ -10,7 +10,7 @@ set xlabel "step over the element, c [1]"
 set ylabel "largest error over the steady coefficient [1]"
 set xrange [0.2:1.2]
 set xtics (0.25, 0.5, 1)
-set yrange [1e-4:0.5]
+set yrange [1e-7:0.5]
 set key bottom right
 plot for [s=1:2] for [i=1:words(waves)] steps using (of(word(names, s), word(waves, i))):"largest" with linespoints \
        linecolor rgb colour_of(word(names, s)) dashtype i pointtype 5+i pointsize 0.7 \
