@@ -72,6 +72,7 @@ const std::map<std::string, std::string> others{{"mm", "um, cm, m, in"},
                                                 {"N s^2/mm^2", "kg/mm, kg/m, t/m"},
                                                 {"N s^2", "kg m, kg m^2/m"},
                                                 {"s", "ms"},
+                                                {"rad", "deg"},
                                                 {"rad/s", "rad/min, deg/s, rev/s, rev/min, rpm"}};
 
 /// The unit of a symbol with an optional power: "mm^2", "mm2", "mm".

@@ -71,7 +71,7 @@ TEST_F(Commands, EachSceneToStartFromIsSolvedAndDrawn) {
       std::string::npos);
   expect_error("init stedy",
                "no scene 'stedy' (did you mean 'steady'?); expected steady, wheel, ellipse, "
-               "transient, run, cylinder, sweep");
+               "transient, ellipse_transient, run, cylinder, sweep");
 }
 
 TEST_F(Commands, ExplainSaysTheScenesErrorsAndWarnings) {
