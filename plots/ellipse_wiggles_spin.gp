@@ -6,8 +6,8 @@ distances = by_awk(map, "!seen[$at[\"distance\"]]++ { printf(\"%g \", $at[\"dist
 n = words(distances)
 at(q) = same(column("distance"), q) ? column("x") : NaN
 length = 0.17
-eval page(960, 240)
-set multiplot layout 1,n margins 0.01,0.92,0.05,0.88 spacing 0.01
+eval page(640, 460)
+set multiplot layout 2,3 margins 0.01,0.99,0.02,0.92 spacing 0.02,0.07
 set size ratio -1
 unset border
 unset grid
@@ -23,7 +23,7 @@ do for [i=1:n] {
   q = word(distances, i)
   set title "q = ".q." a"
   if (i == n) {
-    set colorbox user origin 0.935,0.12 size 0.012,0.7
+    set colorbox user origin 0.8,0.06 size 0.02,0.34
     set cbtics 0.5 format "%g"
   } else { unset colorbox }
   plot map using (at(q)):"y":"x_low":"x_high":"y_low":"y_high":"part" with boxxyerror fillstyle solid noborder linecolor palette, \
