@@ -10,7 +10,7 @@ set format y "10^{%T}"
 set xrange [0.025:1.2]
 set xtics (0.03, 0.1, 0.3, 1)
 set xlabel "step over the element, c [1]"
-set title "waves after 1.5 a, over {/Symbol m}p_0"
+set title "waves after 1.5 a, over μp_0"
 set ylabel "largest wave [1]"
 set yrange [3e-5:1]
 set key bottom left

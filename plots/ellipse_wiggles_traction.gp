@@ -6,14 +6,14 @@ of(scheme, c) = strcol("scheme") eq scheme && (c eq "" || same(column("step_rati
 names = "direct remembered"
 ratios = by_awk(tractions, "$at[\"scheme\"] == \"direct\" && !seen[$at[\"step_ratio\"]]++ { n++; r[n] = $at[\"step_ratio\"] } END { printf(\"%g %g %g\", r[1], r[n - 1], r[n]) }'")
 eval page(800, 400)
-set multiplot layout 1,2 margins 0.09,0.98,0.17,0.89 spacing 0.08,0.14
+set multiplot layout 1,2 margins 0.1,0.98,0.17,0.89 spacing 0.08,0.14
 set xrange [-1:1]
 set yrange [0:1.1]
 set xlabel "x [mm]"
 do for [s=1:2] {
   name = word(names, s)
   set title s == 1 ? "standard scheme" : "remembered"
-  if (s == 1) { set ylabel "traction over {/Symbol m}p_0 [1]" } else { unset ylabel }
+  if (s == 1) { set ylabel "traction over μp_0 [1]" } else { unset ylabel }
   if (s == 1) { set key top right } else { unset key }
   plot tractions using (of("reference", "")):"bound" with @bound_line notitle, \
        tractions using (of("reference", "")):"traction" with @exact_line title "reference", \

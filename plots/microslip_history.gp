@@ -17,7 +17,7 @@ smaller(a, b) = a < b ? a : b
 axis_of(one, other, nothing) = sprintf("ends = extent_of(\"%s\").\" \".extent_of(\"%s\"); \
 least = smaller(0, smaller(real(word(ends, 1)), real(word(ends, 3)))); \
 most = -smaller(0, smaller(-real(word(ends, 2)), -real(word(ends, 4)))); \
-if (least == 0 && most == 0) { set yrange [-1:1]; set ytics (\"0\" 0); set label 1 \"%s\" at graph 0.5, graph 0.62 center } else { \
+if (least == 0 && most == 0) { set yrange [-1:1]; set ytics (\"       0\" 0); set label 1 \"%s\" at graph 0.5, graph 0.62 center } else { \
 set yrange [least - 0.05 * (most - least):most + 0.05 * (most - least)] }", one, other, nothing)
 eval key_height
 panel = 145
