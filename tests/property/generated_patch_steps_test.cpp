@@ -27,8 +27,8 @@ struct GeneratedStep {
 };
 
 struct GeneratedRun {
-  double ratio, poisson_ratio;
-  Index rows, elements;
+  double ratio = 1, poisson_ratio = 0;
+  Index rows = 0, elements = 0;
   bool changes = false;  ///< the contact, within steps
   std::vector<GeneratedStep> steps = {};
 };
@@ -39,7 +39,9 @@ class Generator {
 
   /// \param with_resultants  whether a third of the components are such
   GeneratedRun run(bool with_resultants) {
-    GeneratedRun made{.ratio = std::exp(uniform(-1.1, 1.1)), .poisson_ratio = uniform(0, 0.5)};
+    GeneratedRun made;
+    made.ratio = std::exp(uniform(-1.1, 1.1));
+    made.poisson_ratio = uniform(0, 0.5);
     const double cells = uniform(30, 110);
     made.elements = static_cast<Index>(std::clamp(std::sqrt(cells * made.ratio), 4.0, 24.0));
     made.rows =
