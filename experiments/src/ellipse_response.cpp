@@ -315,8 +315,7 @@ Table claims_of(const EllipseResponseParameters& p, const Tables& tables, const 
   const StepErrors direct(steps, "direct", p.step_ratios);
   return claims_table(
       {{"12 rows of 20 cells have all coefficients to a thousandth of the steady ones, for waves "
-        "as "
-        "long as the half-width or longer",
+        "as long as the half-width or longer",
         "none", not_given, most(tables.errors, "largest", {{"rows", rows}}), "1",
         ours_if({below(1e-3)}), "largest error over a/b and wavelength", by_error},
        {"errors of joined rows fall at least in second order", "none", not_given,
@@ -337,8 +336,7 @@ Table claims_of(const EllipseResponseParameters& p, const Tables& tables, const 
        {"two other methods have the same values", "none", not_given, from_other_methods(p), "1",
         ours_if({below(8e-4)}),
         "largest difference over the steady coefficients, on a circle, L/a = 100, 10 and 2.5; "
-        "their "
-        "C33 has three digits",
+        "their C33 has three digits",
         by_plane},
        {"the response is reciprocal: C23 is C32 at all wavelengths", "none", not_given,
         most(tables.limits, "reciprocity", {}), "1", ours_if({below(1e-3)}),
@@ -346,8 +344,7 @@ Table claims_of(const EllipseResponseParameters& p, const Tables& tables, const 
        {"short waves shift the bodies like a flat punch that does not roll", "none", not_given,
         from_punch, "1", ours_if({below(0.03)}),
         "largest relative difference of 2 pi c/L C11 and C22 at the shortest wavelength of the "
-        "table "
-        "from the stiffness of a shift",
+        "table from the stiffness of a shift",
         by_size},
        {"forces by short waves come a quarter of a wave after the creepage", "none", not_given,
         phase, "degrees", ours_if({below(4)}), "largest difference of the phase from -90 degrees",

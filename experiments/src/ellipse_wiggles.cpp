@@ -43,8 +43,7 @@ struct Tables {
        {"force", "1", "along, over full sliding; lateral force under spin"},
        {"force_error", "1", "its deviation", 1e-7},
        {"moment_error", "1", "of the moment, over full sliding times a", 1e-7},
-       {"creepage", "1", "along, in the step that ends here"},
-       {"divided", "1", "steps so far that did not converge, and were divided"}}};
+       {"creepage", "1", "along, in the step that ends here"}}};
   Table dependence{
       "dependence",
       "largest differences from the shortest steps, over all longer ones",
@@ -188,7 +187,7 @@ class Runs {
     const Eigen::Vector3d error = (found.resultants - exact.resultants).cwiseAbs();
     tables_.wiggles.add({rolling.name, scheme, c, p_.distances[k], line.wave, line.deviation,
                          line.peak, found.resultants[rolling.component], error.head<2>().maxCoeff(),
-                         error[2], found.motion[0], found.divided});
+                         error[2], found.motion[0]});
   }
 
   void add_contact(const Rolling& rolling, const std::vector<double>& step_ratios,
@@ -209,7 +208,7 @@ class Runs {
         from_contact_ = std::fmax(from_contact_, difference);
       }
       tables_.wiggles.add({rolling.name, "contact", of.step_ratio, *last, line.wave, line.deviation,
-                           line.peak, -contact_force, 0.0, 0.0, of.creepage.back(), 0.0});
+                           line.peak, -contact_force, 0.0, 0.0, of.creepage.back()});
     }
   }
 
@@ -333,8 +332,7 @@ Table claims_of(const EllipseWigglesParameters& p, const Tables& tables, double 
       {{"the standard scheme has CONTACT's tractions after a shift and steps of any length", "none",
         not_given, from_contact, "1", ours_if({below(1e-4)}),
         "largest difference over mu p0 in the row at the centre, c = 1, 0.5, 0.1; CONTACT iterates "
-        "to "
-        "1e-7",
+        "to 1e-7",
         by_traction},
        {"small steps of the standard scheme make waves of a tenth of mu p0 or more", "7.1",
         not_given,
@@ -356,8 +354,7 @@ Table claims_of(const EllipseWigglesParameters& p, const Tables& tables, double 
        {"forces and moment of the standard scheme depend on the step by a percent", "none",
         not_given, spread("direct", "force"), "1", ours_if({above(0.01)}), "the same", by_error},
        {"tractions of what remembers depend on the step by a percent, most of it in the cells "
-        "where "
-        "slip begins",
+        "where slip begins",
         "none", not_given, spread("remembered", "traction"), "1", ours_if({below(0.015)}),
         "root of the mean square over cells, largest over loads, c and distances up to 2 a",
         by_error},

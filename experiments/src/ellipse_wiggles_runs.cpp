@@ -7,7 +7,6 @@
 
 #include "contact_ellipse.hpp"
 #include "contact_transients.hpp"
-#include "microslip/support/not_converged.hpp"
 
 namespace microslip::experiments::ellipse_wiggles_study {
 
@@ -87,24 +86,7 @@ RolledCircle state_of(const auto& scheme, double distance) {
           .tractions = scheme.tractions() / bound().peak(),
           .slips = scheme.slips(),
           .line = {},
-          .sticks = {},
-          .divided = 0};
-}
-
-/// Rolls over a step, in halves where it does not converge.
-/// \returns the number of steps that were divided
-int roll_or_divide(auto& scheme, double length, const PatchLoad& load, int halvings = 6) {
-  try {
-    scheme.roll(length, load);
-    return 0;
-  } catch (const NotConverged&) {
-    if (halvings == 0) throw;
-  }
-  int divided = 1;
-  for (int half = 0; half < 2; ++half) {
-    divided += roll_or_divide(scheme, length / 2, load, halvings - 1);
-  }
-  return divided;
+          .sticks = {}};
 }
 
 template <class Scheme>
@@ -121,13 +103,12 @@ Course roll(Scheme& scheme, const Rolling& rolling, double step,
     const auto steps = std::max<long>(1, std::lround(std::ceil((end - distance) / step - 1e-6)));
     const double length = (end - distance) / static_cast<double>(steps);
     for (long s = 0; s < steps; ++s) {
-      course.divided += roll_or_divide(scheme, length, rolling.load);
+      scheme.roll(length, rolling.load);
       course.steps.push_back({distance + length / 2, length, scheme.motion()});
       distance += length;
     }
     distance = end;
     course.at.push_back(state_of(scheme, distance));
-    course.at.back().divided = course.divided;
     sample(course.at.back());
   }
   return course;

@@ -30,7 +30,6 @@ struct RolledCircle {
   std::vector<bool> slips;     ///< of all cells
   Eigen::VectorXd line;        ///< tractions compared, at the stations
   std::vector<bool> sticks;    ///< at stations, and half an element about them
-  int divided = 0;             ///< steps so far that did not converge, and were divided
 };
 
 /// A step that was taken, of which the motion belongs to its middle.
@@ -43,7 +42,6 @@ struct Step {
 struct Course {
   std::vector<RolledCircle> at;  ///< after each distance
   std::vector<Step> steps;
-  int divided = 0;  ///< steps that did not converge, and were divided
 };
 
 /// The stations: x of a row of N elements at y = a/N, from the trailing edge on.

@@ -18,11 +18,11 @@ void LostEnergy::add(const Step& step) {
   sudden_ += std::abs(step.sudden_rate - step.rate) * step.length;
 }
 
-void LostEnergy::add(const TransientState& before, const TransientState& state,
+void LostEnergy::add(const TransientState& state, double length, double force_before,
                      double full_sliding) {
   constexpr double much = 0.05;  // of full sliding
-  const bool is_sudden = std::abs(state.force - before.force) > much * full_sliding;
-  add({.length = state.distance - before.distance,
+  const bool is_sudden = std::abs(state.force - force_before) > much * full_sliding;
+  add({.length = length,
        .rate = state.dissipation,
        .power = std::abs(state.mean_force * state.creepage),
        .sudden_rate = is_sudden ? state.end_dissipation : state.dissipation});

@@ -29,9 +29,12 @@ class LostEnergy {
 
   void add(const Step& step);
 
-  /// Adds the step from one state to another.
+  /// Adds a step.
+  /// \param state         at its end
+  /// \param length        [mm]
+  /// \param force_before  at its begin  [N/mm]
   /// \param full_sliding  the largest force of the contact  [N/mm]
-  void add(const TransientState& before, const TransientState& state, double full_sliding);
+  void add(const TransientState& state, double length, double force_before, double full_sliding);
 
   double sum() const { return lost_ - gained_; }  ///< per mm width  [N]
 

@@ -22,11 +22,7 @@ VectorXd areas_of(const RectangleRolling& rolling) {
 }
 
 double slip_share_of(const VectorXd& areas, const std::vector<bool>& slips) {
-  double slipping = 0;
-  for (Index i = 0; i < areas.size(); ++i) {
-    if (slips[static_cast<std::size_t>(i)]) slipping += areas[i];
-  }
-  return slipping / areas.sum();
+  return slip_area_of(areas, slips) / areas.sum();
 }
 
 Evidence evidence_of(const PatchRolling& rolling, const PatchBound&) { return rolling.evidence(); }
@@ -55,13 +51,6 @@ Evidence evidence_of(const RectangleRolling& rolling, const PatchBound& whole) {
 
 ContactScale present_contact(const PatchRolling& rolling) { return rolling.contact(); }
 ContactScale present_contact(const RectangleRolling&) { return {}; }
-
-/// The largest resultants in a contact  [N, N mm]
-Vector3d largest_resultants(const PatchBound& bound, const ContactScale& contact) {
-  const double force = contact.half_width * contact.half_width * contact.bound;
-  return {force * bound.total(), force * bound.total(),
-          force * contact.half_width * bound.turning_moment()};
-}
 
 }  // namespace
 
@@ -167,19 +156,6 @@ double MotionChange::relative() const {
   return std::max(creep > 0 ? changes.head<2>().maxCoeff() / creep : 0,
                   spin > 0 ? changes[2] / spin : 0);
 }
-
-namespace {
-
-/// The patch with rows and elements that are a third fewer; none if there are no fewer.
-std::optional<SteadyPatch> with_fewer_elements(SteadyPatch patch) {
-  const auto lobes = static_cast<Index>(patch.bound.shape().lobes().size());
-  if (patch.rows == lobes || patch.elements == least_elements) return std::nullopt;
-  patch.rows = std::max(lobes, (2 * patch.rows + 1) / 3);
-  patch.elements = std::max(least_elements, (2 * patch.elements + 1) / 3);
-  return patch;
-}
-
-}  // namespace
 
 CoarsePatch::CoarsePatch(const SteadyPatch& patch, const AdvectionScheme& scheme,
                          const ContactScale& contact)

@@ -131,13 +131,15 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   double cumulative_creep = 0;
   LostEnergy lost;
   const double full = full_sliding_force(scene.problem.contact.bound);
-  TransientState before = start;
+  double distance_before = start.distance, force_before = start.force;
   WorstOfSteps worst;
   rolling.roll_to(scene.distance, lengths, scene.loads, [&](const TransientState& state) {
     add(history, state, scene);
-    cumulative_creep += state.creepage * (state.distance - before.distance);
-    lost.add(before, state, full);
-    before = state;
+    const double length = state.distance - distance_before;
+    cumulative_creep += state.creepage * length;
+    lost.add(state, length, force_before, full);
+    distance_before = state.distance;
+    force_before = state.force;
     worst.include(state);
     count();
   });

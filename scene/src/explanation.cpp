@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 
+#include "microslip/patch/patch_rolling.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/scene/cost.hpp"
 
@@ -267,14 +268,12 @@ Explanation of_patch(const SteadyPatch& patch) {
 /// The shifts of a patch before it rolls, and to which part of the largest resultants they lead.
 std::vector<std::string> shifted(const PatchTransient& scene) {
   if (scene.shifts.empty()) return {};
-  const auto [size, height] = scene.loads.contact_at(0);
-  const double force = size * size * height * scene.patch.bound.total();
-  const double moment = size * size * size * height * scene.patch.bound.turning_moment();
+  const Eigen::Vector3d largest = largest_resultants(scene.patch.bound, scene.loads.contact_at(0));
   double most = 0;
   for (const PatchLoad& load : scene.shifts) {
     for (std::size_t j = 0; j < load.size(); ++j) {
       if (!load[j].by_resultant) continue;
-      most = std::max(most, std::abs(load[j].value) / (j < 2 ? force : moment));
+      most = std::max(most, std::abs(load[j].value) / largest[static_cast<Eigen::Index>(j)]);
     }
   }
   const std::size_t count = scene.shifts.size();
@@ -301,8 +300,7 @@ Explanation of_patch(const PatchTransient& scene) {
   if (std::holds_alternative<Direct>(scene.scheme)) {
     lines.emplace_back(
         "tractions are constant in equal rectangles, and displacements are moved with the "
-        "material, "
-        "as in CONTACT: first order in dx");
+        "material, as in CONTACT: first order in dx");
   } else {
     lines.emplace_back(
         "the material remembers its displacement: second order in the step, of any length; stick "

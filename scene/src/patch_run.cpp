@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "doubts.hpp"
+#include "microslip/patch/patch_rolling.hpp"
 #include "microslip/rolling/large_creepage.hpp"
 #include "microslip/support/require.hpp"
 #include "patch_files.hpp"
@@ -99,7 +100,8 @@ void take_contact(Scene& scene, const NamedColumns& columns, RunRows& rows) {
 /// Requires contacts that PatchRolling takes.
 void require_patch_contacts(const NamedColumns& columns, const PatchHistory& loads,
                             const SteadyPatch& patch) {
-  constexpr double largest_size = 100, largest_bound = 1e6;  // as PatchRolling
+  constexpr double largest_size = PatchStepRanges::largest_size;
+  constexpr double largest_bound = PatchStepRanges::largest_bound;
   const char* sizes = columns["normal_load"] ? "normal_load" : "half_width";
   const char* bounds = columns["friction"]        ? "friction"
                        : columns["peak_traction"] ? "peak_traction"
@@ -185,12 +187,12 @@ void warn_of_creepages_in_run(Scene& scene, const PatchHistory& loads, const Ste
 }  // namespace
 
 void require_motions(const PatchLoad& load, const SteadyPatch& patch, bool are_shifts) {
-  constexpr double largest = 1e8;  // as PatchRolling
   const double strain = patch.bound.peak() / patch.material.shear_modulus;
   const double c = patch.bound.size();
   for (std::size_t j = 0; j < load.size(); ++j) {
     const auto& [by_resultant, value] = load[j];
-    const double most = largest * strain * (are_shifts ? c : 1) / (j < 2 ? 1 : c);
+    const double most =
+        PatchStepRanges::largest_motion * strain * (are_shifts ? c : 1) / (j < 2 ? 1 : c);
     if (by_resultant || std::abs(value) <= most) continue;
     require(false, name_of(load, j), value,
             fmt::format("at most {:.3g} in size, 1e8 times what the bound's strain makes", most));
@@ -199,8 +201,8 @@ void require_motions(const PatchLoad& load, const SteadyPatch& patch, bool are_s
 
 void require_patch_carried(const PatchLoad& load, const PatchBound& bound,
                            const ContactScale& contact) {
-  const double force = contact.half_width * contact.half_width * contact.bound;
-  validate(load, force * bound.total(), force * contact.half_width * bound.turning_moment());
+  const Eigen::Vector3d largest = largest_resultants(bound, contact);
+  validate(load, largest[0], largest[2]);
 }
 
 PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch, const AdvectionScheme& scheme) {

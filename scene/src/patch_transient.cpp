@@ -36,9 +36,6 @@ constexpr std::array<ShiftKeys, 3> shift_components{{
     {"start.rotation", "start.spin_moment"},
 }};
 
-/// Steps end at smaller residuals than this, over the bound.
-constexpr double residual_of_steps = 1e-7;
-
 void require_lengths(const std::vector<double>& numbers, const std::string& key,
                      const std::vector<double>& first, const std::string& first_key) {
   require(numbers.size() == first.size(), key, numbers.front(), [&] {
@@ -167,7 +164,8 @@ void warn_of_long_steps(Scene& scene, const PatchTransient& read) {
 /// Refuses steps that PatchRolling does not take.
 void require_step_lengths(const Scene& scene, const PatchTransient& read) {
   const double c = read.patch.bound.size(), dx = read.spacing();
-  const double least = 1e-6 * (c + read.distance), most = 1e6 * c;
+  const double least = PatchStepRanges::least_step * (c + read.distance);
+  const double most = PatchStepRanges::longest_step * c;
   for (const double ratio : read.step_ratios) {
     if (ratio * dx >= least && ratio * dx <= most) continue;
     if (scene.has("step.ratio")) {
@@ -224,7 +222,7 @@ std::vector<double> PatchTransient::step_lengths() const {
 
 PatchTransient read_patch_transient(Scene& scene) {
   SteadyPatch patch = read_unloaded_patch(scene);
-  patch.accepted.residual = residual_of_steps;
+  patch.accepted.residual = largest_residual_of_step;
   const AdvectionScheme scheme = read_patch_scheme(scene);
   const bool has_file = scene.has("load.file");
   if (!has_file && !has_patch_load(scene)) {

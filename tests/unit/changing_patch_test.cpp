@@ -12,6 +12,7 @@
 
 #include "microslip/patch/patch_rolling.hpp"
 #include "microslip/patch/rectangles.hpp"
+#include "microslip/support/not_converged.hpp"
 
 namespace microslip::changing_patch_test {
 
@@ -263,6 +264,19 @@ TEST(PatchState, SavedOnesFollowAsTheOriginalDoes) {
     restored.roll(0.1, load);
     EXPECT_EQ(restored.save(), rolling.save());
   }
+}
+
+// A force and a moment that friction carries each on its own, but not together.
+TEST(PatchState, IsThatBeforeAStepThatThrows) {
+  PatchRolling rolling(circle(5, 6));
+  for (int i = 0; i < 8; ++i) rolling.roll(0.1, motion(0.1, 0.05, 0.2));
+  const PatchRolling before = rolling;
+  EXPECT_THROW(rolling.roll(0.1, {{{true, 0.98 * full}, {}, {true, 1.2}}}), NotConverged);
+  EXPECT_EQ(rolling.dissipation(), before.dissipation());
+  EXPECT_EQ(rolling.elastic_energy(), before.elastic_energy());
+  EXPECT_EQ(rolling.resultants(), before.resultants());
+  EXPECT_EQ(rolling.jacobian(), before.jacobian());
+  EXPECT_EQ(rolling.distance(), before.distance());
 }
 
 TEST(PatchState, RefusesOtherTexts) {

@@ -57,6 +57,12 @@ Vector2d CellConditions::quotient(const PatchState& state, Index i) const {
   return pair_of(state.unknowns, i) / (*limits_)[i];
 }
 
+VectorXd CellConditions::quotients(const PatchState& state) const {
+  VectorXd q(2 * limits_->size());
+  for (Index i = 0; i < limits_->size(); ++i) set_pair(q, i, onto_disc(quotient(state, i)));
+  return q;
+}
+
 bool CellConditions::slips_next(const PatchState& state, Index i) const {
   const double length = lengths_[i] * length_ratio_;
   return (quotient(state, i) - length * pair_of(state.own_slip, i)).norm() > 1;

@@ -29,6 +29,9 @@ class CellConditions {
 
   Vector2d quotient(const PatchState& state, Index i) const;
 
+  /// Those of all cells, on the disc: 2n.
+  Eigen::VectorXd quotients(const PatchState& state) const;
+
   /// Whether a cell slips in the next system, |q - r t| > 1.
   bool slips_next(const PatchState& state, Index i) const;
 

@@ -2,6 +2,7 @@
 #include "patch_evidence.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "component_pairs.hpp"
 
@@ -21,6 +22,20 @@ Evidence friction_of(const PatchState& state, const VectorXd& shares, const Vect
     evidence.backward += std::max(0.0, power);
     evidence.dissipated -= power;
   }
+  return evidence;
+}
+
+Evidence evidence_of_cells(const PatchState& state, const VectorXd& shares, const VectorXd& limits,
+                           const EvidenceScale& scale) {
+  Evidence evidence = friction_of(state, shares, limits);
+  evidence.excess *= scale.force;
+  evidence.backward *= scale.power;
+  evidence.dissipated *= scale.power;
+  evidence.residual = state.residual;
+  evidence.full_sliding = scale.full_sliding;
+  // Where all slides, rows of three cells or more have the bound's force but for rounding.
+  evidence.unresolved =
+      std::abs(scale.force * shares.dot(limits) - scale.full_sliding) * scale.slip_share;
   return evidence;
 }
 

@@ -14,4 +14,16 @@ namespace microslip {
 Evidence friction_of(const PatchState& state, const Eigen::VectorXd& shares,
                      const Eigen::VectorXd& limits);
 
+/// Units of evidence, and what else it needs.
+struct EvidenceScale {
+  double force, power;  ///< units
+  double full_sliding;  ///< of the bound, by its integral
+  double slip_share;    ///< of the area  [1]
+};
+
+/// The same in units, with the residual and what cells do not resolve of the bound; `load`, `power`
+/// and `change` are 0.
+Evidence evidence_of_cells(const PatchState& state, const Eigen::VectorXd& shares,
+                           const Eigen::VectorXd& limits, const EvidenceScale& scale);
+
 }  // namespace microslip

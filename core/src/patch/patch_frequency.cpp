@@ -48,7 +48,7 @@ struct PhaseIntegrals {
 
 PatchFrequencyResponse::PatchFrequencyResponse(const JoinedRows& rows, double poisson_ratio)
     : rows_(rows) {
-  const MatrixXd displacement = displacement_by_traction(rows, poisson_ratio);
+  const PatchResponse::Matrix displacement = displacement_by_traction(rows, poisson_ratio);
   const Index n = rows.cells(), M = rows.rows();
   MatrixXd centres(2 * n, 2 * n), edges(2 * M, 2 * n);
   for (Index c = 0; c < 2; ++c) {
@@ -62,11 +62,7 @@ PatchFrequencyResponse::PatchFrequencyResponse(const JoinedRows& rows, double po
   }
   inverse_ = centres.inverse();
   edges_.noalias() = edges * inverse_;
-  const Eigen::Matrix3Xd moments = rows.moments();
-  resultants_.setZero(3, 2 * n);
-  resultants_.leftCols(n) << moments.row(0), Eigen::RowVectorXd::Zero(n), -moments.row(2);
-  resultants_.rightCols(n) << Eigen::RowVectorXd::Zero(n), moments.row(0), moments.row(1);
-  resultants_ = (resultants_ * inverse_).eval();
+  resultants_.noalias() = resultants_by_traction(rows) * inverse_;
 }
 
 MatrixX3cd PatchFrequencyResponse::displacements(double wave_number) const {

@@ -2,6 +2,7 @@
 #include "patch_material.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -49,11 +50,6 @@ double PatchMaterial::ratio_before(double dq) const {
 
 void PatchMaterial::impose(const PatchStep& step, PointDisplacements& u, ImposedSlip& found) const {
   const JoinedRows& rows = u.rows();
-  if (step.to != size_) {
-    PatchMaterial there = *this;
-    there.resize(rows, step.to);
-    return there.impose(step, u, found);
-  }
   const StepWays ways(rows, step);
   found.own.resize(2 * rows.cells());
   found.centre.resize(2 * rows.cells());
@@ -66,8 +62,8 @@ void PatchMaterial::impose(const PatchStep& step, PointDisplacements& u, Imposed
         set_pair(found.centre, cell, before);
         continue;
       }
-      set_pair(found.own, cell, imposed_by(rows, ways, step, ways.to_centre(i, k), k));
-      set_pair(found.centre, cell, imposed_by(rows, ways, step, ways.about_centre(i, k), k));
+      set_pair(found.own, cell, imposed_by(ways, ways.to_centre(i, k), k));
+      set_pair(found.centre, cell, imposed_by(ways, ways.about_centre(i, k), k));
     }
   }
 }
@@ -79,9 +75,9 @@ Vector2d PatchMaterial::remembered(const JoinedRows& rows, double x, Index k, do
   return memory_[static_cast<std::size_t>(k)].at(place) - path_.at(place, size_ * rows.y(k));
 }
 
-Vector2d PatchMaterial::imposed_by(const JoinedRows& rows, const StepWays& ways,
-                                   const PatchStep& step, const MaterialWay& way, Index k) const {
-  if (way.entered == 0) return -remembered(rows, way.x, k, step.dq) / way.length;
+Vector2d PatchMaterial::imposed_by(const StepWays& ways, const MaterialWay& way, Index k) const {
+  const PatchStep& step = ways.step();
+  if (way.entered == 0) return -remembered(ways.rows(), way.x, k, step.dq) / way.length;
   const EntryWeights weights(way.entered, step.ratio);
   Vector2d at_entry = weights.before * edge_.row(k) + weights.earlier * edge_before_.row(k);
   at_entry -= ways.by_change_of_motion(way) * ways.rigid_slip_at_edge(k) * motion_;
@@ -91,9 +87,7 @@ Vector2d PatchMaterial::imposed_by(const JoinedRows& rows, const StepWays& ways,
 void PatchMaterial::take(const PatchStep& step, PointDisplacements& u,
                          const Eigen::Vector3d& motion, const std::vector<bool>& slips) {
   const JoinedRows& rows = u.rows();
-  const bool grows = step.to != size_;
-  const double size_before = size_;
-  if (grows) resize(rows, step.to);
+  const bool grows = step.to != step.from;
   edge_before_ = edge_;
   for (Index k = 0; k < rows.rows(); ++k) edge_.row(k) = u.at(0, k);
   path_ = path_.after(motion, step.dq == 0 ? 1 : step.dq, distance_ + step.dq / 2);
@@ -105,7 +99,7 @@ void PatchMaterial::take(const PatchStep& step, PointDisplacements& u,
     MaterialRecords& row = memory_[static_cast<std::size_t>(k)];
     const double y = size_ * rows.y(k);
     const double front = size_ * rows.x(0, k), exit = size_ * rows.x(2 * rows.elements(), k);
-    if (grows && std::abs(y) >= size_before * b) {
+    if (grows && std::abs(y) >= step.from * b) {
       touch_anew(k, u);
       continue;
     }
@@ -152,13 +146,13 @@ void PatchMaterial::touch_anew(Index k, PointDisplacements& u) {
   memory_[static_cast<std::size_t>(k)] = row;
 }
 
-/// Moves the rows to the places that they have in a contact of another size. Rows outside the
-/// present contact remember what the outermost ones do, until they touch.
-void PatchMaterial::resize(const JoinedRows& rows, double size) {
-  std::vector<MaterialRecords> moved;
-  for (Index k = 0; k < rows.rows(); ++k) moved.push_back(moved_row(rows, k, size));
-  memory_ = std::move(moved);
-  size_ = size;
+PatchMaterial PatchMaterial::resized(const JoinedRows& rows, double size) const {
+  PatchMaterial there = *this;
+  for (Index k = 0; k < rows.rows(); ++k) {
+    there.memory_[static_cast<std::size_t>(k)] = moved_row(rows, k, size);
+  }
+  there.size_ = size;
+  return there;
 }
 
 /// A row at y of another size, by the four rows about it: with y = b sin(psi) and x = s a cos(psi),
@@ -170,6 +164,7 @@ MaterialRecords PatchMaterial::moved_row(const JoinedRows& rows, Index k, double
   const double psi = std::asin(sine), half_length = size_ * a * std::cos(psi);
   const double at = (psi / pi + 0.5) * static_cast<double>(rows.rows()) - 0.5;
   const auto first = static_cast<Index>(std::floor(at)) - 1;
+  const std::array<double, 4> weights = cubic_weights(at, first);
   const auto value_at = [&](Index row, double s) {
     const Index last = rows.rows() - 1;
     const bool is_mirrored = row < 0 || row > last;
@@ -183,12 +178,8 @@ MaterialRecords PatchMaterial::moved_row(const JoinedRows& rows, Index k, double
     const double s = (place - distance_) / (size_ * rows.half_length(k));
     const double there = distance_ + scale * (place - distance_);
     value.setZero();
-    for (Index j = 0; j < 4; ++j) {
-      double weight = 1;
-      for (Index l = 0; l < 4; ++l) {
-        if (l != j) weight *= (at - static_cast<double>(first + l)) / static_cast<double>(j - l);
-      }
-      value += weight * value_at(first + j, s);
+    for (std::size_t j = 0; j < weights.size(); ++j) {
+      value += weights[j] * value_at(first + static_cast<Index>(j), s);
     }
     value += path_.at(there, y);
     return there;

@@ -31,12 +31,18 @@ class PatchMaterial {
   /// one to tell of the other, and after a shift.
   double ratio_before(double dq) const;
 
+  /// The same material, by rows that lie where those of a contact of another size do. Rows outside
+  /// the present contact remember what the outermost ones do, until they touch.
+  PatchMaterial resized(const JoinedRows& rows, double size) const;
+
   /// The part of the slip in a step that comes from what was before it.
+  /// \param step   to the present size
   /// \param u      displacements before it
   /// \param found  out
   void impose(const PatchStep& step, PointDisplacements& u, ImposedSlip& found) const;
 
   /// Takes over a step.
+  /// \param step    to the present size
   /// \param u       displacements at its end
   /// \param motion  as a mean over the step, or that of the shift
   /// \param slips   cells that slip, which remember where they are now
@@ -47,9 +53,7 @@ class PatchMaterial {
 
  private:
   Vector2d remembered(const JoinedRows& rows, double x, Index k, double dq) const;
-  Vector2d imposed_by(const JoinedRows& rows, const StepWays& ways, const PatchStep& step,
-                      const MaterialWay& way, Index k) const;
-  void resize(const JoinedRows& rows, double size);
+  Vector2d imposed_by(const StepWays& ways, const MaterialWay& way, Index k) const;
   MaterialRecords moved_row(const JoinedRows& rows, Index k, double size) const;
   void replace_where_slips(Index k, PointDisplacements& u, const std::vector<bool>& slips);
   void touch_anew(Index k, PointDisplacements& u);

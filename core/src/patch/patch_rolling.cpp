@@ -21,14 +21,16 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Lengths of steps over the size of the patch. Records that are closer than the least one have no
-/// digits of a slope between them.
-constexpr double least_step = 1e-6, longest_step = 1e6;
-
 /// Halvings of a step that is not solved.
 constexpr int most_divisions = 6;
 
 }  // namespace
+
+Vector3d largest_resultants(const PatchBound& bound, const ContactScale& contact) {
+  const auto& [size, height] = contact;
+  const double force = size * size * height;
+  return {force * bound.total(), force * bound.total(), force * size * bound.turning_moment()};
+}
 
 PatchRolling::PatchRolling(const SteadyPatch& problem, const ContactScale& contact) {
   validate(problem);
@@ -60,26 +62,26 @@ void PatchRolling::shift(const PatchLoad& load) {
 }
 
 void PatchRolling::roll(double dq, const PatchLoad& load) {
-  const double c = parts_->units().size, least = least_step * (c + distance());
-  require(dq >= least && dq <= longest_step * c, "dq", dq,
-          [&] { return fmt::format("a length from {:.3g} to {:.3g}", least, longest_step * c); });
+  const double c = parts_->units().size;
+  const double least = PatchStepRanges::least_step * (c + distance());
+  const double longest = PatchStepRanges::longest_step * c;
+  require(dq >= least && dq <= longest, "dq", dq,
+          [&] { return fmt::format("a length from {:.3g} to {:.3g}", least, longest); });
   parts_->roll(dq / c, load, most_divisions);
 }
 
 double PatchRolling::distance() const { return parts_->material.distance() * parts_->units().size; }
 
 VectorXd PatchRolling::x() const {
-  const double size = parts_->now.half_width * parts_->units().size;
-  return size * centres_of(parts_->constants->rows).col(0);
+  return parts_->size() * centres_of(parts_->constants->rows).col(0);
 }
 
 VectorXd PatchRolling::y() const {
-  const double size = parts_->now.half_width * parts_->units().size;
-  return size * centres_of(parts_->constants->rows).col(1);
+  return parts_->size() * centres_of(parts_->constants->rows).col(1);
 }
 
 VectorXd PatchRolling::areas() const {
-  const double size = parts_->now.half_width * parts_->units().size;
+  const double size = parts_->size();
   return size * size * parts_->constants->rows.areas();
 }
 
@@ -100,8 +102,7 @@ MatrixX2d PatchRolling::slip() const { return parts_->motion_unit()[0] * slip_of
 const std::vector<bool>& PatchRolling::slips() const { return parts_->state.slips; }
 
 double PatchRolling::full_sliding() const {
-  const auto& [size, bound] = parts_->now;
-  return parts_->constants->problem.bound.total() * size * size * bound;
+  return largest_resultants(parts_->constants->problem.bound, parts_->now)[0];
 }
 
 Vector3d PatchRolling::resultants() const {
@@ -137,24 +138,16 @@ double PatchRolling::condition() const { return parts_->condition(); }
 
 Evidence PatchRolling::evidence() const {
   Parts& p = *parts_;
-  const VectorXd &limits = p.last_limits(), shares = p.shares();
-  const double force = p.units().resultant[0], power = p.motion_unit()[0] * force;
-  Evidence evidence = friction_of(p.state, shares, limits);
-  evidence.excess *= force;
-  evidence.backward *= power;
-  evidence.dissipated *= power;
-  evidence.residual = p.state.residual;
+  const double force = p.units().resultant[0];
+  const VectorXd areas = p.constants->rows.areas();
+  Evidence evidence =
+      evidence_of_cells(p.state, p.shares(), p.last_limits(),
+                        {.force = force,
+                         .power = p.motion_unit()[0] * force,
+                         .full_sliding = full_sliding(),
+                         .slip_share = slip_area_of(areas, p.state.slips) / areas.sum()});
   evidence.load = resultants().head<2>().norm();
   evidence.power = std::max(std::abs(motion().dot(resultants())), std::abs(dissipation()));
-  evidence.full_sliding = full_sliding();
-  double slipping = 0, all = 0;
-  const VectorXd areas = p.constants->rows.areas();
-  for (Index i = 0; i < areas.size(); ++i) {
-    all += areas[i];
-    if (p.state.slips[static_cast<std::size_t>(i)]) slipping += areas[i];
-  }
-  evidence.unresolved =
-      std::abs(force * shares.dot(limits) - evidence.full_sliding) * slipping / all;
   return evidence;
 }
 

@@ -16,18 +16,18 @@ namespace {
 constexpr SealedText state_of_patch{.mark = "microslip state of a patch ", .version = "1"};
 
 /// The problem that a state belongs to.
-void archive_problem(Archive& archive, const PatchConstants& constants) {
-  const SteadyPatch& problem = constants.problem;
+void archive_problem(Archive& archive, const SteadyPatch& problem, const JoinedRows& rows,
+                     const VectorXd& limits) {
   archive.same("material.shear_modulus", problem.material.shear_modulus);
   archive.same("material.poisson_ratio", problem.material.poisson_ratio);
   archive.same("grid.rows", static_cast<double>(problem.rows));
   archive.same("grid.elements", static_cast<double>(problem.elements));
   archive.same("contact.size", problem.bound.size());
   archive.same("contact.peak_traction", problem.bound.peak());
-  const Eigen::MatrixX2d centres = centres_of(constants.rows);
+  const Eigen::MatrixX2d centres = centres_of(rows);
   archive.same("x", VectorXd(centres.col(0)));
   archive.same("y", VectorXd(centres.col(1)));
-  archive.same("bound", constants.limits);
+  archive.same("bound", limits);
 }
 
 void archive_state(Archive& archive, PatchState& state, Index cells) {
@@ -56,7 +56,7 @@ void archive_state(Archive& archive, PatchState& state, Index cells) {
 void PatchRolling::Parts::archive(Archive& archive) {
   const PatchConstants& of = *constants;
   const Index n = of.rows.cells();
-  archive_problem(archive, of);
+  archive_problem(archive, of.problem, of.rows, of.limits);
   material.archive(archive);
   archive.number("half_width", now.half_width);
   archive.number("bound", now.bound);
@@ -83,11 +83,11 @@ void PatchRolling::Parts::archive_follower(Archive& archive) {
   if (!follows) return;
   PatchState with = archive.reads() ? state : follower->prepared_with();
   archive_state(archive, with, constants->rows.cells());
-  std::vector<Index> free = archive.reads() ? std::vector<Index>() : follower->free();
-  archive.wholes("free", free, 3, 0, 2);
+  PatchLoad load = archive.reads() ? PatchLoad{} : follower->prepared_for();
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    archive.flag("follows_a_resultant", load[j].by_resultant);
+  }
   if (!archive.reads()) return;
-  PatchLoad load;
-  for (const Index j : free) load[static_cast<std::size_t>(j)].by_resultant = true;
   const PatchResponse& of = last_response();
   follower.emplace(of, last_limits(), with, load);
 }
@@ -107,9 +107,13 @@ void PatchRolling::restore(const SavedState& saved) {
 }
 
 double distance_of(const SavedState& saved, const SteadyPatch& problem) {
-  PatchRolling rolling(problem);
-  rolling.restore(saved);
-  return rolling.distance();
+  validate(problem);
+  const JoinedRows rows = rows_of(problem);
+  Archive archive(state_of_patch.members_of(saved.text));
+  archive_problem(archive, problem, rows, limits_of(rows, problem.bound));
+  double distance = 0;
+  archive.number("distance", distance);
+  return distance * problem.bound.size();
 }
 
 }  // namespace microslip

@@ -18,18 +18,14 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Displacements are lost beside larger ones, in what the material remembers.
-constexpr double largest_motion_of_step = 1e8;
-
-/// Contacts over the problem's.
-constexpr double largest_size = 100, largest_bound = 1e6;
-
 /// Corrections from which on a follower is prepared anew.
 constexpr int many_corrections = 6;
 
 }  // namespace
 
 void require_contact(const ContactScale& scale, const PatchShape& shape) {
+  constexpr double largest_size = PatchStepRanges::largest_size;
+  constexpr double largest_bound = PatchStepRanges::largest_bound;
   const auto& [size, bound] = scale;
   require(size >= 1 / largest_size && size <= largest_size, "half_width", size,
           "0.01 ... 100 times that of the problem");
@@ -116,32 +112,31 @@ const VectorXd& PatchRolling::Parts::limits_of_bound(double bound) {
 /// The load of the next step, over the units of a contact of its size.
 PatchLoad PatchRolling::Parts::scaled(const PatchLoad& load, bool rolls) const {
   const Vector3d by_size = PatchConstants::by_size(next.half_width);
-  const PatchBound& bound = constants->problem.bound;
-  validate(load, bound.total() * by_size[0] * next.bound,
-           bound.turning_moment() * by_size[2] * next.bound);
+  const Vector3d largest = largest_resultants(constants->problem.bound, next);
+  validate(load, largest[0], largest[2]);
   PatchLoad scaled = units().scaled(load, rolls ? units().motion : units().shift);
   for (std::size_t j = 0; j < scaled.size(); ++j) {
     if (scaled[j].by_resultant) {
       scaled[j].value /= by_size[static_cast<Index>(j)];
       continue;
     }
-    require(std::abs(scaled[j].value) <= largest_motion_of_step, name_of(load, j), load[j].value,
-            "a motion of at most 1e8 times that by the bound's strain");
+    require(std::abs(scaled[j].value) <= PatchStepRanges::largest_motion, name_of(load, j),
+            load[j].value, "a motion of at most 1e8 times that by the bound's strain");
   }
   return scaled;
 }
 
-/// Solves a step into `before`, from the state before it. If the same cells slip in two steps that
+/// Solves a step into `trial`, from the state before it. If the same cells slip in two steps that
 /// are solved anew, the next ones may follow.
 void PatchRolling::Parts::solve(const PatchResponse& of, const VectorXd& limits_now,
                                 const PatchLoad& load) {
-  before = state;
+  trial = state;
   const bool can_follow = follower && follower->fits(load, state.slips);
-  const bool followed = can_follow && follower->follow(load, imposed, before);
-  if (!followed) before = solve_stick_slip(of, limits_now, load, &state, &imposed);
-  const bool is_slow = followed && before.iterations >= many_corrections;
-  if (is_slow || (!followed && before.slips == state.slips)) {
-    follower.emplace(of, limits_now, before, load);
+  const bool followed = can_follow && follower->follow(load, imposed, trial);
+  if (!followed) trial = solve_stick_slip(of, limits_now, load, &state, &imposed);
+  const bool is_slow = followed && trial.iterations >= many_corrections;
+  if (is_slow || (!followed && trial.slips == state.slips)) {
+    follower.emplace(of, limits_now, trial, load);
   } else if (!followed) {
     follower.reset();
   }
@@ -155,14 +150,18 @@ void PatchRolling::Parts::take(double dq, const PatchLoad& load) {
                         .ratio = dq > 0 ? material.ratio_before(dq) : 0};
   const PatchResponse& of = response_of(taken);
   displacements.set(state.unknowns, taken.from);
-  material.impose(taken, displacements, imposed);
+  std::optional<PatchMaterial> moved_rows;
+  if (taken.to != taken.from) moved_rows = material.resized(constants->rows, taken.to);
+  (moved_rows ? *moved_rows : material).impose(taken, displacements, imposed);
   solve(of, limits_of_bound(next.bound), wanted);
-  std::swap(state, before);
+  std::swap(before, state);
+  std::swap(state, trial);
   step = taken;
   moved = true;
   now = next;
   dissipation.reset();
   displacements.set(state.unknowns, taken.to);
+  if (moved_rows) material = std::move(*moved_rows);
   material.take(step, displacements, state.motion, state.slips);
 }
 

@@ -49,8 +49,8 @@ void require_contact(const ContactScale& scale, const PatchShape& shape);
 struct PatchRolling::Parts {
   std::shared_ptr<const PatchConstants> constants;
   PatchMaterial material;
-  ContactScale now, next;  ///< at the end of the last step, and of the next one
-  PatchState state, before;
+  ContactScale now, next;                 ///< at the end of the last step, and of the next one
+  PatchState state, before;               ///< at the end of the last step, and before it
   PatchStep step = {0};                   ///< the last one
   bool moved = false;                     ///< whether there was one
   std::optional<double> dissipation = 0;  ///< of the last step; computed when it is asked for
@@ -61,6 +61,9 @@ struct PatchRolling::Parts {
   const Eigen::Vector3d& motion_unit() const {
     return step.dq > 0 ? units().motion : units().shift;
   }
+
+  /// Of the present contact  [mm]
+  double size() const { return now.half_width * units().size; }
 
   /// Integrals of tractions by the unknowns, over the size of the problem's patch.
   Eigen::VectorXd shares() const;
@@ -95,6 +98,7 @@ struct PatchRolling::Parts {
   std::optional<StepFollower> follower = std::nullopt;  ///< of this response and these limits
   PointDisplacements displacements;
   ImposedSlip imposed;
+  PatchState trial;  ///< of a step until it is solved
 };
 
 }  // namespace microslip

@@ -49,17 +49,26 @@ Index mirrored(const JoinedRows& rows, Index j) {
   return j < 0 ? -j : j > last ? 2 * last - j : j;
 }
 
+std::array<double, 4> cubic_weights(double at, Index first) {
+  std::array<double, 4> weights{1, 1, 1, 1};
+  for (Index j = 0; j < 4; ++j) {
+    for (Index l = 0; l < 4; ++l) {
+      if (l == j) continue;
+      weights[static_cast<std::size_t>(j)] *=
+          (at - static_cast<double>(first + l)) / static_cast<double>(j - l);
+    }
+  }
+  return weights;
+}
+
 PointSlip between(const JoinedRows& rows, double theta) {
   const double at = theta / pi * static_cast<double>(2 * rows.elements());
   const auto first = static_cast<Index>(std::floor(at)) - 1;
+  const std::array<double, 4> weights = cubic_weights(at, first);
   PointSlip found{};
-  for (Index j = 0; j < 4; ++j) {
-    double weight = 1;
-    for (Index l = 0; l < 4; ++l) {
-      if (l != j) weight *= (at - static_cast<double>(first + l)) / static_cast<double>(j - l);
-    }
-    found.points[static_cast<std::size_t>(j)] = mirrored(rows, first + j);
-    found.weights[static_cast<std::size_t>(j)] = weight;
+  for (std::size_t j = 0; j < weights.size(); ++j) {
+    found.points[j] = mirrored(rows, first + static_cast<Index>(j));
+    found.weights[j] = weights[j];
   }
   return found;
 }

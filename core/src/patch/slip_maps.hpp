@@ -34,6 +34,9 @@ PatchSlipMap map_for(const JoinedRows& rows);
 /// an edge: displacements are even in theta there, as they are smooth in x.
 Eigen::Index mirrored(const JoinedRows& rows, Eigen::Index j);
 
+/// Weights of the cubic through values at first, first + 1, first + 2 and first + 3.
+std::array<double, 4> cubic_weights(double at, Eigen::Index first);
+
 /// Four points of a row around an angle, with the weights of the cubic in theta; x is not set.
 PointSlip between(const JoinedRows& rows, double theta);
 

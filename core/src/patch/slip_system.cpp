@@ -11,16 +11,12 @@ using Eigen::RowVectorXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-std::vector<Index> free_components(const PatchLoad& load) {
-  std::vector<Index> free;
-  for (std::size_t j = 0; j < load.size(); ++j) {
-    if (load[j].by_resultant) free.push_back(static_cast<Index>(j));
-  }
-  return free;
-}
-
+/// Splits the motion of a load into the prescribed one and the components that follow.
 void SlipSystem::split_motion(const PatchLoad& load) {
-  free_ = free_components(load);
+  free_.clear();
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    if (load[j].by_resultant) free_.push_back(static_cast<Index>(j));
+  }
   motions_.setZero(3, 1 + static_cast<Index>(free_.size()));
   for (std::size_t j = 0; j < load.size(); ++j) {
     if (!load[j].by_resultant) motions_(static_cast<Index>(j), 0) = load[j].value;

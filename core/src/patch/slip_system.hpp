@@ -65,8 +65,4 @@ class SlipSystem {
   VectorXd right_;
 };
 
-/// Splits the motion of a load into the prescribed one and the components that follow: their
-/// numbers.
-std::vector<Eigen::Index> free_components(const PatchLoad& load);
-
 }  // namespace microslip

@@ -42,21 +42,15 @@ struct ScaledLoad {
 
 Evidence evidence_of(const SteadyPatch& problem, const SteadyPatchSolution& solution,
                      const PatchResponse& response, const VectorXd& limits, double divisor) {
-  const Index n = limits.size();
-  const VectorXd shares = response.resultants().row(0).head(n);
-  const double c = problem.bound.size(), scale = c * c * problem.bound.peak();
-  const double strain = PatchUnits(problem.material, problem.bound.peak(), c).motion[0];
-  Evidence evidence = friction_of(solution.state, shares, limits);
-  evidence.excess *= scale;
-  evidence.backward *= divisor * strain * scale;
-  evidence.dissipated *= divisor * strain * scale;
-  evidence.residual = solution.state.residual;
+  const PatchUnits units(problem.material, problem.bound.peak(), problem.bound.size());
+  Evidence evidence =
+      evidence_of_cells(solution.state, response.resultants().row(0).head(limits.size()), limits,
+                        {.force = units.resultant[0],
+                         .power = divisor * units.motion[0] * units.resultant[0],
+                         .full_sliding = problem.bound.total(),
+                         .slip_share = solution.slip_area() / solution.area.sum()});
   evidence.load = solution.force();
   evidence.power = std::abs(solution.dissipation);
-  evidence.full_sliding = problem.bound.total();
-  // Where all slides, rows of three cells or more have the bound's force but for rounding.
-  evidence.unresolved = std::abs(scale * shares.dot(limits) - evidence.full_sliding) *
-                        solution.slip_area() / solution.area.sum();
   return evidence;
 }
 
@@ -94,10 +88,10 @@ void validate(const PatchLoad& load, double full_sliding, double turning_moment)
   });
 }
 
-double SteadyPatchSolution::slip_area() const {
+double slip_area_of(const VectorXd& areas, const std::vector<bool>& slips) {
   double sum = 0;
-  for (Index i = 0; i < area.size(); ++i) {
-    if (slips[static_cast<std::size_t>(i)]) sum += area[i];
+  for (Index i = 0; i < areas.size(); ++i) {
+    if (slips[static_cast<std::size_t>(i)]) sum += areas[i];
   }
   return sum;
 }
@@ -165,17 +159,22 @@ double change_of(const SteadyPatch& problem, const SteadyPatchSolution& from,
 
 }  // namespace
 
-SteadyPatchSolution solve_steady_with_change(const SteadyPatch& problem) {
-  SteadyPatchSolution solution = solve_steady(problem);
-  solution.evidence.change = 1;
+std::optional<SteadyPatch> with_fewer_elements(const SteadyPatch& problem) {
   const auto lobes = static_cast<Index>(problem.bound.shape().lobes().size());
-  if (problem.rows == lobes || problem.elements == least_elements)
-    return solution;  // there are no fewer
+  if (problem.rows == lobes || problem.elements == least_elements) return std::nullopt;
   SteadyPatch coarse = problem;
   coarse.rows = std::max(lobes, (2 * problem.rows + 1) / 3);
   coarse.elements = std::max(least_elements, (2 * problem.elements + 1) / 3);
+  return coarse;
+}
+
+SteadyPatchSolution solve_steady_with_change(const SteadyPatch& problem) {
+  SteadyPatchSolution solution = solve_steady(problem);
+  solution.evidence.change = 1;
+  const auto coarse = with_fewer_elements(problem);
+  if (!coarse) return solution;
   try {
-    solution.evidence.change = change_of(problem, solve_steady(coarse), solution);
+    solution.evidence.change = change_of(problem, solve_steady(*coarse), solution);
   } catch (const NotConverged&) {
     return solution;
   }

@@ -37,13 +37,12 @@ StepFollower::StepFollower(const PatchResponse& response, const VectorXd& limits
     : response_(&response), limits_(&limits), conditions_(response, limits) {
   const Index n = limits.size();
   conditions_.set(1, state.transition);
-  VectorXd q(2 * n);
-  for (Index i = 0; i < n; ++i) set_pair(q, i, onto_disc(conditions_.quotient(state, i)));
   SlipSystem system(response, limits);
   const ImposedSlip none{VectorXd::Zero(2 * n), VectorXd::Zero(2 * n)};
-  system.assemble(conditions_, state, q, load, none);
+  system.assemble(conditions_, state, conditions_.quotients(state), load, none);
   const auto made = std::make_shared<Prepared>();
   made->state = state;
+  made->load = load;
   made->columns = system.columns();
   made->free = system.free();
   made->factors.compute(MatrixXd(system.matrix()));
@@ -68,15 +67,10 @@ StepFollower::StepFollower(const PatchResponse& response, const VectorXd& limits
 }
 
 bool StepFollower::fits(const PatchLoad& load, const std::vector<bool>& slips) const {
-  if (slips != prepared_->state.slips) return false;
-  Index found = 0;
   for (std::size_t j = 0; j < load.size(); ++j) {
-    if (!load[j].by_resultant) continue;
-    const auto place = static_cast<std::size_t>(found++);
-    if (place >= prepared_->free.size() || prepared_->free[place] != static_cast<Index>(j))
-      return false;
+    if (load[j].by_resultant != prepared_->load[j].by_resultant) return false;
   }
-  return found == static_cast<Index>(prepared_->free.size());
+  return slips == prepared_->state.slips;
 }
 
 /// Keeps the own slip and the free components of the motion, and lets all else follow.

@@ -30,8 +30,8 @@ class StepFollower {
   /// matter.
   const PatchState& prepared_with() const { return prepared_->state; }
 
-  /// The components of the motion that follow from a resultant.
-  const std::vector<Index>& free() const { return prepared_->free; }
+  /// The load that it was prepared for, of which only the kinds of components matter.
+  const PatchLoad& prepared_for() const { return prepared_->load; }
 
   /// Whether it was prepared for a load like this one, and for these cells.
   bool fits(const PatchLoad& load, const std::vector<bool>& slips) const;
@@ -48,6 +48,7 @@ class StepFollower {
   /// What it was prepared with, and what follows from it.
   struct Prepared {
     PatchState state;
+    PatchLoad load;
     std::vector<Index> columns, free;
     Eigen::PartialPivLU<Eigen::MatrixXd> factors;
     // By the unknowns: elastic own slip of cells that slip, and free components of the motion.

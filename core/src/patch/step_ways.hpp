@@ -50,6 +50,9 @@ class StepWays {
 
   StepWays(const JoinedRows& rows, const PatchStep& step) : rows_(rows), step_(step) {}
 
+  const JoinedRows& rows() const { return rows_; }
+  const PatchStep& step() const { return step_; }
+
   /// The way to the centre of a cell at the end.
   MaterialWay to_centre(Index i, Index k) const { return way_to(x(2 * i + 1, k), k); }
 

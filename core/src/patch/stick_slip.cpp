@@ -44,9 +44,9 @@ constexpr Attempt attempts[] = {{3, 2, 20}, {1.5, 0.7, 20}, {5, 2, 20}, {1, 0.3,
 constexpr Attempt attempts_at_step[] = {
     {0.3, 2, 20}, {1, 0.7, 20}, {0.3, 2, 20, 3}, {1, 0.7, 40, 3}};
 
-/// A residual below this one that a system leaves as it was is rounding: on fine rows, tractions are
-/// sums of slip with large coefficients, in short steps above all.
-constexpr double largest_rounding = 1e-7, least_progress = 0.1;
+/// A residual below largest_residual_of_step that a system leaves as it was is rounding: on fine
+/// rows, tractions are sums of slip with large coefficients, in short steps above all.
+constexpr double least_progress = 0.1;
 
 /// Attempts at a part of the load.
 constexpr std::size_t attempts_of_part = 2;
@@ -82,13 +82,14 @@ class Newton {
   /// Whether it converges.
   bool converges(PatchState& state, const Attempt& attempt) {
     conditions_.set(attempt.length, attempt.width);
-    take_quotients(state);
+    q_ = conditions_.quotients(state);
     for (int i = 0; i < attempt.systems; ++i) {
       const double before = i > 0 ? state.residual : std::numeric_limits<double>::infinity();
       solve(state);
       ++state.iterations;
       state.residual = conditions_.residual(state);
-      const bool is_rounding = state.residual < largest_rounding && before < largest_rounding &&
+      const bool is_rounding = state.residual < largest_residual_of_step &&
+                               before < largest_residual_of_step &&
                                state.residual > least_progress * before;
       if (state.residual < tolerance_ || is_rounding) {
         state.transition = attempt.width;
@@ -103,7 +104,7 @@ class Newton {
   /// The resultants by the motion, about a solution.
   Matrix3d jacobian(const PatchState& state) {
     conditions_.set(1, state.transition);
-    take_quotients(state);
+    q_ = conditions_.quotients(state);
     const PatchLoad by_resultants{{{true, 0}, {true, 0}, {true, 0}}};
     system_.assemble(conditions_, state, q_, by_resultants, imposed_);
     const auto& matrix = system_.matrix();
@@ -114,11 +115,6 @@ class Newton {
   }
 
  private:
-  void take_quotients(const PatchState& state) {
-    q_.resize(2 * cells_);
-    for (Index i = 0; i < cells_; ++i) set_pair(q_, i, onto_disc(conditions_.quotient(state, i)));
-  }
-
   void solve(PatchState& state) {
     system_.assemble(conditions_, state, q_, load, imposed_);
     system_.apply(solver_.solve(system_.matrix(), system_.right(),

@@ -13,6 +13,24 @@
 
 namespace microslip {
 
+/// Accepted steps and contacts of PatchRolling.
+struct PatchStepRanges {
+  /// dq over the size of the patch; the least one is over the size and the distance rolled. Records
+  /// that are closer have no digits of a slope between them.
+  static constexpr double least_step = 1e-6, longest_step = 1e6;
+
+  /// Motions over the strain mu p0/G, beside which displacements keep their digits.
+  static constexpr double largest_motion = 1e8;
+
+  /// Half-widths and bound of a contact over the problem's, or the problem's over these.
+  static constexpr double largest_size = 100, largest_bound = 1e6;
+};
+
+/// The largest forces along and across, and the largest moment about x = y = 0, that friction
+/// carries, each on its own  [N, N, N mm]
+/// \param contact  over the problem's; of both half-widths, and of the bound
+Eigen::Vector3d largest_resultants(const PatchBound& bound, const ContactScale& contact);
+
 /// A patch rolls by steps of any length. The material of each row remembers the sum of its
 /// displacement and of all rigid slip so far, which does not change while it sticks. So tractions
 /// that travel are not smeared, and short steps make no wiggles.
@@ -28,8 +46,8 @@ namespace microslip {
 /// Motions are at most 1e8 times the strain mu p0/G, beside which displacements keep their digits.
 ///
 /// A copy continues with the same bits as the original, and independently of it; it shares the
-/// matrices. So a step is tried on a copy. A step that throws leaves all as it was before. One
-/// object serves one thread.
+/// matrices. So a step is tried on a copy. A step that throws leaves the state as it was before;
+/// later ones differ by rounding at most. One object serves one thread.
 /// Order: 2 in dq; tests/unit/patch_rolling_test.cpp
 /// Cost of a step: that of steady rolling; plus that of a response if its length is another one
 /// than before, or if the contact changes its size.

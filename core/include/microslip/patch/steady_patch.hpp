@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "microslip/halfspace/material.hpp"
@@ -37,6 +38,9 @@ void validate(const SteadyPatch& problem);
 /// \param turning_moment  [N mm]
 void validate(const PatchLoad& load, double full_sliding, double turning_moment);
 
+/// The sum of the areas of cells that slip.
+double slip_area_of(const Eigen::VectorXd& areas, const std::vector<bool>& slips);
+
 /// Tractions and slip at the centres of cells, in the order of JoinedRows; resultants and motion.
 struct SteadyPatchSolution {
   Eigen::VectorXd x, y;       ///< [mm]
@@ -54,8 +58,8 @@ struct SteadyPatchSolution {
   Evidence evidence;
   PatchState state;  ///< a start for the next load
 
-  double force() const { return resultants.head<2>().norm(); }  ///< [N]
-  double slip_area() const;                                     ///< [mm^2]
+  double force() const { return resultants.head<2>().norm(); }    ///< [N]
+  double slip_area() const { return slip_area_of(area, slips); }  ///< [mm^2]
 };
 
 /// Solves steady rolling of a patch.
@@ -68,6 +72,10 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse
 
 /// The same, with a response of its own.
 SteadyPatchSolution solve_steady(const SteadyPatch& problem);
+
+/// The problem with rows and elements that are a third fewer; none if there is one row in each lobe,
+/// or two elements.
+std::optional<SteadyPatch> with_fewer_elements(const SteadyPatch& problem);
 
 /// The same, with the change of the result from rows and elements that are a third fewer as evidence:
 /// the largest one of the forces over full sliding, of the moment over that of turning, and of

@@ -22,6 +22,9 @@ struct PatchState {
   double transition = 0;
 };
 
+/// Residuals of solved steps are smaller.
+inline constexpr double largest_residual_of_step = 1e-7;
+
 /// Solves the slip conditions of steady rolling: with q = v/g, g the limit of a cell, and s its slip
 ///   |q| <= 1 where s = 0,  q = -s/|s| elsewhere.
 /// A cell sticks by its own slip t, and slips in the direction of the slip c at its centre. With a
