@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fractional_power_cost.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <chrono>
 
 #include "microslip/experiments/claims.hpp"
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/linalg/spectra.hpp"
 #include "microslip/rolling/fractional_shift.hpp"
-#include "schur_power.hpp"
+#include "microslip/thesis/schur_powers.hpp"
 
 namespace microslip::experiments {
 
@@ -63,7 +63,7 @@ class Sized {
 };
 
 void add_eigenvalues(CostTables& tables, const Parameters& p, Index elements) {
-  const Eigen::VectorXcd values = Sized(p, elements).matrix().eigenvalues();
+  const Eigen::VectorXcd values = eigenvalues(Sized(p, elements).matrix());
   for (const auto& value : values) {
     tables.eigenvalues.add({elements, value.real(), value.imag(), is_negative(value) ? 1.0 : 0.0});
   }
@@ -71,7 +71,7 @@ void add_eigenvalues(CostTables& tables, const Parameters& p, Index elements) {
 
 void add_agreement(CostTables& tables, const Parameters& p, Index elements) {
   const MatrixXd matrix = Sized(p, elements).matrix();
-  const Eigen::VectorXcd values = matrix.eigenvalues();
+  const Eigen::VectorXcd values = eigenvalues(matrix);
   const bool negative = std::any_of(values.begin(), values.end(), is_negative);
   SchurPowers powers(matrix);
   for (const double c : {p.step_ratio, 0.5, 0.05}) {

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/wiggle_spectrum.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 
 #include "microslip/experiments/claims.hpp"
+#include "microslip/linalg/spectra.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/thesis/symbol.hpp"
@@ -124,15 +123,6 @@ Table crossing_table(const Parameters& p) {
     }
   }
   return table;
-}
-
-double condition(const Eigen::MatrixXd& b) {
-  const Eigen::VectorXd singular = Eigen::BDCSVD<Eigen::MatrixXd>(b).singularValues();
-  return singular.maxCoeff() / singular.minCoeff();
-}
-
-Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& b) {
-  return Eigen::EigenSolver<Eigen::MatrixXd>(b, false).eigenvalues();
 }
 
 /// Lists step ratios from 1 down to the smallest, in equal ratios.

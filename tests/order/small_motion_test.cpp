@@ -7,7 +7,7 @@
 // evaluated in 30 digits by de Hoog's method.
 #include <gtest/gtest.h>
 
-#include <Eigen/QR>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -226,7 +226,9 @@ double noise(Eigen::Index n, double step_ratio, double force) {
     }
   }
   const Eigen::Map<const Eigen::VectorXd> values(creepages.data(), count);
-  const Eigen::VectorXd fitted = powers * powers.householderQr().solve(values);
+  const Eigen::MatrixXd normal = powers.transpose() * powers;
+  const Eigen::VectorXd moments = powers.transpose() * values;
+  const Eigen::VectorXd fitted = powers * normal.partialPivLu().solve(moments);
   return (values - fitted).norm() / std::sqrt(static_cast<double>(count)) / std::abs(values.mean());
 }
 

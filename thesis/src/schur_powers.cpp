@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/thesis/schur_powers.hpp"
+
+#include <cmath>
+#include <unsupported/Eigen/MatrixFunctions>
+
+namespace microslip {
+
+using Eigen::MatrixXd;
+
+class SchurPowers::Method {
+ public:
+  explicit Method(const MatrixXd& matrix) : powers_(matrix) {}
+  MatrixXd power(double c) { return powers_(c); }
+
+ private:
+  Eigen::MatrixPower<MatrixXd> powers_;
+};
+
+SchurPowers::SchurPowers(const MatrixXd& matrix)
+    : matrix_(matrix), method_(std::make_unique<Method>(matrix)) {}
+SchurPowers::~SchurPowers() = default;
+
+MatrixXd SchurPowers::power(double c) { return method_->power(c); }
+
+double SchurPowers::residual(const MatrixXd& power, double c) {
+  const MatrixXd rest = method_->power(1 - c);
+  return (power * rest - matrix_).cwiseAbs().maxCoeff() / matrix_.cwiseAbs().maxCoeff();
+}
+
+bool is_negative(const std::complex<double>& eigenvalue) {
+  constexpr double rounding = 1e-9;
+  return eigenvalue.real() < 0 && std::abs(eigenvalue.imag()) < rounding * std::abs(eigenvalue);
+}
+
+}  // namespace microslip
