@@ -13,3 +13,5 @@
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "../core/src/linalg/dense_kernels.hpp"

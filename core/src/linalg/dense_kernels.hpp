@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Eigen's products and factors of dense matrices of doubles, compiled once: by dense_kernels.cpp, with
+// the optimisation of core. Other sources would each make their own, in a tenth of their time. Only
+// cmake/precompiled.hpp includes this file; without it everything compiles as well, and more slowly.
+#pragma once
+
+#include <Eigen/Dense>
+
+/// Lists the instantiations. `kind` is empty for a definition, and extern for a declaration.
+#define MICROSLIP_DENSE_KERNELS(kind)                                                              \
+  namespace Eigen {                                                                                \
+  namespace internal {                                                                             \
+  kind template struct gebp_kernel<double, double, Index,                                          \
+                                   blas_data_mapper<double, Index, ColMajor, Unaligned, 1>, 4, 4,  \
+                                   false, false>;                                                  \
+  kind template struct general_matrix_matrix_product<Index, double, ColMajor, false, double,       \
+                                                     ColMajor, false, ColMajor, 1>;                \
+  kind template struct general_matrix_matrix_product<Index, double, RowMajor, false, double,       \
+                                                     ColMajor, false, ColMajor, 1>;                \
+  kind template struct general_matrix_matrix_product<Index, double, ColMajor, false, double,       \
+                                                     RowMajor, false, ColMajor, 1>;                \
+  kind template struct general_matrix_vector_product<                                              \
+      Index, double, const_blas_data_mapper<double, Index, ColMajor>, ColMajor, false, double,     \
+      const_blas_data_mapper<double, Index, RowMajor>, false, 0>;                                  \
+  kind template struct general_matrix_vector_product<                                              \
+      Index, double, const_blas_data_mapper<double, Index, ColMajor>, ColMajor, false, double,     \
+      const_blas_data_mapper<double, Index, ColMajor>, false, 0>;                                  \
+  kind template struct general_matrix_vector_product<                                              \
+      Index, double, const_blas_data_mapper<double, Index, RowMajor>, RowMajor, false, double,     \
+      const_blas_data_mapper<double, Index, ColMajor>, false, 0>;                                  \
+  kind template struct general_matrix_vector_product<                                              \
+      Index, double, const_blas_data_mapper<double, Index, RowMajor>, RowMajor, false, double,     \
+      const_blas_data_mapper<double, Index, RowMajor>, false, 1>;                                  \
+  kind template struct partial_lu_impl<double, ColMajor, int, Dynamic>;                            \
+  kind template struct triangular_solve_matrix<double, Index, OnTheLeft, UnitLower, false,         \
+                                               ColMajor, ColMajor, 1>;                             \
+  kind template struct triangular_solve_matrix<double, Index, OnTheLeft, Upper, false, ColMajor,   \
+                                               ColMajor, 1>;                                       \
+  kind template struct triangular_solve_vector<double, double, Index, OnTheLeft, UnitLower, false, \
+                                               ColMajor>;                                          \
+  kind template struct triangular_solve_vector<double, double, Index, OnTheLeft, Upper, false,     \
+                                               ColMajor>;                                          \
+  }                                                                                                \
+  kind template class PartialPivLU<MatrixXd>;                                                      \
+  kind template class ColPivHouseholderQR<MatrixXd>;                                               \
+  }
+
+MICROSLIP_DENSE_KERNELS(extern)
