@@ -11,10 +11,11 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "browser"))
 import webdriver
 from quick_results import GIVEN, NOT_JUDGED, claims_of, link_results, make_report
+from small_report import STUDIES, small_report
 
 FIGURES, WORK = map(Path, sys.argv[1:])
-VIEWS = [(width, dark) for width in (1280, 390) for dark in (False, True)]
-IN_BROWSER = Path(__file__).with_name("in_browser.js").read_text(encoding="utf-8")
+VIEWS = ((1280, False), (1280, True), (390, True), (390, False))  # width, and whether it is dark
+IN_BROWSER, TEXTS = (Path(__file__).with_name(name).read_text(encoding="utf-8") for name in ("in_browser.js", "texts.js"))
 
 
 class Browser(unittest.TestCase):
@@ -25,17 +26,25 @@ class Browser(unittest.TestCase):
         cls.page = WORK / "report.html"
         made = make_report(cls.results, cls.page)
         assert made.returncode == 0, made.stderr
-        cls.text = cls.page.read_text(encoding="utf-8")
         cls.figures = sorted(path.stem for path in (cls.results / "figures").iterdir())
         cls.browser = webdriver.Browser()
         cls.addClassCleanup(cls.browser.close)
+        cls.shown = None
 
-    def problems(self, page, width=1280, dark=False):
-        self.browser.log("browser")
-        self.browser.log("performance")
+    def show(self, page, width=1280, dark=False):
+        """Opens a page, unless it is open: to load it takes longest, and other windows and colours lay it out anew anyway."""
         self.browser.emulate(width, dark)
-        self.browser.open(page)
-        found = self.browser.run(IN_BROWSER, self.figures)
+        if page != self.shown:
+            self.browser.log("browser")
+            self.browser.log("performance")
+            self.browser.open(page)
+            type(self).shown = page
+
+    def problems(self, page, figures, width=1280, dark=False):
+        self.show(page, width, dark)
+        found = self.browser.run(IN_BROWSER, figures)
+        if not dark:  # which moves no text
+            found += self.browser.run(TEXTS)
         found += [f"on the console: {line['message']}" for line in self.browser.log("browser")]
         requests = "".join(line["message"] for line in self.browser.log("performance")
                            if '"Network.requestWillBeSent"' in line["message"])
@@ -45,11 +54,10 @@ class Browser(unittest.TestCase):
     def test_has_no_problem(self):
         for width, dark in VIEWS:
             with self.subTest(width=width, dark=dark):
-                self.assertEqual(self.problems(self.page, width, dark), [])
+                self.assertEqual(self.problems(self.page, self.figures, width, dark), [])
 
     def test_first_screen_has_headline_and_counts(self):
-        self.browser.emulate(1280)
-        self.browser.open(self.page)
+        self.show(self.page)
         shown = self.browser.run("""return [...document.querySelectorAll("#headline, .totals")].map(element =>
             element.getBoundingClientRect().bottom < innerHeight)""")
         self.assertEqual(shown, [True, True])
@@ -66,20 +74,26 @@ class Browser(unittest.TestCase):
 
     def test_dark_is_dark_and_maps_stay_light(self):
         colour = """return getComputedStyle(document.querySelector(arguments[0])).backgroundColor"""
-        for dark in (False, True):
-            self.browser.emulate(1280, dark)
-            self.browser.open(self.page)
+        for dark in (True, False):
+            self.show(self.page, dark=dark)
             shade = sum(map(int, re.findall(r"\d+", self.browser.run(colour, "body"))[:3]))
             (self.assertLess if dark else self.assertGreater)(shade, 380)
             card = "#wiggle_spectrum_matrix_linear .drawing"
             self.assertEqual(self.browser.run(colour, card), "rgb(255, 255, 255)")
 
-    def test_prints(self):
-        pdf = webdriver.printed(self.page)
+    def test_fits_on_paper(self):
+        self.show(self.page)
+        pdf = self.browser.printed()
         self.assertTrue(pdf.startswith(b"%PDF"))
         self.assertIn(len(re.findall(rb"/Type\s*/Page\b", pdf)), range(15, 100))
 
     def test_problems_are_found(self):
+        text = small_report(self.results)
+        figures = [name for name in self.figures if name.startswith(tuple(f"{study}_" for study in STUDIES))]
+        page = WORK / "small.html"
+        page.write_text(text, encoding="utf-8")
+        self.browser.leave()
+        self.assertEqual(self.problems(page, figures), [])  # so that each of these is of a change
         for what, pattern, replacement, found in (
                 ("a lost figure", r'(<figure id="carter_traction".*?<svg[^>]*>).*?</svg>', r"\1</svg>",
                  "carter_traction: 0 marks"),
@@ -99,11 +113,11 @@ class Browser(unittest.TestCase):
                 ("an error", "<footer>", "<footer><script>nothing()</script>", "nothing is not defined"),
                 ("a picture from elsewhere", "<footer>", '<footer><img src="other.png">', "other.png")):
             with self.subTest(what):
-                changed, times = re.subn(pattern, replacement, self.text, count=1, flags=re.DOTALL)
+                changed, times = re.subn(pattern, replacement, text, count=1, flags=re.DOTALL)
                 self.assertEqual(times, 1)
-                page = WORK / "changed.html"
+                page = WORK / f"{what.replace(' ', '_')}.html"
                 page.write_text(changed, encoding="utf-8")
-                said = self.problems(page)
+                said = self.problems(page, figures)
                 self.assertTrue(any(found in line for line in said), said)
 
 

@@ -48,12 +48,14 @@ const luminance = ([r, g, b]) => {
   const [x, y, z] = [r, g, b].map(c => c / 255).map(c => (c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
   return 0.2126 * x + 0.7152 * y + 0.0722 * z;
 };
+const backgrounds = new Map();  // by element, as many texts have the same ancestors
 const background = element => {
-  for (; element; element = element.parentElement) {
+  if (!element) return [255, 255, 255];
+  if (!backgrounds.has(element)) {
     const colour = rgb(getComputedStyle(element).backgroundColor);
-    if (colour[3] !== 0) return colour;
+    backgrounds.set(element, colour[3] !== 0 ? colour : background(element.parentElement));
   }
-  return [255, 255, 255];
+  return backgrounds.get(element);
 };
 const seen = new Set();
 const texts = "h1, h2, h4, p, a, td, th, dt, dd, b, figcaption, code, .verdict, svg text";

@@ -14,6 +14,7 @@ from faults import FAULTS
 from prose import introduction, parts_of, sections_of
 from tables import ReportError
 from quick_results import NOT_JUDGED, ROOT, claims_of, link_results, make_report
+from small_report import small_claims, small_report
 from structure import problems
 
 PROGRAMS, FIGURES, WORK = map(Path, sys.argv[1:])
@@ -116,6 +117,8 @@ class Page(unittest.TestCase):
         self.assertNotIn("not judged", re.sub("<style>.*?</style>", "", text, flags=re.DOTALL).split("<h3>Made by")[0])
 
     def test_problems_are_found(self):
+        text, claims = small_report(self.results), small_claims(self.results)
+        self.assertEqual(problems(text, claims), [])
         for what, pattern, replacement, found in (
                 ("a lost figure", r'<figure id="carter_traction".*?</figure>', "", "no figure carter_traction"),
                 ("an empty figure", r'(<figure id="carter_traction".*?<svg[^>]*>).*?</svg>', r"\1</svg>",
@@ -123,7 +126,7 @@ class Page(unittest.TestCase):
                 ("a broken link", 'href="#carter-1"', 'href="#carter-0"', "#carter-0 leads nowhere"),
                 ("a link to elsewhere", 'href="#carter-1"', 'href="carter.html"', "carter.html leads nowhere"),
                 ("a picture from the network", "<footer>", '<footer><img src="http://x/y.png">', "network is needed"),
-                ("an id twice", "<h2>carter", '<h2 id="smoothing">carter', "smoothing is there 2 times"),
+                ("an id twice", "<h2>carter", '<h2 id="open_problems">carter', "open_problems is there 2 times"),
                 ("a lost claim", r'<article id="carter-2".*?</article>', "", "carter-2: the verdict is None"),
                 ("a claim too many", '<article id="carter-2"', '<article id="carter-3"', "carter-3 is no claim"),
                 ("another verdict", 'id="carter-1" class="claim reproduced"', 'id="carter-1" class="claim refuted"',
@@ -135,9 +138,9 @@ class Page(unittest.TestCase):
                 ("a number that is none", r'(id="carter-1".*?<dd>)[^<]*', r"\1nan", "carter-1: says nan"),
                 ("no end", "</section>", "", "has no end")):
             with self.subTest(what):
-                changed, times = re.subn(pattern, replacement, self.text, count=1, flags=re.DOTALL)
+                changed, times = re.subn(pattern, replacement, text, count=1, flags=re.DOTALL)
                 self.assertEqual(times, 1)
-                self.assertTrue(any(found in line for line in problems(changed, self.claims)))
+                self.assertTrue(any(found in line for line in problems(changed, claims)))
 
 
 class Prose(unittest.TestCase):

@@ -6,10 +6,14 @@ const GAP = 3;  // pixels between two texts of a line
 const ABOVE = 0.17, BELOW = 0.03;  // of the size of the font: what the box of a line has beyond its letters
 const SWATCH = 40;  // pixels; a filled area that is no larger is a sample of a colour
 
-for (const figure of document.querySelectorAll("figure[id]")) {
+const figures = [...document.querySelectorAll("figure[id]")].map(figure => {
   const [whole, ...panels] = figure.querySelectorAll("svg");
-  const hidden = !whole.getBoundingClientRect().width;
-  if (hidden) whole.style.display = "block";  // the panels show parts of it, at another scale
+  return { figure, whole, panels, hidden: !whole.getBoundingClientRect().width };
+});
+const displayHidden = value => figures.filter(({ hidden }) => hidden).forEach(({ whole }) => { whole.style.display = value; });
+
+displayHidden("block");  // panels show parts of it, at another scale; all at once, as each change lays out the page anew
+for (const { figure, whole, panels, hidden } of figures) {
   const frame = whole.getBoundingClientRect(), size = whole.viewBox.baseVal;
   const scale = frame.width / size.width;
   const scaled = ({ left, right, top, bottom }) =>
@@ -45,12 +49,12 @@ for (const figure of document.querySelectorAll("figure[id]")) {
     }
     if (swatches.some(swatch => common(box, swatch.box) > 0)) found.push(`${figure.id}: "${said}" is on a sample of a colour`);
   });
-  if (hidden) whole.style.display = "";
   const caption = figure.querySelector("figcaption")?.innerText ?? "";
   const sides = /\bleft\b|\(right\)|\bRight\b|[,;] right\b/.exec(caption);
   if (hidden && sides) found.push(`${figure.id}: the caption says "${sides[0]}" of panels one below the other`);
   if (!hidden && panels.length && !sides && figure.querySelector(".beside")) found.push(`${figure.id}: the caption names no side`);
 }
+displayHidden("");
 for (const name of document.querySelectorAll(".summary td:first-child a")) {
   if (name.getClientRects().length > 1) found.push(`the study ${name.textContent} is broken`);
 }

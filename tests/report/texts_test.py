@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """All figures in Chromium, on a desktop and on a phone: every text lies inside its picture, and no two texts overlap.
-Figures are those of the studies, by themselves and in the report, the sketches of the pages, and those that `microslip plot`
-draws of results of every kind.
+Figures are those of the studies by themselves, the sketches of the pages, and those that `microslip plot` draws of results
+of every kind. The figures within the report are looked at by browser_test.py.
 Usage: texts_test.py PROGRAMS FIGURES_FOLDER WORK_FOLDER; exit status 77 if there is no Chromium."""
+import os
 import re
 import shutil
 import subprocess
 import sys
 import unittest
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "browser"))
 import webdriver
-from quick_results import ROOT, link_results, make_report
+from quick_results import ROOT
 
 PROGRAMS, FIGURES, WORK = (Path(word).resolve() for word in sys.argv[1:])
 WIDTHS = (1280, 390)
@@ -65,6 +67,12 @@ def run(words):
     return subprocess.run(f"'{PROGRAMS}/microslip' {words}", shell=True, cwd=WORK, capture_output=True, text=True)
 
 
+def run_all(commands):
+    """What the commands say, in their order; several run at once."""
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        return list(pool.map(run, commands))
+
+
 def page_of(figures):
     """A page with figures as they are, scaled down where the window is narrow."""
     bodies = [f'<figure id="{figure.stem}">' + re.sub(r"<\?xml.*?\?>|<!DOCTYPE[^>]*>", "", figure.read_text(encoding="utf-8"),
@@ -82,34 +90,32 @@ class Texts(unittest.TestCase):
             (WORK / bound).write_text(f"x\tbound\n-5\t0\n{number - 2}\t300\n5\t0\n", encoding="utf-8")
         for kind in ("steady", "wheel", "ellipse", "transient", "ellipse_transient", "run", "cylinder", "sweep"):
             run(f"init {kind}")
-        for words in RESULTS.replace("\\\n", "").strip().splitlines():
-            made = run(words.replace("SWEEP", SWEEP).replace("BOUNDS", " ".join(BOUNDS)))
-            assert made.returncode == 0, words + made.stderr
+        results = RESULTS.replace("\\\n", "").replace("SWEEP", SWEEP).replace("BOUNDS", " ".join(BOUNDS))
+        for made in run_all(results.strip().splitlines()):
+            assert made.returncode == 0, made.args + made.stderr
 
-    def problems(self, page, width):
-        self.browser.emulate(width)
+    def problems(self, page):
+        """A list of them for each of the widths."""
+        def at(width):
+            self.browser.emulate(width)
+            return self.browser.run(IN_BROWSER)
+
+        self.browser.leave()
+        self.browser.emulate(WIDTHS[0])
         self.browser.open(page)
-        return self.browser.run(IN_BROWSER)
+        return [at(width) for width in WIDTHS]
 
     def expect_none(self, figures):
         page = WORK / "page.html"
         page.write_text(page_of(figures), encoding="utf-8")
-        for width in WIDTHS:
+        for width, said in zip(WIDTHS, self.problems(page)):
             with self.subTest(width=width):
-                self.assertEqual(self.problems(page, width), [])
+                self.assertEqual(said, [])
 
     def test_studies(self):
         figures = sorted(FIGURES.glob("*/*.svg"))
         self.assertGreater(len(figures), 60)
         self.expect_none(figures)
-
-    def test_report(self):
-        page = WORK / "report.html"
-        made = make_report(link_results(FIGURES, WORK / "results"), page)
-        self.assertEqual(made.returncode, 0, made.stderr)
-        for width in WIDTHS:
-            with self.subTest(width=width):
-                self.assertEqual(self.problems(page, width), [])
 
     def test_pages(self):
         self.expect_none(sorted(ROOT.glob("docs/*.svg")))
@@ -124,12 +130,10 @@ class Texts(unittest.TestCase):
         self.assertEqual(made, kept)
 
     def test_own_results(self):
-        figures = []
-        for name, words in PLOTS.items():
-            figures.append(WORK / f"own_{name}.svg")
-            drawn = run(f"plot {words.replace('DEEP', str(WORK))} --to {figures[-1].name}")
-            self.assertEqual((drawn.returncode, drawn.stderr), (0, ""), words)
-        self.expect_none(figures)
+        plots = (f"plot {words.replace('DEEP', str(WORK))} --to own_{name}.svg" for name, words in PLOTS.items())
+        for drawn in run_all(plots):
+            self.assertEqual((drawn.returncode, drawn.stderr), (0, ""), drawn.args)
+        self.expect_none([WORK / f"own_{name}.svg" for name in PLOTS])
 
     def test_problems_are_found(self):
         """Texts that are moved out of the picture, onto one another or onto a sample, and a blank that is lost."""
@@ -144,7 +148,7 @@ class Texts(unittest.TestCase):
                 text = figure.format(**dict(zip(("x", "y", "blank"), values)))
                 (WORK / "figure.svg").write_text(text, encoding="utf-8")
                 (WORK / "page.html").write_text(page_of([WORK / "figure.svg"]), encoding="utf-8")
-                said = self.problems(WORK / "page.html", 1280)
+                said = self.problems(WORK / "page.html")[0]
                 self.assertTrue(any(found in line for line in said) if found else not said, said)
 
 
