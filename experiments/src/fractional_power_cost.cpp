@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fractional_power_cost.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <chrono>
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "microslip/support/not_converged.hpp"
+
 namespace microslip::spectra_test {
 
 using Eigen::Index;
@@ -49,6 +51,7 @@ TEST(Spectra, ASingularMatrixHasAConditionAboveRounding) {
   MatrixXd matrix = second_difference(5);
   matrix.row(3) = matrix.row(1);
   EXPECT_GT(condition(matrix), 1e14);
+  EXPECT_THROW(condition(MatrixXd::Ones(2, 3)), NotConverged);
   EXPECT_LT(least_eigenvalue(-second_difference(5)), -3.7);
 }
 

@@ -8,23 +8,18 @@ namespace microslip {
 
 using Eigen::MatrixXd;
 
-class SchurPowers::Method {
- public:
-  explicit Method(const MatrixXd& matrix) : powers_(matrix) {}
-  MatrixXd power(double c) { return powers_(c); }
-
- private:
-  Eigen::MatrixPower<MatrixXd> powers_;
+class SchurPowers::Method : public Eigen::MatrixPower<MatrixXd> {
+  using MatrixPower::MatrixPower;
 };
 
 SchurPowers::SchurPowers(const MatrixXd& matrix)
     : matrix_(matrix), method_(std::make_unique<Method>(matrix)) {}
 SchurPowers::~SchurPowers() = default;
 
-MatrixXd SchurPowers::power(double c) { return method_->power(c); }
+MatrixXd SchurPowers::power(double c) { return (*method_)(c); }
 
 double SchurPowers::residual(const MatrixXd& power, double c) {
-  const MatrixXd rest = method_->power(1 - c);
+  const MatrixXd rest = (*method_)(1 - c);
   return (power * rest - matrix_).cwiseAbs().maxCoeff() / matrix_.cwiseAbs().maxCoeff();
 }
 

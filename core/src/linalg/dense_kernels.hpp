@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Eigen's products and factors of dense matrices of doubles, compiled once: by dense_kernels.cpp, with
-// the optimisation of core. Other sources would each make their own, in a tenth of their time. Only
+// dense_kernels.cpp compiles Eigen's products and LU factors of dense matrices of doubles, with the
+// optimisation of core. Each other source would make its own, which takes a tenth of its time. Only
 // cmake/precompiled.hpp includes this file; without it everything compiles as well, and more slowly.
 #pragma once
 

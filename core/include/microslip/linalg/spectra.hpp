@@ -6,10 +6,10 @@
 namespace microslip {
 
 /// \file
-/// Spectra of dense matrices for analysis and tests, by GSL. All take O(n^3) operations and leave the
-/// matrix as it is; the matrix has at least one row.
+/// These functions find spectra of dense matrices, by GSL. They serve analysis and tests. Each takes
+/// O(n^3) operations. A matrix has at least one row.
 
-/// Returns the n eigenvalues of a square matrix by imaginary part, and those of one by real part.
+/// Returns the n eigenvalues of a square matrix, sorted by imaginary part and then by real part.
 /// \throws NotConverged if the QR method ends without them
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix);
 
@@ -18,8 +18,9 @@ Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& matrix);
 double least_eigenvalue(const Eigen::MatrixXd& symmetric);
 
 /// Returns the ratio of the largest singular value to the least: the condition number of the 2-norm.
-/// It is infinite for a singular matrix.
-/// \throws NotConverged if Jacobi's rotations end without them
+/// For a singular matrix it is infinite, or as large as rounding leaves it.
+/// \param matrix  has at least as many rows as columns
+/// \throws NotConverged if Jacobi's rotations end without them, or with fewer rows than columns
 double condition(const Eigen::MatrixXd& matrix);
 
 }  // namespace microslip
