@@ -39,7 +39,7 @@ TEST(UnderRelaxationStudy, RelaxedSolutionsKeepTheirExtrema) {
   }
 }
 
-// The full study makes the whole distance at c = 1e-6; here two elements of it, for both bases.
+// The full study makes the whole distance at c = 1e-5; here two elements at 1e-6, for both bases.
 TEST(UnderRelaxationStudy, NoWigglesAtAMillionthOfAnElement) {
   for (const Basis& basis : {constant_basis(), linear_basis()}) {
     const CattaneoToCarter rolling = rolling_on(15, basis);

@@ -308,6 +308,7 @@ void StickZones::add_strain(std::shared_ptr<const ChebyshevSeries> strain, Index
   constexpr double digits = 18;
   constexpr double most = 2000;
   strain_ = std::move(strain);
+  std::vector<double> positions;
   for (std::size_t j = 0; j < size(); ++j) {
     const auto b = static_cast<Index>(2 * j + 1);
     const double width = between_(b, b + 1);
@@ -329,19 +330,21 @@ void StickZones::add_strain(std::shared_ptr<const ChebyshevSeries> strain, Index
         weight /= std::sqrt(std::abs(distance({m, 0}, place)));
       }
       strain_places_.push_back(place);
-      strain_positions_.push_back(position(place));
-      strain_values_.push_back((*strain_)(strain_positions_.back()));
+      positions.push_back(position(place));
       strain_weights_.push_back(weight);
     }
   }
+  strain_values_ =
+      (*strain_)(Eigen::VectorXd::Map(positions.data(), static_cast<Index>(positions.size())));
 }
 
 double StickZones::from_strain(std::size_t, const BoundaryPlace& place) const {
   constexpr double same = 1e-6;
   const double x = position(place);
-  const double here = (*strain_)(x);
   const double step = same * contact_->rows.half_width();
-  const double slope = ((*strain_)(x + step) - (*strain_)(x - step)) / (2 * step);
+  const Eigen::VectorXd around = (*strain_)(Eigen::Vector3d(x - step, x, x + step));
+  const double here = around[1];
+  const double slope = (around[2] - around[0]) / (2 * step);
   double sum = 0;
   for (std::size_t i = 0; i < strain_places_.size(); ++i) {
     const double away = distance(strain_places_[i], place);
