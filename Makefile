@@ -54,7 +54,7 @@ deps:
 cmake_build = mkdir -p build/$(1); \
   [ -f build/$(1)/CMakeCache.txt ] || cmake --preset $(1) $(CMAKE_FLAGS) >build/$(1)/configure.log || \
     { cat build/$(1)/configure.log; rm -f build/$(1)/CMakeCache.txt; exit 1; }; \
-  MAKEFLAGS=--no-print-directory cmake --build --preset $(1) -j $(JOBS) $(2) | sed -u -e '/^Consolidate compiler/d' -e '/^-- /d'
+  cmake --build --preset $(1) -j $(JOBS) $(2) | sed -u -e '/^ninja: no work to do/d' -e '/^-- /d'
 
 build: deps
 	@$(call cmake_build,release,--target programs)

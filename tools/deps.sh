@@ -13,6 +13,7 @@ needs() {
 g++ g++
 cmake cmake
 make make
+ninja-build ninja
 libeigen3-dev /usr/include/eigen3/Eigen/Core
 libboost-dev /usr/include/boost/algorithm/string/replace.hpp
 libboost-program-options-dev /usr/lib/*/cmake/boost_program_options-*
