@@ -179,6 +179,9 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   };
   if (scene.state) {
     end = rolled.restore(*scene.state, loads.at(scene.from));
+  } else if (scene.start) {
+    end = rolled.start_from(*scene.start);
+    if (coarse) coarse->start_from(*scene.start);
   } else {  // the start is no step
     end.motion.setZero();
     end.dissipation = 0;

@@ -59,15 +59,30 @@ RolledPatch::AnyRolling RolledPatch::rolling_of(const SteadyPatch& patch,
                                                 const ContactScale& contact) {
   if (std::holds_alternative<Remembered>(scheme)) return PatchRolling(patch, contact);
   const PatchBound& bound = patch.bound;
+  const auto* relaxed = std::get_if<Relaxed>(&scheme);
   return RectangleRolling({.material = patch.material,
                            .bound = {bound.half_width(), bound.lateral_half_width(), bound.peak()},
                            .elements = patch.elements,
-                           .rows = patch.rows});
+                           .rows = patch.rows,
+                           .relaxation = relaxed == nullptr ? 0 : relaxed->step_ratio});
 }
 
 RolledPatch::RolledPatch(const SteadyPatch& patch, const AdvectionScheme& scheme,
                          const ContactScale& contact)
     : patch_(patch), rolling_(rolling_of(patch, scheme, contact)) {}
+
+PatchStepEnd RolledPatch::start_from(const TractionTable& tractions) {
+  std::visit(
+      [&](auto& of) {
+        const double size = present_contact(of).half_width;
+        const VectorXd x = of.x() / size, y = of.y() / size, bound = of.bound();
+        MatrixX2d at(x.size(), 2);
+        for (Index i = 0; i < x.size(); ++i) at.row(i) = bound[i] * tractions(x[i], y[i]);
+        of.start_from(at);
+      },
+      rolling_);
+  return end();
+}
 
 /// A resultant of the load is exact, that of the state has the rounding of its solution; the load
 /// before may have been another one.

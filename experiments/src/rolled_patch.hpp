@@ -8,6 +8,7 @@
 
 #include "microslip/patch/patch_rolling.hpp"
 #include "microslip/patch/standard_patch.hpp"
+#include "microslip/patch/traction_table.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/scene/table.hpp"
 #include "microslip/support/not_converged.hpp"
@@ -30,8 +31,11 @@ class RolledPatch {
  public:
   /// Begins without tractions.
   /// \param patch    its load is not used
-  /// \param contact  over the problem's; with Direct the problem's
+  /// \param contact  over the problem's, which it is by all but Remembered
   RolledPatch(const SteadyPatch& patch, const AdvectionScheme& scheme, const ContactScale& contact);
+
+  /// Begins with tractions, in the contact that was given.
+  PatchStepEnd start_from(const TractionTable& tractions);
 
   /// Continues from a saved state, with Remembered.
   /// \param load  with which the next step begins
@@ -80,6 +84,10 @@ class CoarsePatch {
  public:
   /// As RolledPatch.
   CoarsePatch(const SteadyPatch& patch, const AdvectionScheme& scheme, const ContactScale& contact);
+
+  void start_from(const TractionTable& tractions) {
+    if (rolled_) rolled_->start_from(tractions);
+  }
 
   /// \param length  of the step; 1 for a shift  [mm]
   /// \param step    of RolledPatch

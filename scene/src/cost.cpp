@@ -74,7 +74,7 @@ struct MemoryOf {
     constexpr double of_rectangle = 4000;
     const double rows = steps_needed(scene) + static_cast<double>(scene.shifts.size());
     const double of_contact =
-        std::holds_alternative<Direct>(scene.scheme)
+        !std::holds_alternative<Remembered>(scene.scheme)
             ? of_rectangle * static_cast<double>(scene.patch.rows * scene.patch.elements)
             : memory_of_steps * (*this)(scene.patch);
     return of_contact + row_of_history * rows;
@@ -130,7 +130,7 @@ struct WorkOf {
   double operator()(const PatchTransient& scene) const {
     const auto n = static_cast<double>(scene.patch.rows * scene.patch.elements);
     const double steps = steps_needed(scene) + static_cast<double>(scene.shifts.size());
-    if (std::holds_alternative<Direct>(scene.scheme)) return 60 * steps * n * n;
+    if (!std::holds_alternative<Remembered>(scene.scheme)) return 60 * steps * n * n;
     const double response = 22 * n * n * n, step = 300 * n * n;
     const bool is_same = scene.step_ratios.size() == 1 && !scene.loads.changes_size();
     const double responses = is_same ? std::min(steps, 3.0) : steps;

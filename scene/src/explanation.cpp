@@ -297,10 +297,15 @@ Explanation of_patch(const PatchTransient& scene) {
       "rolls {} mm, {} contact lengths, in {} steps", five_digits(scene.distance - scene.from),
       five_digits((scene.distance - scene.from) / (2 * scene.patch.bound.half_width())),
       five_digits(steps_needed(scene))));
-  if (std::holds_alternative<Direct>(scene.scheme)) {
+  if (!std::holds_alternative<Remembered>(scene.scheme)) {
     lines.emplace_back(
         "tractions are constant in equal rectangles, and displacements are moved with the "
         "material, as in CONTACT: first order in dx");
+    if (const auto* relaxed = std::get_if<Relaxed>(&scene.scheme)) {
+      lines.push_back(fmt::format(
+          "under-relaxation: steps shorter than {} elements do not wiggle, and smooth peaks",
+          five_digits(relaxed->step_ratio)));
+    }
   } else {
     lines.emplace_back(
         "the material remembers its displacement: second order in the step, of any length; stick "

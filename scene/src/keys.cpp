@@ -333,9 +333,12 @@ constexpr auto keys = std::to_array<Key>({
      .patch_role = by_shifts},
     {.name = "start.file",
      .type = file,
-     .meaning = "table with columns x and traction, with rows up to the edges of the contact",
+     .meaning =
+         "table with columns x and traction, with rows up to the edges of the contact; of an "
+         "ellipse or patch columns x, y, traction_x and traction_y",
      .note = "a file",
-     .role = "start.type file"},
+     .role = "start.type file",
+     .patch_role = "start.type file"},
     {.name = "start.state",
      .type = file,
      .meaning = "state of a transient that --save wrote, for the same contact, kernel, grid and "
@@ -362,7 +365,7 @@ constexpr auto keys = std::to_array<Key>({
     {.name = "step.scheme",
      .type = word,
      .meaning = "how the previous tractions move with the material; in an ellipse remembered, or "
-                "direct on equal rectangles",
+                "direct or relaxed on equal rectangles",
      .role = rolls,
      .catalogue = &advection_names,
      .first_is_default = true,
@@ -371,7 +374,8 @@ constexpr auto keys = std::to_array<Key>({
      .meaning = "c* of the relaxed schemes",
      .note = "at least step.ratio",
      .role = "step.scheme relaxed or relaxed_traction",
-     .fallback = 1},
+     .fallback = 1,
+     .patch_role = "step.scheme relaxed"},
     {"cylinder.mass", number, "N s^2/mm^2", "m, per mm of width (1 N s^2/mm = 1000 kg)", above_zero,
      "", "problem cylinder"},
     {"cylinder.inertia", number, "N s^2", "I, per mm of width; of a solid cylinder m R^2/2",

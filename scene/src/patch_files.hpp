@@ -2,6 +2,8 @@
 #pragma once
 
 #include "microslip/patch/patch_bound.hpp"
+#include "microslip/patch/traction_table.hpp"
+#include "microslip/rolling/contact_scale.hpp"
 #include "microslip/scene/scene.hpp"
 
 namespace microslip {
@@ -16,5 +18,11 @@ PatchShape read_shape(Scene& scene);
 
 /// Reads contact.bound_file with columns x, y and bound, and warns of a coarse one.
 PatchBound read_bound_table(Scene& scene, const PatchShape& shape);
+
+/// Reads start.file with columns x, y, traction_x and traction_y, and warns of points outside.
+/// \param contact  at the start, over that of the bound
+/// \return on the bound's own shape
+TractionTable read_start_tractions(Scene& scene, const PatchBound& bound,
+                                   const ContactScale& contact);
 
 }  // namespace microslip

@@ -102,8 +102,9 @@ void read_patch_start(Scene& scene, PatchTransient& read) {
     read.shifts = read_patch_shifts(scene, read.patch, read.loads.at(0), read.loads.contact_at(0));
     return;
   }
-  if (type != "state") {
-    reject("start.type", type, "rest, cattaneo or state, as the contact has three dimensions");
+  if (type == "file") {
+    read.start = read_start_tractions(scene, read.patch.bound, read.loads.contact_at(0));
+    return;
   }
   if (!std::holds_alternative<Remembered>(read.scheme)) {
     reject("step.scheme", scene.text("step.scheme"), "remembered with start.type state");
@@ -114,18 +115,53 @@ void read_patch_start(Scene& scene, PatchTransient& read) {
   });
 }
 
+/// Forces and the moment of tractions in the contact at the start.
+Eigen::Vector3d resultants_of(const TractionTable& tractions, const PatchBound& bound,
+                              const ContactScale& contact) {
+  const PatchShape& shape = bound.shape();
+  const auto integral = [&](const auto& of) {
+    return integral_over(shape, [&](std::size_t lobe, double psi, double theta) {
+      const Lobe& in = shape.lobes()[lobe];
+      const Lobe::Row row = in.row(psi);
+      const double x = row.middle + row.half_length * std::cos(theta), y = in.y(psi);
+      return bound(lobe, psi, theta) * of(x, y, tractions(x, y));
+    });
+  };
+  using Pair = Eigen::Vector2d;
+  const Eigen::Vector3d found(
+      integral([](double, double, const Pair& p) { return p[0]; }),
+      integral([](double, double, const Pair& p) { return p[1]; }),
+      integral([](double x, double y, const Pair& p) { return x * p[1] - y * p[0]; }));
+  const double force = contact.half_width * contact.half_width * contact.bound;
+  return force * found.cwiseProduct(Eigen::Vector3d(1, 1, contact.half_width));
+}
+
+/// Warns of resultants that the start does not carry: those of a start at rest, and of tractions from
+/// a file by more than 2 % of the largest.
 void warn_of_sudden_resultants(Scene& scene, const PatchTransient& read) {
-  if (scene.word("start.type") != "rest") return;
+  constexpr double sudden = 0.02;
+  const std::string type = scene.word("start.type");
+  if (type != "rest" && type != "file") return;
   const PatchLoad load = read.loads.at(0);
+  const ContactScale contact = read.loads.contact_at(0);
+  const Eigen::Vector3d largest = largest_resultants(read.patch.bound, contact);
+  Eigen::Vector3d at_start = Eigen::Vector3d::Zero();
+  if (read.start) at_start = resultants_of(*read.start, read.patch.bound, contact);
   for (std::size_t j = 0; j < load.size(); ++j) {
     const auto& [by_resultant, value] = load[j];
-    if (!by_resultant || value == 0) continue;
+    const auto i = static_cast<Eigen::Index>(j);
+    const double least = read.start ? sudden * largest[i] : 0;
+    if (!by_resultant || std::abs(value - at_start[i]) <= least) continue;
     const std::string key = patch_components[j].resultant;
     const bool is_given = scene.has(key) || scene.has(patch_components[j].ratio);
+    const std::string from = read.start
+                                 ? fmt::format("the tractions of start.file, which carry {},",
+                                               format_roughly(at_start[i]))
+                                 : "a start at rest,";
     scene.warn(is_given ? key : key.substr(5) + " of load.file", value,
-               fmt::format("from a start at rest, it is reached over the first step, of {} mm; "
-                           "start.type cattaneo starts under it",
-                           format_roughly(read.step_lengths().front())));
+               fmt::format("from {} it is reached over the first step, of {} mm; start.type "
+                           "cattaneo starts under it",
+                           from, format_roughly(read.step_lengths().front())));
   }
 }
 
@@ -197,15 +233,33 @@ void require_step_lengths(const Scene& scene, const PatchTransient& read) {
 AdvectionScheme read_patch_scheme(Scene& scene) {
   const std::string scheme = scene.word("step.scheme");
   if (scheme == "remembered") return Remembered{};
-  if (scheme != "direct") {
-    reject("step.scheme", scheme, "remembered or direct, as the contact has three dimensions");
+  if (scheme != "direct" && scheme != "relaxed") {
+    reject("step.scheme", scheme,
+           "remembered, direct or relaxed, as the contact has three dimensions");
   }
   for (const char* key : {patch_file, bound_file}) {
     if (!scene.has(key)) continue;
     reject("step.scheme", scheme,
-           fmt::format("remembered with {}, as direct has Hertz's bound", key));
+           fmt::format("remembered with {}, as others have Hertz's bound", key));
   }
-  return Direct{};
+  if (scheme == "direct") return Direct{};
+  return Relaxed{scene.positive("step.relaxation")};
+}
+
+void require_relaxation(const Scene& scene, const PatchTransient& read) {
+  constexpr double largest = 1e6, rounding = 1e-12;
+  const auto* relaxed = std::get_if<Relaxed>(&read.scheme);
+  if (relaxed == nullptr) return;
+  require(relaxed->step_ratio <= largest, "step.relaxation", relaxed->step_ratio, "at most 1e6");
+  const double most = std::ranges::max(read.step_ratios);
+  if (most <= relaxed->step_ratio * (1 + rounding)) return;
+  const bool has_ratio = scene.has("step.ratio");
+  require(false, has_ratio ? "step.ratio" : "step.relaxation",
+          has_ratio ? most : relaxed->step_ratio, [&] {
+            return has_ratio ? "at most step.relaxation, " + format_short(relaxed->step_ratio)
+                             : "at least the c of the steps from row to row of load.file, " +
+                                   format_short(most);
+          });
 }
 
 }  // namespace
@@ -251,6 +305,7 @@ PatchTransient read_patch_transient(Scene& scene) {
   if (std::holds_alternative<Remembered>(scheme)) {
     require_step_lengths(scene, read);
   } else {
+    require_relaxation(scene, read);
     const auto [least, most] = std::ranges::minmax(read.step_ratios);
     for (const double ratio : {least, most}) {
       warn_outside(scene, entry_of(scheme).safe_steps, "step.ratio", ratio,

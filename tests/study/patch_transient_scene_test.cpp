@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of a patch that rolls by steps, against closed forms, steady rolling and the other scheme.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -115,6 +116,37 @@ TEST(PatchTransientTables, AgreeWithTheStandardScheme) {
   EXPECT_EQ(other.named("history").columns().size(), one.named("history").columns().size());
   EXPECT_GT(other.named("traction").rows(), 400U);
   EXPECT_EQ(other.named("edges").rows(), 48U);
+}
+
+/// The tractions of a table, as a file has them.
+std::string tractions_in(const Table& table) {
+  std::string rows = "x,y,traction_x,traction_y\n";
+  for (std::size_t i = 0; i < table.rows(); ++i) {
+    rows += fmt::format("{},{},{},{}\n", table.number(i, "x"), table.number(i, "y"),
+                        table.number(i, "traction_x"), table.number(i, "traction_y"));
+  }
+  return rows;
+}
+
+// A run goes on from its own tractions, on the same grid and on rectangles: 2 mm change the force by
+// 3 % of full sliding.
+TEST(PatchTransientTables, GoOnFromTheirOwnTractions) {
+  const Settings load = transient({"load.creepage=0.002", "motion.distance=10"});
+  Settings longer = load, more = load;
+  longer.back() = "motion.distance=12";
+  const PatchTables before(load), whole(longer);
+  ASSERT_GT(std::abs(whole.of("force") - before.of("force")), 0.025 * full);
+  more.insert(more.end(), {"start.type=file", "start.file=tractions", "motion.distance=2"});
+  const PatchTables after(more, tractions_in(before.named("traction")));
+  const Table& history = after.named("history");
+  EXPECT_NEAR(history.number(0, "force"), before.of("force"), 1e-9 * full);
+  EXPECT_EQ(history.number(0, "creepage"), 0);
+  EXPECT_NEAR(after.of("force"), whole.of("force"), 1e-3 * full);
+  EXPECT_LT(after.of("change"), 0.05);
+  Settings relaxed = more;
+  relaxed.insert(relaxed.end(), {"step.scheme=relaxed", "step.ratio=0.5"});
+  const PatchTables rectangles(relaxed, tractions_in(before.named("traction")));
+  EXPECT_NEAR(rectangles.of("force"), whole.of("force"), 1e-2 * full);
 }
 
 TEST(PatchTransientTables, FollowAFileAsTheConstantLoadThatItHas) {

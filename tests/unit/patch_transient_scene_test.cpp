@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps of a patch as scenes give them: starts, loads that change, lengths of steps.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -119,8 +120,9 @@ TEST(PatchTransientScene, IsRefusedInOneLineThatNamesTheKey) {
   expect_refused({"motion.distance=0"}, "motion.distance = 0: expected");
   expect_refused({"motion.distance=3 km"}, "motion.distance = 3e+06: expected at most 1e+06 steps");
   expect_refused({"motion.distance=12.0000003"}, "the last step would be 3e-07 mm long");
-  expect_refused({"step.scheme=relaxed"}, "step.scheme = 'relaxed': expected remembered or direct");
-  expect_refused({"start.type=file"}, "start.type = 'file': expected rest, cattaneo or state");
+  expect_refused({"step.scheme=fractional"},
+                 "step.scheme = 'fractional': expected remembered, direct or relaxed");
+  expect_refused({"step.relaxation=1"}, "it is for step.scheme relaxed");
   expect_refused({"start.force=1"},
                  "key 'start.force' has no role here: it is for start.type cattaneo");
   expect_refused({"kernel.type=plane"}, "it is for line contacts, not for this ellipse");
@@ -291,6 +293,58 @@ TEST(PatchTransientScene, IsWarnedOfStepsThatMissTheContact) {
   ASSERT_EQ(of_small.size(), 1U);
   EXPECT_NE(of_small[0].find("above half of the least half-width, 1 mm"), std::string::npos)
       << of_small[0];
+}
+
+TEST(PatchTransientScene, HasUnderRelaxationOfStepsUpToItsLength) {
+  const Settings relaxed{"step.scheme=relaxed", "step.ratio=0.5 1"};
+  const auto with = [&](const std::string& more) {
+    Settings all = relaxed;
+    all.push_back(more);
+    return all;
+  };
+  EXPECT_EQ(std::get<Relaxed>(transient_of(relaxed).scheme).step_ratio, 1);
+  EXPECT_EQ(std::get<Relaxed>(transient_of(with("step.relaxation=1.5")).scheme).step_ratio, 1.5);
+  expect_refused(with("step.relaxation=0.9"), "step.ratio = 1: expected at most step.relaxation");
+  expect_refused(with("step.relaxation=0"), "step.relaxation = 0: expected");
+  expect_refused(with("step.relaxation=2e6"), "step.relaxation = 2e+06: expected at most 1e6");
+  expect_refused(
+      {"step.scheme=relaxed", "load.file=run", "load.force=", "step.ratio=", "motion.distance="},
+      "step.relaxation = 1: expected at least the c of the steps from row to row of load.file, 4",
+      "q,force\n0,0\n6,10\n12,20\n");
+}
+
+/// Tractions on 5 by 5 points of the ellipse, a fraction of the bound along the rolling.
+std::string tractions_of(double fraction) {
+  std::string rows = "x,y,traction_x,traction_y\n";
+  for (int k = -2; k <= 2; ++k) {
+    for (int i = -2; i <= 2; ++i) {
+      const double y = 0.4 * k, s = 0.4 * i;
+      const double x = s * std::sqrt(1 - y * y);
+      rows +=
+          fmt::format("{},{},{},0\n", 6 * x, 4 * y, fraction * 300 * std::sqrt(1 - x * x - y * y));
+    }
+  }
+  return rows;
+}
+
+TEST(PatchTransientScene, BeginsUnderTractionsOfAFile) {
+  const double full = 2.0 / 3 * M_PI * 6 * 4 * 300;
+  const Settings file{"start.type=file", "start.file=tractions", "load.spin="};
+  const PatchTransient read = transient_of(file, tractions_of(-4000 / full));
+  ASSERT_TRUE(read.start);
+  EXPECT_NEAR((*read.start)(1, 2)[0], -4000 / full, 1e-12);
+  EXPECT_TRUE(warnings_of(file, tractions_of(-4000 / full)).empty());
+  const auto warnings = warnings_of(file, tractions_of(-2000 / full));
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(warnings[0].find("load.force = -4000: from the tractions of start.file, which carry "
+                             "-2e+03, it is reached over the first step, of 1.5 mm"),
+            0U)
+      << warnings[0];
+  expect_refused(file, "start.file = 'tractions': row 1: traction = ", tractions_of(-1.1));
+  expect_refused(file, "start.file = 'tractions': line 1: expected a column 'traction_y'", "x,y,traction_x\n0,0,0\n");
+  expect_refused(file, "number of y with tractions = 1: expected three or more",
+                 "x,y,traction_x,traction_y\n0,0,0,0\n");
+  expect_refused({"start.type=file"}, "missing key 'start.file'");
 }
 
 TEST(PatchTransientScene, IsWarnedOfForcesAtOnceAndOfOtherSteps) {

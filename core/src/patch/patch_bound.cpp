@@ -8,9 +8,10 @@
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
-#include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
+#include "point_rows.hpp"
 
 namespace microslip {
 
@@ -18,119 +19,56 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-namespace {
-
-/// A point belongs to the shape up to this part of a row's half-length beyond an edge, as tables are
-/// printed with few digits.
-constexpr double printed_edge = 1e-4;
-
-/// Largest part of a lobe's height without a row of points.
-constexpr double widest_gap = 1.0 / 3;
-
-/// A point of a table in the shape.
-struct BoundPoint {
-  std::size_t lobe;
-  double y, s, value;
-  Index row;  ///< in the table
-};
-
-/// The lobe of a point and its s in there; nothing outside.
-std::optional<BoundPoint> placed(const PatchShape& shape, double x, double y) {
-  for (std::size_t l = 0; l < shape.lobes().size(); ++l) {
-    const Lobe& lobe = shape.lobes()[l];
-    if (y < lobe.low() || y > lobe.high()) continue;
-    const Lobe::Row row = lobe.row(lobe.psi(y));
-    const double away = x - row.middle;
-    if (std::abs(away) > (1 + printed_edge) * row.half_length) continue;
-    if (row.half_length < printed_edge * lobe.height()) return BoundPoint{l, y, 0, 0, 0};
-    double s = std::clamp(away / row.half_length, -1.0, 1.0);
-    if (std::abs(s) > 1 - printed_edge) s = std::copysign(1, s);
-    return BoundPoint{l, y, s, 0, 0};
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 BoundTable::BoundTable(const PatchShape& shape, const VectorXd& x, const VectorXd& y,
                        const VectorXd& values) {
   require(x.size() == y.size() && x.size() == values.size() && x.size() > 0, "number of rows",
           static_cast<double>(x.size()), "as many values of x, y and bound, at least one");
-  std::vector<BoundPoint> points;
   for (Index i = 0; i < x.size(); ++i) {
-    const auto name = [&](const char* of) { return fmt::format("row {}: {}", i + 1, of); };
-    require(true, name("x"), x[i], "a finite number");
-    require(true, name("y"), y[i], "a finite number");
-    require(values[i] >= 0 && values[i] <= 1e50, name("bound"), values[i],
+    require(values[i] >= 0 && values[i] <= 1e50, fmt::format("row {}: bound", i + 1), values[i],
             "a number from 0 to 1e50 N/mm^2");
-    auto point = placed(shape, x[i], y[i]);
-    if (!point) {
-      left_out_ += values[i] > 0;
-      continue;
+  }
+  const PointRows found = rows_of_points(shape, x, y);
+  for (const Index i : found.outside) left_out_ += values[i] > 0;
+  for (const auto& rows : found.lobes) {
+    Rows& lobe = lobes_.emplace_back();
+    for (const PointRow& row : rows) {
+      if (auto known = row_of(row, values)) lobe.push_back(std::move(*known));
     }
-    point->value = values[i];
-    point->row = i;
-    points.push_back(*point);
-    peak_ = std::max(peak_, values[i]);
   }
   require(peak_ > 0, "largest bound within the edges", peak_, "a number > 0");
-  std::ranges::sort(points, [](const BoundPoint& one, const BoundPoint& other) {
-    return std::tie(one.lobe, one.y, one.s) < std::tie(other.lobe, other.y, other.s);
-  });
-  lobes_.resize(shape.lobes().size());
-  for (std::size_t begin = 0, end = 0; begin < points.size(); begin = end) {
-    const BoundPoint& first = points[begin];
-    while (end < points.size() && points[end].lobe == first.lobe && points[end].y == first.y) {
-      ++end;
-      if (end < points.size() && points[end].lobe == first.lobe && points[end].y == first.y) {
-        require(points[end].s > points[end - 1].s, fmt::format("row {}: x", points[end].row + 1),
-                x[points[end].row], "a point that is in no other row");
-      }
-    }
-    // Zeros next to the edges are outside; those of the edges themselves are without them, too.
-    std::size_t from = begin, to = end;
-    while (from < to && points[from].value == 0) ++from;
-    while (to > from && points[to - 1].value == 0) --to;
-    if (from == to) continue;
-    Row row{.y = first.y, .places = {}, .squares = {}};
-    const auto add = [&](double s, double square) {
-      row.places.push_back(s);
-      row.squares.push_back(square);
-    };
-    if (points[from].s > -1) add(-1, 0);
-    for (std::size_t i = from; i < to; ++i) {
-      require(points[i].value > 0, fmt::format("row {}: bound", points[i].row + 1), points[i].value,
-              "a number > 0 between others that are");
-      add(points[i].s, points[i].value * points[i].value);
-    }
-    if (points[to - 1].s < 1) add(1, 0);
-    lobes_[first.lobe].push_back(std::move(row));
-  }
   for (std::size_t l = 0; l < lobes_.size(); ++l) {
-    const Lobe& lobe = shape.lobes()[l];
-    const auto where = [&] {
-      return fmt::format("y from {} to {} mm", format_short(lobe.low()), format_short(lobe.high()));
-    };
-    require(lobes_[l].size() >= 3, "number of y with a bound > 0",
-            static_cast<double>(lobes_[l].size()),
-            [&] { return "three or more within the edges for " + where(); });
+    std::vector<double> at;
     std::size_t most = 0;
-    double below = lobe.low();
-    const auto require_near = [&](double y) {
-      require(y - below <= widest_gap * 2 * lobe.height(), "y", y, [&] {
-        return fmt::format("a bound > 0 between {} mm and here, too: gaps of at most a third of {}",
-                           format_short(below), where());
-      });
-      below = y;
-    };
     for (const Row& row : lobes_[l]) {
-      most = std::max(most, row.places.size());
-      require_near(row.y);
+      at.push_back(row.y);
+      most = std::max(most, row.places.size() - 2);
     }
-    require_near(lobe.high());
-    require(most >= 5, "number of x with a bound > 0 on one y", static_cast<double>(most) - 2,
-            [&] { return "three or more within the edges for some " + where(); });
+    require_rows(shape.lobes()[l], at, most, "a bound > 0");
   }
+}
+
+/// Returns the points of a row that are above 0, with ends; nothing if there is none. Zeros next to
+/// the edges are outside; those of the edges themselves are without them, too.
+std::optional<BoundTable::Row> BoundTable::row_of(const PointRow& row, const VectorXd& values) {
+  std::size_t from = 0, to = row.points.size();
+  while (from < to && values[row.points[from]] == 0) ++from;
+  while (to > from && values[row.points[to - 1]] == 0) --to;
+  if (from == to) return std::nullopt;
+  Row found{.y = row.y, .places = {}, .squares = {}};
+  const auto add = [&](double s, double square) {
+    found.places.push_back(s);
+    found.squares.push_back(square);
+  };
+  if (row.s[from] > -1) add(-1, 0);
+  for (std::size_t i = from; i < to; ++i) {
+    const double value = values[row.points[i]];
+    require(value > 0, fmt::format("row {}: bound", row.points[i] + 1), value,
+            "a number > 0 between others that are");
+    add(row.s[i], value * value);
+    peak_ = std::max(peak_, value);
+  }
+  if (row.s[to - 1] < 1) add(1, 0);
+  return found;
 }
 
 double BoundTable::square_of(const Row& row, double s) {

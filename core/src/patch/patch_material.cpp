@@ -84,6 +84,13 @@ Vector2d PatchMaterial::imposed_by(const StepWays& ways, const MaterialWay& way,
   return -at_entry / way.length;
 }
 
+void PatchMaterial::begin(PointDisplacements& u) {
+  for (Index k = 0; k < u.rows().rows(); ++k) {
+    edge_.row(k) = u.at(0, k);
+    touch_anew(k, u);
+  }
+}
+
 void PatchMaterial::take(const PatchStep& step, PointDisplacements& u,
                          const Eigen::Vector3d& motion, const std::vector<bool>& slips) {
   const JoinedRows& rows = u.rows();

@@ -41,6 +41,9 @@ class PatchMaterial {
   /// \param found  out
   void impose(const PatchStep& step, PointDisplacements& u, ImposedSlip& found) const;
 
+  /// Remembers displacements that no slip has led to, before the first step.
+  void begin(PointDisplacements& u);
+
   /// Takes over a step.
   /// \param step    to the present size
   /// \param u       displacements at its end

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "microslip/support/require.hpp"
 #include "patch_evidence.hpp"
@@ -53,6 +54,12 @@ void PatchRolling::set_contact(const ContactScale& scale) {
 }
 
 const ContactScale& PatchRolling::contact() const { return parts_->next; }
+
+void PatchRolling::start_from(const MatrixX2d& tractions) {
+  Parts fresh(parts_->constants, parts_->next);
+  fresh.start_from(tractions / parts_->units().peak);
+  *parts_ = std::move(fresh);
+}
 
 void PatchRolling::shift(const PatchLoad& load) {
   const double size = parts_->next.half_width;

@@ -56,6 +56,17 @@ PatchRolling::Parts::Parts(std::shared_ptr<const PatchConstants> given, const Co
   before = state;
 }
 
+void PatchRolling::Parts::start_from(const Eigen::MatrixX2d& tractions) {
+  const JoinedRows& rows = constants->rows;
+  const VectorXd ones = VectorXd::Ones(2 * rows.cells());
+  const Eigen::MatrixX2d given = tractions_within(
+      tractions, now.bound * tractions_of(rows, constants->limits.replicate(2, 1), 1).col(0));
+  state.unknowns = given.cwiseQuotient(tractions_of(rows, ones, 1)).reshaped();
+  before = state;
+  displacements.set(state.unknowns, now.half_width);
+  material.begin(displacements);
+}
+
 VectorXd PatchRolling::Parts::shares() const {
   const Index n = constants->rows.cells();
   return now.half_width * now.half_width * constants->resultants.row(0).head(n).transpose();

@@ -76,6 +76,9 @@ struct PatchRolling::Parts {
   const Eigen::VectorXd& last_limits() { return limits_of_bound(now.bound); }
   double condition() const { return response ? response->of.condition() : 0; }
 
+  /// Sets tractions before the first step, over the bound's peak.
+  void start_from(const Eigen::MatrixX2d& tractions);
+
   /// \param dq  0 for a shift
   void take(double dq, const PatchLoad& load);
 

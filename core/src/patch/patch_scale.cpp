@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_scale.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
+#include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip {
@@ -61,6 +64,21 @@ Eigen::MatrixX2d tractions_of(const JoinedRows& rows, const VectorXd& unknowns, 
     }
   }
   return tractions;
+}
+
+Eigen::MatrixX2d tractions_within(const Eigen::MatrixX2d& tractions, const VectorXd& bound) {
+  constexpr double rounding = 1e-9;
+  require(tractions.rows() == bound.size(), "number of tractions",
+          static_cast<double>(tractions.rows()),
+          [&] { return fmt::format("one for each of the {} elements", bound.size()); });
+  Eigen::MatrixX2d within = tractions;
+  for (Index i = 0; i < bound.size(); ++i) {
+    const double size = tractions.row(i).norm();
+    require(size <= bound[i] + rounding * bound.maxCoeff(), "traction", size,
+            [&] { return fmt::format("at most the bound, {}", format_short(bound[i])); });
+    if (size > bound[i]) within.row(i) *= bound[i] / size;
+  }
+  return within;
 }
 
 }  // namespace microslip

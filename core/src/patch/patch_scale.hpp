@@ -46,4 +46,9 @@ Eigen::MatrixX2d slip_of(const PatchState& state);
 /// The tractions at the centres of cells, along and across, by the unknowns v in units of the peak.
 Eigen::MatrixX2d tractions_of(const JoinedRows& rows, const Eigen::VectorXd& unknowns, double peak);
 
+/// The same tractions, of which those above the bound by rounding are the bound.
+/// \param bound  of as many elements
+/// \throws std::invalid_argument for another number of them, and above the bound
+Eigen::MatrixX2d tractions_within(const Eigen::MatrixX2d& tractions, const Eigen::VectorXd& bound);
+
 }  // namespace microslip

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/patch/standard_patch.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "microslip/patch/rectangle_pressure.hpp"
 #include "microslip/patch/steady_patch.hpp"
@@ -44,11 +47,17 @@ Matrix3Xd resultants_by_tractions(const Rectangles& of) {
   return resultants;
 }
 
+/// A step ratio is a quotient of lengths.
+constexpr double rounding_of_step = 1e-12;
+
 /// The part of dq at which spin is taken ahead of the centre of an element, as by CONTACT.
 constexpr double spin_ahead = 1.0 / 6;
 
 RectanglePressure pressure_of(const StandardPatch& problem) {
+  constexpr double largest_relaxation = 1e6;
   validate(problem.material);
+  require(problem.relaxation >= 0 && problem.relaxation <= largest_relaxation, "relaxation",
+          problem.relaxation, "0, or a number up to 1e6");
   const double root = std::sqrt(problem.bound.ratio());
   if (problem.pressure == StandardPatch::Pressure::computed) {
     return pressure_of_rectangles(root, 1 / root, problem.elements, problem.rows);
@@ -58,6 +67,17 @@ RectanglePressure pressure_of(const StandardPatch& problem) {
   VectorXd pressure(contact.size());
   for (Index i = 0; i < contact.size(); ++i) pressure[i] = hertz(contact.x(i), contact.y(i));
   return {contact, pressure, 1, 0};
+}
+
+/// The parts of the slip in a step, or in a shift, by the tractions before it.
+/// \param elements    that are rolled; 0 in a shift
+/// \param length      that divides the difference
+/// \param relaxation  c*, or 0
+std::vector<RectangleInfluence::Part> former_parts(double elements, double length,
+                                                   double relaxation) {
+  if (relaxation == 0 || elements == 0) return {{-1 / length, elements}};
+  const double part = elements / relaxation;
+  return {{-(1 - part) / length, 0}, {-part / length, relaxation}};
 }
 
 /// Slip by the tractions in steady rolling.
@@ -75,10 +95,10 @@ struct RectangleRolling::Parts {
     RectangleInfluence present, former;
     MatrixX3d rigid;
 
-    StepInfluence(const Rectangles& of, double nu, double dq)
+    StepInfluence(const Rectangles& of, double nu, double dq, double relaxation)
         : length(dq),
           present(of, nu, {{1 / (dq > 0 ? dq : 1), 0}}),
-          former(of, nu, {{-1 / (dq > 0 ? dq : 1), dq / of.dx()}}),
+          former(of, nu, former_parts(dq / of.dx(), dq > 0 ? dq : 1, relaxation)),
           rigid(rigid_slip(of, dq * spin_ahead)) {}
   };
 
@@ -96,11 +116,17 @@ struct RectangleRolling::Parts {
         by_tractions(resultants_by_tractions(touching.contact)),
         size(of.bound.size()),
         units(of.material, of.bound.peak(), size) {
-    const Index n = touching.contact.size();
-    state = {.tractions = VectorXd::Zero(2 * n),
+    begin(VectorXd::Zero(2 * contact().size()));
+  }
+
+  void begin(const VectorXd& tractions) {
+    const Index n = contact().size();
+    state = {.tractions = tractions,
              .slip = VectorXd::Zero(2 * n),
              .motion = Vector3d::Zero(),
              .slips = std::vector<bool>(static_cast<std::size_t>(n), false)};
+    rolled = false;
+    take({});
   }
 
   const Rectangles& contact() const { return touching.contact; }
@@ -123,7 +149,9 @@ struct RectangleRolling::Parts {
 
   void step(double dq, const PatchLoad& load) {
     const PatchLoad wanted = scaled(load, dq > 0);
-    if (!influence || influence->length != dq) influence.emplace(contact(), nu(), dq);
+    if (!influence || influence->length != dq) {
+      influence.emplace(contact(), nu(), dq, problem.relaxation);
+    }
     VectorXd given;
     influence->former.apply(state.tractions, given);
     state = solve_rectangles({.rectangles = contact(),
@@ -165,10 +193,20 @@ RectangleRolling::~RectangleRolling() = default;
 RectangleRolling::RectangleRolling(RectangleRolling&&) noexcept = default;
 RectangleRolling& RectangleRolling::operator=(RectangleRolling&&) noexcept = default;
 
+void RectangleRolling::start_from(const MatrixX2d& tractions) {
+  Parts& parts = *parts_;
+  const VectorXd given =
+      tractions_within(tractions / parts.problem.bound.peak(), parts.touching.pressure).reshaped();
+  parts.begin(given);
+}
+
 void RectangleRolling::shift(const PatchLoad& load) { parts_->step(0, load); }
 
 void RectangleRolling::roll(double dq, const PatchLoad& load) {
   require_positive("dq", dq);
+  const double most = parts_->problem.relaxation * element();
+  require(most == 0 || dq <= most * (1 + rounding_of_step), "dq", dq,
+          [&] { return fmt::format("at most the length of the relaxation, {} mm", most); });
   parts_->step(dq / parts_->size, load);
 }
 

@@ -3,12 +3,15 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "microslip/friction/elliptic_bound.hpp"
 #include "microslip/patch/patch_shape.hpp"
 
 namespace microslip {
+
+struct PointRow;
 
 /// A traction bound that is known at points of a shape.
 ///
@@ -45,6 +48,7 @@ class BoundTable {
   using Rows = std::vector<Row>;
 
   BoundTable() = default;
+  std::optional<Row> row_of(const PointRow& row, const Eigen::VectorXd& values);
   static double square_of(const Row& row, double s);
 
   std::vector<Rows> lobes_;

@@ -75,6 +75,12 @@ class PatchRolling {
   /// The contact that was set last.
   const ContactScale& contact() const;
 
+  /// Begins anew under tractions, in the contact that was set last. Its material has not slipped, and
+  /// remembers the displacements by these tractions.
+  /// \param tractions  along and across, at the centres; above the bound by rounding at most [N/mm^2]
+  /// \throws std::invalid_argument for another number of cells, and above the bound
+  void start_from(const Eigen::MatrixX2d& tractions);
+
   /// Shifts the bodies without rolling.
   /// \param load  shifts of the first body [mm] and its rotation [rad] in the place of motions, or
   ///              resultants

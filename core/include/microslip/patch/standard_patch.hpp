@@ -26,13 +26,16 @@ struct StandardPatch {
   Eigen::Index elements;  ///< N, in the width 2 a along the rolling, >= 1
   Eigen::Index rows;      ///< M, in the width 2 b across, >= 1
   Pressure pressure = Pressure::computed;
+  double relaxation = 0;  ///< c*, at least dq/dx of each step, <= 1e6; 0 without under-relaxation
 };
 
 /// The standard scheme of rolling in three dimensions, which is CONTACT's: tractions are constant
 /// in equal rectangles, and slip is at their centres. In a step over dq
 ///   s = w + [u(x) - u'(x + dq)]/dq,  w = (xi - phi y, eta + phi (x + dq/6)),
 /// with the displacements u' of the tractions before it; steady rolling is a step over an element
-/// with u' = u. In a shift without rolling, s = w + u(x) - u'(x), with the lengths w = (xi - phi y,
+/// with u' = u. With under-relaxation, thesis (7.1), the place of u'(x + dq) is taken by
+///   (1 - dq/(c* dx)) u'(x) + dq/(c* dx) u'(x + c* dx).
+/// In a shift without rolling, s = w + u(x) - u'(x), with the lengths w = (xi - phi y,
 /// eta + phi x). An element sticks or slips by Coulomb's law, each by this slip of its own.
 ///
 /// Motions and resultants are 0, or 1e-100 to 1e100 times those by the bound's strain. Tractions have
@@ -54,6 +57,11 @@ class RectangleRolling {
   RectangleRolling(RectangleRolling&&) noexcept;
   RectangleRolling& operator=(RectangleRolling&&) noexcept;
 
+  /// Begins anew under tractions.
+  /// \param tractions  along and across, at the centres; above the bound by rounding at most [N/mm^2]
+  /// \throws std::invalid_argument for another number of elements, and above the bound
+  void start_from(const Eigen::MatrixX2d& tractions);
+
   /// Shifts the bodies without rolling.
   /// \param load  shifts of the first body [mm] and its rotation [rad] in the place of motions, or
   ///              resultants
@@ -61,7 +69,7 @@ class RectangleRolling {
   void shift(const PatchLoad& load);
 
   /// Rolls over a step.
-  /// \param dq  [mm], in [1e-50, 1e50]
+  /// \param dq  [mm], in [1e-50, 1e50]; at most c* dx with under-relaxation
   /// \throws std::invalid_argument if a number is out of its range; NotConverged
   void roll(double dq, const PatchLoad& load);
 

@@ -7,6 +7,7 @@
 
 #include "microslip/dynamics/cylinder.hpp"
 #include "microslip/patch/steady_patch.hpp"
+#include "microslip/patch/traction_table.hpp"
 #include "microslip/rolling/patch_history.hpp"
 #include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/target_error.hpp"
@@ -108,12 +109,13 @@ SteadyPatch read_steady_patch(Scene& scene);
 /// A contact patch that rolls by steps.
 struct PatchTransient {
   SteadyPatch patch;                      ///< its load is not used
-  AdvectionScheme scheme = Remembered{};  ///< Remembered, or Direct on equal rectangles
+  AdvectionScheme scheme = Remembered{};  ///< Remembered; Direct or Relaxed on rectangles
   std::vector<PatchLoad> shifts = {};    ///< without rolling, one after the other from the start on
   double distance = 0;                   ///< rolled at the end, above `from`  [mm]
   std::vector<double> step_ratios = {};  ///< dq over spacing(), taken in turn, each (0, inf)  [1]
   PatchHistory loads;
-  std::optional<SavedState> state = {};  ///< the start; none for one without tractions
+  std::optional<SavedState> state = {};     ///< the start, if it is one
+  std::optional<TractionTable> start = {};  ///< tractions of the start, on the patch's own size
   double from = 0;                       ///< distance at the start, that of the state  [mm]
 
   double spacing() const;                    ///< the mean length of cells, 2 a/N  [mm]
@@ -121,7 +123,7 @@ struct PatchTransient {
 };
 
 /// Reads steps of an ellipse or another patch: the keys of read_steady_patch(), step.scheme
-/// `remembered` or `direct`, load.file, whose columns go before load.*, step.ratio (one or more
+/// `remembered`, `direct` or `relaxed`, load.file, whose columns go before load.*, step.ratio (one or more
 /// numbers; the rows of load.file by default), motion.distance, and start.type `rest`, `cattaneo`
 /// or `state`. `cattaneo` has start.force or start.shift, and the same of the other components, of
 /// which all have as many numbers; without them, the bodies are shifted to the resultants of the
