@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Steady rolling of a circle under both creepages and spin, half of it slipping.
+// A circle under both creepages and spin, half of it slipping: steady rolling, and steps.
 #include <memory>
 #include <numbers>
 
 #include "bench.hpp"
+#include "microslip/patch/patch_rolling.hpp"
+#include "microslip/patch/standard_patch.hpp"
 #include "microslip/patch/steady_patch.hpp"
 
 namespace microslip::bench {
@@ -48,13 +50,53 @@ Work neighbour(Index size) {
   };
 }
 
+/// Steps of an element, after so many that the same cells slip in each of them.
+template <class Rolling>
+Work step(Rolling rolling, Index size) {
+  const double dq = 2 / static_cast<double>(size);
+  const PatchLoad load = circle(size, 1).load;
+  const auto state = std::make_shared<Rolling>(std::move(rolling));
+  for (Index i = 0; i < 4 * size; ++i) state->roll(dq, load);
+  return [=] {
+    state->roll(dq, load);
+    return state->iterations();
+  };
+}
+
+Work remembered_step(Index size) { return step(PatchRolling(circle(size, 1)), size); }
+
+Work direct_step(Index size) {
+  const SteadyPatch of = circle(size, 1);
+  return step(RectangleRolling({.material = of.material,
+                                .bound = {1, 1, of.bound.peak()},
+                                .elements = size,
+                                .rows = size}),
+              size);
+}
+
+/// As many steps of an element from rest as a row has cells, a contact length: with the response of a
+/// step, and with cells that begin to slip.
+Work rolling_from_rest(Index size) {
+  const auto rest = std::make_shared<const PatchRolling>(circle(size, 1));
+  return [=] {
+    PatchRolling rolling(*rest);
+    int iterations = 0;
+    for (Index i = 0; i < size; ++i) {
+      rolling.roll(2 / static_cast<double>(size), circle(size, 1).load);
+      iterations += rolling.iterations();
+    }
+    return iterations;
+  };
+}
+
 }  // namespace
 
 std::vector<Case> patch_cases(const BenchParameters& p) {
   std::vector<Case> cases;
   for (const Index size : p.ellipse) {
-    const auto add = [&](const char* quantity, const std::function<Work()>& prepare) {
-      cases.push_back({{quantity, "half_space", "joined", size * size}, prepare});
+    const auto add = [&](const char* quantity, const std::function<Work()>& prepare,
+                         const char* method = "joined") {
+      cases.push_back({{quantity, "half_space", method, size * size}, prepare});
     };
     add("ellipse_response", [size] {
       return Work([size] {
@@ -64,6 +106,12 @@ std::vector<Case> patch_cases(const BenchParameters& p) {
     });
     add("ellipse_first", [size] { return first(size); });
     add("ellipse_neighbour", [size] { return neighbour(size); });
+    add(
+        "ellipse_step", [size] { return remembered_step(size); }, "remembered");
+    add(
+        "ellipse_step", [size] { return direct_step(size); }, "direct");
+    add(
+        "ellipse_rolling", [size] { return rolling_from_rest(size); }, "remembered");
   }
   return cases;
 }

@@ -22,7 +22,7 @@ class Targets {
   Table table_{"targets",
                "what was aimed at, on one thread, and what was measured",
                {{"target", "1", "what is limited"},
-                {"kernel", "1", "strip or plane"},
+                {"kernel", "1", "strip or plane; half_space of an ellipse"},
                 {"method", "1", "by which way"},
                 {"measured", "1", "in the unit of the row"},
                 {"limit", "1", "likewise"},
@@ -66,6 +66,11 @@ Table targets_table(const std::vector<Series>& series, const Table& memory) {
     targets.add("N steps by creepage, N = 1600", "strip", scheme, time("rolling_by_creepage", 1600),
                 1, "s");
   }
+  const Series step = find(series, "ellipse_step", "half_space", "remembered");
+  targets.add("ellipse, step, partition unchanged, 100 cells", "half_space", "remembered",
+              step.at(100), 1e-4, "s");
+  targets.add("ellipse, step, partition unchanged, 196 cells", "half_space", "remembered",
+              step.at(196), 5e-4, "s");
   return targets.table();
 }
 

@@ -11,6 +11,7 @@
 #include "contact_ellipse.hpp"
 #include "contact_transients.hpp"
 #include "ellipse_wiggles_runs.hpp"
+#include "ellipse_wiggles_tables.hpp"
 #include "microslip/experiments/claims.hpp"
 #include "study_keys.hpp"
 #include "table_values.hpp"
@@ -22,75 +23,6 @@ using Eigen::VectorXd;
 using namespace ellipse_wiggles_study;
 
 namespace {
-
-constexpr const char* schemes =
-    "remembered: joined rows; direct: equal rectangles; contact: CONTACT's own results";
-
-struct Tables {
-  Table wiggles{
-      "wiggles",
-      "deviation of tractions and forces from the reference, which remembers on more cells",
-      {{"load", "1", "creepage, held force: after a shift by 0.6 of full sliding; spin: from rest"},
-       {"scheme", "1", schemes},
-       {"step_ratio", "1", "c = dq/dx"},
-       {"distance", "1", "q/a"},
-       {"wave", "1",
-        "largest wave from element to element in adhesion, (d- - 2 d + d+)/4 of the deviation d, "
-        "over mu p0",
-        1e-6},
-       {"deviation", "1", "mean deviation in adhesion in the row at the centre, over mu p0", 1e-6},
-       {"peak", "1", "largest traction in adhesion over that of the reference"},
-       {"force", "1", "along, over full sliding; lateral force under spin"},
-       {"force_error", "1", "its deviation", 1e-7},
-       {"moment_error", "1", "of the moment, over full sliding times a", 1e-7},
-       {"creepage", "1", "along, in the step that ends here"}}};
-  Table dependence{
-      "dependence",
-      "largest differences from the shortest steps, over all longer ones",
-      {{"load", "1", "as in wiggles"},
-       {"scheme", "1", "remembered or direct"},
-       {"distance", "1", "q/a"},
-       {"force", "1", "of a force over full sliding, or the moment over it and a", 1e-8},
-       {"traction", "1", "root of the mean square over all cells, over mu p0", 1e-7},
-       {"largest", "1", "largest one of a cell, over mu p0", 1e-7}}};
-  Table tractions{"tractions",
-                  "tractions of the row at the centre under a creepage after the shift",
-                  {{"scheme", "1", "remembered, direct or reference"},
-                   {"step_ratio", "1", "c = dq/dx"},
-                   {"x", "mm", "position"},
-                   {"traction", "1", "-p_x over mu p0"},
-                   {"bound", "1", "over mu p0"}}};
-  Table creepages{"creepages",
-                  "creepage under a held force, in the middle of each step",
-                  {{"scheme", "1", "remembered, direct or reference"},
-                   {"step_ratio", "1", "c = dq/dx"},
-                   {"q", "mm", "distance at the middle of the step"},
-                   {"creepage", "1", "mean over the step"}}};
-  Table noise{
-      "noise",
-      "noise of the creepage under a held force",
-      {{"scheme", "1", "remembered or direct"},
-       {"step_ratio", "1", "c = dq/dx"},
-       {"noise", "1",
-        "root of the mean square of (w- - 2 w + w+)/4 over the mean creepage, from q = a/2 "
-        "on",
-        1e-7},
-       {"error", "1", "root of the mean square of its deviation from the reference, over the mean",
-        1e-7}}};
-  Table map{"map",
-            "tractions and slip under spin from rest, on joined rows",
-            {{"distance", "1", "q/a"},
-             {"x", "mm", "centre of a cell"},
-             {"y", "mm", "the same"},
-             {"x_low", "mm", "end of the cell, at y"},
-             {"x_high", "mm", "the same"},
-             {"y_low", "mm", "the same, across"},
-             {"y_high", "mm", "the same"},
-             {"p_x", "1", "traction along, over mu p0"},
-             {"p_y", "1", "traction across, over mu p0"},
-             {"part", "1", "size of the traction over the bound"},
-             {"slips", "1", "1 if the cell slips"}}};
-};
 
 Rolling under(const char* name, const EllipseWigglesParameters& p) {
   Rolling found{name, true, {}, 0};
@@ -130,6 +62,23 @@ struct LineErrors {
   }
 };
 
+/// Distance after which the peak of the shift has left the contact  [half-widths]
+constexpr double peak_has_left = 2;
+
+/// Roots of mean squares over steps, over the mean creepage.
+struct Noise {
+  double sum = 0, waves = 0, errors = 0, count = 0;
+
+  void include(double creepage, double wave, double error) {
+    sum += creepage;
+    waves += wave * wave;
+    errors += error * error;
+    count += 1;
+  }
+  double noise() const { return std::sqrt(waves * count) / sum; }
+  double error() const { return std::sqrt(errors * count) / sum; }
+};
+
 class Runs {
  public:
   Runs(const EllipseWigglesParameters& p, Tables& tables, const std::function<void()>& advance)
@@ -165,8 +114,15 @@ class Runs {
     compare("remembered", [&](double step) {
       return rolled(PatchRolling(joined), joined, rolling, step, p_.distances, p_.elements);
     });
-    const std::vector<Course> direct = compare("direct", [&](double step) {
-      return rolled(RectangleRolling(contact_rectangles(p_.elements)), rolling, step, p_.distances);
+    const auto by_rectangles = [&](double step, double relaxation) {
+      StandardPatch rectangles = contact_rectangles(p_.elements);
+      rectangles.relaxation = relaxation;
+      return rolled(RectangleRolling(rectangles), rolling, step, p_.distances);
+    };
+    const std::vector<Course> direct =
+        compare("direct", [&](double step) { return by_rectangles(step, 0); });
+    compare("relaxed", [&](double step) {
+      return by_rectangles(step, std::max(1.0, step * static_cast<double>(p_.elements) / 2));
     });
     if (rolling.load[0].by_resultant) add_contact(rolling, step_ratios, direct, reference);
   }
@@ -243,21 +199,19 @@ class Runs {
       }
     }
     if (!rolling.load[0].by_resultant) return;
-    double sum = 0, squares = 0, errors = 0, count = 0;
+    Noise whole, settled;
     for (std::size_t s = 0; s < course.steps.size(); ++s) {
       const Step& step = course.steps[s];
       tables_.creepages.add({scheme, c, step.middle, step.motion[0]});
       if (step.middle < 0.5 || s + 1 == course.steps.size()) continue;
       const double wave =
           (course.steps[s - 1].motion[0] - 2 * step.motion[0] + course.steps[s + 1].motion[0]) / 4;
-      sum += step.motion[0];
-      squares += wave * wave;
-      errors += std::pow(step.motion[0] - creepage_at(reference, step.middle), 2);
-      count += 1;
+      const double error = step.motion[0] - creepage_at(reference, step.middle);
+      whole.include(step.motion[0], wave, error);
+      if (step.middle >= peak_has_left) settled.include(step.motion[0], wave, error);
     }
     if (std::string(scheme) == "reference") return;
-    tables_.noise.add({scheme, c, std::sqrt(squares / count) / (sum / count),
-                       std::sqrt(errors / count) / (sum / count)});
+    tables_.noise.add({scheme, c, whole.noise(), settled.noise(), whole.error()});
   }
 
   /// Linear between the middles of steps.
@@ -298,85 +252,6 @@ void add_map(Tables& tables, const EllipseWigglesParameters& p) {
   }
 }
 
-double least_peak(const Table& wiggles, const char* scheme) {
-  const Cell first = wiggles.at(0, "distance");
-  return least(wiggles, "peak", {{"load", "creepage"}, {"scheme", scheme}, {"distance", first}});
-}
-
-double least_error(const Table& wiggles) {
-  return least(wiggles, "force_error", {{"load", "spin"}, {"scheme", "direct"}});
-}
-
-Table claims_of(const EllipseWigglesParameters& p, const Tables& tables, double from_contact) {
-  constexpr double settled = 1.5, soon = 2;  // q/a
-  const char *by_error = "ellipse_wiggles_error", *by_traction = "ellipse_wiggles_traction";
-  const Table &of = tables.wiggles, &dependence = tables.dependence;
-  const double least = p.step_ratios.back(), last = p.distances.back();
-  const auto wave = [&](const char* scheme, const auto& wanted) {
-    return extreme(of, "wave", false, [&](std::size_t i) {
-      return has(of, i, {{"load", "creepage"}, {"scheme", scheme}}) && wanted(i);
-    });
-  };
-  const auto is_settled = [&](std::size_t i) { return of.number(i, "distance") >= settled; };
-  const auto spread = [&](const char* scheme, const char* column) {
-    return extreme(dependence, column, false, [&](std::size_t i) {
-      return has(dependence, i, {{"scheme", scheme}}) && dependence.number(i, "distance") <= soon;
-    });
-  };
-  const auto small_step = [&](const char* scheme, const char* column, double distance) {
-    return most(
-        of, column,
-        {{"load", "creepage"}, {"scheme", scheme}, {"step_ratio", least}, {"distance", distance}});
-  };
-  return claims_table(
-      {{"the standard scheme has CONTACT's tractions after a shift and steps of any length", "none",
-        not_given, from_contact, "1", ours_if({below(1e-4)}),
-        "largest difference over mu p0 in the row at the centre, c = 1, 0.5, 0.1; CONTACT iterates "
-        "to 1e-7",
-        by_traction},
-       {"small steps of the standard scheme make waves of a tenth of mu p0 or more", "7.1",
-        not_given,
-        wave("direct", [&](std::size_t i) { return of.number(i, "step_ratio") == least; }), "1",
-        ours_if({above(0.1)}), "largest wave in adhesion at the smallest c", by_error},
-       {"what remembers has no waves, however small the step", "7.1", not_given,
-        wave("remembered", is_settled), "1", ours_if({below(0.025)}),
-        "largest wave in adhesion over c, from q = 1.5 a on, when the peak has left", by_error},
-       {"forces of the standard scheme are percents off long after a shift, if steps are small",
-        "none", not_given, small_step("direct", "force_error", last), "1", ours_if({above(0.02)}),
-        "of full sliding, at the smallest c and the last distance", by_error},
-       {"forces of what remembers are not", "none", not_given,
-        most(of, "force_error",
-             {{"load", "creepage"}, {"scheme", "remembered"}, {"distance", last}}),
-        "1", ours_if({below(2.5e-3)}), "the largest over c at the last distance", by_error},
-       {"forces and moment of what remembers depend on the step by a thousandth", "none", not_given,
-        spread("remembered", "force"), "1", ours_if({below(1.5e-3)}),
-        "largest difference from the smallest c, over loads, c and distances up to 2 a", by_error},
-       {"forces and moment of the standard scheme depend on the step by a percent", "none",
-        not_given, spread("direct", "force"), "1", ours_if({above(0.01)}), "the same", by_error},
-       {"tractions of what remembers depend on the step by a percent, most of it in the cells "
-        "where slip begins",
-        "none", not_given, spread("remembered", "traction"), "1", ours_if({below(0.015)}),
-        "root of the mean square over cells, largest over loads, c and distances up to 2 a",
-        by_error},
-       {"tractions of the standard scheme depend on the step by a tenth", "none", not_given,
-        spread("direct", "traction"), "1", ours_if({above(0.07)}), "the same", by_error},
-       {"what remembers keeps a travelling peak", "8", not_given, least_peak(of, "remembered"), "1",
-        ours_if({above(0.94)}),
-        "least height over that of the reference at the first distance, over c", by_traction},
-       {"small steps of the standard scheme smear it", "8", not_given, least_peak(of, "direct"),
-        "1", ours_if({below(0.88)}), "the same", by_traction},
-       {"under a held force the creepage of what remembers is closer to the reference than that of "
-        "the standard scheme",
-        "none", not_given,
-        most(tables.noise, "error", {{"scheme", "remembered"}}) /
-            most(tables.noise, "error", {{"scheme", "direct"}}),
-        "1", ours_if({below(0.7)}), "ratio of the largest errors over c",
-        "ellipse_wiggles_creepage"},
-       {"from rest under spin the standard scheme has percents of error in the lateral force",
-        "none", not_given, least_error(of), "1", ours_if({above(0.005)}),
-        "least error over c and distances, over full sliding", by_error}});
-}
-
 }  // namespace
 
 EllipseWigglesParameters read_ellipse_wiggles(Scene& scene) {
@@ -412,7 +287,7 @@ EllipseWigglesParameters read_ellipse_wiggles(Scene& scene) {
 
 std::vector<Table> ellipse_wiggles(const EllipseWigglesParameters& p, const Progress& progress) {
   const std::size_t steps =
-      4 + 2 * (p.step_ratios.size() + p.force_step_ratios.size() + p.spin_step_ratios.size());
+      4 + 3 * (p.step_ratios.size() + p.force_step_ratios.size() + p.spin_step_ratios.size());
   std::size_t done = 0;
   const std::function<void()> advance = [&] { progress(++done, steps); };
   Tables tables;

@@ -16,7 +16,7 @@ std::vector<Table> found_with(const std::vector<std::string>& settings) {
 TEST(EllipseWiggles, Verdicts) {
   const std::vector<Table> found = found_with(
       {"step.ratios=1 0.1", "step.force_step_ratios=1 0.5", "step.spin_step_ratios=1 0.5",
-       "rolling.distances=0.5 1.5 2", "rolling.shown=0.5", "map.rows=5", "map.distances=1"});
+       "rolling.distances=0.5 1.5 3", "rolling.shown=0.5", "map.rows=5", "map.distances=1"});
   const Table& claims = table_named(found, "claims");
   for (std::size_t i = 0; i < claims.rows(); ++i) {
     EXPECT_NE(std::get<std::string>(claims.at(i, "verdict")), "refuted")

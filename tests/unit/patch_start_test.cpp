@@ -38,25 +38,49 @@ double largest_difference(const MatrixX2d& one, const MatrixX2d& other) {
 
 // After a shift from rest the material remembers what its displacements are by the tractions alone:
 // where it sticks they are the shift, and where it slipped they are recorded. Only values between cells
-// differ, by 8e-4 of full sliding.
+// differ, by 1.3e-3 of full sliding at most.
 TEST(PatchStart, RollsOnAsAfterTheShiftThatMadeItsTractions) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int sample = 0; sample < 6; ++sample) {
-    const PatchLoad shift = load_of(0.8 * uniform(random), 0.8 * uniform(random), 0, true);
     const PatchLoad load =
         load_of(0.5 * uniform(random), 0.5 * uniform(random), 0.3 * uniform(random), false);
     PatchRolling shifted(circle(10)), started(circle(10));
     const double full = started.full_sliding();
+    const PatchLoad shift =
+        load_of(0.6 * full * uniform(random), 0.6 * full * uniform(random), 0, true);
     shifted.shift(shift);
     started.start_from(shifted.tractions());
-    EXPECT_LT((started.resultants() - shifted.resultants()).norm(), 1e-9);
+    EXPECT_LT((started.resultants() - shifted.resultants()).norm(), 1e-8);
     EXPECT_LT(largest_difference(started.tractions(), shifted.tractions()), 1e-8);
     EXPECT_NEAR(started.elastic_energy(), shifted.elastic_energy(), 1e-9);
     for (int i = 0; i < 5; ++i) {
       shifted.roll(0.13, load);
       started.roll(0.13, load);
-      EXPECT_LT((started.resultants() - shifted.resultants()).norm(), 1e-3 * full) << i;
+      EXPECT_LT((started.resultants() - shifted.resultants()).norm(), 2e-3 * full) << i;
+    }
+  }
+}
+
+// A contact of another size than the problem's is the problem of that size.
+TEST(PatchStart, IsThatOfAProblemOfTheSameSize) {
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int sample = 0; sample < 5; ++sample) {
+    const ContactScale contact{.half_width = 1 + 0.5 * uniform(random),
+                               .bound = 1 + 0.5 * uniform(random)};
+    SteadyPatch of_size = circle(8);
+    of_size.bound = EllipticBound(contact.half_width, contact.half_width, contact.bound);
+    PatchRolling one(circle(8), contact), other(of_size);
+    const double full = one.full_sliding();
+    MatrixX2d tractions(64, 2);
+    tractions << 0.6 * uniform(random) * other.bound(), 0.6 * uniform(random) * other.bound();
+    for (PatchRolling* rolling : {&one, &other}) rolling->start_from(tractions);
+    EXPECT_LT((one.resultants() - other.resultants()).norm(), 1e-12 * full);
+    for (int i = 0; i < 3; ++i) {
+      for (PatchRolling* rolling : {&one, &other})
+        rolling->roll(0.2, load_of(0.3, -0.2, 0.1, false));
+      EXPECT_LT((one.resultants() - other.resultants()).norm(), 1e-7 * full);
     }
   }
 }

@@ -341,7 +341,8 @@ TEST(PatchTransientScene, BeginsUnderTractionsOfAFile) {
             0U)
       << warnings[0];
   expect_refused(file, "start.file = 'tractions': row 1: traction = ", tractions_of(-1.1));
-  expect_refused(file, "start.file = 'tractions': line 1: expected a column 'traction_y'", "x,y,traction_x\n0,0,0\n");
+  expect_refused(file, "start.file = 'tractions': line 1: expected a column 'traction_y'",
+                 "x,y,traction_x\n0,0,0\n");
   expect_refused(file, "number of y with tractions = 1: expected three or more",
                  "x,y,traction_x,traction_y\n0,0,0,0\n");
   expect_refused({"start.type=file"}, "missing key 'start.file'");

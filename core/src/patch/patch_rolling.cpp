@@ -92,13 +92,7 @@ VectorXd PatchRolling::areas() const {
   return size * size * parts_->constants->rows.areas();
 }
 
-VectorXd PatchRolling::bound() const {
-  const JoinedRows& rows = parts_->constants->rows;
-  const Index n = rows.cells();
-  VectorXd unknowns = VectorXd::Zero(2 * n);
-  unknowns.head(n) = parts_->constants->limits;
-  return tractions_of(rows, unknowns, parts_->now.bound * parts_->units().peak).col(0);
-}
+VectorXd PatchRolling::bound() const { return parts_->units().peak * parts_->bound(); }
 
 MatrixX2d PatchRolling::tractions() const {
   return tractions_of(parts_->constants->rows, parts_->state.unknowns, parts_->units().peak);

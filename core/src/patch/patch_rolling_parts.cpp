@@ -56,11 +56,14 @@ PatchRolling::Parts::Parts(std::shared_ptr<const PatchConstants> given, const Co
   before = state;
 }
 
+VectorXd PatchRolling::Parts::bound() const {
+  return now.bound * tractions_of(constants->rows, constants->limits.replicate(2, 1), 1).col(0);
+}
+
 void PatchRolling::Parts::start_from(const Eigen::MatrixX2d& tractions) {
   const JoinedRows& rows = constants->rows;
   const VectorXd ones = VectorXd::Ones(2 * rows.cells());
-  const Eigen::MatrixX2d given = tractions_within(
-      tractions, now.bound * tractions_of(rows, constants->limits.replicate(2, 1), 1).col(0));
+  const Eigen::MatrixX2d given = tractions_within(tractions, bound());
   state.unknowns = given.cwiseQuotient(tractions_of(rows, ones, 1)).reshaped();
   before = state;
   displacements.set(state.unknowns, now.half_width);

@@ -65,6 +65,9 @@ struct PatchRolling::Parts {
   /// Of the present contact  [mm]
   double size() const { return now.half_width * units().size; }
 
+  /// At the centres, over the problem's peak.
+  Eigen::VectorXd bound() const;
+
   /// Integrals of tractions by the unknowns, over the size of the problem's patch.
   Eigen::VectorXd shares() const;
   Eigen::Vector3d resultants() const { return resultants_of(state, now.half_width); }
