@@ -54,7 +54,8 @@ deps:
 cmake_build = mkdir -p build/$(1); \
   [ -f build/$(1)/CMakeCache.txt ] || cmake --preset $(1) $(CMAKE_FLAGS) >build/$(1)/configure.log || \
     { cat build/$(1)/configure.log; rm -f build/$(1)/CMakeCache.txt; exit 1; }; \
-  cmake --build --preset $(1) -j $(JOBS) $(2) | sed -u -e '/^ninja: no work to do/d' -e '/^-- /d'
+  cmake --build --preset $(1) -j $(JOBS) $(2) | \
+    sed -u -e '/^ninja: no work to do/d' -e '/Re-checking globbed/d' -e '/revision.cmake$$/d' -e '/^-- /d'
 
 build: deps
 	@$(call cmake_build,release,--target programs)
