@@ -123,13 +123,13 @@ PatchBound read_bound_table(Scene& scene, const PatchShape& shape) {
 
 TractionTable read_start_tractions(Scene& scene, const PatchBound& bound,
                                    const ContactScale& contact) {
-  const auto& [size, height] = contact;
+  const double size = contact.half_width;
   const std::vector<FileColumn> wanted = {
       {"x", "mm"}, {"y", "mm"}, {"traction_x", "N/mm^2"}, {"traction_y", "N/mm^2"}};
   const TractionTable table = scene.from_columns("start.file", wanted, [&](const auto& columns) {
     Eigen::MatrixX2d tractions(columns[2]->size(), 2);
     tractions << *columns[2], *columns[3];
-    return TractionTable(bound, *columns[0] / size, *columns[1] / size, tractions / height);
+    return TractionTable(bound, *columns[0] / size, *columns[1] / size, tractions / contact.bound);
   });
   if (table.left_out() > 0) {
     scene.warn("start.file", scene.text("start.file"),

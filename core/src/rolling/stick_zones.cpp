@@ -191,7 +191,7 @@ double StickZones::level(std::size_t zone) const {
     sum += slip_.zones[i] > zone ? -term : term;
   }
   for (std::size_t i = 0; i < strain_places_.size(); ++i) {
-    double product = strain_weights_[i] * strain_values_[i];
+    double product = strain_weights_[i] * strain_values_[static_cast<Index>(i)];
     for (std::size_t j = 0; j < size(); ++j) {
       if (j == zone) continue;
       const BoundaryPlace begin{2 * j + 1, 0}, end{2 * j + 2, 0};
@@ -205,7 +205,7 @@ double StickZones::level(std::size_t zone) const {
 double StickZones::force() const {
   double sum = (slip_.weights * slip_.bounds * lean_).sum();
   for (std::size_t i = 0; i < strain_places_.size(); ++i) {
-    double product = strain_weights_[i] * strain_values_[i];
+    double product = strain_weights_[i] * strain_values_[static_cast<Index>(i)];
     for (std::size_t j = 0; j < size(); ++j) {
       const BoundaryPlace begin{2 * j + 1, 0}, end{2 * j + 2, 0};
       product *= -(distance(strain_places_[i], begin) + distance(strain_places_[i], end)) / 2;
@@ -348,7 +348,8 @@ double StickZones::from_strain(std::size_t, const BoundaryPlace& place) const {
   double sum = 0;
   for (std::size_t i = 0; i < strain_places_.size(); ++i) {
     const double away = distance(strain_places_[i], place);
-    const double quotient = std::abs(away) < step ? -slope : (strain_values_[i] - here) / away;
+    const double quotient =
+        std::abs(away) < step ? -slope : (strain_values_[static_cast<Index>(i)] - here) / away;
     sum -= strain_weights_[i] * quotient;
   }
   return sum;
