@@ -116,7 +116,7 @@ struct PatchTransient {
   PatchHistory loads;
   std::optional<SavedState> state = {};     ///< the start, if it is one
   std::optional<TractionTable> start = {};  ///< tractions of the start, on the patch's own size
-  double from = 0;                       ///< distance at the start, that of the state  [mm]
+  double from = 0;                          ///< distance at the start, that of the state  [mm]
 
   double spacing() const;                    ///< the mean length of cells, 2 a/N  [mm]
   std::vector<double> step_lengths() const;  ///< dq, taken in turn  [mm]
