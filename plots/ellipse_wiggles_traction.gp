@@ -6,8 +6,8 @@ of(scheme, c) = strcol("scheme") eq scheme && (c eq "" || same(column("step_rati
 names = "direct relaxed remembered"
 labels = "standard under-relaxed remembered"
 ratios = by_awk(tractions, "$at[\"scheme\"] == \"direct\" && !seen[$at[\"step_ratio\"]]++ { n++; r[n] = $at[\"step_ratio\"] } END { printf(\"%g %g %g\", r[1], r[n - 1], r[n]) }'")
-eval page(960, 380)
-set multiplot layout 1,3 margins 0.075,0.985,0.17,0.89 spacing 0.045,0.14
+eval page(900, 380)
+set multiplot layout 1,3 margins 0.085,0.985,0.17,0.89 spacing 0.08,0.14
 set xrange [-1:1]
 set yrange [0:1.1]
 set xlabel "x [mm]"
@@ -15,7 +15,7 @@ do for [s=1:3] {
   name = word(names, s)
   set title word(labels, s)
   if (s == 1) { set ylabel "traction over μp_0 [1]" } else { unset ylabel }
-  if (s == 1) { set key top right } else { unset key }
+  if (s == 2) { set key top right samplen 2 } else { unset key }
   plot tractions using (of("reference", "")):"bound" with @bound_line notitle, \
        tractions using (of("reference", "")):"traction" with @exact_line title "reference", \
        for [i=1:words(ratios)] tractions using (of(name, word(ratios, i))):"traction" with linespoints \
