@@ -94,24 +94,21 @@ Work rolling_from_rest(Index size) {
 std::vector<Case> patch_cases(const BenchParameters& p) {
   std::vector<Case> cases;
   for (const Index size : p.ellipse) {
-    const auto add = [&](const char* quantity, const std::function<Work()>& prepare,
-                         const char* method = "joined") {
+    const auto add = [&](const char* quantity, const char* method,
+                         const std::function<Work()>& prepare) {
       cases.push_back({{quantity, "half_space", method, size * size}, prepare});
     };
-    add("ellipse_response", [size] {
+    add("ellipse_response", "joined", [size] {
       return Work([size] {
         response_of(size);
         return 0;
       });
     });
-    add("ellipse_first", [size] { return first(size); });
-    add("ellipse_neighbour", [size] { return neighbour(size); });
-    add(
-        "ellipse_step", [size] { return remembered_step(size); }, "remembered");
-    add(
-        "ellipse_step", [size] { return direct_step(size); }, "direct");
-    add(
-        "ellipse_rolling", [size] { return rolling_from_rest(size); }, "remembered");
+    add("ellipse_first", "joined", [size] { return first(size); });
+    add("ellipse_neighbour", "joined", [size] { return neighbour(size); });
+    add("ellipse_step", "remembered", [size] { return remembered_step(size); });
+    add("ellipse_step", "direct", [size] { return direct_step(size); });
+    add("ellipse_rolling", "remembered", [size] { return rolling_from_rest(size); });
   }
   return cases;
 }

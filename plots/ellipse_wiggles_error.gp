@@ -1,6 +1,6 @@
 # Waves from element to element where a circle sticks, and the error of its force long after a shift, against the step: both
-# grow as the steps of the standard scheme become small. CONTACT's tractions have the same waves. Under-relaxation has no waves,
-# and the force of steps of an element.
+# grow as the steps of the standard scheme become small. CONTACT's tractions have the same waves. Under-relaxed steps have no
+# waves, and the error of steps of an element.
 wiggles = tables."/wiggles.tsv"
 of(load, scheme, q) = strcol("load") eq load && strcol("scheme") eq scheme && same(column("distance"), q) ? column("step_ratio") : NaN
 names = "direct relaxed remembered"

@@ -302,9 +302,9 @@ Explanation of_patch(const PatchTransient& scene) {
         "tractions are constant in equal rectangles, and displacements are moved with the "
         "material, as in CONTACT: first order in dx");
     if (const auto* relaxed = std::get_if<Relaxed>(&scene.scheme)) {
-      lines.push_back(fmt::format(
-          "under-relaxation: steps shorter than {} elements do not wiggle, and smooth peaks",
-          five_digits(relaxed->step_ratio)));
+      lines.push_back(
+          fmt::format("under-relaxation with c* = {}: short steps do not wiggle, but smooth peaks",
+                      five_digits(relaxed->step_ratio)));
     }
   } else {
     lines.emplace_back(

@@ -9,7 +9,9 @@
 
 #include "doubts.hpp"
 #include "few_steps.hpp"
+#include "microslip/halfspace/influence.hpp"
 #include "microslip/patch/patch_rolling.hpp"
+#include "microslip/patch/standard_patch.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "microslip/scene/model.hpp"
@@ -247,12 +249,12 @@ AdvectionScheme read_patch_scheme(Scene& scene) {
 }
 
 void require_relaxation(const Scene& scene, const PatchTransient& read) {
-  constexpr double largest = 1e6, rounding = 1e-12;
   const auto* relaxed = std::get_if<Relaxed>(&read.scheme);
   if (relaxed == nullptr) return;
-  require(relaxed->step_ratio <= largest, "step.relaxation", relaxed->step_ratio, "at most 1e6");
+  require(relaxed->step_ratio <= StandardPatch::largest_relaxation, "step.relaxation",
+          relaxed->step_ratio, "at most 1e6");
   const double most = std::ranges::max(read.step_ratios);
-  if (most <= relaxed->step_ratio * (1 + rounding)) return;
+  if (is_within_relaxation(most, relaxed->step_ratio)) return;
   const bool has_ratio = scene.has("step.ratio");
   require(false, has_ratio ? "step.ratio" : "step.relaxation",
           has_ratio ? most : relaxed->step_ratio, [&] {

@@ -23,7 +23,7 @@ const std::vector<std::string> places{
     "widths.strip_widths=1e-3 0.1 1 10 1000 1e8",
     "loads.stick_ratios=0 1e-6 1e-3 0.1",
     "loads.sliding=0 1e-12 1e-9 1e-6 1e-3 0.1",
-    "bounds.force_ratios=1e-6 0.1 0.5 0.99",
+    "bounds.force_ratios=1e-6 1e-3 0.1 0.5 0.9 0.99",
     "kernels.layers=1e-12 1e-3 1 1e3 1e12",
     "kernels.beta_over_mu=1e-12 1e-3 0.3 1 3 1e4",
     "kernels.force_ratios=1e-6 1e-3 0.1 0.5 0.9 0.99",

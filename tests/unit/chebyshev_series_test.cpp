@@ -23,6 +23,18 @@ TEST(ChebyshevSeries, ConvergesToAnalyticFunctions) {
   for (const double x : {-0.5, 0.01, 0.49}) EXPECT_NEAR(series(x), function(x), 1e-14) << x;
 }
 
+// Points are taken some at a time; here they are more than that, fewer, and none.
+TEST(ChebyshevSeries, HasTheSameValuesAtManyPoints) {
+  const auto function = [](double x) { return std::exp(x) / (1 + x * x); };
+  const ChebyshevSeries series(chebyshev_points(0.5, 30).unaryExpr(function), 0.5);
+  for (const Eigen::Index count : {0, 1, 7, 8, 21}) {
+    const VectorXd x = VectorXd::LinSpaced(count, -0.5, 0.5);
+    const VectorXd values = series(x);
+    ASSERT_EQ(values.size(), count);
+    for (Eigen::Index i = 0; i < count; ++i) EXPECT_NEAR(values[i], function(x[i]), 1e-14) << x[i];
+  }
+}
+
 TEST(ChebyshevSeries, RefusesNoValuesAndNoInterval) {
   EXPECT_THROW(ChebyshevSeries(VectorXd(), 1), std::invalid_argument);
   EXPECT_THROW(ChebyshevSeries(VectorXd::Ones(4), 0), std::invalid_argument);

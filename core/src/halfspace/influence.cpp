@@ -182,6 +182,11 @@ void require_step_ratio(double step_ratio, std::string_view name) {
   require(step_ratio >= min_step_ratio, name, step_ratio, "a number >= 1e-15");
 }
 
+bool is_within_relaxation(double step_ratio, double relaxation) {
+  constexpr double rounding = 1e-12;
+  return step_ratio <= relaxation * (1 + rounding);
+}
+
 double influence(const Kernel& kernel, const ShapeFunction& shape, double spacing, double offset) {
   const double spread = spread_influence(kernel, shape, spacing, offset);
   const double compliance = kernel.layer_compliance();

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "microslip/halfspace/influence.hpp"
 #include "microslip/patch/rectangle_pressure.hpp"
 #include "microslip/patch/steady_patch.hpp"
 #include "microslip/support/require.hpp"
@@ -47,17 +48,13 @@ Matrix3Xd resultants_by_tractions(const Rectangles& of) {
   return resultants;
 }
 
-/// A step ratio is a quotient of lengths.
-constexpr double rounding_of_step = 1e-12;
-
 /// The part of dq at which spin is taken ahead of the centre of an element, as by CONTACT.
 constexpr double spin_ahead = 1.0 / 6;
 
 RectanglePressure pressure_of(const StandardPatch& problem) {
-  constexpr double largest_relaxation = 1e6;
   validate(problem.material);
-  require(problem.relaxation >= 0 && problem.relaxation <= largest_relaxation, "relaxation",
-          problem.relaxation, "0, or a number up to 1e6");
+  require(problem.relaxation >= 0 && problem.relaxation <= StandardPatch::largest_relaxation,
+          "relaxation", problem.relaxation, "0, or a number up to 1e6");
   const double root = std::sqrt(problem.bound.ratio());
   if (problem.pressure == StandardPatch::Pressure::computed) {
     return pressure_of_rectangles(root, 1 / root, problem.elements, problem.rows);
@@ -69,13 +66,13 @@ RectanglePressure pressure_of(const StandardPatch& problem) {
   return {contact, pressure, 1, 0};
 }
 
+/// The length that divides the difference of displacements in a step, or in a shift.
+double divisor(double dq) { return dq > 0 ? dq : 1; }
+
 /// The parts of the slip in a step, or in a shift, by the tractions before it.
-/// \param elements    that are rolled; 0 in a shift
-/// \param length      that divides the difference
-/// \param relaxation  c*, or 0
-std::vector<RectangleInfluence::Part> former_parts(double elements, double length,
-                                                   double relaxation) {
-  if (relaxation == 0 || elements == 0) return {{-1 / length, elements}};
+std::vector<RectangleInfluence::Part> former_parts(double dq, double dx, double relaxation) {
+  const double length = divisor(dq), elements = dq / dx;
+  if (relaxation == 0 || dq == 0) return {{-1 / length, elements}};
   const double part = elements / relaxation;
   return {{-(1 - part) / length, 0}, {-part / length, relaxation}};
 }
@@ -97,8 +94,8 @@ struct RectangleRolling::Parts {
 
     StepInfluence(const Rectangles& of, double nu, double dq, double relaxation)
         : length(dq),
-          present(of, nu, {{1 / (dq > 0 ? dq : 1), 0}}),
-          former(of, nu, former_parts(dq / of.dx(), dq > 0 ? dq : 1, relaxation)),
+          present(of, nu, {{1 / divisor(dq), 0}}),
+          former(of, nu, former_parts(dq, of.dx(), relaxation)),
           rigid(rigid_slip(of, dq * spin_ahead)) {}
   };
 
@@ -204,9 +201,10 @@ void RectangleRolling::shift(const PatchLoad& load) { parts_->step(0, load); }
 
 void RectangleRolling::roll(double dq, const PatchLoad& load) {
   require_positive("dq", dq);
-  const double most = parts_->problem.relaxation * element();
-  require(most == 0 || dq <= most * (1 + rounding_of_step), "dq", dq,
-          [&] { return fmt::format("at most the length of the relaxation, {} mm", most); });
+  const double relaxation = parts_->problem.relaxation;
+  require(relaxation == 0 || is_within_relaxation(dq / element(), relaxation), "dq", dq, [&] {
+    return fmt::format("at most the length of the relaxation, {} mm", relaxation * element());
+  });
   parts_->step(dq / parts_->size, load);
 }
 

@@ -30,10 +30,10 @@ constexpr double tolerated_excess = 0.01;
 template <class Elements, class Place>
 std::pair<std::size_t, double> interval_about(const Elements& elements, double at,
                                               const Place& place) {
-  const std::size_t last = elements.size() - 1;
-  if (last == 0) return {0, 0};
-  std::size_t i = 0;
-  while (i + 1 < last && place(elements[i + 1]) <= at) ++i;
+  if (elements.size() == 1) return {0, 0};
+  const auto above =
+      std::ranges::upper_bound(elements.begin() + 1, elements.end() - 1, at, {}, place);
+  const auto i = static_cast<std::size_t>(above - elements.begin()) - 1;
   const double from = place(elements[i]), to = place(elements[i + 1]);
   return {i, std::clamp((at - from) / (to - from), 0.0, 1.0)};
 }

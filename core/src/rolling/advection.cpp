@@ -14,9 +14,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// A step ratio is a quotient of lengths.
-constexpr double rounding_of_ratio = 1e-12;
-
 /// c*, where there is one.
 std::optional<double> relaxation_of(const AdvectionScheme& scheme) {
   if (const auto* relaxed = std::get_if<Relaxed>(&scheme)) return relaxed->step_ratio;
@@ -77,7 +74,7 @@ void Advection::advect(const VectorXd& previous, double step_ratio, SlipConditio
   }
   const auto relaxation = relaxation_of(scheme_);
   if (!relaxation) return advect_directly(previous, step_ratio, 1, conditions);
-  require(step_ratio <= *relaxation * (1 + rounding_of_ratio), "step_ratio", step_ratio,
+  require(is_within_relaxation(step_ratio, *relaxation), "step_ratio", step_ratio,
           [&] { return "at most the relaxation, " + format_short(*relaxation); });
   const bool of_tractions = std::holds_alternative<RelaxedTraction>(scheme_);
   advect_directly(previous, *relaxation, of_tractions ? 1 : step_ratio / *relaxation, conditions);

@@ -191,7 +191,7 @@ double StickZones::level(std::size_t zone) const {
     sum += slip_.zones[i] > zone ? -term : term;
   }
   for (std::size_t i = 0; i < strain_places_.size(); ++i) {
-    double product = strain_weights_[i] * strain_values_[static_cast<Index>(i)];
+    double product = strain_weights_[i] * strain_values_[i];
     for (std::size_t j = 0; j < size(); ++j) {
       if (j == zone) continue;
       const BoundaryPlace begin{2 * j + 1, 0}, end{2 * j + 2, 0};
@@ -205,7 +205,7 @@ double StickZones::level(std::size_t zone) const {
 double StickZones::force() const {
   double sum = (slip_.weights * slip_.bounds * lean_).sum();
   for (std::size_t i = 0; i < strain_places_.size(); ++i) {
-    double product = strain_weights_[i] * strain_values_[static_cast<Index>(i)];
+    double product = strain_weights_[i] * strain_values_[i];
     for (std::size_t j = 0; j < size(); ++j) {
       const BoundaryPlace begin{2 * j + 1, 0}, end{2 * j + 2, 0};
       product *= -(distance(strain_places_[i], begin) + distance(strain_places_[i], end)) / 2;
@@ -334,8 +334,10 @@ void StickZones::add_strain(std::shared_ptr<const ChebyshevSeries> strain, Index
       strain_weights_.push_back(weight);
     }
   }
-  strain_values_ =
-      (*strain_)(Eigen::VectorXd::Map(positions.data(), static_cast<Index>(positions.size())));
+  const auto count = static_cast<Index>(positions.size());
+  strain_values_.resize(positions.size());
+  Eigen::VectorXd::Map(strain_values_.data(), count) =
+      (*strain_)(Eigen::VectorXd::Map(positions.data(), count));
 }
 
 double StickZones::from_strain(std::size_t, const BoundaryPlace& place) const {
@@ -348,8 +350,7 @@ double StickZones::from_strain(std::size_t, const BoundaryPlace& place) const {
   double sum = 0;
   for (std::size_t i = 0; i < strain_places_.size(); ++i) {
     const double away = distance(strain_places_[i], place);
-    const double quotient =
-        std::abs(away) < step ? -slope : (strain_values_[static_cast<Index>(i)] - here) / away;
+    const double quotient = std::abs(away) < step ? -slope : (strain_values_[i] - here) / away;
     sum -= strain_weights_[i] * quotient;
   }
   return sum;

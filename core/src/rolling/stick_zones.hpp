@@ -121,7 +121,7 @@ class StickZones {
 
   std::shared_ptr<const ChebyshevSeries> strain_;
   std::vector<BoundaryPlace> strain_places_;
-  Eigen::VectorXd strain_values_;
+  std::vector<double> strain_values_;
   std::vector<double> strain_weights_;  ///< signed, of the inverse of R at the Chebyshev points
 };
 

@@ -2,7 +2,6 @@
 #include "microslip/support/chebyshev_series.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/chebyshev.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -25,6 +24,18 @@ VectorXd cosines(Index n) {
   const double step = std::numbers::pi / (2 * static_cast<double>(n));
   return VectorXd::NullaryExpr(4 * n,
                                [&](Index m) { return std::cos(static_cast<double>(m) * step); });
+}
+
+/// Clenshaw's recurrence at a number, or at an array of them.
+template <class Value>
+Value clenshaw(const VectorXd& coefficients, const Value& t, const Value& zero) {
+  Value next = zero, after = zero;
+  for (Index k = coefficients.size() - 1; k > 0; --k) {
+    const Value sum = 2 * t * next - after + coefficients[k];
+    after = next;
+    next = sum;
+  }
+  return t * next - after + coefficients[0] / 2;
 }
 
 }  // namespace
@@ -56,23 +67,16 @@ VectorXd ChebyshevSeries::operator()(const Eigen::Ref<const VectorXd>& x) const 
     const Index count = std::min(abreast, x.size() - first);
     Points t = Points::Zero();
     t.head(count) = x.segment(first, count).array() / half_length_;
-    // Clenshaw's recurrence
-    Points next = Points::Zero(), after = Points::Zero();
-    for (Index k = coefficients_.size() - 1; k > 0; --k) {
-      const Points sum = coefficients_[k] + 2 * t * next - after;
-      after = next;
-      next = sum;
-    }
-    values.segment(first, count) = (coefficients_[0] / 2 + t * next - after).head(count);
+    const Points found = clenshaw<Points>(coefficients_, t, Points::Zero());
+    values.segment(first, count) = found.head(count);
   }
   count_work(3 * static_cast<double>(x.size() * (coefficients_.size() - 1)));
   return values;
 }
 
 double ChebyshevSeries::operator()(double x) const {
-  const auto size = static_cast<std::size_t>(coefficients_.size());
-  count_work(3 * static_cast<double>(size - 1));
-  return boost::math::chebyshev_clenshaw_recurrence(coefficients_.data(), size, x / half_length_);
+  count_work(3 * static_cast<double>(coefficients_.size() - 1));
+  return clenshaw(coefficients_, x / half_length_, 0.0);
 }
 
 }  // namespace microslip

@@ -50,6 +50,10 @@ bool resolves_waves(const Kernel& kernel, double spacing);
 /// \throws std::invalid_argument unless the ratio is in [min_step_ratio, inf)
 void require_step_ratio(double step_ratio, std::string_view name = "step_ratio");
 
+/// Whether a step is at most as long as that of under-relaxation, c <= c*, but for the rounding of
+/// quotients of lengths.
+bool is_within_relaxation(double step_ratio, double relaxation);
+
 /// A for n equal functions on a uniform grid: A_ij = A(i - j).
 Toeplitz influence_toeplitz(const Kernel& kernel, const ShapeFunction& shape, double spacing,
                             Eigen::Index n);

@@ -26,7 +26,9 @@ struct StandardPatch {
   Eigen::Index elements;  ///< N, in the width 2 a along the rolling, >= 1
   Eigen::Index rows;      ///< M, in the width 2 b across, >= 1
   Pressure pressure = Pressure::computed;
-  double relaxation = 0;  ///< c*, at least dq/dx of each step, <= 1e6; 0 without under-relaxation
+  double relaxation = 0;  ///< c*, at least dq/dx of each step; 0 without under-relaxation
+
+  static constexpr double largest_relaxation = 1e6;
 };
 
 /// The standard scheme of rolling in three dimensions, which is CONTACT's: tractions are constant
