@@ -5,6 +5,7 @@
 
 #include "microslip/experiments/converge_scene.hpp"
 #include "microslip/experiments/curve_scene.hpp"
+#include "microslip/experiments/patch_curve_scene.hpp"
 #include "microslip/experiments/response_scene.hpp"
 #include "microslip/program/commands.hpp"
 #include "microslip/program/memory.hpp"
@@ -82,6 +83,11 @@ program::Work prepare_converge(Scene& scene) {
 }
 
 program::Work prepare_curve(Scene& scene) {
+  if (scene.has_patch()) {
+    const experiments::PatchCurveScene read = experiments::read_patch_curve(scene);
+    program::require_memory("grid.elements", read.patch.elements, memory_needed(read.patch));
+    return [read](const Progress& progress) { return experiments::curve_tables(read, progress); };
+  }
   const experiments::CurveScene read = experiments::read_curve(scene);
   program::require_memory("grid.elements", read.problem.grid.size(), memory_needed(read.problem));
   return [read](const Progress& progress) { return experiments::curve_tables(read, progress); };
@@ -142,13 +148,20 @@ int main(int argc, char** argv) {
       .quick = "",
       .default_out = "out",
       .key_options =
-          {{"creepages", "curve.creepages",
+          {{"along", "curve.along",
+            "creepage, lateral_creepage or spin: the motion of an ellipse that varies"},
+           {"creepages", "curve.creepages",
             "numbers and ranges, as '0:1e-4:5e-3' (default: 51 up to full sliding)"},
-           {"points", "curve.points", "number of creepages, evenly spaced (default: 51)"},
+           {"spins", "curve.spins", "the same of spins [1/mm], with --along spin"},
+           {"points", "curve.points", "number of points, evenly spaced (default: 51)"},
            {"largest", "curve.largest", "largest creepage"},
+           {"largest-spin", "curve.largest_spin", "largest spin [1/mm]"},
            {"half-widths", "sweep.contact.half_width",
             "numbers and ranges, a curve for each; for other keys use --set sweep.KEY=..."},
-           {"beside", "curve.beside", "fastsim: adds the curve of FASTSIM"}},
+           {"beside", "curve.beside",
+            "fastsim, and for ellipses fastsim_one, vermeulen_johnson, polach: adds their curves"},
+           {"kalker-factor", "curve.kalker_factor",
+            "factor of Kalker's coefficients in these (default: 1)"}},
       .prepare = prepare_curve};
   using Arguments = const char* const*;
   const std::vector<program::Command> commands{

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "curve_points.hpp"
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/reference/fastsim.hpp"
 #include "microslip/scene/keys.hpp"
@@ -75,12 +76,6 @@ SteadySolution solved_at(const SteadyProblem& problem, double creepage) {
   }
 }
 
-/// Rounds up to two digits.
-double rounded_up(double value) {
-  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
-  return std::ceil(value / unit * (1 - 1e-12)) * unit;
-}
-
 /// Returns a creepage at which the whole contact slides, with some margin.
 double beyond_sliding(const SteadyProblem& problem) {
   constexpr double almost_all = 0.999, margin = 1.25;
@@ -92,12 +87,7 @@ std::vector<double> creepages_of(const CurveScene& scene) {
   if (!scene.creepages.empty()) return scene.creepages;
   const double largest = scene.largest ? *scene.largest : beyond_sliding(scene.problem);
   const double least = scene.problem.contact.has_unlike_bodies() ? -largest : 0;
-  std::vector<double> creepages;
-  for (int i = 0; i < scene.points; ++i) {
-    const double part = static_cast<double>(i) / (scene.points - 1);
-    creepages.push_back(i == scene.points - 1 ? largest : least + part * (largest - least));
-  }
-  return creepages;
+  return evenly_spaced(least, largest, scene.points);
 }
 
 /// Returns |dF/dw| at a creepage so small that nothing slips. The bound has no part in it then, and
@@ -118,7 +108,11 @@ Table empty_curve(const CurveScene& scene) {
   if (scene.friction) {
     columns.push_back({"traction_coefficient", "1", "F over the normal load"});
   }
-  if (scene.with_fastsim) columns.push_back({"fastsim_force", "N/mm", "F by FASTSIM"});
+  if (scene.with_fastsim) {
+    columns.push_back({"fastsim_force", "N/mm", "F by FASTSIM"});
+    columns.push_back(
+        {"fastsim_error", "1", "size of the difference of the force, over full sliding", 1e-12});
+  }
   columns.push_back({"method", "1", "that made the solution"});
   return {"curve", "force of steady rolling against the creepage", columns};
 }
@@ -131,16 +125,17 @@ CurveScene read_curve(Scene& scene) {
                   .creepages = read_creepages(scene, problem.contact.bound),
                   .points = 0,
                   .largest = std::nullopt,
-                  .with_fastsim = scene.word("curve.beside") == "fastsim"};
+                  .with_fastsim = false};
   if (read.creepages.empty()) {
-    const double points = scene.number("curve.points");
-    scene.demand("curve.points", points,
-                 find_key("curve.points")->range.holds(points) && std::floor(points) == points);
-    read.points = static_cast<int>(points);
+    read.points = read_curve_points(scene);
     if (scene.has("curve.largest")) {
       read.largest = scene.positive("curve.largest");
       warn_of_large_creepage(scene, "curve.largest", *read.largest, problem.contact.bound);
     }
+  }
+  for (const std::string& law : read_laws_beside(scene)) {
+    if (law != "fastsim") reject("curve.beside", law, "nothing or fastsim for a line contact");
+    read.with_fastsim = true;
   }
   if (read.with_fastsim && problem.contact.has_unlike_bodies()) {
     reject("curve.beside", "fastsim", "nothing for bodies of different material");
@@ -169,12 +164,18 @@ std::vector<Table> curve_tables(const CurveScene& scene, const Progress& progres
                                  !std::holds_alternative<TabulatedBound>(problem.contact.bound);
   Table table = empty_curve(scene);
   std::string fallback;
+  double largest_error = 0;
   std::size_t done = 0;
   for (const double creepage : creepages) {
     const SteadySolution point = solved_at(problem, creepage);
     std::vector<Cell> row{creepage, point.force, point.force / most};
     if (scene.friction) row.emplace_back(*scene.friction * point.force / most);
-    if (fastsim) row.emplace_back(fastsim->force(creepage));
+    if (fastsim) {
+      const double force = fastsim->force(creepage), error = std::abs(force - point.force) / most;
+      largest_error = std::max(largest_error, error);
+      row.emplace_back(force);
+      row.emplace_back(error);
+    }
     row.emplace_back(name_of(point.scheme));
     table.add(row);
     if (fallback.empty() && !point.fallback.empty() && warns_of_fallback) {
@@ -189,6 +190,7 @@ std::vector<Table> curve_tables(const CurveScene& scene, const Progress& progres
   if (fastsim) {
     summary.add({"fastsim_flexibility", fastsim->flexibility(), "mm^3/N"});
     summary.add({"fastsim_full_sliding_creepage", fastsim->full_sliding_creepage(), "1"});
+    summary.add({"fastsim_error", largest_error, "1"});
   }
   summary.add({"warning", fallback.empty() ? "none" : fallback, "1"});
   return {table, summary};

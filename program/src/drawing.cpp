@@ -94,6 +94,16 @@ Table list_of(const std::vector<Line>& lines) {
 
 }  // namespace
 
+Table without_rounding(Table table, const std::vector<std::string>& columns) {
+  for (const std::string& column : columns) {
+    for (std::size_t i = 0; i < table.rows(); ++i) {
+      const auto value = number_of(table.at(i, column));
+      if (value && std::abs(*value) <= table.rounding(i, column)) table.put(i, column, "0");
+    }
+  }
+  return table;
+}
+
 WrittenTable table_in(const fs::path& folder, const std::string& name) {
   const fs::path file = folder / (name + ".tsv");
   try {

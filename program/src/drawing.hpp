@@ -29,6 +29,9 @@ WrittenTable table_in(const std::filesystem::path& folder, const std::string& na
 /// A number of a cell; nothing for nan and words.
 std::optional<double> number_of(const Cell& cell);
 
+/// A table of which some columns have 0 where their numbers are nothing but rounding.
+Table without_rounding(Table table, const std::vector<std::string>& columns);
+
 /// Numbers from the least to the largest; none if it is empty.
 struct Extent {
   double least = std::numeric_limits<double>::infinity();

@@ -135,17 +135,6 @@ Names quantities_of(const std::string& kind) {
 /// The column of a history that has the distance rolled.
 std::string distance_column(const std::string& kind) { return kind == "cylinder" ? "X" : "q"; }
 
-/// A history whose numbers are 0 where they are nothing but rounding.
-Table without_rounding(Table history, const Names& columns) {
-  for (const std::string& column : columns) {
-    for (std::size_t i = 0; i < history.rows(); ++i) {
-      const auto value = number_of(history.at(i, column));
-      if (value && std::abs(*value) <= history.rounding(i, column)) history.put(i, column, "0");
-    }
-  }
-  return history;
-}
-
 void require_times(const Result& result, const Table& history) {
   const Names names = names_of(history.columns());
   if (std::ranges::find(names, "t") != names.end()) return;

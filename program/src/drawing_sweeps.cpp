@@ -33,15 +33,23 @@ class Cases {
  public:
   Cases(const Result& result, const Names& only)
       : is_curve_(result.kind == "curve"), written_(table_in(result.folder, result.kind)) {
+    written_.table = without_rounding(written_.table, columns());
     for (const Column& column : written_.table.columns()) {
       if (column.meaning == "swept") swept_.push_back(column.name);
     }
-    if (is_curve_) swept_.push_back("creepage");
+    if (is_curve_) swept_.push_back(along());
     for (std::size_t i = 0; i < written_.table.rows(); ++i) rows_.push_back(i);
     for (const std::string& one : only) keep(one);
   }
 
   bool is_curve() const { return is_curve_; }
+
+  /// The motion over which a curve is.
+  std::string along() const {
+    const auto given =
+        std::ranges::find(written_.parameters, "curve.along", &Parameters::value_type::first);
+    return given == written_.parameters.end() ? "creepage" : given->second;
+  }
   const std::vector<std::size_t>& rows() const { return rows_; }
   const Parameters& parameters() const { return written_.parameters; }
   const Names& swept() const { return swept_; }
@@ -132,7 +140,7 @@ struct Axes {
 
 /// The swept key that has most values and is a number, the last of several; else the last one.
 std::string running_key(const Cases& cases) {
-  if (cases.is_curve()) return "creepage";
+  if (cases.is_curve()) return cases.along();
   std::string best = cases.swept().back();
   std::size_t most = 1;
   for (const std::string& key : cases.swept()) {
@@ -147,13 +155,14 @@ std::string running_key(const Cases& cases) {
 
 /// Returns the quantity that the load does not prescribe.
 std::string answer(const Cases& cases) {
+  if (cases.is_curve()) return cases.along() == "creepage" ? "force" : "lateral_force";
   const auto under_force = [](const std::string& key) {
     return key == "load.force" || key == "load.force_ratio" || key == "load.stick_ratio";
   };
   const bool is_common = std::ranges::any_of(
       cases.parameters(), [&](const auto& parameter) { return under_force(parameter.first); });
   const bool forced = is_common || std::ranges::any_of(cases.swept(), under_force);
-  return forced && !cases.is_curve() && cases.has("creepage") ? "creepage" : "force";
+  return forced && cases.has("creepage") ? "creepage" : "force";
 }
 
 Axes axes_of(const Cases& cases, const SweepView& view) {
@@ -283,7 +292,7 @@ double exact_value(const Cases& cases, std::size_t row, const std::string& value
     if (!cases.is_curve() || !parameter.first.starts_with("load.")) parameters.push_back(parameter);
   }
   for (const std::string& key : cases.swept()) {
-    parameters.emplace_back(key == "creepage" ? "load.creepage" : key, cases.text(row, key));
+    parameters.emplace_back(key == cases.along() ? "load." + key : key, cases.text(row, key));
   }
   const auto exact = exact_solution(parameters);
   if (!exact) return NAN;
@@ -328,6 +337,45 @@ bool spans(const Extent& extent, double ratio) {
   return extent.least > 0 && extent.most >= ratio * extent.least;
 }
 
+/// A law of creep forces beside curves.
+struct Law {
+  const char* column;  ///< the columns of its resultants begin so
+  const char* name;
+};
+
+constexpr Law laws[] = {{"fastsim", "FASTSIM"},
+                        {"fastsim_one", "FASTSIM, one flexibility"},
+                        {"vermeulen_johnson", "Vermeulen-Johnson"},
+                        {"polach", "Polach"}};
+
+/// Adds the curves of laws, and says how far off they are, over the largest value that is drawn.
+/// \param drawn  lines of the families
+void add_laws(Lines& lines, const Cases& cases, const std::vector<Family>& families,
+              const std::vector<Line>& drawn, const std::string& value, const Places& places) {
+  const bool is_alone = drawn.size() == 1;  // then colours tell the laws apart
+  std::size_t number = 0;
+  for (const auto& [prefix, name] : laws) {
+    const std::string column = fmt::format("{}_{}", prefix, value);
+    if (!cases.has(column)) continue;
+    double most = 0, error = 0;
+    for (const std::size_t row : cases.rows()) {
+      most = std::max(most, std::abs(cases.number(row, value)));
+      error = std::max(error, std::abs(cases.number(row, column) - cases.number(row, value)));
+    }
+    ++number;
+    for (std::size_t k = 0; k < families.size(); ++k) {
+      Line line = drawn[k];
+      line.label = k == 0 && most > 0
+                       ? fmt::format("{}: off by up to {:.2g} %", name, 100 * error / most)
+                       : "";
+      line.dash = static_cast<int>(number) + 1;
+      if (is_alone) line.color = color_of(number, std::size(laws) + 1);
+      lines.add(line, cases, families[k], places,
+                [&](std::size_t row) { return cases.number(row, column); });
+    }
+  }
+}
+
 void add_lines(Lines& lines, const Result& result, const Cases& cases, const Axes& axes,
                std::size_t of_result, std::size_t results) {
   const std::vector<Family> families = families_of(cases, axes);
@@ -339,7 +387,6 @@ void add_lines(Lines& lines, const Result& result, const Cases& cases, const Axe
   std::map<std::string, int> drawn_in;  // colours, how many lines
   const Places places(cases, axes.over);
   const auto number = [&](std::size_t row) { return cases.number(row, axes.value); };
-  const bool has_fastsim = axes.value == "force" && cases.has("fastsim_force");
   const bool is_long = std::ranges::any_of(
       families, [](const Family& family) { return family.label.size() > label_letters; });
   const bool has_heading = is_long && results == 1;
@@ -359,13 +406,7 @@ void add_lines(Lines& lines, const Result& result, const Cases& cases, const Axe
     lines.add(line, cases, family, places, number);
     drawn.push_back(line);
   }
-  for (std::size_t k = 0; has_fastsim && k < families.size(); ++k) {
-    Line line = drawn[k];
-    line.label = k == 0 ? "FASTSIM" : "";
-    line.dash = 3;
-    lines.add(line, cases, families[k], places,
-              [&](std::size_t row) { return cases.number(row, "fastsim_force"); });
-  }
+  add_laws(lines, cases, families, drawn, axes.value, places);
   if (!has_exact(axes.value)) return;
   bool is_first = true;
   for (const Family& family : families) {

@@ -12,6 +12,7 @@
 #include "microslip/rolling/large_creepage.hpp"
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/model.hpp"
+#include "microslip/scene/unloaded.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 #include "patch_files.hpp"
@@ -216,7 +217,7 @@ void require_line_contact(const Scene& scene) {
   if (key == patch_keys.end()) return;
   throw BadParameter(*key, fmt::format("{}: expected a line contact here, without this key; an "
                                        "ellipse has problem steady and transient, with sweep, "
-                                       "explain and plot, in this version",
+                                       "curve, explain and plot, in this version",
                                        *key));
 }
 
@@ -276,6 +277,18 @@ void warn_of_large_creepages(Scene& scene, const SteadyPatch& patch) {
     const std::string doubt = doubt_of_creepage(value, mean_strain(patch));
     if (!by_resultant && !doubt.empty()) scene.warn(patch_components[j].motion, value, doubt);
   }
+}
+
+SteadyPatch read_steady_patch(Scene& scene, std::size_t varied) {
+  if (scene.word("problem") != "steady") {
+    reject("problem", scene.text("problem"), "steady for a curve of an ellipse");
+  }
+  SteadyPatch patch = read_unloaded_patch(scene);
+  patch.load = read_patch_load(scene, patch.bound);
+  patch.load[varied] = {};
+  validate(patch);
+  warn_of_large_creepages(scene, patch);
+  return patch;
 }
 
 SteadyPatch read_steady_patch(Scene& scene) {

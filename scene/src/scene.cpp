@@ -391,16 +391,38 @@ std::string Scene::free_text(const std::string& key) {
   return text(key);
 }
 
-std::string Scene::word(const std::string& key) {
+/// The text of a key that has words, or its first word where that is the default.
+std::string Scene::text_of_words(const std::string& key) const {
   const Key& found = declared(key);
-  const std::vector<std::string_view> accepted = words_of(found);
   const bool is_default = !has(key) && found.first_is_default;
-  const std::string chosen = is_default ? std::string(accepted.front()) : text(key);
-  if (std::ranges::find(accepted, chosen) == accepted.end()) {
-    reject(key, chosen, joined(accepted, " or "));
+  return is_default ? std::string(words_of(found).front()) : text(key);
+}
+
+void Scene::require_word(const std::string& key, const std::string& word) const {
+  const std::vector<std::string_view> accepted = words_of(declared(key));
+  if (std::ranges::find(accepted, word) == accepted.end()) {
+    reject(key, word, joined(accepted, " or "));
   }
+}
+
+std::string Scene::word(const std::string& key) {
+  const std::string chosen = text_of_words(key);
+  require_word(key, chosen);
   record(key, chosen);
   return chosen;
+}
+
+std::vector<std::string> Scene::words(const std::string& key) {
+  const std::string chosen = text_of_words(key);
+  std::vector<std::string> all;
+  std::istringstream in(chosen);
+  for (std::string word; in >> word;) {
+    require_word(key, word);
+    all.push_back(word);
+  }
+  if (all.empty()) require_word(key, chosen);
+  record(key, chosen);
+  return all;
 }
 
 /// Records a parameter, once even if it is read several times.

@@ -172,12 +172,20 @@ std::optional<std::vector<std::string>> list_items(std::string_view text) {
   std::vector<std::string> items;  // each one a number with its unit
   std::istringstream words{std::string(text)};
   for (std::string word; words >> word;) {
-    if (items.empty() || !split_number(word).first.empty()) {
+    // "1/m" behind a number is its unit; "0/m 1/m" are two numbers, and "0 1/m 2/m" is neither.
+    const bool is_inverse = word.starts_with("1/") && is_unit(word) && !items.empty() &&
+                            unit_behind(items.back()).empty();
+    if (items.empty() || (!split_number(word).first.empty() && !is_inverse)) {
       items.push_back(word);
     } else {
       items.back() += ' ' + word;
     }
   }
+  const auto has_unit_like = [&](std::string_view begin) {
+    return std::ranges::any_of(
+        items, [&](const auto& item) { return unit_behind(item).starts_with(begin); });
+  };
+  if (has_unit_like("1/") && has_unit_like("/")) return std::nullopt;
   const auto has_none = [](const std::string& item) { return unit_behind(item).empty(); };
   const auto without = static_cast<std::size_t>(std::ranges::count_if(items, has_none));
   if (without == 0 || without == items.size()) return items;

@@ -24,6 +24,17 @@ kernel { type plane
 grid { elements 20 }
 )";
 
+const std::string ellipse_scene = R"(problem steady
+material { shear_modulus 82000
+           poisson_ratio 0.28 }
+contact { half_width 6
+          lateral_half_width 4
+          peak_traction 300 }
+grid { rows 7
+       elements 9 }
+load { spin 0.1 1/m }
+)";
+
 class Curves : public Executables {
  protected:
   Outcome curve(const std::string& options, const std::string& scene = plane_scene) const {
@@ -176,6 +187,45 @@ TEST_F(Curves, AreDrawnWithFastsimAndTheExactSolution) {
   for (const char* text : {"contact.half_width = 3 mm", "FASTSIM", "Carter, exact", "creepage"}) {
     EXPECT_NE(figure.find(text), std::string::npos) << text;
   }
+}
+
+TEST_F(Curves, OfAnEllipseAreDrawnWithLaws) {
+  ASSERT_EQ(curve("--along lateral_creepage --beside 'fastsim polach' --points 9 "
+                  "--set 'sweep.load.spin=0 0.1 0.3 1/m'",
+                  ellipse_scene)
+                .error,
+            "");
+  const Table table = table_of("curve");
+  EXPECT_EQ(table.rows(), 3U * 9);
+  EXPECT_LT(number(table, 9, "lateral_creepage"), 0);
+  EXPECT_NEAR(number(table, 26, "spin"), 3e-4, 1e-12);
+  const Outcome plot =
+      run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip plot out");
+  EXPECT_EQ(plot.output, "drew out.svg\n") << plot.error;
+  const std::string figure = text_of(folder_ / "out.svg");
+  for (const char* text : {"load.spin = 3e-04 1/mm", "FASTSIM: off by up to",
+                           "Polach: off by up to", "lateral_creepage", "lateral_force [N]"}) {
+    EXPECT_NE(figure.find(text), std::string::npos) << text;
+  }
+}
+
+TEST_F(Curves, BadInputOfAnEllipse) {
+  const auto expect = [&](const std::string& options, const std::string& error) {
+    expect_error(options, error, ellipse_scene);
+  };
+  expect("--along yaw", "curve.along = 'yaw': expected creepage or lateral_creepage or spin");
+  expect("--along spin --creepages '0 1'", "'curve.creepages' has no role here");
+  expect("--spins '0 1'", "'curve.spins' has no role here: it is for microslip curve with");
+  expect("--along spin --largest 0.1", "'curve.largest' has no role here");
+  expect("--along spin --spins '0 2 1 1/m'", "curve.spins = 0.001: expected numbers in rising");
+  expect("--beside 'fastsim polak'", "curve.beside = 'polak': expected nothing or fastsim");
+  expect("--kalker-factor 0.6", "it is for microslip curve with curve.beside");
+  expect("--beside polach --kalker-factor 1.1", "curve.kalker_factor = 1.1: expected a number");
+  expect("--set problem=transient", "problem = 'transient': expected steady for a curve of an");
+  expect("--set load.lateral_force=1e6", "load.lateral_force = 1e+06: expected less than full");
+  expect_error("--beside polach",
+               "curve.beside = 'polach': expected nothing or fastsim for a line");
+  expect_error("--along spin", "'curve.along' has no role here: it is for ellipses");
 }
 
 TEST_F(Curves, BadInput) {

@@ -39,6 +39,13 @@ TEST(Units, OfAListAreBehindTheLastOrBehindEach) {
   EXPECT_EQ(quantities("2 cm", "mm"), (std::vector<double>{20}));
   EXPECT_EQ(quantities("1 1 N s^2/mm^2", "N s^2/mm^2"), (std::vector<double>{1, 1}));
   EXPECT_EQ(quantities("", "mm"), std::vector<double>());
+  for (const char* text : {"0 1 2 1/m", "0 1/m 1 1/m 2 1/m", "0/m 1/m 2/m", "0 1 2/m"}) {
+    EXPECT_EQ(quantities(text, "1/mm"), (std::vector<double>{0, 0.001, 0.002})) << text;
+  }
+  EXPECT_EQ(quantities("1/m 2/m", "1/mm"), (std::vector<double>{0.001, 0.002}));
+  for (const char* text : {"0 1/m 2/m", "1/m 2 1/m", "0 1/m 2"}) {
+    EXPECT_FALSE(quantities(text, "1/mm")) << text;
+  }
   for (const char* text : {"1 mm 2", "1 mm 2 3 mm", "1 2 N", "mm 1", "1 x", "1 nan", "1 1e400",
                            "1 2 mm mm", "1, 2", "1 1e306 km"}) {
     EXPECT_FALSE(quantities(text, "mm")) << text;

@@ -140,7 +140,7 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem) {
 
 namespace {
 
-/// The largest change of what follows from the load; see solve_steady_with_change().
+/// The largest change of what follows from the load; see SteadyPatchSolver.
 double change_of(const SteadyPatch& problem, const SteadyPatchSolution& from,
                  const SteadyPatchSolution& to) {
   const double full = problem.bound.total(), c = problem.bound.size();
@@ -168,17 +168,43 @@ std::optional<SteadyPatch> with_fewer_elements(const SteadyPatch& problem) {
   return coarse;
 }
 
-SteadyPatchSolution solve_steady_with_change(const SteadyPatch& problem) {
-  SteadyPatchSolution solution = solve_steady(problem);
+SteadyPatchSolver::Prepared::Prepared(const SteadyPatch& of)
+    : problem(of), response(rows_of(of), of.material.poisson_ratio) {}
+
+SteadyPatchSolution SteadyPatchSolver::Prepared::solve(const PatchLoad& load) {
+  problem.load = load;
+  SteadyPatchSolution solution = solve_steady(problem, response, state ? &*state : nullptr);
+  state = solution.state;
+  return solution;
+}
+
+namespace {
+
+const SteadyPatch& valid(const SteadyPatch& problem) {
+  validate(problem);
+  return problem;
+}
+
+}  // namespace
+
+SteadyPatchSolver::SteadyPatchSolver(const SteadyPatch& problem) : fine_(valid(problem)) {
+  if (const auto coarse = with_fewer_elements(problem)) coarse_.emplace(*coarse);
+}
+
+SteadyPatchSolution SteadyPatchSolver::solve(const PatchLoad& load) {
+  SteadyPatchSolution solution = fine_.solve(load);
   solution.evidence.change = 1;
-  const auto coarse = with_fewer_elements(problem);
-  if (!coarse) return solution;
+  if (!coarse_) return solution;
   try {
-    solution.evidence.change = change_of(problem, solve_steady(*coarse), solution);
+    solution.evidence.change = change_of(fine_.problem, coarse_->solve(load), solution);
   } catch (const NotConverged&) {
     return solution;
   }
   return solution;
+}
+
+SteadyPatchSolution solve_steady_with_change(const SteadyPatch& problem) {
+  return SteadyPatchSolver(problem).solve(problem.load);
 }
 
 }  // namespace microslip

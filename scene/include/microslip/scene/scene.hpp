@@ -188,6 +188,9 @@ class Scene {
   /// One of the words of a known key. A missing key gives the key's default.
   std::string word(const std::string& key);
 
+  /// One or more of the words of a known key, separated by blanks. A missing key gives the default.
+  std::vector<std::string> words(const std::string& key);
+
   /// \throws std::invalid_argument if a given key was not read
   void reject_unread() const;
 
@@ -223,6 +226,8 @@ class Scene {
   std::vector<std::optional<Eigen::VectorXd>> columns(const std::string& key,
                                                       const std::vector<FileColumn>& wanted);
   const Value& value(const std::string& key) const;
+  std::string text_of_words(const std::string& key) const;
+  void require_word(const std::string& key, const std::string& word) const;
   void put(const std::string& key, const std::string& text, const Place& place);
   void expand_ranges(const std::string& key);
   void remove(const std::string& key);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+
 #include "microslip/scene/model.hpp"
 
 namespace microslip {
@@ -8,5 +10,11 @@ namespace microslip {
 /// read_steady() without a load: one that is given has no part in it, and none has to be.
 /// \return under a creepage of zero
 SteadyProblem read_unloaded_steady(Scene& scene);
+
+/// read_steady_patch() of which one component has a motion that varies: its load has no part, and
+/// no component must have one.
+/// \param varied  0, 1 or 2: along, across or spin
+/// \return with that motion zero
+SteadyPatch read_steady_patch(Scene& scene, std::size_t varied);
 
 }  // namespace microslip

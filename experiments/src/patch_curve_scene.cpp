@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/experiments/patch_curve_scene.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "curve_points.hpp"
+#include "microslip/experiments/contact_tables.hpp"
+#include "microslip/patch/patch_response.hpp"
+#include "microslip/rolling/large_creepage.hpp"
+#include "microslip/scene/unloaded.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/not_converged_at.hpp"
+#include "microslip/support/require.hpp"
+#include "patch_tables.hpp"
+#include "study_keys.hpp"
+
+namespace microslip::experiments {
+
+using Eigen::Index;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+struct Component {
+  const char* motion;
+  const char* resultant;
+  const char* list;     ///< key of the values
+  const char* largest;  ///< key of the largest one
+};
+
+constexpr std::array<Component, 3> components{
+    {{"creepage", "force", "curve.creepages", "curve.largest"},
+     {"lateral_creepage", "lateral_force", "curve.creepages", "curve.largest"},
+     {"spin", "spin_moment", "curve.spins", "curve.largest_spin"}}};
+
+struct Law {
+  const char* name;
+  const char* title;
+  Index resultants;  ///< 2: forces; 3: the moment, too
+  Vector3d (*at)(const CreepForceContact&, const Vector3d& motion);
+};
+
+Vector3d without_moment(const Vector2d& force) { return {force[0], force[1], 0}; }
+
+const Law laws[] = {
+    {"fastsim", "FASTSIM, three flexibilities", 3,
+     [](const CreepForceContact& c, const Vector3d& m) {
+       return fastsim(c, m, Flexibilities::three);
+     }},
+    {"fastsim_one", "FASTSIM, one flexibility", 3,
+     [](const CreepForceContact& c, const Vector3d& m) {
+       return fastsim(c, m, Flexibilities::one);
+     }},
+    {"vermeulen_johnson", "Vermeulen and Johnson's law, spin as by Shen, Hedrick and Elkins", 2,
+     [](const CreepForceContact& c, const Vector3d& m) {
+       return without_moment(vermeulen_johnson(c, m));
+     }},
+    {"polach", "Polach's law", 2,
+     [](const CreepForceContact& c, const Vector3d& m) { return without_moment(polach(c, m)); }}};
+
+const Law& law_named(const std::string& name) {
+  return *std::ranges::find_if(laws, [&](const Law& law) { return name == law.name; });
+}
+
+/// Whether forces are the same but for their signs where the motion along changes its sign.
+bool is_symmetric(const PatchLoad& load, std::size_t along) {
+  if (along == 0) return true;  // lateral motions mirror it
+  const PatchComponent& other = load[along == 1 ? 2 : 1];
+  return !other.by_resultant && other.value == 0;
+}
+
+/// Returns the coefficients of Kalker's theory by the patch's own rows, for any shape.
+CreepCoefficients coefficients_of(const SteadyPatch& patch) {
+  const PatchShape shape = patch.bound.shape().scaled(1 / patch.bound.size());
+  const Eigen::Matrix3d linear =
+      PatchResponse({shape, patch.rows, patch.elements}, patch.material.poisson_ratio).linear();
+  return {-linear(0, 0), -linear(1, 1), -linear(1, 2), linear(2, 1), -linear(2, 2)};
+}
+
+/// Returns a motion along, on its own, at which nearly all slides.
+double beyond_sliding(const PatchCurveScene& scene) {
+  constexpr double margin = 1.25;
+  const auto& [c11, c22, c23, c32, c33] = scene.coefficients;
+  const double c = scene.patch.bound.size();
+  const double slope = std::array{c11, c22, c * std::abs(c23)}.at(scene.along);
+  const double scale = scene.patch.material.shear_modulus * c * c;
+  return rounded_up(margin * 3 * scene.patch.bound.total() / (scale * slope));
+}
+
+void warn_of_large(Scene& scene, const char* key, double creepage, const SteadyPatch& patch) {
+  const double strain =
+      patch.bound.total() / patch.bound.shape().area() / patch.material.shear_modulus;
+  const std::string doubt = doubt_of_creepage(creepage, strain);
+  if (!doubt.empty()) scene.warn(key, creepage, doubt);
+}
+
+void read_motions(Scene& scene, PatchCurveScene& read) {
+  const auto& [motion, resultant, list, largest] = components[read.along];
+  if (scene.has(list)) {
+    for (const char* other : {"curve.points", largest}) scene.at_most_one_of({list, other});
+    read.motions = scene.numbers(list);
+    demand(scene, list, rising, read.motions);
+  } else {
+    const int points = read_curve_points(scene);
+    const double most = scene.has(largest) ? scene.positive(largest) : beyond_sliding(read);
+    const double least = is_symmetric(read.patch.load, read.along) ? 0 : -most;
+    read.motions = evenly_spaced(least, most, points);
+  }
+  if (read.along == 2) return;
+  const char* key = scene.has(list) ? list : largest;
+  for (const double end : {read.motions.front(), read.motions.back()}) {
+    warn_of_large(scene, key, end, read.patch);
+  }
+}
+
+CreepForceContact read_contact_of_laws(Scene& scene, const SteadyPatch& patch) {
+  for (const char* key : {"contact.patch_file", "contact.bound_file"}) {
+    if (scene.has(key)) {
+      reject("curve.beside", scene.text("curve.beside"),
+             "nothing for contacts that are not Hertz's");
+    }
+  }
+  const double factor = scene.number("curve.kalker_factor");
+  require(factor > 0 && factor <= 1, "curve.kalker_factor", factor, "a number above 0, up to 1");
+  CreepCoefficients of =
+      creep_coefficients(patch.bound.ratio(), patch.material.poisson_ratio).value;
+  for (double* one : {&of.c11, &of.c22, &of.c23, &of.c32, &of.c33}) *one *= factor;
+  return {.half_width = patch.bound.half_width(),
+          .lateral_half_width = patch.bound.lateral_half_width(),
+          .shear_modulus = patch.material.shear_modulus,
+          .full_sliding = patch.bound.total(),
+          .coefficients = of};
+}
+
+std::vector<Column> columns_of(const PatchCurveScene& scene) {
+  const double rounding = 1e-9 * scene.patch.bound.total();
+  const double rounding_of_moment = rounding * scene.patch.bound.size();
+  std::vector<Column> columns{{"creepage", "1", "xi"},
+                              {"lateral_creepage", "1", "eta"},
+                              {"spin", "1/mm", "phi"},
+                              {"force", "N", "Fx", rounding},
+                              {"lateral_force", "N", "Fy", rounding},
+                              {"spin_moment", "N mm", "Mz", rounding_of_moment},
+                              {"force_ratio", "1", "size of the force over full sliding"}};
+  if (scene.friction) {
+    columns.push_back({"traction_coefficient", "1", "size of the force over the normal load"});
+  }
+  columns.push_back({"slip_share", "1", "share of the area that slips"});
+  columns.push_back({"change", "1", "of the result from rows and elements that are a third fewer"});
+  for (const std::string& name : scene.laws) {
+    const Law& law = law_named(name);
+    const std::string of = std::string(" by ") + law.title;
+    columns.push_back({name + "_force", "N", "Fx" + of, rounding});
+    columns.push_back({name + "_lateral_force", "N", "Fy" + of, rounding});
+    if (law.resultants == 3) {
+      columns.push_back({name + "_spin_moment", "N mm", "Mz" + of, rounding_of_moment});
+    }
+    columns.push_back(
+        {name + "_error", "1", "size of the difference of the force, over full sliding"});
+  }
+  return columns;
+}
+
+}  // namespace
+
+PatchCurveScene read_patch_curve(Scene& scene) {
+  const std::string along = scene.word("curve.along");
+  const auto component =
+      std::ranges::find_if(components, [&](const Component& one) { return along == one.motion; });
+  PatchCurveScene read{
+      .patch = {.material = {}, .bound = EllipticBound(1, 1, 1), .rows = 1, .elements = 2},
+      .along = static_cast<std::size_t>(component - components.begin()),
+      .motions = {},
+      .coefficients = {},
+      .laws = {}};
+  read.patch = read_steady_patch(scene, read.along);
+  read.coefficients = coefficients_of(read.patch);
+  read_motions(scene, read);
+  read.laws = read_laws_beside(scene);
+  if (!read.laws.empty()) read.contact = read_contact_of_laws(scene, read.patch);
+  if (scene.has("contact.normal_load")) read.friction = read_friction(scene);
+  return read;
+}
+
+std::vector<Table> curve_tables(const PatchCurveScene& scene, const Progress& progress) {
+  const SteadyPatch& patch = scene.patch;
+  const double full = patch.bound.total();
+  const char* name = components[scene.along].motion;
+  Table table("curve", fmt::format("resultants of steady rolling against the {}", name),
+              columns_of(scene));
+  SteadyPatchSolver solver(patch);
+  std::vector<double> largest_errors(scene.laws.size(), 0);
+  Evidence worst;
+  PatchLoad load = patch.load;
+  std::size_t done = 0;
+  for (const double motion : scene.motions) {
+    load[scene.along] = {.by_resultant = false, .value = motion};
+    SteadyPatchSolution point = [&] {
+      try {
+        return solver.solve(load);
+      } catch (const NotConverged& error) {
+        throw NotConvergedAt(fmt::format("{} {}", name, format_short(motion)), error);
+      }
+    }();
+    require_evidence(point.evidence, point.condition, point.iterations, patch.accepted);
+    worst.change = std::max(worst.change, point.evidence.change);
+    std::vector<Cell> row;
+    for (const double value : point.motion) row.emplace_back(value);
+    for (const double value : point.resultants) row.emplace_back(value);
+    row.emplace_back(point.force() / full);
+    if (scene.friction) row.emplace_back(*scene.friction * point.force() / full);
+    row.emplace_back(point.slip_area() / point.area.sum());
+    row.emplace_back(point.evidence.change);
+    for (std::size_t l = 0; l < scene.laws.size(); ++l) {
+      const Law& law = law_named(scene.laws[l]);
+      const Vector3d by_law = law.at(*scene.contact, point.motion);
+      const double error = (by_law - point.resultants).head<2>().norm() / full;
+      for (Index j = 0; j < law.resultants; ++j) row.emplace_back(by_law[j]);
+      row.emplace_back(error);
+      largest_errors[l] = std::max(largest_errors[l], error);
+    }
+    table.add(row);
+    progress(++done, scene.motions.size());
+  }
+  Table summary = empty_summary(fmt::format("resultants against the {}", name));
+  summary.add({"full_sliding_force", full, "N"});
+  add_patch_sizes(summary, patch);
+  const auto& [c11, c22, c23, c32, c33] = scene.coefficients;
+  for (const auto& [key, value] :
+       {std::pair{"c11", c11}, {"c22", c22}, {"c23", c23}, {"c33", c33}}) {
+    summary.add({key, value, "1"});
+  }
+  for (std::size_t l = 0; l < scene.laws.size(); ++l) {
+    summary.add({scene.laws[l] + "_error", largest_errors[l], "1"});
+  }
+  summary.add({"change", worst.change, "1"});
+  summary.add({"warning", doubt_of_patch(worst).value_or("none"), "1"});
+  return {table, summary};
+}
+
+}  // namespace microslip::experiments
