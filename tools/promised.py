@@ -68,7 +68,7 @@ def tables(program):
     """Tables of `microslip`; those of studies may change, as their keys and claims may."""
     for file in sorted(TABLES.glob("example_*/*.tsv")):
         yield from columns_of(file, f"{file.parent.name.removeprefix('example_')}/{file.name}")
-    with tempfile.TemporaryDirectory() as folder:  # the one command without a reference table
+    with tempfile.TemporaryDirectory() as folder:  # the one command without a reference table for line contacts
         printed(program, "curve", ROOT / "examples/steady.info", "--points", "3", "--beside", "fastsim", "--quiet", "--out",
                 folder)
         for file in sorted(pathlib.Path(folder).glob("*.tsv")):

@@ -9,9 +9,11 @@ for scene in "$root"/studies/*/study.info; do
   study=$(basename "$(dirname "$scene")")
   "$programs/$study" --quick --out "$out/$study"
 done
-for problem in steady wheel transient run cylinder; do
+for problem in steady line ellipse transient run cylinder; do
   "$programs/microslip" --scene "$root/examples/$problem.info" --out "$out/example_$problem"
 done
+"$programs/microslip" curve --scene "$root/examples/ellipse.info" --points 11 --beside "fastsim vermeulen_johnson polach" --quiet \
+  --out "$out/example_ellipse_curve"
 "$programs/microslip" response --scene "$root/examples/steady.info" --out "$out/example_response"
 for problem in steady transient; do
   "$programs/microslip" converge --scene "$root/examples/$problem.info" --quiet --out "$out/example_converge_$problem" \

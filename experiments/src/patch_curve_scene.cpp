@@ -119,11 +119,8 @@ void read_motions(Scene& scene, PatchCurveScene& read) {
 }
 
 CreepForceContact read_contact_of_laws(Scene& scene, const SteadyPatch& patch) {
-  for (const char* key : {"contact.patch_file", "contact.bound_file"}) {
-    if (scene.has(key)) {
-      reject("curve.beside", scene.text("curve.beside"),
-             "nothing for contacts that are not Hertz's");
-    }
+  if (!patch.bound.is_hertz()) {
+    reject("curve.beside", scene.text("curve.beside"), "nothing for contacts that are not Hertz's");
   }
   const double factor = scene.number("curve.kalker_factor");
   require(factor > 0 && factor <= 1, "curve.kalker_factor", factor, "a number above 0, up to 1");
@@ -138,7 +135,7 @@ CreepForceContact read_contact_of_laws(Scene& scene, const SteadyPatch& patch) {
 }
 
 std::vector<Column> columns_of(const PatchCurveScene& scene) {
-  const double rounding = 1e-9 * scene.patch.bound.total();
+  const double rounding = rounding_of_resultants * scene.patch.bound.total();
   const double rounding_of_moment = rounding * scene.patch.bound.size();
   std::vector<Column> columns{{"creepage", "1", "xi"},
                               {"lateral_creepage", "1", "eta"},

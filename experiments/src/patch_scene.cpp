@@ -12,7 +12,7 @@ std::vector<Table> scene_tables(const SteadyPatch& patch, const Progress& progre
   const SteadyPatchSolution solution = solve_steady_with_change(patch);
   progress(1, 1);
   Table summary = empty_summary("steady rolling, the whole contact");
-  add_patch_load(summary, solution.resultants, solution.motion);
+  add_patch_load(summary, solution.resultants, solution.motion, patch.bound);
   add_patch_shares(summary, patch.bound.total(), solution.force(),
                    solution.slip_area() / solution.area.sum());
   summary.add({"dissipation", solution.dissipation, "N"});

@@ -81,10 +81,12 @@ Table patch_edges_table(const SteadyPatch& patch, double size) {
 }
 
 void add_patch_load(Table& summary, const Eigen::Vector3d& resultants,
-                    const Eigen::Vector3d& motion) {
-  summary.add({"force", resultants[0], "N"});
-  summary.add({"lateral_force", resultants[1], "N"});
-  summary.add({"spin_moment", resultants[2], "N mm"});
+                    const Eigen::Vector3d& motion, const PatchBound& bound) {
+  const Rounding of_force{"value", rounding_of_resultants * bound.total()};
+  const Rounding of_moment{"value", of_force.bound * bound.size()};
+  summary.add({"force", resultants[0], "N"}, of_force);
+  summary.add({"lateral_force", resultants[1], "N"}, of_force);
+  summary.add({"spin_moment", resultants[2], "N mm"}, of_moment);
   summary.add({"creepage", motion[0], "1"});
   summary.add({"lateral_creepage", motion[1], "1"});
   summary.add({"spin", motion[2], "1/mm"});

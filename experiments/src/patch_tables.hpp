@@ -39,9 +39,13 @@ Table patch_edges_table(const SteadyPatch& patch, double size = 1);
 Table rectangles_edges_table(const Eigen::VectorXd& x, const Eigen::VectorXd& y, double dx,
                              double dy);
 
+/// Resultants below this are rounding, over full sliding, and for the moment over that at the
+/// distance c.
+inline constexpr double rounding_of_resultants = 1e-9;
+
 /// Adds resultants and motion to the table `summary`.
 void add_patch_load(Table& summary, const Eigen::Vector3d& resultants,
-                    const Eigen::Vector3d& motion);
+                    const Eigen::Vector3d& motion, const PatchBound& bound);
 
 /// Adds the force over full sliding, and the shares of the area that stick and slip.
 /// \param full_sliding, force  [N]

@@ -203,7 +203,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   Table summary = empty_summary("transient rolling of a patch, the whole contact at the end");
   summary.add({"distance", scene.distance, "mm"});
   summary.add({"steps", steps, "1"});
-  add_patch_load(summary, end.resultants, end.motion);
+  add_patch_load(summary, end.resultants, end.motion, scene.patch.bound);
   summary.add({"cumulative_creep", sums.path[0], "mm"});
   summary.add({"cumulative_lateral_creep", sums.path[1], "mm"});
   summary.add({"cumulative_spin", sums.path[2], "rad"});

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "microslip/patch/patch_rolling.hpp"
+#include "microslip/reference/kalker.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/scene/cost.hpp"
 
@@ -255,6 +256,22 @@ const std::string unlike_patch =
 const std::string shape_by_spin =
     "spin that changes the shape of the contact, and a contact in more than one plane";
 
+/// Whether a line contact would do in the place of an ellipse, with the errors of the study
+/// ellipse_convergence: docs/ellipse.md.
+std::string in_place_of(const SteadyPatch& patch) {
+  const auto acts = [&](std::size_t j) { return patch.load[j] != PatchComponent{}; };
+  if (acts(2) || (acts(0) && acts(1))) {
+    return "no line contact would do: it has no spin, and no creepage along and across at once";
+  }
+  constexpr double width_over_axis = std::numbers::pi / 2;
+  constexpr double peak_over_peak = 8 / (3 * std::numbers::pi);
+  return fmt::format(
+      "a line contact would do within 3 % of full sliding: kernel.type strip, kernel.width {} mm, "
+      "contact.peak_traction {} N/mm^2{}",
+      five_digits(width_over_axis * patch.bound.lateral_half_width()),
+      five_digits(peak_over_peak * patch.bound.peak()), acts(1) ? ", direction lateral" : "");
+}
+
 Explanation of_patch(const SteadyPatch& patch) {
   Explanation found{fmt::format("steady rolling of {} under {}", name_of(patch.bound.shape()),
                                 kind_of(patch.load)),
@@ -262,6 +279,14 @@ Explanation of_patch(const SteadyPatch& patch) {
                     {normal, how_steady, unlike_patch, shape_by_spin}};
   found.consequences.emplace_back(
       "stick and slip are found by Newton's method; where nothing slips, forces are right to 1e-3");
+  if (patch.bound.is_hertz()) {
+    const CreepCoefficients of =
+        creep_coefficients(patch.bound.ratio(), patch.material.poisson_ratio).value;
+    found.consequences.push_back(fmt::format(
+        "Kalker's coefficients: C11 = {}, C22 = {}, C23 = {}, C33 = {}", five_digits(of.c11),
+        five_digits(of.c22), five_digits(of.c23), five_digits(of.c33)));
+    found.consequences.push_back(in_place_of(patch));
+  }
   return found;
 }
 

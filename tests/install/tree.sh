@@ -60,7 +60,7 @@ expect() {
 }
 expect 'microslip ex' 'explain'
 expect 'microslip st' 'steady.info'
-expect 'microslip init ' 'steady wheel ellipse transient ellipse_transient cylinder run sweep'
+expect 'microslip init ' 'wheel ellipse line steady transient ellipse_transient cylinder run sweep'
 expect 'microslip explain ' 'steady.info out results'
 expect 'microslip plot o' 'out'
 expect 'microslip steady.info --set contact.ha' 'contact.half_width='

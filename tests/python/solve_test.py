@@ -11,7 +11,7 @@ import pytest
 
 import microslip as ms
 
-EXAMPLES = ("steady", "wheel", "ellipse", "transient", "ellipse_transient", "cylinder", "run")
+EXAMPLES = ("steady", "line", "ellipse", "transient", "ellipse_transient", "cylinder", "run")
 
 
 @pytest.mark.parametrize("name", EXAMPLES)

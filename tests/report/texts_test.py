@@ -28,7 +28,7 @@ RESULTS = """
 steady.info --out steady
 steady.info --set load.force=-0.001 --out little
 steady.info --set kernel.type=plane --set kernel.width= --set kernel.length=50 --out plane
-wheel.info --out wheel
+line.info --out line
 ellipse.info --out ellipse
 ellipse.info --set contact.lateral_radius_2=30 --out long_ellipse
 ellipse.info --set contact.radius_1=40 --out wide_ellipse
@@ -46,16 +46,18 @@ SWEEP many --set sweep.load.creepage=1e-4:log4:1e-2 --set sweep.leading_edge="ca
  --set sweep.kernel.width="5 10" --set sweep.contact.half_width="4.5123 5.3123" --set sweep.material.poisson_ratio="0.25 0.3"
 SWEEP files --set contact.peak_traction= --set load.creepage=1e-3 --set sweep.contact.bound_file="BOUNDS"
 curve steady.info --quiet --out curve
+curve ellipse.info --quiet --points 11 --beside "fastsim fastsim_one vermeulen_johnson polach" --out laws
+curve ellipse.info --quiet --points 11 --along lateral_creepage --beside "fastsim polach" --set sweep.load.spin="0 0.2 0.5 1/m" --out families
 converge steady.info --quiet --out converge
 converge transient.info --quiet --out converge_transient
 response steady.info --out response
 response steady.info --set load.force=-100 --out response_of_little
 """
 # These figures are drawn of them.
-PLOTS = {"steady": "steady", "little": "little", "plane": "plane", "wheel": "wheel", "ellipse": "ellipse", "long_ellipse": "long_ellipse",
+PLOTS = {"steady": "steady", "little": "little", "plane": "plane", "line": "line", "ellipse": "ellipse", "long_ellipse": "long_ellipse",
          "wide_ellipse": "wide_ellipse", "steps": "steps --figure history", "both_steps": "steps rectangles",
          "along": "along --figure history", "rectangles": "rectangles --figure ellipse", "transient": "transient", "run": "run",
-         "cylinder": "cylinder", "sweep": "sweep", "curve": "curve", "converge": "converge",
+         "cylinder": "cylinder", "sweep": "sweep", "curve": "curve", "laws": "laws", "families": "families", "converge": "converge",
          "converge_transient": "converge_transient", "response": "response", "shifts": "shifts --figure shifts",
          "three": "steady little plane", "long": "DEEP/steady DEEP/little DEEP/plane", "tractions": "steady run cylinder",
          "edge": "steady little --x 4.7:4.9", "transients": "transient fine", "begin": "run --q 10:100", "time": "run --over t",
@@ -88,7 +90,7 @@ class Texts(unittest.TestCase):
         cls.addClassCleanup(cls.browser.close)
         for number, bound in enumerate(BOUNDS):
             (WORK / bound).write_text(f"x\tbound\n-5\t0\n{number - 2}\t300\n5\t0\n", encoding="utf-8")
-        for kind in ("steady", "wheel", "ellipse", "transient", "ellipse_transient", "run", "cylinder", "sweep"):
+        for kind in ("steady", "line", "ellipse", "transient", "ellipse_transient", "run", "cylinder", "sweep"):
             run(f"init {kind}")
         results = RESULTS.replace("\\\n", "").replace("SWEEP", SWEEP).replace("BOUNDS", " ".join(BOUNDS))
         for made in run_all(results.strip().splitlines()):

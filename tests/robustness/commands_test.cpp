@@ -49,7 +49,7 @@ TEST_F(Commands, AWordThatIsNone) {
 }
 
 TEST_F(Commands, EachSceneToStartFromIsSolvedAndDrawn) {
-  for (const std::string kind : {"steady", "wheel", "transient", "run", "cylinder"}) {
+  for (const std::string kind : {"wheel", "line", "steady", "transient", "run", "cylinder"}) {
     const std::string scene = kind + ".info";
     const std::string table = kind == "run" ? " and run.tsv" : "";
     EXPECT_EQ(run_in_folder("init " + kind).output,
@@ -70,8 +70,8 @@ TEST_F(Commands, EachSceneToStartFromIsSolvedAndDrawn) {
       run_in_folder("explain its/own/many.info").output.find("78 cases, the first is: steady"),
       std::string::npos);
   expect_error("init stedy",
-               "no scene 'stedy' (did you mean 'steady'?); expected steady, wheel, ellipse, "
-               "transient, ellipse_transient, run, cylinder, sweep");
+               "no scene 'stedy' (did you mean 'steady'?); expected wheel, ellipse, line, "
+               "steady, transient, ellipse_transient, run, cylinder, sweep");
 }
 
 TEST_F(Commands, ExplainSaysTheScenesErrorsAndWarnings) {
@@ -330,7 +330,7 @@ TEST_F(Commands, KeysArePrintedForWhoeverReadsThem) {
 TEST_F(Commands, AllKeysOfRunsAreListed) {
   std::set<std::string> listed;
   for (const Key& key : keys_of_scenes()) listed.insert(std::string(key.name));
-  for (const std::string kind : {"steady", "wheel", "transient", "cylinder"}) {
+  for (const std::string kind : {"steady", "line", "wheel", "transient", "cylinder"}) {
     run_in_folder("init " + kind);
     const bool rolls = kind == "transient" || kind == "cylinder";
     ASSERT_EQ(run_in_folder(kind + ".info" + (rolls ? " --set step.scheme=relaxed" : "")).status,

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
@@ -65,6 +66,37 @@ TEST_F(Ellipses, HaveTheSameResultInOtherUnitsAndByTheirSemiAxes) {
   EXPECT_NEAR(by_axes.at("spin_moment"), found.at("spin_moment"), 1e-6 * found.at("spin_moment"));
 }
 
+TEST_F(Ellipses, AreExplainedBesideALineContact) {
+  const Outcome spins = run_in_folder("explain ellipse.info");
+  EXPECT_NE(spins.output.find("Kalker's coefficients: C11 = 4.54"), std::string::npos)
+      << spins.output;
+  EXPECT_NE(spins.output.find("no line contact would do"), std::string::npos);
+  const std::string along = "--set load.spin= --set load.lateral_creepage=";
+  const Outcome line = run_in_folder("explain ellipse.info " + along);
+  const std::string advice = line.output.substr(line.output.find("a line contact would do"));
+  const auto number = [&](const std::string& key) {
+    std::istringstream words(advice.substr(advice.find(key) + key.size()));
+    std::string word;
+    words >> word;
+    return word;
+  };
+  const std::string width = number("kernel.width");
+  const double force = summary(along).at("force");
+  const double half_width = summary(along).at("half_width");
+  std::ostringstream scene;
+  scene.precision(17);
+  scene << "problem steady\nmaterial { youngs_modulus 210 GPa\npoisson_ratio 0.28 }\n"
+        << "contact { half_width " << half_width << "\npeak_traction "
+        << number("contact.peak_traction") << " }\nkernel { type strip\nwidth " << width
+        << " }\ngrid { elements 20 }\nload { creepage 0.0005 }\n";
+  std::ofstream(folder_ / "line.info") << scene.str();
+  ASSERT_EQ(run_in_folder("line.info --quiet").error, "");
+  std::string text = text_of(folder_ / "out" / "summary.tsv");
+  const double of_line = std::stod(text.substr(text.find("\nforce\t") + 7));
+  EXPECT_NEAR(of_line * std::stod(width), force, 0.03 * 24000);
+  EXPECT_NEAR(of_line * std::stod(width) / force, 1, 0.03);
+}
+
 TEST_F(Ellipses, TakeForcesAndTheMomentInAnyMixture) {
   const auto motions = summary("");
   std::ostringstream resultants;
@@ -82,7 +114,7 @@ TEST_F(Ellipses, TakeForcesAndTheMomentInAnyMixture) {
 
 TEST_F(Ellipses, AreRefusedInOneLineThatNamesTheKey) {
   expect_refused("--set load.force=1kN",
-                 "ellipse.info:23: expected only one of 'load.creepage' and 'load.force'");
+                 "ellipse.info:28: expected only one of 'load.creepage' and 'load.force'");
   expect_refused("--set load.creepage= --set load.force=30kN",
                  "load.force = 30000: expected less than full sliding, 24000 N, in absolute value");
   expect_refused("--set load.spin= --set load.spin_moment=1kN",
@@ -97,17 +129,17 @@ TEST_F(Ellipses, AreRefusedInOneLineThatNamesTheKey) {
                  "contact.lateral_radius_2 = -300: expected radii of which the smaller one in size "
                  "is > 0");
   expect_refused("--set contact.lateral_radius_2=0.5",
-                 "ellipse.info:14: contact.radius_1 = 460: expected radii of an ellipse with a/b "
+                 "ellipse.info:17: contact.radius_1 = 460: expected radii of an ellipse with a/b "
                  "from 0.001 to 10");
   expect_refused(
       "--set kernel.type=plane",
       "key 'kernel.type' has no role here: it is for line contacts, not for this ellipse");
   expect_refused("--set problem=transient", "missing keys 'step.ratio', 'start.type'");
   expect_refused("--set problem=cylinder",
-                 "ellipse.info:15: contact.lateral_radius_2: expected a line contact here");
+                 "ellipse.info:20: contact.lateral_radius_2: expected a line contact here");
   expect_refused("--set load.spin= --set load.creepage= --set load.lateral_creepage=",
                  "missing key 'load.creepage' or ");
-  for (const char* command : {"curve", "converge", "response"}) {
+  for (const char* command : {"converge", "response"}) {
     EXPECT_EQ(run_in_folder(std::string(command) + " ellipse.info").status, 1) << command;
   }
 }

@@ -260,7 +260,11 @@ const std::vector<Role> roles = {
     {"curve.creepages", "0.001 0.002", ""},
     {"curve.points", "51", ""},
     {"curve.largest", "0.01", ""},
-    {"curve.beside", "fastsim", ""}};
+    {"curve.beside", "fastsim", ""},
+    {"curve.along", "spin", ""},
+    {"curve.spins", "0.1 0.2", ""},
+    {"curve.largest_spin", "0.1", ""},
+    {"curve.kalker_factor", "0.6", ""}};
 
 TEST(KeysOfScenes, AreAllInTheTableOfRoles) {
   std::vector<std::string> in_table, in_scenes;

@@ -70,6 +70,9 @@ class PatchBound {
 
   const PatchShape& shape() const { return shape_; }
 
+  /// Whether it is Hertz's on an ellipse.
+  bool is_hertz() const { return shape_.is_ellipse() && table_ == nullptr; }
+
   /// The bound at x = middle + half-length cos(theta) of the row psi of a lobe  [N/mm^2]
   double operator()(std::size_t lobe, double psi, double theta) const;
 
