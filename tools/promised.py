@@ -16,7 +16,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 RECORD = ROOT / "tests/promised.txt"
 TABLES = ROOT / "tests/reference_tables"
-HEADER = ROOT / "capi/include/microslip.h"
+HEADERS = sorted((ROOT / "capi/include").glob("*.h"))
 PACKAGE = ROOT / "python/microslip"
 sys.dont_write_bytecode = True  # the folder holds sources only
 sys.path.append(str(PACKAGE))
@@ -77,7 +77,7 @@ def tables(program):
 
 def declarations(_program):
     """Functions with their arguments, structs with all their members, which a program is compiled with, and constants."""
-    text = re.sub(r"/\*.*?\*/|^#.*?$|extern \"C\" \{|MICROSLIP_API", "", text_of(HEADER), flags=re.DOTALL | re.MULTILINE)
+    text = re.sub(r"/\*.*?\*/|^#.*?$|extern \"C\" \{|MICROSLIP_API", "", "\n".join(map(text_of, HEADERS)), flags=re.DOTALL | re.MULTILINE)
     for enum, body in re.findall(r"enum (\w+) \{(.*?)\};", text, re.DOTALL):
         yield from (f"C enum {enum}: {' '.join(entry.split())}" for entry in body.split(","))
     for name, body in re.findall(r"struct (\w+) \{(.*?)\};", text, re.DOTALL):

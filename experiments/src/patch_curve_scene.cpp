@@ -85,9 +85,11 @@ CreepCoefficients coefficients_of(const SteadyPatch& patch) {
 /// Returns a motion along, on its own, at which nearly all slides.
 double beyond_sliding(const PatchCurveScene& scene) {
   constexpr double margin = 1.25;
+  constexpr double least_part = 0.05;  // C23 of a patch about another point may be 0
   const auto& [c11, c22, c23, c32, c33] = scene.coefficients;
   const double c = scene.patch.bound.size();
-  const double slope = std::array{c11, c22, c * std::abs(c23)}.at(scene.along);
+  const double by_spin = c * std::max(std::abs(c23), least_part * c22);
+  const double slope = std::array{c11, c22, by_spin}.at(scene.along);
   const double scale = scene.patch.material.shear_modulus * c * c;
   return rounded_up(margin * 3 * scene.patch.bound.total() / (scale * slope));
 }
@@ -119,8 +121,10 @@ void read_motions(Scene& scene, PatchCurveScene& read) {
 }
 
 CreepForceContact read_contact_of_laws(Scene& scene, const SteadyPatch& patch) {
-  if (!patch.bound.is_hertz()) {
-    reject("curve.beside", scene.text("curve.beside"), "nothing for contacts that are not Hertz's");
+  if (!patch.bound.is_hertz() || patch.bound.ratio() < least_kalker_ratio) {
+    reject("curve.beside", scene.text("curve.beside"),
+           fmt::format("nothing, as laws are for Hertz's bound on an ellipse with a/b >= {}",
+                       format_short(least_kalker_ratio)));
   }
   const double factor = scene.number("curve.kalker_factor");
   require(factor > 0 && factor <= 1, "curve.kalker_factor", factor, "a number above 0, up to 1");

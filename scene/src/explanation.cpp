@@ -279,7 +279,7 @@ Explanation of_patch(const SteadyPatch& patch) {
                     {normal, how_steady, unlike_patch, shape_by_spin}};
   found.consequences.emplace_back(
       "stick and slip are found by Newton's method; where nothing slips, forces are right to 1e-3");
-  if (patch.bound.is_hertz()) {
+  if (patch.bound.is_hertz() && patch.bound.ratio() >= least_kalker_ratio) {
     const CreepCoefficients of =
         creep_coefficients(patch.bound.ratio(), patch.material.poisson_ratio).value;
     found.consequences.push_back(fmt::format(

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "hertz.hpp"
+#include "microslip/patch/patch_grid.hpp"
 #include "microslip/reference/point_contact.hpp"
 #include "microslip/rolling/large_creepage.hpp"
 #include "microslip/scene/keys.hpp"
@@ -23,9 +24,7 @@ namespace microslip {
 namespace {
 
 constexpr const char* lateral_half_width = "contact.lateral_half_width";
-/// The ratios a/b at which rows are known to converge: tests/property/generated_patches_test.cpp
-constexpr double least_ratio = 1e-3, largest_ratio = 10;
-constexpr Eigen::Index most_cells_of_side = 100;
+constexpr double least_ratio = least_patch_ratio, largest_ratio = largest_patch_ratio;
 
 /// Reads the radii across the rolling.
 Radii read_lateral_radii(Scene& scene) {
@@ -161,13 +160,6 @@ PatchComponent read_component(Scene& scene, const PatchKeys& keys, double most) 
   return {.by_resultant = true, .value = value * most};
 }
 
-/// Cells of a side, which has the other side `ratio` times as long.
-Eigen::Index cells_by(double ratio) {
-  constexpr double least = 60, of_circle = 200;  // 16 x 16 on a circle
-  const double cells = std::round(std::sqrt(least + of_circle * ratio));
-  return std::min(most_cells_of_side, static_cast<Eigen::Index>(cells));
-}
-
 /// Reads a whole number up to 100.
 Eigen::Index read_cells(Scene& scene, const std::string& key, Eigen::Index least) {
   const Eigen::Index cells = scene.whole(key);
@@ -177,31 +169,15 @@ Eigen::Index read_cells(Scene& scene, const std::string& key, Eigen::Index least
   return cells;
 }
 
-/// How many lobes as high as the highest one have the height of all.
-double stacked(const PatchShape& shape) {
-  double sum = 0, highest = 0;
-  for (const Lobe& lobe : shape.lobes()) {
-    sum += lobe.height();
-    highest = std::max(highest, lobe.height());
-  }
-  return sum / highest;
-}
-
-/// Rows that fit a shape, as many for each lobe as its height says.
-Eigen::Index rows_by(const PatchShape& shape) {
-  const double rows = static_cast<double>(cells_by(1 / shape.ratio())) * stacked(shape);
-  return std::min(most_cells_of_side, static_cast<Eigen::Index>(std::round(rows)));
-}
-
 /// Warns of cells that are much longer than wide, or wider than long, beside those of a grid that
 /// fits.
 void warn_of_other_aspect(Scene& scene, const SteadyPatch& patch) {
   constexpr double most = 3;
-  const double rows = static_cast<double>(patch.rows) / stacked(patch.bound.shape());
+  const double rows = static_cast<double>(patch.rows) / stacked_height(patch.bound.shape());
   const double off = static_cast<double>(patch.elements) / rows / patch.bound.ratio();
   if (off <= most && off >= 1 / most) return;
   const double size = std::sqrt(static_cast<double>(patch.elements * patch.rows));
-  const double root = std::sqrt(patch.bound.ratio() / stacked(patch.bound.shape()));
+  const double root = std::sqrt(patch.bound.ratio() / stacked_height(patch.bound.shape()));
   scene.warn("grid.rows", static_cast<double>(patch.rows),
              fmt::format("rows and elements do not fit a/b = {:.3g}: {} rows of {} elements have a "
                          "smaller error",
@@ -216,8 +192,8 @@ void require_line_contact(const Scene& scene) {
       std::ranges::find_if(patch_keys, [&](const char* one) { return scene.has(one); });
   if (key == patch_keys.end()) return;
   throw BadParameter(*key, fmt::format("{}: expected a line contact here, without this key; an "
-                                       "ellipse has problem steady and transient, with sweep, "
-                                       "curve, explain and plot, in this version",
+                                       "ellipse has problem steady and transient, and the "
+                                       "commands sweep, curve, explain and plot, in this version",
                                        *key));
 }
 
@@ -226,11 +202,12 @@ SteadyPatch read_unloaded_patch(Scene& scene) {
   const PatchBound bound =
       scene.has(patch_file) ? read_patch(scene) : read_ellipse(scene, material);
   const bool has_grid = scene.has("grid.rows") || scene.has("grid.elements");
-  SteadyPatch patch{.material = material,
-                    .bound = bound,
-                    .rows = has_grid ? read_cells(scene, "grid.rows", 1) : rows_by(bound.shape()),
-                    .elements = has_grid ? read_cells(scene, "grid.elements", least_elements)
-                                         : cells_by(bound.ratio())};
+  const PatchGrid fitting = fitting_grid(bound.shape());
+  SteadyPatch patch{
+      .material = material,
+      .bound = bound,
+      .rows = has_grid ? read_cells(scene, "grid.rows", 1) : fitting.rows,
+      .elements = has_grid ? read_cells(scene, "grid.elements", least_elements) : fitting.elements};
   if (has_grid) {
     const std::size_t lobes = bound.shape().lobes().size();
     require(static_cast<std::size_t>(patch.rows) >= lobes, "grid.rows",

@@ -9,6 +9,7 @@
 
 #include "counted_malloc.hpp"
 #include "microslip/linalg/real_fft.hpp"
+#include "microslip/patch/patch_rolling.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "stick_zones.hpp"
 
@@ -91,5 +92,31 @@ INSTANTIATE_TEST_SUITE_P(Schemes, AllocationsOfAScheme,
                                          Case{"remembered, c = 0.3", Remembered{}, 0.3},
                                          Case{"remembered, c = 0.1", Remembered{}, 0.1},
                                          Case{"remembered, c = 2.5", Remembered{}, 2.5}));
+
+/// An ellipse that has rolled.
+PatchRolling rolled_ellipse() {
+  PatchRolling rolling(
+      {.material = {82000, 0.28}, .bound = EllipticBound(6, 4, 300), .rows = 6, .elements = 8});
+  for (int i = 0; i < 30; ++i) rolling.roll(1, {{{false, 8e-4}, {false, 4e-4}, {false, 1e-4}}});
+  return rolling;
+}
+
+TEST(Allocations, AreNoneWhereAnEllipseIsAssigned) {
+  const PatchRolling rolling = rolled_ellipse();
+  PatchRolling other = rolling;
+  other.roll(1, {{{false, 2e-3}, {false, 0}, {false, 0}}});
+  EXPECT_EQ(allocations_in([&] { other = rolling; }), 0);
+  EXPECT_EQ(other.resultants(), rolling.resultants());
+  EXPECT_EQ(other.distance(), rolling.distance());
+}
+
+TEST(Allocations, AreNoneInStepsOfAnEllipseThatRepeat) {
+  PatchRolling rolling = rolled_ellipse();
+  const PatchLoad load{{{false, 8e-4}, {false, 4e-4}, {false, 1e-4}}};
+  EXPECT_EQ(allocations_in([&] {
+              for (int i = 0; i < 20; ++i) rolling.roll(1, load);
+            }),
+            0);
+}
 
 }  // namespace microslip::transient_allocation_test

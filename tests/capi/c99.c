@@ -3,6 +3,7 @@
 #include "c99.h"
 
 #include <microslip.h>
+#include <microslip_ellipse.h>
 
 double force_after_a_step_in_c99(void) {
   const struct microslip_material material = {1, 0.28};
@@ -68,4 +69,17 @@ double loss_of_a_cycle_in_c99(int scheme, int elements, double force, int n, dou
   }
   microslip_destroy(rolling);
   return loss;
+}
+
+double lateral_force_of_spin_in_c99(double spin) {
+  const struct microslip_material steel = {82000, 0.28};
+  const struct microslip_ellipse_contact contact = {6, 4, 300};
+  const struct microslip_ellipse_load load = {
+      {MICROSLIP_MOTION, MICROSLIP_MOTION, MICROSLIP_MOTION}, {0, 0, spin}};
+  struct microslip_ellipse_state state = {0};
+  microslip_ellipse* ellipse;
+  if (microslip_ellipse_create(&steel, &contact, NULL, &ellipse, NULL, 0)) return 0;
+  microslip_ellipse_solve_steady(ellipse, &load, &state, NULL);
+  microslip_ellipse_destroy(ellipse);
+  return state.resultants[1];
 }

@@ -20,6 +20,9 @@ double steady_force_in_c99(double creepage);
  *        parts of the way back  [mm] */
 double loss_of_a_cycle_in_c99(int scheme, int elements, double force, int n, double* shift);
 
+/* An ellipse of 6 by 4 mm, peak 300, G = 82000, nu = 0.28: Fy of steady spin; 0 if a call fails [N] */
+double lateral_force_of_spin_in_c99(double spin);
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# The shared library defines what its header declares, and nothing else.
-# Usage: symbols.sh NM LIBRARY HEADER
+# The shared library defines what its headers declare, and nothing else.
+# Usage: symbols.sh NM LIBRARY HEADER...
 set -euo pipefail
-nm=$1 library=$2 header=$3
-declared=$(grep -oE 'microslip_[a-z_]+\(' "$header" | tr -d '(' | sort -u)
+nm=$1 library=$2
+declared=$(grep -hoE 'microslip_[a-z_]+\(' "${@:3}" | tr -d '(' | sort -u)
 defined=$("$nm" -D --defined-only "$library" | awk '{ print $3 }' | sort -u)
 diff <(echo "$declared") <(echo "$defined") || { echo "< declared, > defined" >&2; exit 1; }

@@ -13,7 +13,7 @@ run_quietly() {
 run_quietly "$cmake" --install "$build" --prefix "$work/first"
 mv "$work/first" "$work/prefix"
 prefix=$work/prefix
-for file in include/microslip.h include/microslip/rolling/transient.hpp \
+for file in include/microslip.h include/microslip_ellipse.h include/microslip/rolling/transient.hpp \
             share/microslip/examples/{c/wheel_drive.c,python/wheel_drive.py,octave/microslip_mex.c}; do
   [ -e "$prefix/$file" ] || { echo "not installed: $file" >&2; exit 1; }
 done

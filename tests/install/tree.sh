@@ -83,7 +83,7 @@ expect 'microslip sweep steady.info --set sweep.grid.e' 'sweep.grid.elements='
 expect 'microslip sweep steady.info --set sweep.kernel.type=p' 'plane'
 expect 'microslip keys --format comp' 'completion'
 expect 'microslip steady.info --format ' 'tsv csv'
-expect 'microslip curve steady.info --beside ' 'nothing fastsim'
+expect 'microslip curve steady.info --beside ' 'nothing fastsim fastsim_one vermeulen_johnson polach'
 expect 'microslip converge steady.info --reference f' 'fine'
 microslip sweep steady.info --quiet --set 'sweep.load.force=-1 -2' >/dev/null
 expect 'microslip plot out/sweep --over load' 'load.force'

@@ -97,6 +97,24 @@ TEST_F(Ellipses, AreExplainedBesideALineContact) {
   EXPECT_NEAR(of_line * std::stod(width) / force, 1, 0.03);
 }
 
+// Kalker's coefficients are there from a/b = 0.01 on, ellipses from 0.001 on.
+TEST_F(Ellipses, AreExplainedWhereTheyAreVeryWide) {
+  const std::string wide =
+      "--set contact.normal_load= --set contact.radius_1= --set contact.lateral_radius_2= --set "
+      "contact.friction= --set contact.half_width=0.5 --set contact.lateral_half_width=200 --set "
+      "contact.peak_traction=300 --set grid.rows=60 --set grid.elements=3";
+  const Outcome explained = run_in_folder("explain ellipse.info " + wide);
+  EXPECT_EQ(explained.status, 0) << explained.error;
+  EXPECT_EQ(explained.output.find("Kalker's coefficients"), std::string::npos);
+  const Outcome curve = run_in_folder("curve ellipse.info --points 3 " + wide);
+  EXPECT_EQ(curve.status, 0) << curve.error;
+  const Outcome beside = run_in_folder("curve ellipse.info --points 3 --beside polach " + wide);
+  EXPECT_EQ(beside.status, 1);
+  EXPECT_NE(beside.error.find("curve.beside = 'polach': expected nothing, as laws are for Hertz's"),
+            std::string::npos)
+      << beside.error;
+}
+
 TEST_F(Ellipses, TakeForcesAndTheMomentInAnyMixture) {
   const auto motions = summary("");
   std::ostringstream resultants;

@@ -43,7 +43,12 @@ PatchRolling::PatchRolling(const PatchRolling& other)
     : parts_(std::make_unique<Parts>(*other.parts_)) {}
 PatchRolling::PatchRolling(PatchRolling&&) noexcept = default;
 PatchRolling& PatchRolling::operator=(const PatchRolling& other) {
-  if (this != &other) parts_ = std::make_unique<Parts>(*other.parts_);
+  if (this == &other) return *this;
+  if (parts_ != nullptr && parts_->constants == other.parts_->constants) {
+    *parts_ = *other.parts_;  // has room for it
+  } else {
+    parts_ = std::make_unique<Parts>(*other.parts_);
+  }
   return *this;
 }
 PatchRolling& PatchRolling::operator=(PatchRolling&&) noexcept = default;

@@ -78,7 +78,6 @@ void PatchRolling::Parts::archive(Archive& archive) {
 
 /// The follower is prepared anew by the same state.
 void PatchRolling::Parts::archive_follower(Archive& archive) {
-  bool follows = follower.has_value();
   archive.flag("follows", follows);
   if (!follows) return;
   PatchState with = archive.reads() ? state : follower->prepared_with();
@@ -89,7 +88,7 @@ void PatchRolling::Parts::archive_follower(Archive& archive) {
   }
   if (!archive.reads()) return;
   const PatchResponse& of = last_response();
-  follower.emplace(of, last_limits(), with, load);
+  prepare_follower(of, last_limits(), with, load);
 }
 
 std::string PatchRolling::save() const {

@@ -107,7 +107,7 @@ double PatchRolling::Parts::lost() {
 
 const PatchResponse& PatchRolling::Parts::response_of(const PatchStep& wanted) {
   if (!response || response->step != wanted) {
-    follower.reset();
+    follows = false;
     const StepWays ways(constants->rows, wanted);
     response = std::make_shared<const StepResponse>(
         StepResponse{wanted, ways.response(constants->displacement)});
@@ -117,7 +117,7 @@ const PatchResponse& PatchRolling::Parts::response_of(const PatchStep& wanted) {
 
 const VectorXd& PatchRolling::Parts::limits_of_bound(double bound) {
   if (!limits || limits->bound != bound) {
-    follower.reset();
+    follows = false;
     limits = std::make_shared<const StepLimits>(StepLimits{bound, bound * constants->limits});
   }
   return limits->values;
@@ -140,19 +140,26 @@ PatchLoad PatchRolling::Parts::scaled(const PatchLoad& load, bool rolls) const {
   return scaled;
 }
 
+void PatchRolling::Parts::prepare_follower(const PatchResponse& of, const VectorXd& limits_now,
+                                           const PatchState& with, const PatchLoad& load) {
+  follows = false;
+  follower.emplace(of, limits_now, with, load);
+  follows = true;
+}
+
 /// Solves a step into `trial`, from the state before it. If the same cells slip in two steps that
 /// are solved anew, the next ones may follow.
 void PatchRolling::Parts::solve(const PatchResponse& of, const VectorXd& limits_now,
                                 const PatchLoad& load) {
   trial = state;
-  const bool can_follow = follower && follower->fits(load, state.slips);
+  const bool can_follow = follows && follower->fits(load, state.slips);
   const bool followed = can_follow && follower->follow(load, imposed, trial);
   if (!followed) trial = solve_stick_slip(of, limits_now, load, &state, &imposed);
   const bool is_slow = followed && trial.iterations >= many_corrections;
   if (is_slow || (!followed && trial.slips == state.slips)) {
-    follower.emplace(of, limits_now, trial, load);
+    prepare_follower(of, limits_now, trial, load);
   } else if (!followed) {
-    follower.reset();
+    follows = false;
   }
 }
 

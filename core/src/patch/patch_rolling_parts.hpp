@@ -98,10 +98,15 @@ struct PatchRolling::Parts {
   PatchLoad scaled(const PatchLoad& load, bool rolls) const;
   void solve(const PatchResponse& of, const Eigen::VectorXd& limits, const PatchLoad& load);
   void archive_follower(Archive& archive);
+  void prepare_follower(const PatchResponse& of, const Eigen::VectorXd& limits_now,
+                        const PatchState& with, const PatchLoad& load);
 
   std::shared_ptr<const StepResponse> response = nullptr;
   std::shared_ptr<const StepLimits> limits = nullptr;
-  std::optional<StepFollower> follower = std::nullopt;  ///< of this response and these limits
+  /// The follower of this response and these limits; one that has lost them stays, so that an
+  /// assignment has its room.
+  std::optional<StepFollower> follower = std::nullopt;
+  bool follows = false;  ///< whether the follower may be used
   PointDisplacements displacements;
   ImposedSlip imposed;
   PatchState trial;  ///< of a step until it is solved

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
@@ -187,12 +188,33 @@ const SteadyPatch& valid(const SteadyPatch& problem) {
 
 }  // namespace
 
-SteadyPatchSolver::SteadyPatchSolver(const SteadyPatch& problem) : fine_(valid(problem)) {
-  if (const auto coarse = with_fewer_elements(problem)) coarse_.emplace(*coarse);
+SteadyPatchSolver::SteadyPatchSolver(const SteadyPatch& problem, bool with_change)
+    : fine_(valid(problem)), with_change_(with_change) {
+  const auto coarse = with_fewer_elements(problem);
+  if (with_change && coarse) coarse_.emplace(*coarse);
+}
+
+void SteadyPatchSolver::set_bound(const PatchBound& bound) {
+  constexpr double rounding = 1e-9;
+  const double ratio = fine_.problem.bound.ratio();
+  require(std::abs(bound.ratio() / ratio - 1) < rounding, "ratio", bound.ratio(),
+          [&] { return fmt::format("that of the shape so far, {}", ratio); });
+  fine_.problem.bound = bound;
+  if (coarse_) coarse_->problem.bound = bound;
+}
+
+Eigen::Matrix3d SteadyPatchSolver::jacobian() const {
+  if (!fine_.state) throw std::logic_error("a Jacobian is that of a solution");
+  const SteadyPatch& of = fine_.problem;
+  const PatchUnits units(of.material, of.bound.peak(), of.bound.size());
+  const Eigen::Matrix3d scaled =
+      stick_slip_jacobian(fine_.response, limits_of(fine_.response.rows(), of.bound), *fine_.state);
+  return units.resultant.asDiagonal() * scaled * units.motion.cwiseInverse().asDiagonal();
 }
 
 SteadyPatchSolution SteadyPatchSolver::solve(const PatchLoad& load) {
   SteadyPatchSolution solution = fine_.solve(load);
+  if (!with_change_) return solution;
   solution.evidence.change = 1;
   if (!coarse_) return solution;
   try {

@@ -244,7 +244,8 @@ CreepCoefficients coefficients_of_order(double ratio, double nu, Index order) {
 }  // namespace
 
 EstimatedCreepCoefficients creep_coefficients(double ratio, double poisson_ratio, Index order) {
-  require(ratio >= 0.01 && ratio <= 100, "ratio", ratio, "a number 0.01 ... 100");
+  require(ratio >= least_kalker_ratio && ratio <= largest_kalker_ratio, "ratio", ratio,
+          "a number 0.01 ... 100");
   require(poisson_ratio >= 0 && poisson_ratio <= 0.5, "poisson_ratio", poisson_ratio,
           "a number 0 ... 0.5");
   require(order >= 12 && order <= 96, "order", static_cast<double>(order),

@@ -63,6 +63,7 @@ class PatchRolling {
   ~PatchRolling();
   PatchRolling(const PatchRolling& other);
   PatchRolling(PatchRolling&&) noexcept;
+  /// Allocates nothing if one is a copy of the other and both have made a step.
   PatchRolling& operator=(const PatchRolling& other);
   PatchRolling& operator=(PatchRolling&&) noexcept;
 

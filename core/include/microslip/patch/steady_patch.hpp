@@ -86,11 +86,22 @@ std::optional<SteadyPatch> with_fewer_elements(const SteadyPatch& problem);
 /// is one row in each lobe or two elements.
 class SteadyPatchSolver {
  public:
+  /// \param with_change  whether the change is wanted, which takes a third of the time; else it is 0
   /// \throws as validate
-  explicit SteadyPatchSolver(const SteadyPatch& problem);
+  explicit SteadyPatchSolver(const SteadyPatch& problem, bool with_change = true);
+
+  /// Sets the bound of the next solutions.
+  /// \param bound  of the same shape but for its size
+  /// \throws std::invalid_argument for another ratio a/b
+  void set_bound(const PatchBound& bound);
 
   /// \throws as solve_steady
   SteadyPatchSolution solve(const PatchLoad& load);
+
+  /// The derivatives of Fx, Fy [N] and Mz [N mm] by xi, eta [1] and phi [1/mm] at the last solution;
+  /// exact where no cell changes between stick and slip, and one-sided elsewhere.
+  /// \throws std::logic_error before the first solution
+  Eigen::Matrix3d jacobian() const;
 
  private:
   /// One of the two grids, with the state of its last solution.
@@ -104,6 +115,7 @@ class SteadyPatchSolver {
   };
 
   Prepared fine_;
+  bool with_change_;
   std::optional<Prepared> coarse_;
 };
 

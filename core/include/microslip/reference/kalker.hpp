@@ -21,6 +21,9 @@ struct EstimatedCreepCoefficients {
   CreepCoefficients error;
 };
 
+/// The ratios a/b for which creep_coefficients() has them.
+inline constexpr double least_kalker_ratio = 0.01, largest_kalker_ratio = 100;
+
 /// Kalker's coefficients of steady rolling, by Galin's theorem: a polynomial over
 /// sqrt(1 - x^2/a^2 - y^2/b^2) displaces the surface by a polynomial of the same degree. Each
 /// degree has its own small equations. The degrees are coupled by the leading edge alone, on which

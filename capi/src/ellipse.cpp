@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <mutex>
+#include <set>
+#include <string>
+
+#include "ellipse_handle.hpp"
+#include "microslip/reference/point_contact.hpp"
+#include "microslip/support/parallel.hpp"
+#include "microslip/support/require.hpp"
+#include "microslip/support/shown.hpp"
+#include "microslip/support/text.hpp"
+#include "microslip_ellipse.h"
+#include "text_file.hpp"
+#include "zero.hpp"
+
+using namespace microslip::capi;
+
+namespace {
+
+/// The sum of the curvatures of two bodies.
+double curvature_of(const char* first, double radius_1, const char* second, double radius_2) {
+  microslip::require(true, first, radius_1, "a finite number");
+  microslip::require(true, second, radius_2, "a finite number");
+  const double sum = (radius_1 != 0 ? 1 / radius_1 : 0) + (radius_2 != 0 ? 1 / radius_2 : 0);
+  microslip::require(sum > 0, second, radius_2, [&] {
+    return fmt::format("with {} radii of bodies that touch in a point", first);
+  });
+  return sum;
+}
+
+/// Row by row.
+void put_jacobian(double* to, const Eigen::Matrix3d& jacobian) {
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    for (Eigen::Index j = 0; j < 3; ++j) *to++ = without_sign_of_zero(jacobian(i, j));
+  }
+}
+
+template <class Values>
+void put(double* to, const Values& values) {
+  if (to == nullptr) return;
+  for (const double value : values) *to++ = without_sign_of_zero(value);
+}
+
+void restore(microslip_ellipse& of, const std::string& text) {
+  of.rolling.restore({text});
+  of.attempt.reset();
+}
+
+}  // namespace
+
+microslip_status microslip_hertz_ellipse(const microslip_material* material,
+                                         const microslip_bodies* bodies,
+                                         microslip_ellipse_contact* contact, char* message,
+                                         size_t message_size) {
+  return guarded({message, message_size}, [&] {
+    const auto& [G, nu] = require_pointer(material, "material");
+    const auto& [load, r1, r2, l1, l2, friction] = require_pointer(bodies, "bodies");
+    microslip_ellipse_contact& out = require_pointer(contact, "contact");
+    microslip::require_positive("normal_load", load);
+    microslip::require(friction > 0 && friction <= 10, "friction", friction,
+                       "a number above 0, at most 10");
+    const microslip::PointContact found(
+        {.shear_modulus = G, .poisson_ratio = nu}, load,
+        curvature_of("radius_1", r1, "radius_2", r2),
+        curvature_of("lateral_radius_1", l1, "lateral_radius_2", l2));
+    out = {.half_width = found.half_width(),
+           .lateral_half_width = found.lateral_half_width(),
+           .peak_traction = friction * found.peak_pressure()};
+  });
+}
+
+microslip_status microslip_ellipse_create(const microslip_material* material,
+                                          const microslip_ellipse_contact* contact,
+                                          const microslip_ellipse_grid* grid,
+                                          microslip_ellipse** ellipse, char* message,
+                                          size_t message_size) {
+  if (ellipse != nullptr) *ellipse = nullptr;
+  return guarded({message, message_size}, [&] {
+    microslip_ellipse*& made = require_pointer(ellipse, "ellipse");
+    made = new microslip_ellipse(make_patch(require_pointer(material, "material"),
+                                            require_pointer(contact, "contact"), grid));
+  });
+}
+
+microslip_status microslip_ellipse_copy(microslip_ellipse* ellipse, microslip_ellipse** copy) {
+  if (copy != nullptr) *copy = nullptr;
+  return with_ellipse(ellipse, [&](const microslip_ellipse& from) {
+    microslip_ellipse*& made = require_pointer(copy, "copy");
+    made = new microslip_ellipse(from);
+  });
+}
+
+microslip_status microslip_ellipse_assign(microslip_ellipse* ellipse, microslip_ellipse* from) {
+  if (ellipse == nullptr) return MICROSLIP_BAD_INPUT;
+  if (ellipse == from) return MICROSLIP_OK;
+  if (from == nullptr) {
+    return with_ellipse(ellipse, [&](microslip_ellipse&) { require_pointer(from, "from"); });
+  }
+  const std::scoped_lock both(ellipse->mutex, from->mutex);
+  return guarded({ellipse->message, sizeof ellipse->message}, [&] {
+    ellipse->attempt.reset();
+    ellipse->rolling = from->rolling;
+    ellipse->problem = from->problem;
+    if (from->solver) {
+      ellipse->solver = from->solver;
+    } else {
+      ellipse->solver.reset();
+    }
+  });
+}
+
+void microslip_ellipse_destroy(microslip_ellipse* ellipse) { delete ellipse; }
+
+const char* microslip_ellipse_message(microslip_ellipse* ellipse) {
+  return ellipse == nullptr ? "ellipse = null: expected a handle" : ellipse->message;
+}
+
+microslip_status microslip_ellipse_set_contact(microslip_ellipse* ellipse, double size_factor,
+                                               double bound_factor) {
+  return with_ellipse(ellipse, [&](microslip_ellipse& of) {
+    of.rolling.set_contact({.half_width = size_factor, .bound = bound_factor});
+  });
+}
+
+microslip_status microslip_ellipse_solve_steady(microslip_ellipse* ellipse,
+                                                const microslip_ellipse_load* load,
+                                                microslip_ellipse_state* state, double* jacobian) {
+  return with_ellipse(ellipse, [&](microslip_ellipse& of) {
+    microslip_ellipse_state& out = require_pointer(state, "state");
+    out = solve_steady(of, load_of(require_pointer(load, "load")));
+    if (jacobian != nullptr) put_jacobian(jacobian, of.solver->jacobian());
+  });
+}
+
+microslip_status microslip_ellipse_advance(microslip_ellipse* ellipse, double dq,
+                                           const microslip_ellipse_load* load,
+                                           microslip_ellipse_state* state) {
+  return with_ellipse(ellipse, [&](microslip_ellipse& of) {
+    advance(of, dq, load_of(require_pointer(load, "load")));
+    if (state != nullptr) *state = state_of(of.rolling);
+  });
+}
+
+microslip_status microslip_ellipse_attempt(microslip_ellipse* ellipse, double dq,
+                                           const microslip_ellipse_load* load,
+                                           microslip_ellipse_state* state, double* jacobian) {
+  return with_ellipse(ellipse, [&](microslip_ellipse& of) {
+    microslip_ellipse_state& out = require_pointer(state, "state");
+    const microslip_ellipse::Attempt wanted{dq, load_of(require_pointer(load, "load")),
+                                            of.rolling.contact()};
+    if (of.attempt != wanted) {
+      of.attempt.reset();
+      of.trial = of.rolling;
+      of.trial.roll(dq, wanted.load);
+      of.attempt = wanted;
+    }
+    out = state_of(of.trial);
+    if (jacobian != nullptr) put_jacobian(jacobian, of.trial.jacobian());
+  });
+}
+
+microslip_status microslip_ellipse_shift(microslip_ellipse* ellipse,
+                                         const microslip_ellipse_load* load,
+                                         microslip_ellipse_state* state) {
+  return with_ellipse(ellipse, [&](microslip_ellipse& of) {
+    const microslip::PatchLoad wanted = load_of(require_pointer(load, "load"));
+    of.attempt.reset();
+    of.rolling.shift(wanted);
+    if (state != nullptr) *state = state_of(of.rolling);
+  });
+}
+
+microslip_status microslip_ellipse_advance_all(microslip_ellipse* const* ellipses, size_t count,
+                                               const double* dq,
+                                               const microslip_ellipse_load* loads,
+                                               microslip_ellipse_state* states, int threads) {
+  microslip_status first = MICROSLIP_OK;
+  char nowhere[1] = "";
+  const microslip_status status = guarded({nowhere, sizeof nowhere}, [&] {
+    if (count == 0) return;
+    require_pointer(ellipses, "ellipses");
+    require_pointer(dq, "dq");
+    require_pointer(loads, "loads");
+    microslip::require(threads >= 1 && threads <= 1000, "threads", threads, "1 ... 1000");
+    const std::set<const microslip_ellipse*> different(ellipses, ellipses + count);
+    microslip::require(different.size() == count, "ellipses", static_cast<double>(count),
+                       "handles of which no two are alike");
+    std::vector<microslip_status> all(count);
+    microslip::for_each_case(count, threads, [&](std::size_t i) {
+      all[i] = microslip_ellipse_advance(ellipses[i], dq[i], &loads[i],
+                                         states == nullptr ? nullptr : &states[i]);
+    });
+    for (const microslip_status one : all) {
+      if (first == MICROSLIP_OK) first = one;
+    }
+  });
+  return status != MICROSLIP_OK ? status : first;
+}
+
+microslip_status microslip_ellipse_get_state(microslip_ellipse* ellipse,
+                                             microslip_ellipse_state* state) {
+  return with_ellipse(ellipse, [&](const microslip_ellipse& of) {
+    require_pointer(state, "state") = state_of(of.rolling);
+  });
+}
+
+size_t microslip_ellipse_size(const microslip_ellipse* ellipse) {
+  if (ellipse == nullptr) return 0;
+  const std::lock_guard lock(ellipse->mutex);
+  return static_cast<std::size_t>(ellipse->problem.rows * ellipse->problem.elements);
+}
+
+microslip_status microslip_ellipse_get_cells(microslip_ellipse* ellipse,
+                                             const microslip_ellipse_cells* cells) {
+  return with_ellipse(ellipse, [&](const microslip_ellipse& of) {
+    const microslip_ellipse_cells& out = require_pointer(cells, "cells");
+    const Eigen::MatrixX2d tractions = of.rolling.tractions(), slip = of.rolling.slip();
+    put(out.x, of.rolling.x());
+    put(out.y, of.rolling.y());
+    put(out.area, of.rolling.areas());
+    put(out.bound, of.rolling.bound());
+    put(out.traction_x, tractions.col(0));
+    put(out.traction_y, tractions.col(1));
+    put(out.slip_x, slip.col(0));
+    put(out.slip_y, slip.col(1));
+    if (out.slips != nullptr) std::ranges::copy(of.rolling.slips(), out.slips);
+  });
+}
+
+microslip_status microslip_ellipse_get_elastic_energy(microslip_ellipse* ellipse, double* energy) {
+  return with_ellipse(ellipse, [&](const microslip_ellipse& of) {
+    require_pointer(energy, "energy") = of.rolling.elastic_energy();
+  });
+}
+
+microslip_status microslip_ellipse_save(microslip_ellipse* ellipse, const char* path) {
+  return with_ellipse(ellipse, [&](const microslip_ellipse& of) {
+    const std::string name = &require_pointer(path, "path");
+    write_text(name, of.rolling.save());
+  });
+}
+
+microslip_status microslip_ellipse_restore(microslip_ellipse* ellipse, const char* path) {
+  return with_ellipse(ellipse, [&](microslip_ellipse& of) {
+    const std::string name = &require_pointer(path, "path");
+    try {
+      restore(of, microslip::file_text(name));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(
+          fmt::format("path = '{}': {}", microslip::shown(name), error.what()));
+    }
+  });
+}
+
+microslip_status microslip_ellipse_save_to_memory(microslip_ellipse* ellipse, char* text,
+                                                  size_t size, size_t* needed) {
+  return with_ellipse(ellipse, [&](const microslip_ellipse& of) {
+    const std::string saved = of.rolling.save();
+    if (needed != nullptr) *needed = saved.size() + 1;
+    if (text == nullptr) return;
+    microslip::require(size > saved.size(), "size", static_cast<double>(size),
+                       [&] { return fmt::format("at least {}", saved.size() + 1); });
+    std::memcpy(text, saved.c_str(), saved.size() + 1);
+  });
+}
+
+microslip_status microslip_ellipse_restore_from_memory(microslip_ellipse* ellipse,
+                                                       const char* text) {
+  return with_ellipse(ellipse,
+                      [&](microslip_ellipse& of) { restore(of, &require_pointer(text, "text")); });
+}

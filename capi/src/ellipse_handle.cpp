@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ellipse_handle.hpp"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "microslip/patch/patch_grid.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/require.hpp"
+#include "zero.hpp"
+
+namespace microslip::capi {
+
+namespace {
+
+void copy_to(double (&to)[3], const Eigen::Vector3d& from) {
+  for (Eigen::Index j = 0; j < 3; ++j) to[j] = without_sign_of_zero(from[j]);
+}
+
+Eigen::Index cells_of(const char* name, int cells, Eigen::Index least) {
+  require(cells >= least && cells <= most_cells_of_side, name, cells, [&] {
+    return fmt::format("a whole number {} ... {}, or 0 of both", least, most_cells_of_side);
+  });
+  return cells;
+}
+
+/// The bound of an ellipse that is set.
+EllipticBound bound_of(const microslip_ellipse& ellipse) {
+  const PatchBound& first = ellipse.problem.bound;
+  const auto& [size, bound] = ellipse.rolling.contact();
+  return {size * first.half_width(), size * first.lateral_half_width(), bound * first.peak()};
+}
+
+}  // namespace
+
+SteadyPatch make_patch(const microslip_material& material, const microslip_ellipse_contact& contact,
+                       const microslip_ellipse_grid* grid) {
+  require_positive("half_width", contact.half_width);
+  require_positive("lateral_half_width", contact.lateral_half_width);
+  require_positive("peak_traction", contact.peak_traction);
+  const double a = contact.half_width, b = contact.lateral_half_width;
+  require(a <= largest_patch_ratio * b && a >= least_patch_ratio * b, "lateral_half_width", b, [&] {
+    return fmt::format("a number between {} and {}, by half_width",
+                       format_short(a / largest_patch_ratio), format_short(a / least_patch_ratio));
+  });
+  const PatchBound bound = EllipticBound(a, b, contact.peak_traction);
+  PatchGrid cells = fitting_grid(bound.shape());
+  if (grid != nullptr && (grid->rows != 0 || grid->elements != 0)) {
+    cells = {.rows = cells_of("rows", grid->rows, 1),
+             .elements = cells_of("elements", grid->elements, least_elements)};
+  }
+  const SteadyPatch patch{.material = {.shear_modulus = material.shear_modulus,
+                                       .poisson_ratio = material.poisson_ratio},
+                          .bound = bound,
+                          .rows = cells.rows,
+                          .elements = cells.elements};
+  validate(patch);
+  return patch;
+}
+
+PatchLoad load_of(const microslip_ellipse_load& load) {
+  PatchLoad found;
+  for (std::size_t j = 0; j < found.size(); ++j) {
+    const int kind = load.prescribed[j];
+    if (kind != MICROSLIP_MOTION && kind != MICROSLIP_RESULTANT) {
+      throw std::invalid_argument(fmt::format(
+          "prescribed[{}] = {}: expected MICROSLIP_MOTION or MICROSLIP_RESULTANT", j, kind));
+    }
+    found[j] = {.by_resultant = kind == MICROSLIP_RESULTANT, .value = load.value[j]};
+    require(true, name_of(found, j), load.value[j], "a finite number");
+  }
+  return found;
+}
+
+void advance(microslip_ellipse& ellipse, double dq, const PatchLoad& load) {
+  const microslip_ellipse::Attempt wanted{dq, load, ellipse.rolling.contact()};
+  if (ellipse.attempt != wanted) {
+    ellipse.attempt.reset();
+    ellipse.rolling.roll(dq, load);
+    return;
+  }
+  std::swap(ellipse.rolling, ellipse.trial);
+  ellipse.attempt.reset();
+}
+
+microslip_ellipse_state state_of(const PatchRolling& rolling) {
+  microslip_ellipse_state state{};
+  state.distance = without_sign_of_zero(rolling.distance());
+  copy_to(state.resultants, rolling.resultants());
+  copy_to(state.motion, rolling.motion());
+  state.dissipation = without_sign_of_zero(rolling.dissipation());
+  state.full_sliding = rolling.full_sliding();
+  const Eigen::VectorXd areas = rolling.areas();
+  state.slip_share = slip_area_of(areas, rolling.slips()) / areas.sum();
+  state.residual = rolling.residual();
+  state.iterations = rolling.iterations();
+  return state;
+}
+
+microslip_ellipse_state solve_steady(microslip_ellipse& ellipse, const PatchLoad& load) {
+  const EllipticBound bound = bound_of(ellipse);
+  if (!ellipse.solver) ellipse.solver.emplace(ellipse.problem, false);
+  ellipse.solver->set_bound(bound);
+  const SteadyPatchSolution solution = ellipse.solver->solve(load);
+  require_evidence(solution.evidence, solution.condition, solution.iterations,
+                   ellipse.problem.accepted);
+  microslip_ellipse_state state{};
+  copy_to(state.resultants, solution.resultants);
+  copy_to(state.motion, solution.motion);
+  state.dissipation = without_sign_of_zero(solution.dissipation);
+  state.full_sliding = bound.total();
+  state.slip_share = solution.slip_area() / solution.area.sum();
+  state.residual = solution.state.residual;
+  state.iterations = solution.iterations;
+  return state;
+}
+
+}  // namespace microslip::capi

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <mutex>
+#include <optional>
+
+#include "microslip/patch/patch_rolling.hpp"
+#include "microslip/patch/steady_patch.hpp"
+#include "microslip_ellipse.h"
+#include "status.hpp"
+
+/// The ellipse behind a handle of the C interface.
+struct microslip_ellipse {
+  /// A step that was attempted, and what it led to.
+  struct Attempt {
+    double dq;
+    microslip::PatchLoad load;
+    microslip::ContactScale contact;
+
+    bool operator==(const Attempt&) const = default;
+  };
+
+  explicit microslip_ellipse(const microslip::SteadyPatch& of)
+      : problem(of), rolling(of), trial(rolling) {}
+
+  microslip_ellipse(const microslip_ellipse& other)
+      : problem(other.problem),
+        rolling(other.rolling),
+        trial(other.rolling),
+        solver(other.solver) {}
+
+  microslip::SteadyPatch problem;
+  microslip::PatchRolling rolling, trial;
+  std::optional<Attempt> attempt = {};  ///< that `trial` has made
+  std::optional<microslip::SteadyPatchSolver> solver = {};
+  char message[512] = "";    ///< of the last call that failed
+  mutable std::mutex mutex;  ///< held by each call
+};
+
+namespace microslip::capi {
+
+/// Does the work with an ellipse, while no other thread does.
+template <class Work>
+microslip_status with_ellipse(microslip_ellipse* handle, const Work& work) noexcept {
+  if (handle == nullptr) return MICROSLIP_BAD_INPUT;
+  const std::lock_guard lock(handle->mutex);
+  return guarded({handle->message, sizeof handle->message}, [&] { work(*handle); });
+}
+
+/// \throws std::invalid_argument for what is out of its range
+SteadyPatch make_patch(const microslip_material& material, const microslip_ellipse_contact& contact,
+                       const microslip_ellipse_grid* grid);
+
+/// \throws std::invalid_argument for what is none of microslip_prescribed, and no number
+PatchLoad load_of(const microslip_ellipse_load& load);
+
+/// \throws std::invalid_argument likewise, and as PatchRolling::roll; NotConverged
+void advance(microslip_ellipse& ellipse, double dq, const PatchLoad& load);
+
+microslip_ellipse_state state_of(const PatchRolling& rolling);
+
+/// Solves steady rolling in the contact that is set.
+/// \throws as SteadyPatchSolver
+microslip_ellipse_state solve_steady(microslip_ellipse& ellipse, const PatchLoad& load);
+
+}  // namespace microslip::capi

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+
+#include "microslip/patch/patch_shape.hpp"
+
+namespace microslip {
+
+/// The ratios a/b at which rows are known to converge: tests/property/generated_patches_test.cpp
+inline constexpr double least_patch_ratio = 1e-3, largest_patch_ratio = 10;
+
+/// Of rows, and of the elements of each.
+inline constexpr Eigen::Index most_cells_of_side = 100;
+
+struct PatchGrid {
+  Eigen::Index rows;      ///< M
+  Eigen::Index elements;  ///< N of each row
+};
+
+/// The rows and elements that fit a shape, a smooth function of it: 16 x 16 on a circle, and in each
+/// lobe as many rows as its height says.
+PatchGrid fitting_grid(const PatchShape& shape);
+
+/// The heights of all lobes together, over the largest one.
+double stacked_height(const PatchShape& shape);
+
+}  // namespace microslip

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/patch/patch_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace microslip {
+
+using Eigen::Index;
+
+namespace {
+
+Index at_most_all(double cells) {
+  return std::min(most_cells_of_side, static_cast<Index>(std::round(cells)));
+}
+
+/// Cells of a side, which has the other side `ratio` times as long.
+double cells_by(double ratio) {
+  constexpr double least = 60, of_circle = 200;  // 16 x 16 on a circle
+  return std::round(std::sqrt(least + of_circle * ratio));
+}
+
+}  // namespace
+
+double stacked_height(const PatchShape& shape) {
+  double sum = 0, highest = 0;
+  for (const Lobe& lobe : shape.lobes()) {
+    sum += lobe.height();
+    highest = std::max(highest, lobe.height());
+  }
+  return sum / highest;
+}
+
+PatchGrid fitting_grid(const PatchShape& shape) {
+  const auto rows = static_cast<double>(at_most_all(cells_by(1 / shape.ratio())));
+  return {.rows = at_most_all(rows * stacked_height(shape)),
+          .elements = at_most_all(cells_by(shape.ratio()))};
+}
+
+}  // namespace microslip
