@@ -55,7 +55,7 @@ static double curvature_at(double time) {
 static void check(enum microslip_status status, microslip_ellipse* ellipse) {
   if (status == MICROSLIP_OK) return;
   fprintf(stderr, "wheelset: %s\n", microslip_ellipse_message(ellipse));
-  exit(status);
+  exit((int)status);
 }
 
 static struct answer answer_of(microslip_ellipse* const ellipses[2], const struct wheelset* at,

@@ -29,10 +29,10 @@ std::optional<std::string> value_of(const Table& summary, const std::string& qua
     if (std::get<std::string>(summary.at(i, "quantity")) != quantity) continue;
     const Cell& cell = summary.at(i, "value");
     const auto* number = std::get_if<double>(&cell);
-    const bool is_rounding =
-        number != nullptr && std::abs(*number) <= summary.rounding(i, "value");
-    const std::string text = number == nullptr ? std::get<std::string>(cell)
-                                               : fmt::format("{:.6g}", is_rounding ? 0 : *number + 0.0);
+    const bool is_rounding = number != nullptr && std::abs(*number) <= summary.rounding(i, "value");
+    const std::string text = number == nullptr
+                                 ? std::get<std::string>(cell)
+                                 : fmt::format("{:.6g}", is_rounding ? 0 : *number + 0.0);
     const std::string unit = std::get<std::string>(summary.at(i, "unit"));
     return unit == "1" ? text : text + " " + unit;
   }
