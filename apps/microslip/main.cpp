@@ -159,7 +159,8 @@ int main(int argc, char** argv) {
            {"half-widths", "sweep.contact.half_width",
             "numbers and ranges, a curve for each; for other keys use --set sweep.KEY=..."},
            {"beside", "curve.beside",
-            "fastsim, and for ellipses fastsim_one, vermeulen_johnson, polach: adds their curves"},
+            "fastsim, and for ellipses fastsim_one, vermeulen_johnson, polach: adds their curves; "
+            "several in quotes, with blanks between them"},
            {"kalker-factor", "curve.kalker_factor",
             "factor of Kalker's coefficients in these (default: 1)"}},
       .prepare = prepare_curve};

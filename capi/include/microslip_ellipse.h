@@ -125,7 +125,8 @@ MICROSLIP_API enum microslip_status microslip_ellipse_solve_steady(
     microslip_ellipse* ellipse, const struct microslip_ellipse_load* load,
     struct microslip_ellipse_state* state, double* jacobian);
 
-/** Rolls on by dq, from 1e-6 of the ellipse's size to 1e6 of it  [mm]. A step of another length than
+/** Rolls on by dq, at least 1e-6 of the ellipse's size and the distance rolled together, which is
+ * 1 mm after 1 km, and at most 1e6 of the size  [mm]. A step of another length than
  * the last one, or that changes the size of the contact, takes new matrices. A step in which stick
  * and slip are not found is divided.
  *
@@ -152,7 +153,8 @@ MICROSLIP_API enum microslip_status microslip_ellipse_shift(
     struct microslip_ellipse_state* state);
 
 /** Rolls many different ellipses, each over its own step, on several threads. A failure of one does
- * not keep the others from rolling; its own message says why.
+ * not keep the others from rolling; its own message says why. If the arguments are refused, none rolls,
+ * and the message is that of the first ellipse.
  *
  * ellipses  `count` handles, no two alike
  * dq        `count` of them  [mm]

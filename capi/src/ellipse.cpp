@@ -10,6 +10,7 @@
 
 #include "ellipse_handle.hpp"
 #include "microslip/reference/point_contact.hpp"
+#include "microslip/support/format.hpp"
 #include "microslip/support/parallel.hpp"
 #include "microslip/support/require.hpp"
 #include "microslip/support/shown.hpp"
@@ -31,6 +32,13 @@ double curvature_of(const char* first, double radius_1, const char* second, doub
     return fmt::format("with {} radii of bodies that touch in a point", first);
   });
   return sum;
+}
+
+void require_factor(const char* name, double factor, double largest) {
+  microslip::require(factor >= 1 / largest && factor <= largest, name, factor, [&] {
+    return fmt::format("a number from {} to {}", microslip::format_short(1 / largest),
+                       microslip::format_short(largest));
+  });
 }
 
 /// Row by row.
@@ -123,6 +131,8 @@ const char* microslip_ellipse_message(microslip_ellipse* ellipse) {
 microslip_status microslip_ellipse_set_contact(microslip_ellipse* ellipse, double size_factor,
                                                double bound_factor) {
   return with_ellipse(ellipse, [&](microslip_ellipse& of) {
+    require_factor("size_factor", size_factor, microslip::PatchStepRanges::largest_size);
+    require_factor("bound_factor", bound_factor, microslip::PatchStepRanges::largest_bound);
     of.rolling.set_contact({.half_width = size_factor, .bound = bound_factor});
   });
 }
@@ -180,8 +190,8 @@ microslip_status microslip_ellipse_advance_all(microslip_ellipse* const* ellipse
                                                const microslip_ellipse_load* loads,
                                                microslip_ellipse_state* states, int threads) {
   microslip_status first = MICROSLIP_OK;
-  char nowhere[1] = "";
-  const microslip_status status = guarded({nowhere, sizeof nowhere}, [&] {
+  char why[512] = "";
+  const microslip_status status = guarded({why, sizeof why}, [&] {
     if (count == 0) return;
     require_pointer(ellipses, "ellipses");
     require_pointer(dq, "dq");
@@ -199,6 +209,10 @@ microslip_status microslip_ellipse_advance_all(microslip_ellipse* const* ellipse
       if (first == MICROSLIP_OK) first = one;
     }
   });
+  if (status != MICROSLIP_OK && ellipses != nullptr && ellipses[0] != nullptr) {
+    const std::lock_guard lock(ellipses[0]->mutex);
+    Message{ellipses[0]->message, sizeof ellipses[0]->message}.say(why);
+  }
   return status != MICROSLIP_OK ? status : first;
 }
 

@@ -113,9 +113,12 @@ void read_motions(Scene& scene, PatchCurveScene& read) {
     const double least = is_symmetric(read.patch.load, read.along) ? 0 : -most;
     read.motions = evenly_spaced(least, most, points);
   }
-  if (read.along == 2) return;
   const char* key = scene.has(list) ? list : largest;
   for (const double end : {read.motions.front(), read.motions.back()}) {
+    if (read.along == 2) {
+      if (scene.has(key)) warn_of_large_spin(scene, key, end, read.patch);
+      continue;
+    }
     warn_of_large(scene, key, end, read.patch);
   }
 }

@@ -353,6 +353,10 @@ constexpr Law laws[] = {{"fastsim", "FASTSIM"},
 void add_laws(Lines& lines, const Cases& cases, const std::vector<Family>& families,
               const std::vector<Line>& drawn, const std::string& value, const Places& places) {
   const bool is_alone = drawn.size() == 1;  // then colours tell the laws apart
+  const auto factor =
+      std::ranges::find(cases.parameters(), "curve.kalker_factor", &Parameters::value_type::first);
+  const bool is_reduced = factor != cases.parameters().end() && factor->second != "1";
+  const std::string reduced = is_reduced ? ", coefficients x " + factor->second : "";
   std::size_t number = 0;
   for (const auto& [prefix, name] : laws) {
     const std::string column = fmt::format("{}_{}", prefix, value);
@@ -365,9 +369,9 @@ void add_laws(Lines& lines, const Cases& cases, const std::vector<Family>& famil
     ++number;
     for (std::size_t k = 0; k < families.size(); ++k) {
       Line line = drawn[k];
-      line.label = k == 0 && most > 0
-                       ? fmt::format("{}: off by up to {:.2g} %", name, 100 * error / most)
-                       : "";
+      line.label = k == 0 && most > 0 ? fmt::format("{}{}: off by up to {:.2g} %", name, reduced,
+                                                    100 * error / most)
+                                      : "";
       line.dash = static_cast<int>(number) + 1;
       if (is_alone) line.color = color_of(number, std::size(laws) + 1);
       lines.add(line, cases, families[k], places,

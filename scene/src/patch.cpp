@@ -208,6 +208,8 @@ SteadyPatch read_unloaded_patch(Scene& scene) {
       .bound = bound,
       .rows = has_grid ? read_cells(scene, "grid.rows", 1) : fitting.rows,
       .elements = has_grid ? read_cells(scene, "grid.elements", least_elements) : fitting.elements};
+  // On fine rows, the rounding of a solution is above the tolerance of equations.
+  patch.accepted.residual = largest_residual_of_step;
   if (has_grid) {
     const std::size_t lobes = bound.shape().lobes().size();
     require(static_cast<std::size_t>(patch.rows) >= lobes, "grid.rows",
@@ -248,12 +250,25 @@ double mean_strain(const SteadyPatch& patch) {
   return patch.bound.total() / patch.bound.shape().area() / patch.material.shear_modulus;
 }
 
+void warn_of_large_spin(Scene& scene, const std::string& key, double spin,
+                        const SteadyPatch& patch) {
+  const double size = patch.bound.size();
+  if (doubt_of_creepage(size * spin, mean_strain(patch)).empty()) return;
+  scene.warn(
+      key, spin,
+      fmt::format("the slip by this spin, up to {} at the sides of the contact, is not small "
+                  "against 1, as the theory has it; 0.2 1/m is 2e-4",
+                  format_roughly(size * std::abs(spin))));
+}
+
 void warn_of_large_creepages(Scene& scene, const SteadyPatch& patch) {
   for (std::size_t j = 0; j < 2; ++j) {
     const auto& [by_resultant, value] = patch.load[j];
     const std::string doubt = doubt_of_creepage(value, mean_strain(patch));
     if (!by_resultant && !doubt.empty()) scene.warn(patch_components[j].motion, value, doubt);
   }
+  if (!patch.load[2].by_resultant)
+    warn_of_large_spin(scene, "load.spin", patch.load[2].value, patch);
 }
 
 SteadyPatch read_steady_patch(Scene& scene, std::size_t varied) {

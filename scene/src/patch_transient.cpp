@@ -278,7 +278,6 @@ std::vector<double> PatchTransient::step_lengths() const {
 
 PatchTransient read_patch_transient(Scene& scene) {
   SteadyPatch patch = read_unloaded_patch(scene);
-  patch.accepted.residual = largest_residual_of_step;
   const AdvectionScheme scheme = read_patch_scheme(scene);
   const bool has_file = scene.has("load.file");
   if (!has_file && !has_patch_load(scene)) {

@@ -284,6 +284,9 @@ TEST(CEllipse, ManyRollAsOneByOne) {
   EXPECT_EQ(microslip_ellipse_advance_all(handles.data(), 3, dq.data(), loads.data(), nullptr, 2),
             MICROSLIP_BAD_INPUT);
   EXPECT_EQ(std::string(microslip_ellipse_message(handles[1])).find("dq = -1: expected"), 0U);
+  EXPECT_EQ(microslip_ellipse_advance_all(handles.data(), 3, dq.data(), loads.data(), nullptr, 0),
+            MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(microslip_ellipse_message(handles[0]), "threads = 0: expected 1 ... 1000");
   const std::vector<microslip_ellipse*> twice{handles[0], handles[0]};
   EXPECT_EQ(microslip_ellipse_advance_all(twice.data(), 2, dq.data(), loads.data(), nullptr, 2),
             MICROSLIP_BAD_INPUT);
@@ -343,6 +346,8 @@ TEST(CEllipse, RefusesBadInput) {
   EXPECT_EQ(microslip_ellipse_advance(ellipse.get(), 1, nullptr, nullptr), MICROSLIP_BAD_INPUT);
   EXPECT_STREQ(microslip_ellipse_message(ellipse.get()), "load = null: expected a pointer");
   EXPECT_EQ(microslip_ellipse_set_contact(ellipse.get(), 0, 1), MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(microslip_ellipse_message(ellipse.get()),
+               "size_factor = 0: expected a number from 0.01 to 100");
   EXPECT_EQ(microslip_ellipse_restore_from_memory(ellipse.get(), "no state"), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_ellipse_restore(ellipse.get(), "/nowhere/state"), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_ellipse_assign(ellipse.get(), nullptr), MICROSLIP_BAD_INPUT);

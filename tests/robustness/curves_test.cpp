@@ -213,6 +213,10 @@ TEST_F(Curves, BadInputOfAnEllipse) {
   const auto expect = [&](const std::string& options, const std::string& error) {
     expect_error(options, error, ellipse_scene);
   };
+  const Outcome large = curve("--along spin --spins '0 0.2 0.5' --set load.spin=", ellipse_scene);
+  EXPECT_NE(large.error.find("curve.spins = 0.5: the slip by this spin"), std::string::npos)
+      << large.error;
+  fs::remove_all(out());
   expect("--along yaw", "curve.along = 'yaw': expected creepage or lateral_creepage or spin");
   expect("--along spin --creepages '0 1'", "'curve.creepages' has no role here");
   expect("--spins '0 1'", "'curve.spins' has no role here: it is for microslip curve with");

@@ -115,6 +115,22 @@ TEST_F(Ellipses, AreExplainedWhereTheyAreVeryWide) {
       << beside.error;
 }
 
+// Rounding grows with the cells.
+TEST_F(Ellipses, AreSolvedOnFineRows) {
+  const Outcome fine = solve(
+      "--set grid.rows=40 --set grid.elements=40 --set load.creepage=0 --set "
+      "load.lateral_creepage=0 --set 'load.spin=0.9 1/m'");
+  EXPECT_EQ(fine.status, 0) << fine.error;
+}
+
+TEST_F(Ellipses, AreWarnedOfSpinInAnotherUnit) {
+  const Outcome large = solve("--set load.spin=0.2");
+  EXPECT_EQ(large.status, 0);
+  EXPECT_NE(large.error.find("load.spin = 0.2: the slip by this spin"), std::string::npos)
+      << large.error;
+  EXPECT_EQ(solve("--set 'load.spin=0.2 1/m'").error, "");
+}
+
 TEST_F(Ellipses, TakeForcesAndTheMomentInAnyMixture) {
   const auto motions = summary("");
   std::ostringstream resultants;

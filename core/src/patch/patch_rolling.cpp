@@ -78,7 +78,7 @@ void PatchRolling::roll(double dq, const PatchLoad& load) {
   const double least = PatchStepRanges::least_step * (c + distance());
   const double longest = PatchStepRanges::longest_step * c;
   require(dq >= least && dq <= longest, "dq", dq,
-          [&] { return fmt::format("a length from {:.3g} to {:.3g}", least, longest); });
+          [&] { return fmt::format("a length from {:.6g} to {:.6g}", least, longest); });
   parts_->roll(dq / c, load, most_divisions);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "microslip/scene/model.hpp"
 
@@ -16,5 +17,10 @@ SteadyProblem read_unloaded_steady(Scene& scene);
 /// \param varied  0, 1 or 2: along, across or spin
 /// \return with that motion zero
 SteadyPatch read_steady_patch(Scene& scene, std::size_t varied);
+
+/// Warns of a spin by which the slip at the sides of the contact is above 0.2, as
+/// warn_of_large_creepage() does.
+void warn_of_large_spin(Scene& scene, const std::string& key, double spin,
+                        const SteadyPatch& patch);
 
 }  // namespace microslip
