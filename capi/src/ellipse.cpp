@@ -114,11 +114,7 @@ microslip_status microslip_ellipse_assign(microslip_ellipse* ellipse, microslip_
     ellipse->attempt.reset();
     ellipse->rolling = from->rolling;
     ellipse->problem = from->problem;
-    if (from->solver) {
-      ellipse->solver = from->solver;
-    } else {
-      ellipse->solver.reset();
-    }
+    ellipse->solver = from->solver;
   });
 }
 
@@ -161,14 +157,7 @@ microslip_status microslip_ellipse_attempt(microslip_ellipse* ellipse, double dq
                                            microslip_ellipse_state* state, double* jacobian) {
   return with_ellipse(ellipse, [&](microslip_ellipse& of) {
     microslip_ellipse_state& out = require_pointer(state, "state");
-    const microslip_ellipse::Attempt wanted{dq, load_of(require_pointer(load, "load")),
-                                            of.rolling.contact()};
-    if (of.attempt != wanted) {
-      of.attempt.reset();
-      of.trial = of.rolling;
-      of.trial.roll(dq, wanted.load);
-      of.attempt = wanted;
-    }
+    attempt(of, dq, load_of(require_pointer(load, "load")));
     out = state_of(of.trial);
     if (jacobian != nullptr) put_jacobian(jacobian, of.trial.jacobian());
   });

@@ -74,14 +74,21 @@ PatchLoad load_of(const microslip_ellipse_load& load) {
   return found;
 }
 
-void advance(microslip_ellipse& ellipse, double dq, const PatchLoad& load) {
+void attempt(microslip_ellipse& ellipse, double dq, const PatchLoad& load) {
   const microslip_ellipse::Attempt wanted{dq, load, ellipse.rolling.contact()};
-  if (ellipse.attempt != wanted) {
-    ellipse.attempt.reset();
+  if (ellipse.attempt == wanted) return;
+  ellipse.attempt.reset();
+  ellipse.trial = ellipse.rolling;
+  ellipse.trial.roll(dq, load);
+  ellipse.attempt = wanted;
+}
+
+void advance(microslip_ellipse& ellipse, double dq, const PatchLoad& load) {
+  if (ellipse.attempt == microslip_ellipse::Attempt{dq, load, ellipse.rolling.contact()}) {
+    std::swap(ellipse.rolling, ellipse.trial);
+  } else {
     ellipse.rolling.roll(dq, load);
-    return;
   }
-  std::swap(ellipse.rolling, ellipse.trial);
   ellipse.attempt.reset();
 }
 

@@ -54,7 +54,12 @@ SteadyPatch make_patch(const microslip_material& material, const microslip_ellip
 /// \throws std::invalid_argument for what is none of microslip_prescribed, and no number
 PatchLoad load_of(const microslip_ellipse_load& load);
 
+/// Makes a step on the trial, unless it has made it.
 /// \throws std::invalid_argument likewise, and as PatchRolling::roll; NotConverged
+void attempt(microslip_ellipse& ellipse, double dq, const PatchLoad& load);
+
+/// Makes a step, which costs nothing if it was the last one to be attempted.
+/// \throws as attempt()
 void advance(microslip_ellipse& ellipse, double dq, const PatchLoad& load);
 
 microslip_ellipse_state state_of(const PatchRolling& rolling);

@@ -9,8 +9,6 @@
 
 #include "curve_points.hpp"
 #include "microslip/experiments/contact_tables.hpp"
-#include "microslip/patch/patch_response.hpp"
-#include "microslip/rolling/large_creepage.hpp"
 #include "microslip/scene/unloaded.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged_at.hpp"
@@ -28,15 +26,14 @@ namespace {
 
 struct Component {
   const char* motion;
-  const char* resultant;
   const char* list;     ///< key of the values
   const char* largest;  ///< key of the largest one
 };
 
 constexpr std::array<Component, 3> components{
-    {{"creepage", "force", "curve.creepages", "curve.largest"},
-     {"lateral_creepage", "lateral_force", "curve.creepages", "curve.largest"},
-     {"spin", "spin_moment", "curve.spins", "curve.largest_spin"}}};
+    {{"creepage", "curve.creepages", "curve.largest"},
+     {"lateral_creepage", "curve.creepages", "curve.largest"},
+     {"spin", "curve.spins", "curve.largest_spin"}}};
 
 struct Law {
   const char* name;
@@ -74,19 +71,11 @@ bool is_symmetric(const PatchLoad& load, std::size_t along) {
   return !other.by_resultant && other.value == 0;
 }
 
-/// Returns the coefficients of Kalker's theory by the patch's own rows, for any shape.
-CreepCoefficients coefficients_of(const SteadyPatch& patch) {
-  const PatchShape shape = patch.bound.shape().scaled(1 / patch.bound.size());
-  const Eigen::Matrix3d linear =
-      PatchResponse({shape, patch.rows, patch.elements}, patch.material.poisson_ratio).linear();
-  return {-linear(0, 0), -linear(1, 1), -linear(1, 2), linear(2, 1), -linear(2, 2)};
-}
-
 /// Returns a motion along, on its own, at which nearly all slides.
-double beyond_sliding(const PatchCurveScene& scene) {
+double beyond_sliding(const PatchCurveScene& scene, const CreepCoefficients& coefficients) {
   constexpr double margin = 1.25;
   constexpr double least_part = 0.05;  // C23 of a patch about another point may be 0
-  const auto& [c11, c22, c23, c32, c33] = scene.coefficients;
+  const auto& [c11, c22, c23, c32, c33] = coefficients;
   const double c = scene.patch.bound.size();
   const double by_spin = c * std::max(std::abs(c23), least_part * c22);
   const double slope = std::array{c11, c22, by_spin}.at(scene.along);
@@ -94,33 +83,30 @@ double beyond_sliding(const PatchCurveScene& scene) {
   return rounded_up(margin * 3 * scene.patch.bound.total() / (scale * slope));
 }
 
-void warn_of_large(Scene& scene, const char* key, double creepage, const SteadyPatch& patch) {
-  const double strain =
-      patch.bound.total() / patch.bound.shape().area() / patch.material.shear_modulus;
-  const std::string doubt = doubt_of_creepage(creepage, strain);
-  if (!doubt.empty()) scene.warn(key, creepage, doubt);
+std::vector<double> motions_of(const PatchCurveScene& scene,
+                               const CreepCoefficients& coefficients) {
+  if (!scene.motions.empty()) return scene.motions;
+  const double most = scene.largest ? *scene.largest : beyond_sliding(scene, coefficients);
+  return evenly_spaced(is_symmetric(scene.patch.load, scene.along) ? 0 : -most, most, scene.points);
 }
 
+/// Reads the values of the motion, or how many there are, and the largest one.
 void read_motions(Scene& scene, PatchCurveScene& read) {
-  const auto& [motion, resultant, list, largest] = components[read.along];
+  const auto& [motion, list, largest] = components[read.along];
+  const auto warn = [&](const char* key, double end) {
+    warn_of_large_motion(scene, key, read.along, end, read.patch);
+  };
   if (scene.has(list)) {
     for (const char* other : {"curve.points", largest}) scene.at_most_one_of({list, other});
     read.motions = scene.numbers(list);
     demand(scene, list, rising, read.motions);
-  } else {
-    const int points = read_curve_points(scene);
-    const double most = scene.has(largest) ? scene.positive(largest) : beyond_sliding(read);
-    const double least = is_symmetric(read.patch.load, read.along) ? 0 : -most;
-    read.motions = evenly_spaced(least, most, points);
+    for (const double end : {read.motions.front(), read.motions.back()}) warn(list, end);
+    return;
   }
-  const char* key = scene.has(list) ? list : largest;
-  for (const double end : {read.motions.front(), read.motions.back()}) {
-    if (read.along == 2) {
-      if (scene.has(key)) warn_of_large_spin(scene, key, end, read.patch);
-      continue;
-    }
-    warn_of_large(scene, key, end, read.patch);
-  }
+  read.points = read_curve_points(scene);
+  if (!scene.has(largest)) return;
+  read.largest = scene.positive(largest);
+  warn(largest, *read.largest);
 }
 
 CreepForceContact read_contact_of_laws(Scene& scene, const SteadyPatch& patch) {
@@ -173,17 +159,11 @@ std::vector<Column> columns_of(const PatchCurveScene& scene) {
 }  // namespace
 
 PatchCurveScene read_patch_curve(Scene& scene) {
-  const std::string along = scene.word("curve.along");
+  const std::string varied = scene.word("curve.along");
   const auto component =
-      std::ranges::find_if(components, [&](const Component& one) { return along == one.motion; });
-  PatchCurveScene read{
-      .patch = {.material = {}, .bound = EllipticBound(1, 1, 1), .rows = 1, .elements = 2},
-      .along = static_cast<std::size_t>(component - components.begin()),
-      .motions = {},
-      .coefficients = {},
-      .laws = {}};
-  read.patch = read_steady_patch(scene, read.along);
-  read.coefficients = coefficients_of(read.patch);
+      std::ranges::find_if(components, [&](const Component& one) { return varied == one.motion; });
+  const auto along = static_cast<std::size_t>(component - components.begin());
+  PatchCurveScene read{.patch = read_steady_patch(scene, along), .along = along};
   read_motions(scene, read);
   read.laws = read_laws_beside(scene);
   if (!read.laws.empty()) read.contact = read_contact_of_laws(scene, read.patch);
@@ -198,11 +178,13 @@ std::vector<Table> curve_tables(const PatchCurveScene& scene, const Progress& pr
   Table table("curve", fmt::format("resultants of steady rolling against the {}", name),
               columns_of(scene));
   SteadyPatchSolver solver(patch);
+  const CreepCoefficients coefficients = solver.coefficients();
+  const std::vector<double> motions = motions_of(scene, coefficients);
   std::vector<double> largest_errors(scene.laws.size(), 0);
   Evidence worst;
   PatchLoad load = patch.load;
   std::size_t done = 0;
-  for (const double motion : scene.motions) {
+  for (const double motion : motions) {
     load[scene.along] = {.by_resultant = false, .value = motion};
     SteadyPatchSolution point = [&] {
       try {
@@ -229,12 +211,12 @@ std::vector<Table> curve_tables(const PatchCurveScene& scene, const Progress& pr
       largest_errors[l] = std::max(largest_errors[l], error);
     }
     table.add(row);
-    progress(++done, scene.motions.size());
+    progress(++done, motions.size());
   }
   Table summary = empty_summary(fmt::format("resultants against the {}", name));
   summary.add({"full_sliding_force", full, "N"});
   add_patch_sizes(summary, patch);
-  const auto& [c11, c22, c23, c32, c33] = scene.coefficients;
+  const auto& [c11, c22, c23, c32, c33] = coefficients;
   for (const auto& [key, value] :
        {std::pair{"c11", c11}, {"c22", c22}, {"c23", c23}, {"c33", c33}}) {
     summary.add({key, value, "1"});

@@ -44,12 +44,15 @@ class Cases {
 
   bool is_curve() const { return is_curve_; }
 
-  /// The motion over which a curve is.
-  std::string along() const {
-    const auto given =
-        std::ranges::find(written_.parameters, "curve.along", &Parameters::value_type::first);
-    return given == written_.parameters.end() ? "creepage" : given->second;
+  /// The value of a key of the scene; `fallback` if it has none.
+  std::string parameter(const std::string& key, const std::string& fallback) const {
+    const auto found = std::ranges::find(written_.parameters, key, &Parameters::value_type::first);
+    return found == written_.parameters.end() ? fallback : found->second;
   }
+
+  /// The motion over which a curve is.
+  std::string along() const { return parameter("curve.along", "creepage"); }
+
   const std::vector<std::size_t>& rows() const { return rows_; }
   const Parameters& parameters() const { return written_.parameters; }
   const Names& swept() const { return swept_; }
@@ -353,10 +356,8 @@ constexpr Law laws[] = {{"fastsim", "FASTSIM"},
 void add_laws(Lines& lines, const Cases& cases, const std::vector<Family>& families,
               const std::vector<Line>& drawn, const std::string& value, const Places& places) {
   const bool is_alone = drawn.size() == 1;  // then colours tell the laws apart
-  const auto factor =
-      std::ranges::find(cases.parameters(), "curve.kalker_factor", &Parameters::value_type::first);
-  const bool is_reduced = factor != cases.parameters().end() && factor->second != "1";
-  const std::string reduced = is_reduced ? ", coefficients x " + factor->second : "";
+  const std::string factor = cases.parameter("curve.kalker_factor", "1");
+  const std::string reduced = factor == "1" ? "" : ", coefficients x " + factor;
   std::size_t number = 0;
   for (const auto& [prefix, name] : laws) {
     const std::string column = fmt::format("{}_{}", prefix, value);

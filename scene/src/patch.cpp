@@ -24,7 +24,6 @@ namespace microslip {
 namespace {
 
 constexpr const char* lateral_half_width = "contact.lateral_half_width";
-constexpr double least_ratio = least_patch_ratio, largest_ratio = largest_patch_ratio;
 
 /// Reads the radii across the rolling.
 Radii read_lateral_radii(Scene& scene) {
@@ -54,10 +53,11 @@ EllipticBound read_loaded_ellipse(Scene& scene, const Material& material) {
   const double friction = read_friction(scene);
   const PointContact contact(material, load, radii.curvature, lateral.curvature);
   const double a = contact.half_width(), b = contact.lateral_half_width();
-  require(a <= largest_ratio * b && a >= least_ratio * b, "contact.radius_1",
+  require(a <= largest_patch_ratio * b && a >= least_patch_ratio * b, "contact.radius_1",
           scene.number("contact.radius_1"), [&] {
             return fmt::format("radii of an ellipse with a/b from {} to {}, not {:.3g}",
-                               format_short(least_ratio), format_short(largest_ratio), a / b);
+                               format_short(least_patch_ratio), format_short(largest_patch_ratio),
+                               a / b);
           });
   scene.derive("contact.half_width", a);
   scene.derive(lateral_half_width, b);
@@ -99,9 +99,9 @@ PatchBound read_ellipse(Scene& scene, const Material& material) {
   }
   const double a = scene.positive("contact.half_width");
   const double b = scene.positive(lateral_half_width);
-  require(a <= largest_ratio * b && a >= least_ratio * b, lateral_half_width, b, [&] {
+  require(a <= largest_patch_ratio * b && a >= least_patch_ratio * b, lateral_half_width, b, [&] {
     return fmt::format("a number between {} and {}, by contact.half_width",
-                       format_short(a / largest_ratio), format_short(a / least_ratio));
+                       format_short(a / largest_patch_ratio), format_short(a / least_patch_ratio));
   });
   return read_bound_of_ellipse(scene, a, b);
 }
@@ -111,10 +111,10 @@ void require_ratios(const Scene& scene, const PatchShape& shape) {
   scene.with_file(patch_file, [&] {
     for (const Lobe& lobe : shape.lobes()) {
       const double ratio = PatchShape({lobe}).ratio();
-      require(ratio >= least_ratio && ratio <= largest_ratio, "length over width of a lobe", ratio,
-              [&] {
-                return fmt::format("a number from {} to {}", format_short(least_ratio),
-                                   format_short(largest_ratio));
+      require(ratio >= least_patch_ratio && ratio <= largest_patch_ratio,
+              "length over width of a lobe", ratio, [&] {
+                return fmt::format("a number from {} to {}", format_short(least_patch_ratio),
+                                   format_short(largest_patch_ratio));
               });
     }
   });
@@ -250,25 +250,27 @@ double mean_strain(const SteadyPatch& patch) {
   return patch.bound.total() / patch.bound.shape().area() / patch.material.shear_modulus;
 }
 
-void warn_of_large_spin(Scene& scene, const std::string& key, double spin,
-                        const SteadyPatch& patch) {
-  const double size = patch.bound.size();
-  if (doubt_of_creepage(size * spin, mean_strain(patch)).empty()) return;
-  scene.warn(
-      key, spin,
-      fmt::format("the slip by this spin, up to {} at the sides of the contact, is not small "
-                  "against 1, as the theory has it; 0.2 1/m is 2e-4",
-                  format_roughly(size * std::abs(spin))));
+void warn_of_large_motion(Scene& scene, const std::string& key, std::size_t component,
+                          double motion, const SteadyPatch& patch) {
+  const bool is_spin = component == 2;
+  const double slip = is_spin ? patch.bound.size() * motion : motion;
+  std::string doubt = doubt_of_creepage(slip, mean_strain(patch));
+  if (doubt.empty()) return;
+  if (is_spin) {
+    doubt = fmt::format(
+        "the slip by this spin, up to {} at the sides of the contact, is not small against 1, as "
+        "the "
+        "theory has it; 0.2 1/m is 2e-4",
+        format_roughly(std::abs(slip)));
+  }
+  scene.warn(key, motion, doubt);
 }
 
-void warn_of_large_creepages(Scene& scene, const SteadyPatch& patch) {
-  for (std::size_t j = 0; j < 2; ++j) {
+void warn_of_large_motions(Scene& scene, const SteadyPatch& patch) {
+  for (std::size_t j = 0; j < patch.load.size(); ++j) {
     const auto& [by_resultant, value] = patch.load[j];
-    const std::string doubt = doubt_of_creepage(value, mean_strain(patch));
-    if (!by_resultant && !doubt.empty()) scene.warn(patch_components[j].motion, value, doubt);
+    if (!by_resultant) warn_of_large_motion(scene, patch_components[j].motion, j, value, patch);
   }
-  if (!patch.load[2].by_resultant)
-    warn_of_large_spin(scene, "load.spin", patch.load[2].value, patch);
 }
 
 SteadyPatch read_steady_patch(Scene& scene, std::size_t varied) {
@@ -279,7 +281,7 @@ SteadyPatch read_steady_patch(Scene& scene, std::size_t varied) {
   patch.load = read_patch_load(scene, patch.bound);
   patch.load[varied] = {};
   validate(patch);
-  warn_of_large_creepages(scene, patch);
+  warn_of_large_motions(scene, patch);
   return patch;
 }
 
@@ -288,7 +290,7 @@ SteadyPatch read_steady_patch(Scene& scene) {
   if (!has_patch_load(scene)) scene.one_of(keys_of_patch_loads());  // says which are missing
   patch.load = read_patch_load(scene, patch.bound);
   validate(patch);
-  warn_of_large_creepages(scene, patch);
+  warn_of_large_motions(scene, patch);
   return patch;
 }
 

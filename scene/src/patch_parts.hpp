@@ -41,7 +41,7 @@ PatchLoad read_patch_load(Scene& scene, const PatchBound& bound);
 /// The mean of the bound over the shear modulus.
 double mean_strain(const SteadyPatch& patch);
 
-/// Warns of prescribed creepages as warn_of_large_creepage().
-void warn_of_large_creepages(Scene& scene, const SteadyPatch& patch);
+/// Warns of prescribed motions as warn_of_large_motion().
+void warn_of_large_motions(Scene& scene, const SteadyPatch& patch);
 
 }  // namespace microslip

@@ -286,7 +286,7 @@ PatchTransient read_patch_transient(Scene& scene) {
     scene.one_of(all);  // says which are missing
   }
   patch.load = read_patch_load(scene, patch.bound);
-  warn_of_large_creepages(scene, patch);
+  warn_of_large_motions(scene, patch);
   PatchTransient read{.patch = patch, .scheme = scheme, .loads = patch.load};
   read.patch.load = {};
   validate(read.patch);

@@ -94,9 +94,9 @@ expect 'microslip-fourier_inverse --quick --set basis=' 'both constant linear'
 expect 'microslip-carter --print-keys=t' 'text'
 # Every option that --help lists is offered.
 for command in 'microslip' microslip\ {init,explain,response,curve,converge,plot,sweep,merge,keys} microslip-carter; do
-  for option in $($command --help | grep -oE '^  --[a-z-]+'); do
-    # One option may be the beginning of another.
-    [[ " $(completed "$command $option") " == *" $option "* ]] || fail "'$command $option' is not offered"
+  options=$($command --help | grep -oE '^  --[a-z-]+' | tr -d ' ')
+  for option in $options; do  # of which one may be the beginning of others
+    expect "$command $option" "$(grep -- "^$option" <<<"$options" | tr '\n' ' ' | sed 's/ $//')"
   done
 done
 # bash finds the completion of every study.

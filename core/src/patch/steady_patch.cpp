@@ -203,6 +203,15 @@ void SteadyPatchSolver::set_bound(const PatchBound& bound) {
   if (coarse_) coarse_->problem.bound = bound;
 }
 
+CreepCoefficients SteadyPatchSolver::coefficients() const {
+  const Eigen::Matrix3d& linear = fine_.response.linear();
+  return {.c11 = -linear(0, 0),
+          .c22 = -linear(1, 1),
+          .c23 = -linear(1, 2),
+          .c32 = linear(2, 1),
+          .c33 = -linear(2, 2)};
+}
+
 Eigen::Matrix3d SteadyPatchSolver::jacobian() const {
   if (!fine_.state) throw std::logic_error("a Jacobian is that of a solution");
   const SteadyPatch& of = fine_.problem;

@@ -10,6 +10,7 @@
 #include "microslip/patch/patch_load.hpp"
 #include "microslip/patch/patch_response.hpp"
 #include "microslip/patch/stick_slip.hpp"
+#include "microslip/reference/kalker.hpp"
 #include "microslip/rolling/evidence.hpp"
 
 namespace microslip {
@@ -97,6 +98,9 @@ class SteadyPatchSolver {
 
   /// \throws as solve_steady
   SteadyPatchSolution solve(const PatchLoad& load);
+
+  /// The coefficients of forces and moment where all sticks, by the patch's own rows.
+  CreepCoefficients coefficients() const;
 
   /// The derivatives of Fx, Fy [N] and Mz [N mm] by xi, eta [1] and phi [1/mm] at the last solution;
   /// exact where no cell changes between stick and slip, and one-sided elsewhere.

@@ -18,9 +18,9 @@ SteadyProblem read_unloaded_steady(Scene& scene);
 /// \return with that motion zero
 SteadyPatch read_steady_patch(Scene& scene, std::size_t varied);
 
-/// Warns of a spin by which the slip at the sides of the contact is above 0.2, as
-/// warn_of_large_creepage() does.
-void warn_of_large_spin(Scene& scene, const std::string& key, double spin,
-                        const SteadyPatch& patch);
+/// Warns of a motion by which slip in the contact is above 0.2, as warn_of_large_creepage() does.
+/// \param component  0, 1 or 2: along, across or spin
+void warn_of_large_motion(Scene& scene, const std::string& key, std::size_t component,
+                          double motion, const SteadyPatch& patch);
 
 }  // namespace microslip
