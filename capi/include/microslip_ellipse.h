@@ -125,8 +125,7 @@ MICROSLIP_API enum microslip_status microslip_ellipse_solve_steady(
     microslip_ellipse* ellipse, const struct microslip_ellipse_load* load,
     struct microslip_ellipse_state* state, double* jacobian);
 
-/** Rolls on by dq, at least 1e-6 of the ellipse's size and the distance rolled together, which is
- * 1 mm after 1 km, and at most 1e6 of the size  [mm]. A step of another length than
+/** Rolls on by dq, from 1e-6 to 1e6 of the ellipse's size  [mm]. A step of another length than
  * the last one, or that changes the size of the contact, takes new matrices. A step in which stick
  * and slip are not found is divided.
  *

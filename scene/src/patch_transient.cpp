@@ -202,13 +202,13 @@ void warn_of_long_steps(Scene& scene, const PatchTransient& read) {
 /// Refuses steps that PatchRolling does not take.
 void require_step_lengths(const Scene& scene, const PatchTransient& read) {
   const double c = read.patch.bound.size(), dx = read.spacing();
-  const double least = PatchStepRanges::least_step * (c + read.distance);
+  const double least = PatchStepRanges::least_step * c;
   const double most = PatchStepRanges::longest_step * c;
   for (const double ratio : read.step_ratios) {
     if (ratio * dx >= least && ratio * dx <= most) continue;
     if (scene.has("step.ratio")) {
       require(false, "step.ratio", ratio,
-              fmt::format("a number from {} to {}, by the size of the contact and the distance",
+              fmt::format("a number from {} to {}, by the size of the contact",
                           format_roughly(least / dx), format_roughly(most / dx)));
     }
     scene.with_file("load.file", [&] {

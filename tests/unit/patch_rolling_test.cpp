@@ -158,6 +158,22 @@ TEST(PatchRolling, TakesStepsOfExtremeLengths) {
   EXPECT_LT(largest(rolling.resultants() - solve_steady(problem).resultants) / full, 3e-3);
 }
 
+// A step after a long way is that step after a short one, both from steady rolling: places and
+// rigid slip are measured from the contact, not from where it began.
+TEST(PatchRolling, TakesShortStepsAfterALongWay) {
+  const PatchLoad load = motion(0.1, 0.05, 0.2), other = motion(0.3, -0.1, 0.1);
+  PatchRolling near(circle(6, 8)), far(circle(6, 8));
+  for (int i = 0; i < 60; ++i) far.roll(1e6, load);
+  for (PatchRolling* one : {&near, &far}) roll_to(*one, one->distance() + 20, 0.5, load);
+  for (const double dq : {1e-6, 1e-6, 1e-5, 1e-3, 0.1}) {
+    near.roll(dq, other);
+    far.roll(dq, other);
+    EXPECT_LT((far.tractions() - near.tractions()).cwiseAbs().maxCoeff(), 1e-6) << dq;
+    EXPECT_LT(largest(far.resultants() - near.resultants()) / full, 1e-7) << dq;
+  }
+  EXPECT_NEAR(far.distance(), 6e7, 100);
+}
+
 TEST(PatchRolling, IsItsOwnMirrorImage) {
   PatchRolling one(circle(7, 8)), other(circle(7, 8));
   roll_to(one, 0.7, 0.1, motion(0.2, 0.1, 0.5));

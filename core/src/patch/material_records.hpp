@@ -9,8 +9,9 @@
 
 namespace microslip {
 
-/// The sum of all rigid slip so far of material at a place, x + q, in a row at y:
-///   (along - turn y, across + turn place).
+/// The sum of all rigid slip since an origin of material at a place, x + q, in a row at y:
+///   (along - turn y, across + turn place),
+/// with q, the distance rolled since that origin.
 struct RigidPath {
   double along = 0, across = 0, turn = 0;
 
@@ -26,8 +27,8 @@ struct RigidPath {
   }
 };
 
-/// The displacements that the material of a row remembers. A place of the material is its x before
-/// all rolling, x + q after a distance q. There, the sum of its displacement and of all rigid slip
+/// The displacements that the material of a row remembers. A place of the material is its x at the
+/// origin of the path, x + q after a distance q. There, the sum of its displacement and of all rigid slip
 /// is constant while it sticks: that sum is what a record keeps, along and across.
 class MaterialRecords {
  public:

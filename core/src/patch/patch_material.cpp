@@ -24,6 +24,9 @@ constexpr double spacing_of_records = 0.5;
 /// Records of cells that slip are not closer to others than this part of the cell.
 constexpr double least_gap = 0.2;
 
+/// The farthest origin of places, over the size of the contact.
+constexpr double farthest_origin = 8;
+
 MaterialRecords row_at_rest(const JoinedRows& rows, Index k, double size, double distance) {
   const double spacing = spacing_of_records * size * rows.half_length(k);
   return {size * rows.x(2 * rows.elements(), k) + distance, size * rows.x(0, k) + distance,
@@ -71,7 +74,7 @@ void PatchMaterial::impose(const PatchStep& step, PointDisplacements& u, Imposed
 /// The displacement that material remembers, without the rigid slip.
 /// \param x  at the end of a step dq
 Vector2d PatchMaterial::remembered(const JoinedRows& rows, double x, Index k, double dq) const {
-  const double place = x + distance_ + dq;
+  const double place = x + travelled_ + dq;
   return memory_[static_cast<std::size_t>(k)].at(place) - path_.at(place, size_ * rows.y(k));
 }
 
@@ -97,7 +100,8 @@ void PatchMaterial::take(const PatchStep& step, PointDisplacements& u,
   const bool grows = step.to != step.from;
   edge_before_ = edge_;
   for (Index k = 0; k < rows.rows(); ++k) edge_.row(k) = u.at(0, k);
-  path_ = path_.after(motion, step.dq == 0 ? 1 : step.dq, distance_ + step.dq / 2);
+  path_ = path_.after(motion, step.dq == 0 ? 1 : step.dq, travelled_ + step.dq / 2);
+  travelled_ += step.dq;
   distance_ += step.dq;
   step_before_ = step.dq;
   motion_ = motion;
@@ -111,12 +115,26 @@ void PatchMaterial::take(const PatchStep& step, PointDisplacements& u,
       continue;
     }
     if (step.dq > 0) {
-      const double place = front + distance_;
+      const double place = front + travelled_;
       row.enter(place, u.at(0, k) + path_.at(place, y));
-      row.leave(exit + distance_);
+      row.leave(exit + travelled_);
     }
     replace_where_slips(k, u, slips);
   }
+  if (travelled_ > farthest_origin * size_) renew_origin(rows);
+}
+
+/// Measures places and the path from here, with the same sums of displacement and rigid slip.
+void PatchMaterial::renew_origin(const JoinedRows& rows) {
+  for (Index k = 0; k < rows.rows(); ++k) {
+    const double y = size_ * rows.y(k);
+    memory_[static_cast<std::size_t>(k)].move([&](double place, Vector2d& value) {
+      value -= path_.at(place, y);
+      return place - travelled_;
+    });
+  }
+  path_ = {};
+  travelled_ = 0;
 }
 
 /// Material that slips remembers where it is now: at the points of the cells, so that the next step
@@ -125,7 +143,7 @@ void PatchMaterial::replace_where_slips(Index k, PointDisplacements& u,
                                         const std::vector<bool>& slips) {
   const JoinedRows& rows = u.rows();
   MaterialRecords& row = memory_[static_cast<std::size_t>(k)];
-  const auto place_of = [&](Index j) { return size_ * rows.x(j, k) + distance_; };
+  const auto place_of = [&](Index j) { return size_ * rows.x(j, k) + travelled_; };
   const auto is_slipping = [&](Index i) {
     return slips[static_cast<std::size_t>(rows.cell(i, k))];
   };
@@ -145,9 +163,9 @@ void PatchMaterial::replace_where_slips(Index k, PointDisplacements& u,
 /// Lets a row remember the present displacements, all along.
 void PatchMaterial::touch_anew(Index k, PointDisplacements& u) {
   const JoinedRows& rows = u.rows();
-  MaterialRecords row = row_at_rest(rows, k, size_, distance_);
+  MaterialRecords row = row_at_rest(rows, k, size_, travelled_);
   row.change([&](double place, Vector2d& value) {
-    const double theta = rows.theta_of((place - distance_) / size_, k);
+    const double theta = rows.theta_of((place - travelled_) / size_, k);
     value = u.at_angle(theta, k) + path_.at(place, size_ * rows.y(k));
   });
   memory_[static_cast<std::size_t>(k)] = row;
@@ -182,8 +200,8 @@ MaterialRecords PatchMaterial::moved_row(const JoinedRows& rows, Index k, double
   MaterialRecords moved = memory_[static_cast<std::size_t>(k)];
   const double scale = half_length / (size_ * rows.half_length(k));
   moved.move([&](double place, Vector2d& value) {
-    const double s = (place - distance_) / (size_ * rows.half_length(k));
-    const double there = distance_ + scale * (place - distance_);
+    const double s = (place - travelled_) / (size_ * rows.half_length(k));
+    const double there = travelled_ + scale * (place - travelled_);
     value.setZero();
     for (std::size_t j = 0; j < weights.size(); ++j) {
       value += weights[j] * value_at(first + static_cast<Index>(j), s);
@@ -196,6 +214,7 @@ MaterialRecords PatchMaterial::moved_row(const JoinedRows& rows, Index k, double
 
 void PatchMaterial::archive(Archive& archive) {
   archive.number("distance", distance_);
+  archive.number("travelled", travelled_);
   archive.number("size", size_);
   archive.number("step_before", step_before_);
   archive.number("path_along", path_.along);

@@ -24,7 +24,7 @@ class PatchMaterial {
   /// \param size  of the contact
   PatchMaterial(const JoinedRows& rows, double size);
 
-  double distance() const { return distance_; }  ///< rolled so far
+  double distance() const { return distance_; }  ///< rolled so far, since the beginning
   double size() const { return size_; }          ///< of the contact now
 
   /// The length of the last step over that of the next one; 0 where these differ too much for the
@@ -60,10 +60,14 @@ class PatchMaterial {
   MaterialRecords moved_row(const JoinedRows& rows, Index k, double size) const;
   void replace_where_slips(Index k, PointDisplacements& u, const std::vector<bool>& slips);
   void touch_anew(Index k, PointDisplacements& u);
+  void renew_origin(const JoinedRows& rows);
 
   std::vector<MaterialRecords> memory_;
   RigidPath path_;
-  double distance_ = 0, size_;
+  /// Rolled since the beginning, and since the origin of places and of the path, which follows the
+  /// contact: so that short steps after a long way keep their digits.
+  double distance_ = 0, travelled_ = 0;
+  double size_;
   Eigen::Vector3d motion_ = Eigen::Vector3d::Zero();  ///< of the last step
   double step_before_ = 0;  ///< its length; 0 if there was none, or a shift
   /// Displacements at the leading edges, along and across, before the last step and after it.

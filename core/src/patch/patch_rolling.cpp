@@ -75,7 +75,7 @@ void PatchRolling::shift(const PatchLoad& load) {
 
 void PatchRolling::roll(double dq, const PatchLoad& load) {
   const double c = parts_->units().size;
-  const double least = PatchStepRanges::least_step * (c + distance());
+  const double least = PatchStepRanges::least_step * c;
   const double longest = PatchStepRanges::longest_step * c;
   require(dq >= least && dq <= longest, "dq", dq,
           [&] { return fmt::format("a length from {:.6g} to {:.6g}", least, longest); });

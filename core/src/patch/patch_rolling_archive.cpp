@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr SealedText state_of_patch{.mark = "microslip state of a patch ", .version = "1"};
+constexpr SealedText state_of_patch{.mark = "microslip state of a patch ", .version = "2"};
 
 /// The problem that a state belongs to.
 void archive_problem(Archive& archive, const SteadyPatch& problem, const JoinedRows& rows,

@@ -15,8 +15,7 @@ namespace microslip {
 
 /// Accepted steps and contacts of PatchRolling.
 struct PatchStepRanges {
-  /// dq over the size of the patch; the least one is over the size and the distance rolled. Records
-  /// that are closer have no digits of a slope between them.
+  /// dq over the size of the patch. Records that are closer have no digits of a slope between them.
   static constexpr double least_step = 1e-6, longest_step = 1e6;
 
   /// Motions over the strain mu p0/G, beside which displacements keep their digits.
@@ -90,7 +89,7 @@ class PatchRolling {
 
   /// Rolls over a step. A step in which stick and slip are not found is divided into halves, up to
   /// six times, on the way of which resultants go linearly to those prescribed.
-  /// \param dq  from 1e-6 of the size and the distance rolled, to 1e6 of the size  [mm]
+  /// \param dq  from 1e-6 to 1e6 of the size  [mm]
   /// \throws std::invalid_argument if a number is out of its range; NotConverged
   void roll(double dq, const PatchLoad& load);
 
