@@ -178,6 +178,8 @@ int main(int argc, char** argv) {
        [&](int n, Arguments words) { return program::run_joined(curve, n, words); }},
       {"converge", "measures the cost of an accuracy in a scene, for every scheme",
        [&](int n, Arguments words) { return program::run(converge, n, words); }},
+      {"table", "makes a table of creep forces of contact ellipses",
+       [&](int n, Arguments words) { return program::creep_table(solver.name, n, words); }},
       {"plot", "draws the figures of a result, or of a study",
        [&](int n, Arguments words) { return program::plot(solver.name, n, words); }},
       {"sweep", "solves many scenes: all combinations of lists of values",

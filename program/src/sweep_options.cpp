@@ -62,15 +62,17 @@ Options sweep_options(const Program& program) {
   return all;
 }
 
-SweepSettings sweep_settings(const Given& given) {
+ParallelSettings parallel_settings(const Given& given) {
   const auto has = [&](const char* name) { return given.count(name) != 0; };
-  return {.out = given["out"].as<std::string>(),
-          .threads =
+  return {.threads =
               has("threads") ? threads_of(given["threads"].as<std::string>()) : available_cores(),
           .shard = has("shard") ? std::optional(shard_of(given["shard"].as<std::string>()))
                                 : std::nullopt,
-          .keeps_tables = has("tables"),
           .quiet = has("quiet")};
+}
+
+SweepSettings sweep_settings(const Given& given) {
+  return {parallel_settings(given), given["out"].as<std::string>(), given.count("tables") != 0};
 }
 
 }  // namespace microslip::program

@@ -18,19 +18,27 @@ struct Shard {
   std::size_t count;   ///< n, up to the most cases that a sweep may have
 };
 
-/// The settings of a sweep, as its options give them.
-struct SweepSettings {
-  std::filesystem::path out;
+/// How work in parts is shared.
+struct ParallelSettings {
   int threads;
   std::optional<Shard> shard;
-  bool keeps_tables;
   bool quiet;
+};
+
+/// By --threads, --shard and --quiet.
+/// \throws std::invalid_argument for --threads and --shard out of their ranges
+ParallelSettings parallel_settings(const Given& given);
+
+/// The settings of a sweep, as its options give them.
+struct SweepSettings : ParallelSettings {
+  std::filesystem::path out;
+  bool keeps_tables;
 };
 
 /// The options of a program, and --threads, --shard and --tables.
 Options sweep_options(const Program& program);
 
-/// \throws std::invalid_argument for --threads and --shard out of their ranges
+/// \throws as parallel_settings
 SweepSettings sweep_settings(const Given& given);
 
 }  // namespace microslip::program

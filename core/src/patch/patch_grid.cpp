@@ -14,10 +14,10 @@ Index at_most_all(double cells) {
   return std::min(most_cells_of_side, static_cast<Index>(std::round(cells)));
 }
 
-/// Cells of a side, which has the other side `ratio` times as long.
+/// Cells of a side over those of a circle, where the other side is `ratio` times as long.
 double cells_by(double ratio) {
-  constexpr double least = 60, of_circle = 200;  // 16 x 16 on a circle
-  return std::round(std::sqrt(least + of_circle * ratio));
+  constexpr double least = 60, of_circle = 200, cells_of_circle = 16;
+  return std::sqrt(least + of_circle * ratio) / cells_of_circle;
 }
 
 }  // namespace
@@ -31,10 +31,10 @@ double stacked_height(const PatchShape& shape) {
   return sum / highest;
 }
 
-PatchGrid fitting_grid(const PatchShape& shape) {
-  const auto rows = static_cast<double>(at_most_all(cells_by(1 / shape.ratio())));
+PatchGrid fitting_grid(const PatchShape& shape, double cells) {
+  const auto rows = static_cast<double>(at_most_all(cells * cells_by(1 / shape.ratio())));
   return {.rows = at_most_all(rows * stacked_height(shape)),
-          .elements = at_most_all(cells_by(shape.ratio()))};
+          .elements = at_most_all(cells * cells_by(shape.ratio()))};
 }
 
 }  // namespace microslip

@@ -18,9 +18,10 @@ struct PatchGrid {
   Eigen::Index elements;  ///< N of each row
 };
 
-/// The rows and elements that fit a shape, a smooth function of it: 16 x 16 on a circle, and in each
-/// lobe as many rows as its height says.
-PatchGrid fitting_grid(const PatchShape& shape);
+/// The rows and elements that fit a shape, a smooth function of it, and in each lobe as many rows as
+/// its height says.
+/// \param cells  rows, and elements of each, on a circle
+PatchGrid fitting_grid(const PatchShape& shape, double cells = 16);
 
 /// The heights of all lobes together, over the largest one.
 double stacked_height(const PatchShape& shape);

@@ -57,4 +57,8 @@ int explain(const Program& program, const std::function<Preview(Scene&)>& previe
 /// NAME_KIND.gp of this program, the kind by the tables that are there, or all STUDY_*.gp.
 int plot(const std::string& name, int argc, const char* const* argv);
 
+/// Makes a table of creep forces (CreepTable) as a file, with its measured errors, in parts that are
+/// kept beside it until all are done. Returns the exit status as sweep().
+int creep_table(const std::string& name, int argc, const char* const* argv);
+
 }  // namespace microslip::program

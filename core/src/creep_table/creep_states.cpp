@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/creep_table/creep_states.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "microslip/support/not_converged.hpp"
+#include "microslip/support/require.hpp"
+#include "unit_patch.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+namespace {
+
+/// Numbers from 0 to below 1, the same ones with any library.
+class Uniform {
+ public:
+  explicit Uniform(std::uint64_t seed) : bits_(seed) {}
+  double operator()() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
+
+ private:
+  std::mt19937_64 bits_;
+};
+
+Vector3d random_direction(Uniform& uniform) {
+  const double z = 2 * uniform() - 1, turn = 2 * pi * uniform(), across = std::sqrt(1 - z * z);
+  return {across * std::cos(turn), across * std::sin(turn), z};
+}
+
+}  // namespace
+
+std::vector<CreepState> random_creep_states(const CreepTableLayout& layout, std::uint64_t seed,
+                                            std::size_t count, Index cells) {
+  validate(layout);
+  require(cells >= 4 && cells <= 40, "error_cells", static_cast<double>(cells),
+          "a whole number from 4 to 40");
+  Uniform uniform(seed);
+  const double ratio =
+      layout.least_ratio * std::pow(layout.largest_ratio / layout.least_ratio, uniform());
+  const MotionScales scales(ratio, creep_coefficients(ratio, layout.poisson_ratio).value);
+  std::vector<UnitPatch> patches;
+  for (std::size_t grid = 0; grid < grids_of_mean; ++grid) {
+    patches.emplace_back(ratio, layout.poisson_ratio, cells + static_cast<Index>(grid));
+  }
+  std::vector<CreepState> states;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double r = size_of_motion(uniform());
+    const Vector3d motion = r * random_direction(uniform).cwiseQuotient(scales.sizes);
+    try {
+      Vector3d sum = Vector3d::Zero();
+      for (const UnitPatch& patch : patches) sum += patch.solve(motion).forces;
+      states.push_back({ratio, motion, sum / static_cast<double>(grids_of_mean)});
+    } catch (const NotConverged&) {
+      continue;
+    }
+  }
+  return states;
+}
+
+CreepTableErrors errors_in(const std::vector<CreepState>& states, const CreepTable& table,
+                           Index cells) {
+  CreepTableErrors errors{.states = static_cast<Index>(states.size()), .cells = cells};
+  for (Index c = 0; c < 3; ++c) {
+    std::vector<double> sizes;
+    double squares = 0;
+    for (const CreepState& state : states) {
+      const double error = table.forces(state.ratio, state.motion)[c] - state.forces[c];
+      sizes.push_back(std::abs(error));
+      squares += error * error;
+    }
+    std::ranges::sort(sizes);
+    errors.rms[c] = std::sqrt(squares / static_cast<double>(sizes.size()));
+    errors.of_99_percent[c] = sizes[(sizes.size() - 1) * 99 / 100];
+    errors.largest[c] = sizes.back();
+  }
+  return errors;
+}
+
+}  // namespace microslip
