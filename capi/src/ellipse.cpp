@@ -9,6 +9,7 @@
 #include <string>
 
 #include "ellipse_handle.hpp"
+#include "jacobian.hpp"
 #include "microslip/reference/point_contact.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/parallel.hpp"
@@ -39,13 +40,6 @@ void require_factor(const char* name, double factor, double largest) {
     return fmt::format("a number from {} to {}", microslip::format_short(1 / largest),
                        microslip::format_short(largest));
   });
-}
-
-/// Row by row.
-void put_jacobian(double* to, const Eigen::Matrix3d& jacobian) {
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    for (Eigen::Index j = 0; j < 3; ++j) *to++ = without_sign_of_zero(jacobian(i, j));
-  }
 }
 
 template <class Values>

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/creep_table/creep_table.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "microslip/support/require.hpp"
@@ -168,7 +171,7 @@ CreepTable::Slopes CreepTable::spline_at(double ratio_place, double step_place, 
   const SplinePlace ratio(ratio_place, size_of(layout_.ratios));
   const SplinePlace step(step_place, size_of(layout_.steps));
   const SplinePlace angle(layout_.place_of_angle(polar), size_of(layout_.polar));
-  const double per_radian = static_cast<double>(layout_.azimuths - 1) / M_PI;
+  const double per_radian = static_cast<double>(layout_.azimuths - 1) / std::numbers::pi;
   const SplinePlace turn(azimuth * per_radian, size_of(layout_.azimuths));
   const auto steps = size_of(layout_.steps + 2), rows = size_of(layout_.polar + 2),
              columns = size_of(layout_.azimuths + 2);
@@ -176,7 +179,7 @@ CreepTable::Slopes CreepTable::spline_at(double ratio_place, double step_place, 
   for (std::size_t s = 0; s < 4; ++s) {
     Eigen::Array3d value_s = Eigen::Array3d::Zero(), angle_s = value_s, turn_s = value_s;
     for (std::size_t j = 0; j < 4; ++j) {
-      // Along the ratio first, for the four azimuths at once.
+      // The sum over the ratio comes first, for four azimuths at once.
       Eigen::Array<double, 12, 1> line = Eigen::Array<double, 12, 1>::Zero();
       for (std::size_t i = 0; i < 4; ++i) {
         const float* from =
@@ -287,8 +290,7 @@ Vector3d CreepTable::forces_of_octant(double ratio, const Vector3d& motion,
 
 Vector3d CreepTable::forces(double ratio, const Vector3d& motion, Matrix3d* jacobian) const {
   require(ratio >= layout_.least_ratio && ratio <= layout_.largest_ratio, "ratio", ratio, [&] {
-    return "a/b of the table, " + std::to_string(layout_.least_ratio) + " to " +
-           std::to_string(layout_.largest_ratio);
+    return fmt::format("a/b of the table, {} to {}", layout_.least_ratio, layout_.largest_ratio);
   });
   const double largest = motion.cwiseAbs().maxCoeff();
   require(motion.allFinite() && largest <= 1e100, "motion", largest, "at most 1e100");
@@ -304,6 +306,18 @@ Vector3d CreepTable::forces(double ratio, const Vector3d& motion, Matrix3d* jaco
   const Vector3d found = forces_of_octant(ratio, inversion * motion.cwiseProduct(signs), jacobian);
   if (jacobian != nullptr) *jacobian = signs.asDiagonal() * *jacobian * signs.asDiagonal();
   return inversion * found.cwiseProduct(signs);
+}
+
+Vector3d CreepTable::resultants(double shear_modulus, const EllipticBound& bound,
+                                const Vector3d& motion, Matrix3d* jacobian) const {
+  require_positive("shear_modulus", shear_modulus);
+  const double strain = bound.peak() / shear_modulus, c = bound.size(), full = bound.total();
+  const Vector3d motions(strain, strain, strain / c), sizes(full, full, full * c);
+  const Vector3d found = forces(bound.ratio(), motion.cwiseQuotient(motions), jacobian);
+  if (jacobian != nullptr) {
+    *jacobian = sizes.asDiagonal() * *jacobian * motions.cwiseInverse().asDiagonal();
+  }
+  return found.cwiseProduct(sizes);
 }
 
 }  // namespace microslip

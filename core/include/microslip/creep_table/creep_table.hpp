@@ -3,10 +3,10 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <memory>
 #include <vector>
 
 #include "microslip/creep_table/creep_table_nodes.hpp"
+#include "microslip/friction/elliptic_bound.hpp"
 
 namespace microslip {
 
@@ -33,6 +33,17 @@ class CreepTable {
   /// \throws std::invalid_argument outside the ranges, and for a motion that is not finite
   Eigen::Vector3d forces(double ratio, const Eigen::Vector3d& motion,
                          Eigen::Matrix3d* jacobian = nullptr) const;
+
+  /// The same with units, for an ellipse that rolls under any load and friction.
+  /// \param shear_modulus  G, > 0  [N/mm^2]
+  /// \param bound          with a/b within the layout
+  /// \param motion         xi, eta [1] and phi [1/mm]
+  /// \param jacobian       out, may be nullptr
+  /// \return               Fx, Fy [N] and Mz [N mm]
+  /// \throws std::invalid_argument as forces()
+  Eigen::Vector3d resultants(double shear_modulus, const EllipticBound& bound,
+                             const Eigen::Vector3d& motion,
+                             Eigen::Matrix3d* jacobian = nullptr) const;
 
   const CreepTableLayout& layout() const { return layout_; }
 

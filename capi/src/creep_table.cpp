@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "microslip/creep_table/creep_table.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+
+#include "jacobian.hpp"
+#include "microslip/creep_table/creep_table_file.hpp"
+#include "microslip/halfspace/material.hpp"
+#include "microslip/support/require.hpp"
+#include "microslip/support/shown.hpp"
+#include "microslip_creep_table.h"
+#include "status.hpp"
+#include "zero.hpp"
+
+using namespace microslip::capi;
+
+struct microslip_creep_table {
+  microslip::CreepTable table;
+  microslip::CreepTableErrors errors;
+
+  explicit microslip_creep_table(const microslip::CreepTableNodes& nodes)
+      : table(nodes), errors(nodes.errors) {}
+};
+
+namespace {
+
+microslip::CreepTableNodes read_table(const char* path) {
+  const std::string shown = microslip::shown(path);
+  std::ifstream file(path, std::ios::binary);
+  if (!file || std::filesystem::is_directory(path)) {
+    throw std::invalid_argument(fmt::format("cannot read {}: expected a table's file", shown));
+  }
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  try {
+    return microslip::read_creep_table(bytes);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", shown, error.what()));
+  }
+}
+
+/// nu of a table and of a material may differ by so much: that of steel has two or three digits.
+constexpr double same_poisson_ratio = 1e-3;
+
+void require_material(const microslip::CreepTableLayout& layout, const microslip_material& of) {
+  microslip::validate(microslip::Material{of.shear_modulus, of.poisson_ratio});
+  microslip::require(std::abs(of.poisson_ratio - layout.poisson_ratio) <= same_poisson_ratio,
+                     "poisson_ratio", of.poisson_ratio,
+                     [&] { return fmt::format("that of the table, {}", layout.poisson_ratio); });
+}
+
+}  // namespace
+
+microslip_status microslip_creep_table_open(const char* path, microslip_creep_table** table,
+                                            char* message, size_t message_size) {
+  if (table != nullptr) *table = nullptr;
+  return guarded({message, message_size}, [&] {
+    microslip_creep_table*& made = require_pointer(table, "table");
+    made = new microslip_creep_table(read_table(&require_pointer(path, "path")));
+  });
+}
+
+void microslip_creep_table_close(microslip_creep_table* table) { delete table; }
+
+microslip_status microslip_creep_table_get_info(const microslip_creep_table* table,
+                                                microslip_creep_table_info* info, char* message,
+                                                size_t message_size) {
+  return guarded({message, message_size}, [&] {
+    const auto& [found, errors] = require_pointer(table, "table");
+    microslip_creep_table_info& out = require_pointer(info, "info");
+    const microslip::CreepTableLayout& layout = found.layout();
+    out = {.poisson_ratio = layout.poisson_ratio,
+           .least_ratio = layout.least_ratio,
+           .largest_ratio = layout.largest_ratio,
+           .states = static_cast<int>(errors.states)};
+    for (Eigen::Index i = 0; i < 3; ++i) {
+      out.error_rms[i] = errors.rms[i];
+      out.error_of_99_percent[i] = errors.of_99_percent[i];
+      out.error_largest[i] = errors.largest[i];
+    }
+  });
+}
+
+microslip_status microslip_creep_table_forces(const microslip_creep_table* table,
+                                              const microslip_material* material,
+                                              const microslip_ellipse_contact* contact,
+                                              const double motion[3], double resultants[3],
+                                              double* jacobian, char* message,
+                                              size_t message_size) {
+  return guarded({message, message_size}, [&] {
+    const microslip::CreepTable& from = require_pointer(table, "table").table;
+    const microslip_material& of = require_pointer(material, "material");
+    const auto& [a, b, peak] = require_pointer(contact, "contact");
+    const Eigen::Vector3d moved =
+        Eigen::Map<const Eigen::Vector3d>(&require_pointer(motion, "motion"));
+    double* out = &require_pointer(resultants, "resultants");
+    require_material(from.layout(), of);
+    Eigen::Matrix3d by_motion;
+    const Eigen::Vector3d found = from.resultants(of.shear_modulus, {a, b, peak}, moved,
+                                                  jacobian == nullptr ? nullptr : &by_motion);
+    for (Eigen::Index i = 0; i < 3; ++i) out[i] = without_sign_of_zero(found[i]);
+    if (jacobian != nullptr) put_jacobian(jacobian, by_motion);
+  });
+}
