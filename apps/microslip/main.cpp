@@ -168,6 +168,8 @@ int main(int argc, char** argv) {
   const std::vector<program::Command> commands{
       {"init", "writes a commented scene to start from",
        [&](int n, Arguments words) { return program::init(solver.name, templates, n, words); }},
+      {"import", "makes a scene of a case of an input file of CONTACT",
+       [&](int n, Arguments words) { return program::import_case(solver.name, n, words); }},
       {"keys", "lists the keys of scenes, with units and accepted values",
        [&](int n, Arguments words) { return program::keys(solver.name, n, words); }},
       {"explain", "describes the model of a scene, its limits and its cost",

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 #include <iostream>
 #include <sstream>
@@ -58,8 +59,8 @@ Scene parse_file(const std::string& path) {
   if (is_of_contact(text)) {
     throw std::invalid_argument(
         fmt::format("--scene {}: expected a scene of microslip, found an input file of CONTACT; "
-                    "'microslip init steady' writes a scene to start from",
-                    shown(path)));
+                    "'microslip import {}' makes one of it",
+                    shown(path), shown(in_shell(path))));
   }
   std::istringstream in(text);
   return Scene::parse(in, path, path.substr(0, path.find_last_of('/') + 1));
@@ -141,6 +142,23 @@ Scene read_scene(const Program& program, const Given& given) {
   }
   scene.read_files_by([](const std::string& path) { return file_text(path); });
   return scene;
+}
+
+std::string in_shell(const std::string& name) {
+  const auto is_plain = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("-._/").find(c) != std::string_view::npos;
+  };
+  if (!name.starts_with('-') && std::ranges::all_of(name, is_plain)) return name;
+  std::string quoted = name.starts_with('-') ? "'./" : "'";
+  for (const char c : name) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+void require_new_file(const std::string& option, const std::filesystem::path& path) {
+  if (!std::filesystem::exists(path)) return;
+  throw std::invalid_argument(
+      fmt::format("{} '{}': expected a file that is not there yet", option, shown(path.string())));
 }
 
 std::string one_line(const std::exception& error) {

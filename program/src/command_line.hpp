@@ -2,6 +2,7 @@
 #pragma once
 
 #include <boost/program_options.hpp>
+#include <filesystem>
 #include <functional>
 #include <string>
 
@@ -41,6 +42,13 @@ Scene read_scene(const Program& program, const Given& given);
 /// Shows progress on a terminal after two seconds, with rate and remaining time, unless told to be
 /// quiet. The line ends when the last copy is gone.
 Progress progress_on_terminal(const std::string& name, bool quiet);
+
+/// A name as a shell takes it: in quotes if it has more than letters, digits and -._/.
+std::string in_shell(const std::string& name);
+
+/// Refuses a file that is there, which the option names.
+/// \throws std::invalid_argument in one line
+void require_new_file(const std::string& option, const std::filesystem::path& path);
 
 /// The message of an exception, from microslip or a library, as one line of bounded length.
 std::string one_line(const std::exception& error);

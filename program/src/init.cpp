@@ -2,11 +2,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
-#include <string_view>
 
 #include "command_line.hpp"
 #include "microslip/program/commands.hpp"
@@ -33,18 +31,6 @@ const Template& chosen(const std::vector<Template>& templates, const Given& give
       fmt::format("no scene '{}'{}{}", shown(kind), suggestion(nearest(kind, names)), known));
 }
 
-/// A name as a shell takes it: in quotes if it has more than letters, digits and -._/.
-std::string in_shell(const std::string& name) {
-  const auto is_plain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           std::string_view("-._/").find(c) != std::string_view::npos;
-  };
-  if (!name.starts_with('-') && std::ranges::all_of(name, is_plain)) return name;
-  std::string quoted = name.starts_with('-') ? "'./" : "'";
-  for (const char c : name) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
-}
-
 }  // namespace
 
 int init(const std::string& name, const std::vector<Template>& templates, int argc,
@@ -69,10 +55,7 @@ int init(const std::string& name, const std::vector<Template>& templates, int ar
     std::vector<OutputFile> files{{fs::path(out).filename(), scene.text}};
     if (!scene.table.empty()) files.push_back({scene.name + ".tsv", scene.table});
     for (const OutputFile& file : files) {
-      const fs::path path = parent / file.name;
-      if (!fs::exists(path)) continue;
-      throw std::invalid_argument(
-          fmt::format("--out '{}': expected a file that is not there yet", shown(path.string())));
+      require_new_file("--out", parent / file.name);
     }
     write_files(folder, files);
     const std::string command = scene.name == "sweep" ? name + " sweep " : name + " ";

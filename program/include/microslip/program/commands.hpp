@@ -38,6 +38,12 @@ struct Template {
 int init(const std::string& name, const std::vector<Template>& templates, int argc,
          const char* const* argv);
 
+/// Makes a scene of a case of an input file of CONTACT, on standard output or in the file of `--to`,
+/// which may not exist before; `--list` prints a line for each case instead. What a scene leaves out
+/// is told on stderr. Returns the exit status: 0; 1 for bad input, a case without a scene or a
+/// failed write.
+int import_case(const std::string& name, int argc, const char* const* argv);
+
 /// Prints all keys of scenes, with units, meanings and accepted values.
 int keys(const std::string& name, int argc, const char* const* argv);
 
