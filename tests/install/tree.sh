@@ -59,10 +59,14 @@ expect() {
   [ "$(completed "$1")" = "$2" ] || fail "'$1' is completed to '$(completed "$1")', not '$2'"
 }
 expect 'microslip ex' 'explain'
+expect 'microslip im' 'import'
 expect 'microslip st' 'steady.info'
 expect 'microslip init ' 'wheel ellipse line steady transient ellipse_transient cylinder run sweep'
 expect 'microslip explain ' 'steady.info out results'
 expect 'microslip plot o' 'out'
+: >case.inp
+expect 'microslip import ca' 'case.inp'
+expect 'microslip import case.inp --scheme d' 'direct'
 expect 'microslip steady.info --set contact.ha' 'contact.half_width='
 expect 'microslip sweep steady.info --th' '--threads'
 expect 'microslip steady.info --set step.scheme=rel' 'relaxed relaxed_traction'
@@ -93,7 +97,7 @@ expect 'microslip-fourier_inverse --set grid.s' 'grid.spacing= grid.sizes='
 expect 'microslip-fourier_inverse --quick --set basis=' 'both constant linear'
 expect 'microslip-carter --print-keys=t' 'text'
 # Every option that --help lists is offered.
-for command in 'microslip' microslip\ {init,explain,response,curve,converge,plot,sweep,merge,keys} microslip-carter; do
+for command in 'microslip' microslip\ {init,import,explain,response,curve,converge,plot,sweep,merge,keys} microslip-carter; do
   options=$($command --help | grep -oE '^  --[a-z-]+' | tr -d ' ')
   for option in $options; do  # of which one may be the beginning of others
     expect "$command $option" "$(grep -- "^$option" <<<"$options" | tr '\n' ' ' | sed 's/ $//')"
