@@ -309,6 +309,11 @@ bool InputCases::next() {
                                kinematics[static_cast<std::size_t>(read['F'])]));
   read_bodies(read, reads_damping);
   if (read['D'] == 2) read_potential(read);
+  if (read['D'] > 0) {
+    read.formed_norm = read['N'];
+    read.formed_load = read.kinematics[0];
+    read.formed_material = read.material;
+  }
   if (read['Z'] > 1 && read.potential[0].value > 0) read_geometry(read);
   if (read['L'] != 1 && read['V'] == 3) read_friction(read, read.potential[2].value);
   if (read['E'] == 9) words_.skip("EXRHS", 2 * elements_of(read));

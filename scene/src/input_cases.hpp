@@ -37,6 +37,11 @@ struct InputCase {
   std::vector<InputNumber> potential;   ///< IPOTCN, MX, MY and what follows them
   std::vector<InputNumber> geometry;    ///< IBASE, IPLAN and what follows them
 
+  // What the potential contact was formed with, when D was last 1 or 2.
+  int formed_norm = 1;      ///< N
+  InputNumber formed_load;  ///< FN or PEN
+  std::vector<InputNumber> formed_material;
+
   int operator[](char digit) const { return digits.at(digit).value; }
   int line_of(char digit) const { return digits.at(digit).line; }
 };

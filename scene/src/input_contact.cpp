@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/ellint_rd.hpp>
 #include <cmath>
@@ -24,6 +25,10 @@ namespace {
 using std::numbers::pi;
 
 constexpr double least_elements = 3;  ///< across a contact, below which none is resolved
+
+/// Width over half-width, below which the pressure of a row of elements differs from that of a line
+/// contact: by the next term of the kernel's series its half-width is (a/width)^2/2 smaller, 0.8 %.
+constexpr double least_row = 8;
 
 double stiffness_of(const Material& material) {
   return material.shear_modulus / (1 - material.poisson_ratio);
@@ -59,6 +64,7 @@ class InputContactReader {
     read_bodies();
     read_load();
     if (kind() < 0) {
+      require_as_formed();
       read_hertz();
     } else {
       read_quadratic();
@@ -110,6 +116,24 @@ class InputContactReader {
     require(my() >= 1, size(1), "MY", "a whole number > 0");
   }
 
+  /// Refuses another load or material than those with which the potential contact was formed that
+  /// the case keeps: it is too small or too large then, and so are curvatures by semi-axes.
+  void require_as_formed() const {
+    if (read_['D'] > 0) return;
+    const InputNumber& load = read_.kinematics[0];
+    const char* name = read_['N'] == 1 ? "FN" : "PEN";
+    const std::string accepted =
+        read_.formed_load.text + " as before, or D = 2, a new potential contact";
+    require(read_['N'] == read_.formed_norm && load.value == read_.formed_load.value, load, name,
+            accepted);
+    constexpr std::array names{"POISS1", "POISS2", "GG1", "GG2"};
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const InputNumber &now = read_.material[k], &then = read_.formed_material[k];
+      require(now.value == then.value, now, names[k],
+              then.text + " as before, or D = 2, a new potential contact");
+    }
+  }
+
   /// Sets the semi-axes by the curvatures, and the load by the approach.
   void set_radii(double along, double across) {
     contact_.radius = 1 / along;
@@ -134,7 +158,11 @@ class InputContactReader {
                     pi * a * b / 3;
   }
 
-  void require_load_of_row() const {
+  void require_row_digits() const {
+    if (read_['C'] != 2) {
+      refuse_input(file_, read_.line_of('C'), name_of_digit('C'), std::to_string(read_['C']),
+                   "2 for one row of elements, MY = 1");
+    }
     if (read_['N'] == 1) return;
     refuse_input(file_, read_.line_of('N'), name_of_digit('N'), "0",
                  "1, FN, for one row of elements, MY = 1");
@@ -156,7 +184,7 @@ class InputContactReader {
           my() == 1, size(1), "MY",
           "1 with IPOTCN = -4 or -5: microslip has one row of elements, with the same tractions "
           "over the width");
-      require_load_of_row();
+      require_row_digits();
       set_row(by_curvature ? along : 0, first.value, 2 * second.value);
     } else if (kind() == -3) {
       set_semi_axes(first.value, second.value);
@@ -172,9 +200,18 @@ class InputContactReader {
     contact_.is_ellipse = false;
     contact_.lateral = width / 2;
     contact_.half_width = half_width;
-    if (along == 0) return;
-    contact_.radius = 1 / along;
-    contact_.half_width = LineContact(contact_.material, contact_.load / width, along).half_width();
+    if (along > 0) {
+      contact_.radius = 1 / along;
+      contact_.half_width =
+          LineContact(contact_.material, contact_.load / width, along).half_width();
+    }
+    const double least = least_row * contact_.half_width;
+    require(width >= least, size(kind() < 0 ? 3 : 5),
+            kind() < 0    ? "BB"
+            : kind() == 2 ? "YH"
+                          : "DY",
+            fmt::format("a width of {} mm or more, 8 half-widths, for a line contact",
+                        format_roughly(least)));
   }
 
   PotentialContact potential() const {
@@ -213,7 +250,7 @@ class InputContactReader {
     const PotentialContact in = potential();
     if (my() == 1) {
       require(of[4].value == 0, of[4], "B3", "0 with one row of elements, MY = 1");
-      require_load_of_row();
+      require_row_digits();
       set_row(2 * of[2].value, 0, in.dy);
       set_elements({in.x, -in.dy / 2, in.dx, in.dy});
     } else {

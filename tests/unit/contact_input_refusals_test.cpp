@@ -85,6 +85,19 @@ TEST(ContactInputRefusals, NameDigitsThatKeepWhatWasBefore) {
       replaced(replaced(two, "022020", "024020"), "0.28 0.28", "1 1 1\n 1. 2d\n 0.28 0.28");
   EXPECT_EQ(refusal_of(conformal, {.number = 2}),
             "a.inp:4: C (INFLCF) = 4: expected 2 or 3, elastic half-spaces");
+  // The box and the curvatures of semi-axes stay with D = 0, and so must what made them.
+  expect_refusals(two,
+                  {{" 1.0 0.05 0 0", " 2.0 0.05 0 0",
+                    "17: FN = 2.0: expected 1.0 as before, or D = 2, a new potential contact"},
+                   {" 100000\n 0101541\n 1.0 0.05 0 0",
+                    " 102000\n 0101541\n 1.0 0.05 0 0\n 0 0.1 1\n 0.28 0.28 2 2",
+                    "19: GG1 = 2: expected 1.0 as before"},
+                   {"203100\n 100000", "203000\n 100000", "17: PEN = 1.0: expected 1.0 as before"}},
+                  {.number = 2});
+  EXPECT_EQ(refusal_of(
+                replaced(replaced(two, " 1.0 0.05 0 0\n", " 2.0 0.05 0 0\n"), " 100000", " 110010"),
+                {.number = 2}),
+            "none");
   const std::string falling =
       replaced(replaced(two, "022020", "422020"), "0.3  0.3 ", ".1 .2 1 0 1\n .003 1 %");
   EXPECT_EQ(refusal_of(falling, {.number = 2}),
@@ -165,6 +178,8 @@ TEST(ContactInputRefusals, NameGeometry) {
        {"0.04 10. ", "-0.04 10. ", "12: DX = -0.04: expected a number > 0"},
        {"022020", "022000", "4: Z (RZNORM) = 0: expected 1 or 2 with a new potential contact"},
        {"203100", "223100", "3: B (BOUND) = 2: expected 0 with a potential contact"},
+       {"022020", "023020", "4: C (INFLCF) = 3: expected 2 for one row of elements"},
+       {"-5. 0.04 10. ", "-5. 0.04 8. ", "12: DY = 8.: expected a width of 8.9 mm or more"},
        {"203100", "203000", "3: N (NORM) = 0: expected 1, FN, for one row"},
        {"0.001 0. 0. ", "0.001 0. 1e-4 ", "7: CPHI = 1e-4: expected 0 with one row"},
        {"0.001 0. 0. ", "0.001 0.1 0. ", "7: CKSI = 0.001: expected 0 with one row"}});

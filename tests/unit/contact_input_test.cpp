@@ -242,6 +242,9 @@ TEST(ContactInput, RefusesRunsThatNoSceneSays) {
     const char *from, *to, *error;
   } cases[] = {
       {"100000\n 0101541\n  1.0  0.07", "100000\n 0101541\n  1.1  0.07",
+       "a.inp:23: FN = 1.1: expected 1.0 as before, or D = 2, a new potential contact"},
+      {"100000\n 0101541\n  1.0  0.07  0.02  -0.01",
+       "000000\n 0101541\n  1.0  0.07  0.02  -0.01\n 0.4 0.4",
        "a.inp:20: case 3 continues case 2 with another contact: expected the same load, friction, "
        "bodies and curvatures, or P = 2, a start at rest"},
       {"100000\n 0101541\n  1.0  0.07", "100000\n 0101541\n  1.0  0.08",
