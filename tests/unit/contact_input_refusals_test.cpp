@@ -172,7 +172,7 @@ TEST(ContactInputRefusals, NameGeometry) {
        {"0.001 0 0 0 0 0 ", "0.001 0 0 0 -1 0 ", "14: B5 = -1: expected 0"},
        {"0.001 0 0 0 0 0 ", "0.001 0 0 0 0 2 ", "14: B6 = 2: expected 0"},
        {"0.001 0 0 0 0 0 ", "-0.001 0 0 0 0 0 ", "14: B1 = -0.001: expected a number > 0"},
-       {"0.001 0 0 0 0 0 ", "0.00001 0 0 0 0 0 ", "12: XL or XC1 = -1.2: expected a potential"},
+       {"0.001 0 0 0 0 0 ", "0.00067 0 0 0 0 0 ", "12: XL or XC1 = -1.2: expected a potential"},
        {"60 1 -1.2", "40 1 -1.2", "12: XL or XC1 = -1.2: expected a potential contact around"},
        {"60 1 -1.2", "60 2 -1.2", "14: B3 = 0: expected a number > 0: an ellipse, or MY = 1"},
        {"0.04 10. ", "-0.04 10. ", "12: DX = -0.04: expected a number > 0"},
