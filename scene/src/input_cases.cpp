@@ -115,7 +115,7 @@ void InputCases::read_solver(const InputCase& read) {
   if (solver == 5) words_.group("FDECAY BETATH #KDOWFB D_IFC D_LIN D_CNS D_SLP POW_S");
 }
 
-void InputCases::read_friction(InputCase& read, double rows) {
+void InputCases::read_friction(InputCase& read, int rows) {
   const int law = read['L'];
   const auto names = [&]() -> const char* {
     switch (law) {
@@ -133,7 +133,7 @@ void InputCases::read_friction(InputCase& read, double rows) {
         refuse(read, 'L', "0, Coulomb's friction with FSTAT = FKIN");
     }
   }();
-  for (double row = 0; row < rows; ++row) read.friction = words_.group(names);
+  for (int row = 0; row < rows; ++row) read.friction = words_.group(names);
   if (law != 0) words_.group("MEMDST MEM_S0");
 }
 
@@ -315,7 +315,8 @@ bool InputCases::next() {
     read.formed_material = read.material;
   }
   if (read['Z'] > 1 && read.potential[0].value > 0) read_geometry(read);
-  if (read['L'] != 1 && read['V'] == 3) read_friction(read, read.potential[2].value);
+  if (read['L'] != 1 && read['V'] == 3)
+    read_friction(read, static_cast<int>(read.potential[2].value));
   if (read['E'] == 9) words_.skip("EXRHS", 2 * elements_of(read));
   read_subsurface(read);
   stays_ = read['R'] == 0 || read['R'] == 2;

@@ -37,7 +37,7 @@ struct InputCase {
   std::vector<InputNumber> potential;   ///< IPOTCN, MX, MY and what follows them
   std::vector<InputNumber> geometry;    ///< IBASE, IPLAN and what follows them
 
-  // What the potential contact was formed with, when D was last 1 or 2.
+  // The potential contact was formed with these, when D was last 1 or 2.
   int formed_norm = 1;      ///< N
   InputNumber formed_load;  ///< FN or PEN
   std::vector<InputNumber> formed_material;
@@ -70,7 +70,7 @@ class InputCases {
   /// Refuses digits on which depends what follows, where that is not known.
   void require_readable(const InputCase& read, bool is_first) const;
   void read_solver(const InputCase& read);
-  void read_friction(InputCase& read, double rows);
+  void read_friction(InputCase& read, int rows);
   void read_material(InputCase& read);
   void read_potential(InputCase& read);
   void read_geometry(InputCase& read);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What microslip can do of the cases of an input file of CONTACT.
+// The problems of cases of an input file of CONTACT that microslip can do.
 #include "input_problem.hpp"
 
 #include <fmt/core.h>

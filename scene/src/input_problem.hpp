@@ -25,7 +25,7 @@ struct InputContact {
   bool fits = false;          ///< whether whole elements of CONTACT fill the box 2 a by 2 b
 };
 
-/// What of a case, or of the cases that a run of steps consists of, a scene can say.
+/// The problem of a case, or of the cases that a run of steps consists of, as a scene can say it.
 struct InputProblem {
   enum class Kind { shift, steps, steady };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What has no scene of an input file of CONTACT is refused in one line, with file, line, name, value
-// and what is accepted.
+// A case of an input file of CONTACT without a scene is refused in one line, with file, line, name,
+// value and what is accepted.
 #include <gtest/gtest.h>
 
 #include <algorithm>
