@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The command import: scenes of input files of CONTACT, solved, against CONTACT's results; and what
 // it refuses. The texts are made for these tests; where they describe an example that comes with
-// CONTACT, its results are those of examples/*.ref_out in the repository of the open source version,
-// github.com/eve70a/CONTACT, revision 2707 of 2025-07-23.
+// CONTACT, its results are those of examples/*.ref_out in the repository of the open source
+// version, github.com/eve70a/CONTACT, revision 2707 of 2025-07-23.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -78,8 +78,8 @@ class ContactInputs : public Executables {
 };
 
 // CONTACT v25.2 with the solver GDsteady to 1e-8, run for this project: Fx, Fy, Mz and the elements
-// that slip and that touch. By its scheme the ellipse rolls 24 half-widths from rest, to 1e-8 of the
-// steady state.
+// that slip and that touch. By its scheme the ellipse rolls 24 half-widths from rest, to 1e-8 of
+// the steady state.
 TEST_F(ContactInputs, HaveContactsResultsByItsScheme) {
   const struct {
     const char *kinematics, *place;
@@ -105,8 +105,8 @@ TEST_F(ContactInputs, HaveContactsResultsByItsScheme) {
   }
 }
 
-// The same program: a shift to Fx = -0.6 mu Fn [mm], and the creepage after five steps of an element
-// under this force, where 94 of 316 elements slip. CONTACT iterates to 1e-7.
+// The same program: a shift to Fx = -0.6 mu Fn [mm], and the creepage after five steps of an
+// element under this force, where 94 of 316 elements slip. CONTACT iterates to 1e-7.
 TEST_F(ContactInputs, HaveContactsCreepageAfterAShift) {
   const std::string shift = case_of({.first = "201110",
                                      .kinematics = "1. -0.6 0. 0.",
