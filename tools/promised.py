@@ -95,16 +95,25 @@ def call(name, function):
     yield from (f"{name}() argument {argument.arg}=" for argument in given.kwonlyargs + [given.kwarg] * bool(given.kwarg))
 
 
-def members(node):
+MADE = ("Patch", "Rolling")  # classes that users make
+
+
+def parts_of(node, classes):
+    """The parts of a class, and of those of the package that it builds upon."""
+    bases = [classes[base.id] for base in node.bases if getattr(base, "id", "") in classes]
+    return node.body + [part for base in bases for part in parts_of(base, classes)]
+
+
+def members(node, classes):
     """Public methods, properties and attributes of a class; of its making only if users make it."""
-    for part in node.body:
+    for part in parts_of(node, classes):
         if isinstance(part, ast.AnnAssign):
             yield f"{node.name}.{part.target.id}"
         elif isinstance(part, ast.FunctionDef):
             decorators = {getattr(name, "id", "") for name in part.decorator_list}
             if "property" in decorators:
                 yield f"{node.name}.{part.name}"
-            elif "classmethod" not in decorators and (part.name[0] != "_" or (node.name, part.name) == ("Rolling", "__init__")):
+            elif "classmethod" not in decorators and (part.name[0] != "_" or part.name == "__init__" and node.name in MADE):
                 yield from call(f"{node.name}.{part.name}", part)
             yield from (f"{node.name}.{target.attr}" for target in ast.walk(part) if isinstance(target, ast.Attribute)
                         and isinstance(target.ctx, ast.Store) and getattr(target.value, "id", "") == "self")
@@ -114,8 +123,9 @@ def python_names(_program):
     trees = [ast.parse(text_of(file)) for file in sorted(PACKAGE.glob("*.py"))]
     shown = next(ast.literal_eval(part.value) for tree in trees for part in tree.body
                  if isinstance(part, ast.Assign) and getattr(part.targets[0], "id", "") == "__all__")
+    classes = {part.name: part for tree in trees for part in tree.body if isinstance(part, ast.ClassDef)}
     for node in (part for tree in trees for part in tree.body if getattr(part, "name", "") in shown):
-        names = call(node.name, node) if isinstance(node, ast.FunctionDef) else [node.name, *members(node)]
+        names = call(node.name, node) if isinstance(node, ast.FunctionDef) else [node.name, *members(node, classes)]
         yield from (f"Python {name}" for name in names if not re.search(r"\._(?!_init__)", name))
 
 

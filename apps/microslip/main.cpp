@@ -5,7 +5,6 @@
 
 #include "microslip/experiments/converge_scene.hpp"
 #include "microslip/experiments/curve_scene.hpp"
-#include "microslip/experiments/patch_curve_scene.hpp"
 #include "microslip/experiments/response_scene.hpp"
 #include "microslip/program/commands.hpp"
 #include "microslip/program/memory.hpp"
@@ -83,11 +82,7 @@ program::Work prepare_converge(Scene& scene) {
 }
 
 program::Work prepare_curve(Scene& scene) {
-  if (scene.has_patch()) {
-    const experiments::PatchCurveScene read = experiments::read_patch_curve(scene);
-    program::require_memory("grid.elements", read.patch.elements, memory_needed(read.patch));
-    return [read](const Progress& progress) { return experiments::curve_tables(read, progress); };
-  }
+  if (scene.has_patch()) return patch_curve_of(scene);
   const experiments::CurveScene read = experiments::read_curve(scene);
   program::require_memory("grid.elements", read.problem.grid.size(), memory_needed(read.problem));
   return [read](const Progress& progress) { return experiments::curve_tables(read, progress); };

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "microslip/experiments/patch_curve_scene.hpp"
 #include "microslip/experiments/scene_tables.hpp"
 #include "microslip/program/memory.hpp"
 #include "microslip/program/run.hpp"
@@ -34,6 +35,14 @@ inline program::Work solver_of(Scene& scene) {
     return std::visit([&](const auto& read) { return experiments::scene_tables(read, progress); },
                       model);
   };
+}
+
+/// Reads the curve of an ellipse or another patch.
+/// \return its tables
+inline program::Work patch_curve_of(Scene& scene) {
+  const experiments::PatchCurveScene read = experiments::read_patch_curve(scene);
+  program::require_memory("grid.elements", read.patch.elements, memory_needed(read.patch));
+  return [read](const Progress& progress) { return experiments::curve_tables(read, progress); };
 }
 
 }  // namespace microslip

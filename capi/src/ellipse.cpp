@@ -42,12 +42,6 @@ void require_factor(const char* name, double factor, double largest) {
   });
 }
 
-template <class Values>
-void put(double* to, const Values& values) {
-  if (to == nullptr) return;
-  for (const double value : values) *to++ = without_sign_of_zero(value);
-}
-
 void restore(microslip_ellipse& of, const std::string& text) {
   of.rolling.restore({text});
   of.attempt.reset();
@@ -215,17 +209,9 @@ size_t microslip_ellipse_size(const microslip_ellipse* ellipse) {
 microslip_status microslip_ellipse_get_cells(microslip_ellipse* ellipse,
                                              const microslip_ellipse_cells* cells) {
   return with_ellipse(ellipse, [&](const microslip_ellipse& of) {
-    const microslip_ellipse_cells& out = require_pointer(cells, "cells");
-    const Eigen::MatrixX2d tractions = of.rolling.tractions(), slip = of.rolling.slip();
-    put(out.x, of.rolling.x());
-    put(out.y, of.rolling.y());
-    put(out.area, of.rolling.areas());
-    put(out.bound, of.rolling.bound());
-    put(out.traction_x, tractions.col(0));
-    put(out.traction_y, tractions.col(1));
-    put(out.slip_x, slip.col(0));
-    put(out.slip_y, slip.col(1));
-    if (out.slips != nullptr) std::ranges::copy(of.rolling.slips(), out.slips);
+    put_cells({of.rolling.x(), of.rolling.y(), of.rolling.areas(), of.rolling.bound(),
+               of.rolling.tractions(), of.rolling.slip(), of.rolling.slips()},
+              require_pointer(cells, "cells"));
   });
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "microslip/patch/patch_grid.hpp"
@@ -30,6 +31,17 @@ EllipticBound bound_of(const microslip_ellipse& ellipse) {
   const PatchBound& first = ellipse.problem.bound;
   const auto& [size, bound] = ellipse.rolling.contact();
   return {size * first.half_width(), size * first.lateral_half_width(), bound * first.peak()};
+}
+
+template <class Values>
+void put(double* to, const Values& values) {
+  if (to == nullptr) return;
+  for (const double value : values) *to++ = without_sign_of_zero(value);
+}
+
+template <class Value>
+Value* moved(Value* to, std::size_t by) {
+  return to == nullptr ? nullptr : to + by;
 }
 
 }  // namespace
@@ -107,21 +119,57 @@ microslip_ellipse_state state_of(const PatchRolling& rolling) {
 }
 
 microslip_ellipse_state solve_steady(microslip_ellipse& ellipse, const PatchLoad& load) {
-  const EllipticBound bound = bound_of(ellipse);
   if (!ellipse.solver) ellipse.solver.emplace(ellipse.problem, false);
-  ellipse.solver->set_bound(bound);
-  const SteadyPatchSolution solution = ellipse.solver->solve(load);
+  const bool is_hertz = ellipse.problem.bound.is_hertz();
+  if (is_hertz) ellipse.solver->set_bound(bound_of(ellipse));
+  // Another bound that is g times as large has the same solution with g times the load, motions included.
+  const double g = is_hertz ? 1 : ellipse.rolling.contact().bound;
+  PatchLoad over_bound = load;
+  for (PatchComponent& component : over_bound) component.value /= g;
+  SteadyPatchSolution solution = ellipse.solver->solve(over_bound);
   require_evidence(solution.evidence, solution.condition, solution.iterations,
                    ellipse.problem.accepted);
+  solution.resultants *= g;
+  solution.motion *= g;
+  solution.dissipation *= g * g;
+  return state_of(solution,
+                  is_hertz ? bound_of(ellipse).total() : g * ellipse.problem.bound.total());
+}
+
+microslip_ellipse_state state_of(const SteadyPatchSolution& solution, double full_sliding) {
   microslip_ellipse_state state{};
   copy_to(state.resultants, solution.resultants);
   copy_to(state.motion, solution.motion);
   state.dissipation = without_sign_of_zero(solution.dissipation);
-  state.full_sliding = bound.total();
+  state.full_sliding = full_sliding;
   state.slip_share = solution.slip_area() / solution.area.sum();
   state.residual = solution.state.residual;
   state.iterations = solution.iterations;
   return state;
+}
+
+void put_cells(const CellValues& values, const microslip_ellipse_cells& out) {
+  put(out.x, values.x);
+  put(out.y, values.y);
+  put(out.area, values.area);
+  put(out.bound, values.bound);
+  put(out.traction_x, values.traction.col(0));
+  put(out.traction_y, values.traction.col(1));
+  put(out.slip_x, values.slip.col(0));
+  put(out.slip_y, values.slip.col(1));
+  if (out.slips != nullptr) std::ranges::copy(values.slips, out.slips);
+}
+
+microslip_ellipse_cells cells_from(const microslip_ellipse_cells& cells, std::size_t at) {
+  return {.x = moved(cells.x, at),
+          .y = moved(cells.y, at),
+          .area = moved(cells.area, at),
+          .bound = moved(cells.bound, at),
+          .traction_x = moved(cells.traction_x, at),
+          .traction_y = moved(cells.traction_y, at),
+          .slip_x = moved(cells.slip_x, at),
+          .slip_y = moved(cells.slip_y, at),
+          .slips = moved(cells.slips, at)};
 }
 
 }  // namespace microslip::capi

@@ -63,6 +63,18 @@ void attempt(microslip_ellipse& ellipse, double dq, const PatchLoad& load);
 void advance(microslip_ellipse& ellipse, double dq, const PatchLoad& load);
 
 microslip_ellipse_state state_of(const PatchRolling& rolling);
+microslip_ellipse_state state_of(const SteadyPatchSolution& solution, double full_sliding);
+
+/// Values of all cells, see microslip_ellipse_cells.
+struct CellValues {
+  Eigen::VectorXd x, y, area, bound;
+  Eigen::MatrixX2d traction, slip;
+  std::vector<bool> slips;
+};
+void put_cells(const CellValues& values, const microslip_ellipse_cells& out);
+
+/// The same arrays from one of their values on; a null pointer stays one.
+microslip_ellipse_cells cells_from(const microslip_ellipse_cells& cells, std::size_t at);
 
 /// Solves steady rolling in the contact that is set.
 /// \throws as SteadyPatchSolver

@@ -22,6 +22,8 @@ Keys of scenes: ms.keys(), and docs/scenes.md. Errors are ms.InputError, a Value
 from ._errors import Error, InputError, LoadWarning, NoSolution
 from ._keys import Key, Keys, keys
 from ._library import text_of as _text_of
+from ._patch import Patch, PatchFactors
+from ._patch_steady import PatchSteady
 from ._result import Result, solve
 from ._rolling import Load, Rolling
 from ._steady import Steady, creep_curve, steady
@@ -30,5 +32,6 @@ from ._table import Column, Table, read_table
 
 __version__ = _text_of("version")
 
-__all__ = ["Column", "Error", "InputError", "Key", "Keys", "Load", "LoadWarning", "NoSolution", "Result", "Rolling",
+__all__ = ["Column", "Error", "InputError", "Key", "Keys", "Load", "LoadWarning", "NoSolution", "Patch", "PatchFactors", "PatchSteady",
+           "Result", "Rolling",
            "Steady", "Sweep", "Table", "creep_curve", "keys", "read_table", "solve", "steady", "sweep"]

@@ -176,20 +176,24 @@ def number(name: str, value: Any) -> float:
     return float(found.reshape(()))
 
 
-def broadcast(given: Mapping[str, Any]) -> Dict[str, np.ndarray]:
-    """Returns the values that are not None as arrays of one shape, of no or one dimension; errors name the first."""
+def broadcast(given: Mapping[str, Any], any_shape: bool = False) -> Dict[str, np.ndarray]:
+    """Returns the values that are not None as arrays of one shape, of no or one dimension; errors name the first.
+
+    any_shape  whether there may be more dimensions
+    """
     columns = {name: numbers(name, value) for name, value in given.items() if value is not None}
     for name, column in columns.items():
-        if column.ndim > 1:
+        if column.ndim > 1 and not any_shape:
             raise InputError(f"{name}: expected a number or an array of one dimension, not of {column.ndim}",
                              name, "", "a number or an array of one dimension")
     try:
         arrays = np.broadcast_arrays(*columns.values())
     except ValueError:
         name = next(iter(columns))
-        lengths = ", ".join(f"{name} {column.size}" for name, column in columns.items() if column.ndim)
-        raise InputError(f"{name}: expected arrays of one length, not of {lengths}", name, lengths,
-                         "arrays of one length") from None
+        sizes = ", ".join(f"{name} {column.shape if any_shape else column.size}" for name, column in columns.items()
+                          if column.ndim)
+        expected = "arrays that numpy broadcasts" if any_shape else "arrays of one length"
+        raise InputError(f"{name}: expected {expected}, not of {sizes}", name, sizes, expected) from None
     return {name: np.ascontiguousarray(array) if array.ndim else array.copy()
             for name, array in zip(columns, arrays)}
 

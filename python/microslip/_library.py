@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The shared library of this package: microslip.h, and the functions of python/src/interface.hpp.
+"""The shared library of this package: microslip.h, microslip_ellipse.h, and the functions of python/src/interface.hpp.
 
 Calls release the interpreter's lock, so that other threads run meanwhile.
 """
@@ -35,6 +35,27 @@ STEADY = _dtype("creepage", "force", "dissipation", "stick_edge", "residual", "v
 SHIFT = _dtype("distance", "force", "dissipation", "work")
 SLOPES = _dtype("force", "mean_force", "creepage", "dissipation")
 JACOBIAN = np.dtype([("by_load", SLOPES), ("by_length", SLOPES)], align=True)
+# Those of microslip_ellipse.h. Here the three numbers of its arrays have a name each.
+MOTIONS = ("creepage", "lateral_creepage", "spin")
+RESULTANTS = ("force", "lateral_force", "spin_moment")
+PATCH_STATE = _dtype("distance", *RESULTANTS, *MOTIONS, "dissipation", "full_sliding", "slip_share", "residual",
+                     "iterations:int")
+SHIFTS = ("shift", "lateral_shift", "rotation")  # in the place of motions where nothing rolls
+PATCH_SHIFT = _dtype(*(dict(zip(MOTIONS, SHIFTS)).get(name, name) for name in PATCH_STATE.names[:-1]), "iterations:int")
+PATCH_LOAD = np.dtype([("prescribed", np.intc, 3), ("value", float, 3)], align=True)
+MATERIAL = _dtype("shear_modulus", "poisson_ratio")
+BODIES = _dtype("normal_load", "radius_1", "radius_2", "lateral_radius_1", "lateral_radius_2", "friction")
+ELLIPSE_CONTACT = _dtype("half_width", "lateral_half_width", "peak_traction")
+
+
+class PatchCells(c.Structure):
+    _fields_ = [(name, c.c_void_p) for name in (
+        "x", "y", "area", "bound", "traction_x", "traction_y", "slip_x", "slip_y", "slips")]
+
+
+class PatchSolutions(c.Structure):
+    _fields_ = [*((name, c.c_void_p) for name in ("states", "changes", "statuses", "messages")), ("room", c.c_size_t),
+                ("cells", PatchCells)]
 
 
 class Steps(c.Structure):
@@ -61,23 +82,31 @@ TYPES = {"-": None, "i": c.c_int, "s": c.c_size_t, "d": c.c_double, "t": c.c_cha
 FUNCTIONS = {
     "t": "version py_error_key py_error_message py_keys",
     "i": "py_error_status",
-    "-p": "destroy py_cases_destroy py_tables_destroy py_steady_destroy",
-    "tp": "message method warning py_save py_steady_warnings py_swept",
-    "sp": "size py_table_count py_steady_size",
-    "dp": "py_full_sliding",
-    "pp": "py_rolling py_steady_read",
+    "-p": "destroy ellipse_destroy py_cases_destroy py_patch_destroy py_tables_destroy py_steady_destroy",
+    "tp": "message ellipse_message method warning py_patch_edges py_patch_warnings py_save py_steady_warnings py_swept",
+    "sp": "size py_patch_elements py_patch_rows py_table_count py_steady_size",
+    "dp": "py_full_sliding py_patch_full_sliding",
+    "ip": "py_has_patch",
+    "pp": "py_patch_ellipse py_patch_read py_rolling py_steady_read",
     "tt": "py_writable_target",
-    "ipt": "save restore py_restore",
-    "ipp": "copy get_state get_elastic_energy get_full_sliding",
+    "ipt": "save restore ellipse_save ellipse_restore ellipse_restore_from_memory py_restore",
+    "ipp": "copy ellipse_copy ellipse_get_cells ellipse_get_elastic_energy ellipse_get_state get_state "
+           "get_elastic_energy get_full_sliding py_ellipse_contact",
     "ipd": "set_creepage set_force advance",
-    "ppi": "py_read",
+    "ppii": "py_read",
     "tps": "py_warnings py_table_name py_table_text",
     "ppsp": "py_solve",
-    "ippp": "roll",
-    "ipdd": "set_contact",
+    "tpid": "py_patch_doubt",
+    "ippp": "ellipse_shift roll",
+    "ipdd": "ellipse_set_contact set_contact",
+    "ippsp": "ellipse_save_to_memory",
+    "ipppp": "ellipse_solve_steady",
+    "ipdppp": "ellipse_attempt",
+    "ipppps": "hertz_ellipse",
+    "ippsip": "py_patch_steady",
     "ipdp": "start_from_shift shift_to_force shift_by_distance attempt",
     "ipps": "get_nodes get_traction get_bound get_slip get_displacement get_zones",
-    "ipdpp": "attempt_with_jacobian",
+    "ipdpp": "attempt_with_jacobian ellipse_advance",
     "ipdpsp": "py_fastsim",
     "tpips": "py_steady_doubt",
     "ipipsippps": "py_steady_solve",

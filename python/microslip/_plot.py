@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import sys
-from typing import Any
+from typing import Any, Iterator, NamedTuple, Tuple
 
 import numpy as np
 
@@ -36,32 +36,89 @@ def plot_traction(x: np.ndarray, bound: np.ndarray, traction: np.ndarray, axes: 
     return axes
 
 
-def plot_patch(table: np.ndarray, axes: Any = None) -> Any:
-    """Draws tractions of an ellipse as arrows, orange where it slips."""
+class PatchFields(NamedTuple):
+    """Values in the elements of a patch, (M, N) in rows across the rolling; nan outside it."""
+
+    x: np.ndarray
+    y: np.ndarray
+    traction: np.ndarray  #: (M, N, 2)
+    slips: np.ndarray
+
+
+def scaled(edges: np.ndarray, size: float) -> np.ndarray:
+    """The edges of a patch of another size."""
+    found = edges.copy()
+    for name in ("y", "trailing", "leading"):
+        found[name] *= size
+    return found
+
+
+def _elements_in_strips(edges: np.ndarray, values: np.ndarray) -> Iterator[Tuple[np.ndarray, np.ndarray, np.ndarray]]:
+    """Yields corners and values of the elements of each lobe, whose rows have strips between the sides of `edges`.
+
+    Elements are equal in the angle theta, x = middle + half-length cos(theta).
+    """
+    part = np.cos(np.pi * np.arange(values.shape[1] + 1) / values.shape[1])
+    for lobe in np.unique(edges["lobe"]):
+        sides = edges[edges["lobe"] == lobe]
+        middle, half = (sides["leading"] + sides["trailing"]) / 2, (sides["leading"] - sides["trailing"]) / 2
+        yield (middle[:, None] + half[:, None] * part, np.repeat(sides["y"][:, None], part.size, 1),
+               values[sides["row"][:-1].astype(int) - 1])
+
+
+def plot_patch(fields: PatchFields, edges: np.ndarray, axes: Any = None) -> Any:
+    """Draws the size of tractions in colour, their direction as arrows, and a line about what slips.
+
+    edges  the table of the edges, in whose rows the elements of the fields are; in these are gaps if they are rectangles
+    """
     axes = _new_axes() if axes is None else axes
-    slips = table["zone"] == "S"
-    for of, color, label in ((~slips, "tab:blue", "sticks"), (slips, "tab:orange", "slips")):
-        part = table[of]
-        axes.quiver(part["x"], part["y"], part["traction_x"], part["traction_y"], color=color, label=label,
-                    angles="xy", scale=15 * float(np.max(table["bound"])))
+    size = np.hypot(fields.traction[..., 0], fields.traction[..., 1])
+    most = float(np.nanmax(size)) or 1.0
+    look = {"cmap": "Blues", "vmin": 0, "vmax": 1.1 * most}
+    if np.isnan(size).any():
+        drawn = axes.pcolormesh(fields.x[0], fields.y[:, 0], size, **look)
+    else:
+        for x, y, values in _elements_in_strips(edges, size):
+            drawn = axes.pcolormesh(x, y, values, **look)
+    for lobe in np.unique(edges["lobe"]):
+        sides = edges[edges["lobe"] == lobe]
+        axes.plot(np.r_[sides["trailing"], sides["leading"][::-1], sides["trailing"][:1]],
+                  np.r_[sides["y"], sides["y"][::-1], sides["y"][:1]], color="0.4", linewidth=0.8)
+        rows = np.unique(sides["row"].astype(int)) - 1
+        part = fields.slips[rows]
+        inside = ~np.isnan(size[rows])
+        if min(part.shape) >= 2 and 0 < np.sum(part[inside]) < np.sum(inside):
+            axes.contour(fields.x[rows], fields.y[rows], np.where(inside, part, np.nan), [0.5], colors="tab:orange")
+    axes.plot([], [], color="tab:orange", label="edge of slip")
+    thin = tuple(slice(count % step // 2, None, step) for count, step in (
+        (count, -(-count // 12)) for count in size.shape))
+    axes.quiver(fields.x[thin], fields.y[thin], *np.moveaxis(fields.traction[thin], -1, 0), angles="xy", pivot="mid",
+                scale=10 * most, width=0.004)
+    axes.figure.colorbar(drawn, ax=axes, label="traction [N/mm²]")
     axes.set(xlabel="x [mm], rolling to the right", ylabel="y [mm]", aspect="equal")
-    axes.legend()
+    if np.any(fields.slips == 1) and not np.all(fields.slips[~np.isnan(size)]):
+        axes.legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False)
     return axes
 
 
 def plot_result(result: Any, axes: Any = None) -> Any:
     """Draws a result, see Result.plot."""
-    if "traction_x" in result.traction.dtype.names:
-        return plot_patch(result.traction, axes)
-    history = result.history if axes is None else None
+    table, history = result.traction, result.history if axes is None else None
     both = _new_axes(1 if history is None else 2) if axes is None else axes
     first = both if history is None else both[0]
-    table = result.traction
-    plot_traction(table["x"], table["bound"], table["traction"], first)
+    is_patch = "traction_x" in table.dtype.names
+    if is_patch:
+        plot_patch(PatchFields(*(result.field(name) for name in ("x", "y", "traction", "slips"))),
+                   result.tables["edges"].data, first)
+    else:
+        plot_traction(table["x"], table["bound"], table["traction"], first)
     if history is not None:
         name = "q" if "q" in history.dtype.names else "X"
-        both[1].plot(history[name], history["force"])
-        both[1].set(xlabel=f"distance rolled [{result.units[name]}]", ylabel="force [N/mm]")
+        both[1].plot(history[name], history["force"], label="along")
+        both[1].set(xlabel=f"distance rolled [{result.units[name]}]", ylabel=f"force [{result.units['force']}]")
+        if is_patch:
+            both[1].plot(history[name], history["lateral_force"], label="across")
+            both[1].legend()
     return both
 
 

@@ -12,7 +12,7 @@ from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Union
 import numpy as np
 
 from . import _plot
-from ._errors import LoadWarning
+from ._errors import InputError, LoadWarning
 from ._library import as_progress, call, free_with, require, text_of
 from ._scene import Scene, SceneArguments
 from ._table import Table
@@ -38,7 +38,8 @@ class Result:
     summary : numpy.record
         One field per quantity: ``result.summary["force"]`` or ``result.summary.force``.
     traction : numpy.ndarray
-        One row per node: x, bound, traction, slip, displacement and region, "A" in adhesion and "S" in slip.
+        One row per node: x, bound, traction, slip, displacement and region, "A" in adhesion and "S" in slip. Of an
+        ellipse or another patch one row per element, see field().
     history : numpy.ndarray or None
         One row per step; None for steady rolling.
     shifts : numpy.ndarray or None
@@ -88,6 +89,53 @@ class Result:
         """Returns a table as a pandas.DataFrame: by default the steps if there are any, else the tractions."""
         return self.tables[table or ("history" if self.history is not None else "traction")].to_pandas()
 
+    def field(self, name: str) -> np.ndarray:
+        """Returns values in the elements of an ellipse or another patch, in rows across the rolling.
+
+        Parameters
+        ----------
+        name : str
+            ``traction`` or ``slip``, along and across; ``slips``, whether an element does; or a column of
+            ``result.traction``.
+
+        Returns
+        -------
+        numpy.ndarray
+            Of the shape (M, N), of traction and slip (M, N, 2). Rows begin at the least y, and elements of a row at its
+            leading edge. With step.scheme direct and relaxed, rectangles fill the contact; where there is none, numbers
+            are nan, texts are empty, and nothing slips.
+
+        >>> import microslip as ms
+        >>> result = ms.solve(problem="steady", material={"youngs_modulus": "210 GPa", "poisson_ratio": 0.28},
+        ...                   contact={"normal_load": "80 kN", "radius_1": 460, "lateral_radius_2": 300,
+        ...                            "friction": 0.3},
+        ...                   grid={"rows": 8, "elements": 10}, load={"creepage": 1e-3, "spin": "0.1 1/m"})
+        >>> result.field("traction").shape, int(result.field("slips").sum())
+        ((8, 10, 2), 35)
+        """
+        if "zone" not in self.traction.dtype.names:
+            raise InputError("name: expected a result of an ellipse or another patch; that of a line contact has "
+                             "columns, result.traction", "name", name, "a result of an ellipse or another patch")
+        if name in ("traction", "slip"):
+            return np.stack([self.field(f"{name}_{axis}") for axis in "xy"], -1)
+        if name == "slips":
+            return self.field("zone") == "S"
+        if name not in self.traction.dtype.names:
+            raise InputError.of("name", repr(name), ", ".join(("traction", "slip", "slips", *self.traction.dtype.names)))
+        values = self.traction[name]
+        if not self._has_rectangles:
+            return values.reshape(int(self.summary["rows"]), int(self.summary["elements"]))
+        (x, columns), (y, rows) = (_places(self.traction[axis]) for axis in "xy")
+        empty = np.full((len(y), len(x)), np.nan if values.dtype.kind == "f" else "", values.dtype)
+        if name in ("x", "y"):
+            return x[None, ::-1] + 0 * y[:, None] if name == "x" else y[:, None] + 0 * x
+        empty[rows, len(x) - 1 - columns] = values
+        return empty
+
+    @property
+    def _has_rectangles(self) -> bool:
+        return "method" in self.summary.dtype.names and self.summary["method"] in ("direct", "relaxed")
+
     def write(self, folder: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the tables as files, as the program does; ms.read_table and `microslip plot` read them."""
         path = pathlib.Path(folder)
@@ -96,8 +144,10 @@ class Result:
             table.write(path / f"{name}.tsv")
 
     def plot(self, axes: Any = None) -> Any:
-        """Draws tractions within their bound and, unless rolling is steady, the force over the distance; of an
-        ellipse, tractions as arrows.
+        """Draws tractions within their bound and, unless rolling is steady, the force over the distance.
+
+        Of an ellipse or another patch, the size of tractions is shown in colour, their direction by arrows, and the
+        edge of slip by a line.
 
         Parameters
         ----------
@@ -109,6 +159,12 @@ class Result:
         The axes that were drawn into.
         """
         return _plot.plot_result(self, axes)
+
+
+def _places(centres: np.ndarray) -> Any:
+    """The different places of the centres of rectangles, which may differ by rounding, and the number of each."""
+    _, first, numbers = np.unique(np.round(centres / np.ptp(centres), 6), return_index=True, return_inverse=True)
+    return centres[first], numbers
 
 
 def _with_unit(unit: str) -> str:
@@ -138,9 +194,9 @@ def _record_of(summary: Table) -> np.record:
 class Cases:
     """Scenes that have been read by the library, to be solved."""
 
-    def __init__(self, scene: Scene, overrides: Mapping[str, Any], is_swept: bool):
+    def __init__(self, scene: Scene, overrides: Mapping[str, Any], is_swept: bool, is_curve: bool = False):
         self.arguments = SceneArguments(scene, overrides)
-        self._handle = require(call("py_read", self.arguments.in_c(), is_swept))
+        self._handle = require(call("py_read", self.arguments.in_c(), is_swept, is_curve))
         free_with(self, "py_cases_destroy", self._handle)
 
         rows = text_of("py_swept", self._handle).split("\x1e")[:-1]

@@ -4,21 +4,17 @@
 from __future__ import annotations
 
 import contextlib
-import copy as copying
 import ctypes as c
-import functools
-import os
-import threading
-from typing import Any, Callable, Dict, Iterator, Mapping, NamedTuple, Optional, Tuple, TypeVar, Union, cast
+from typing import Any, Dict, Iterator, Mapping, NamedTuple, Optional
 
 import numpy as np
 
 from . import _plot
-from ._arrays import Values, broadcast, number, numbers, record
+from ._arrays import Values, broadcast, number, numbers
+from ._contact import Contact, alone, in_turn
 from ._errors import Error, InputError
-from ._files import as_path
-from ._library import (JACOBIAN, SHIFT, STATE, Steps, call, error_of, free_with, require, require_ok, text_of)
-from ._result import Progress, shown_progress, warn_of
+from ._library import JACOBIAN, SHIFT, STATE, Steps, call, require, require_ok, text_of
+from ._result import Progress, shown_progress
 from ._scene import Scene, SceneArguments
 from ._table import html_table
 
@@ -29,37 +25,6 @@ _UNITS = {"distance": "mm", "force": "N/mm", "mean_force": "N/mm", "creepage": "
 _STEPS_AT_ONCE = 1000
 
 
-# Attributes of one contact that no copy shares.
-_OWN = ("_handle", "_finalizer", "_turns")
-
-_Method = TypeVar("_Method", bound=Callable[..., Any])
-
-
-class _Turns:
-    """Lets one thread at a time use a contact."""
-
-    def __init__(self) -> None:
-        self.lock = threading.RLock()
-        self.is_rolling = False  # an array of steps, the progress of which is being told
-
-
-def _in_turn(method: _Method, changes: bool = False) -> _Method:
-    """Makes a method wait until no other thread uses the contact."""
-
-    @functools.wraps(method)
-    def waiting(self: "Rolling", *arguments: Any, **named: Any) -> Any:
-        with self._turns.lock:
-            if changes and self._turns.is_rolling:
-                raise Error("this contact is rolling: expected no change of it by `progress`")
-            return method(self, *arguments, **named)
-
-    return cast(_Method, waiting)
-
-
-# The same for a method that changes the contact, which `progress` cannot do while it rolls.
-_alone = functools.partial(_in_turn, changes=True)
-
-
 class Load(NamedTuple):
     """The load of the next steps."""
 
@@ -67,8 +32,8 @@ class Load(NamedTuple):
     value: float
 
 
-class Rolling:
-    """A contact that rolls by any distances, under creepages or forces that are free to change.
+class Rolling(Contact):
+    """A line contact that rolls by any distances, under creepages or forces that are free to change.
 
     Parameters
     ----------
@@ -102,8 +67,6 @@ class Rolling:
     (1000,)
     """
 
-    _warned = False  # of a creepage
-
     #: Units of the fields of a state.
     units: Dict[str, str] = dict(_UNITS)
 
@@ -111,79 +74,23 @@ class Rolling:
         self._scene = SceneArguments(scene, overrides)
         self._load: Optional[Load] = None
         self._contact = (1.0, 1.0)
-        self._own(require(call("py_rolling", self._scene.in_c())))
+        self._own(self._new_handle())
 
-    def _own(self, handle: int) -> None:
-        vars(self).setdefault("_turns", _Turns())
-        self._handle = handle
-        self._finalizer = free_with(self, "destroy", handle)
+    def _new_handle(self) -> int:
+        return require(call("py_rolling", self._scene.in_c()))
 
-    # Life
+    def _saved(self) -> bytes:
+        return require(call("py_save", self._open()))
 
-    @_alone
-    def close(self) -> None:
-        """Frees the contact; only a second close() is accepted then."""
-        self._finalizer()
-
-    def __enter__(self) -> "Rolling":
-        return self
-
-    def __exit__(self, *_: Any) -> None:
-        self.close()
-
-    @_in_turn
-    def copy(self) -> "Rolling":
-        """Returns an independent contact that goes on like this one, to the bit; other attributes are shared."""
-        return self._copy_with(vars(self))
-
-    __copy__ = copy
-
-    @_in_turn
-    def __deepcopy__(self, memo: Dict[int, Any]) -> "Rolling":
-        own = {name: value for name, value in vars(self).items() if name not in _OWN}
-        other = memo[id(self)] = self._copy_with({})
-        vars(other).update(copying.deepcopy(own, memo))
-        return other
-
-    def _copy_with(self, attributes: Mapping[str, Any]) -> "Rolling":
-        handle = c.c_void_p()
-        self._call("copy", c.byref(handle))
-        other = type(self).__new__(type(self))
-        vars(other).update({name: value for name, value in attributes.items() if name not in _OWN})
-        other._own(handle.value)  # type: ignore[arg-type]
-        return other
-
-    @_in_turn
-    def __getstate__(self) -> Dict[str, Any]:
-        own = {name: value for name, value in vars(self).items() if name not in _OWN}
-        return {**own, "_saved": require(call("py_save", self._open()))}
-
-    def __setstate__(self, state: Dict[str, Any]) -> None:
-        saved = state.pop("_saved")
-        vars(self).update(state)
-        self._own(require(call("py_rolling", self._scene.in_c())))
+    def _take_saved(self, saved: bytes) -> None:
         self._call("set_contact", *self._contact)
         require_ok(call("py_restore", self._handle, saved))
         if self._load is not None:
             self._set_load(**{self._load.kind: self._load.value})
 
-    @_in_turn
-    def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes the state to a file, but not the load: for restore(), or a scene's start.state.
-
-        The file is written as a whole or not at all. A link stays, and its file is replaced; what is no regular file,
-        such as a device or a pipe, is refused.
-        """
-        self._call("save", as_path(path))
-
-    @_alone
-    def restore(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Takes the state from the file of an equal contact, and goes on to the bit; the load stays as it was set."""
-        self._call("restore", as_path(path))
-
     # Steps
 
-    @_alone
+    @alone
     def roll(self, dq: Values, *, creepage: Values = None, force: Values = None, half_width_factor: Values = None,
              bound_factor: Values = None, progress: Progress = None) -> Any:
         """Rolls on, by one step or by many.
@@ -227,11 +134,7 @@ class Rolling:
             self._tell_once(text_of("warning", self._handle))
             return self.state
         states = np.zeros(columns["dq"].shape, STATE)
-        self._turns.is_rolling = True
-        try:
-            doubt = self._roll_all(columns, states, shown_progress(progress))
-        finally:
-            self._turns.is_rolling = False
+        doubt = self._roll_all(columns, states, shown_progress(progress))
         self._tell_once(doubt)
         return states
 
@@ -259,20 +162,16 @@ class Rolling:
             raise
 
     def _roll_all(self, columns: Dict[str, np.ndarray], states: np.ndarray, told: Any) -> str:
-        """Rolls on a copy, so that an error or an interrupt changes nothing. Returns the last warning."""
-        count = len(states)
-        work = self._copy_with({})
+        """Rolls all or no steps. Returns the last warning."""
         doubt = ""
-        for at in range(0, count, _STEPS_AT_ONCE):
-            part = slice(at, at + _STEPS_AT_ONCE)
-            work._roll_at_once({name: value[part] for name, value in columns.items()}, states[part], at)
+
+        def roll(work: "Rolling", part: slice) -> None:
+            nonlocal doubt
+            work._roll_at_once({name: value[part] for name, value in columns.items()}, states[part], part.start)
             doubt = text_of("warning", work._handle) or doubt
-            if told is not None:
-                told(min(at + _STEPS_AT_ONCE, count), count)
-        self._finalizer()
-        work._finalizer.detach()
-        self._own(work._handle)
-        if count > 0:
+
+        self._on_a_copy(len(states), _STEPS_AT_ONCE, told, roll)
+        if len(states) > 0:
             self._remember(columns)
         return doubt
 
@@ -288,7 +187,7 @@ class Rolling:
         if "bound_factor" in columns:
             self._contact = (float(columns["half_width_factor"].flat[-1]), float(columns["bound_factor"].flat[-1]))
 
-    @_alone
+    @alone
     def attempt(self, dq: float, *, creepage: Optional[float] = None, force: Optional[float] = None,
                 jacobian: bool = False) -> Any:
         """Returns the state to which a step would lead; the contact stays as it is, and the load is set.
@@ -318,12 +217,6 @@ class Rolling:
         self._tell_once(text_of("warning", self._handle))
         return found
 
-    def _tell_once(self, doubt: str) -> None:
-        """Warns the user who called, three frames above; once, as steps are many."""
-        if doubt and not self._warned:
-            self._warned = True
-            warn_of([doubt], depth=5)
-
     def _require_load(self, creepage: Any, force: Any) -> None:
         if creepage is not None and force is not None:
             raise InputError("force: expected a creepage or a force, not both", "force", str(force),
@@ -339,12 +232,12 @@ class Rolling:
                 self._load = Load(kind, load)
 
     @property
-    @_in_turn
+    @in_turn
     def load(self) -> Optional[Load]:
         """The load of the next step, if no other load is given; None before the first step."""
         return self._load
 
-    @_alone
+    @alone
     def set_contact(self, half_width_factor: float, bound_factor: float) -> None:
         """Sets the contact at the end of the next step or shift; it changes linearly on the way.
 
@@ -359,7 +252,7 @@ class Rolling:
         self._call("set_contact", *contact)
         self._contact = contact
 
-    @_alone
+    @alone
     def start_from_shift(self, force: float) -> float:
         """Shifts bodies without tractions until they carry a force, and does not roll: Cattaneo's problem.
 
@@ -370,7 +263,7 @@ class Rolling:
         """
         return self._filled("start_from_shift", number("force", force), into=(float,))[0]
 
-    @_alone
+    @alone
     def shift(self, *, force: Optional[float] = None, distance: Optional[float] = None) -> Any:
         """Shifts the bodies without rolling, from the present tractions, to a force or by a rigid shift.
 
@@ -411,7 +304,7 @@ class Rolling:
         return self._filled("get_full_sliding", into=(float,))[0]
 
     @property
-    @_in_turn
+    @in_turn
     def method(self) -> str:
         """The scheme, as scenes name it."""
         return text_of("method", self._open())
@@ -446,20 +339,17 @@ class Rolling:
         """0 at nodes in adhesion, else the sign of the traction that slips; no meaning where the bound is 0."""
         return self._values("zones", np.intc)
 
-    @_in_turn
+    @in_turn
     def __len__(self) -> int:
         """The number of nodes."""
         return call("size", self._open())
 
-    def __bool__(self) -> bool:
-        return True
-
-    @_in_turn
+    @in_turn
     def plot(self, axes: Any = None) -> Any:
         """Draws tractions within their bound; returns the axes of matplotlib."""
         return _plot.plot_traction(self.x, self.bound, self.traction, axes)
 
-    @_in_turn
+    @in_turn
     def __repr__(self) -> str:
         if not self._finalizer.alive:
             return f"<microslip.{type(self).__name__}, closed>"
@@ -470,37 +360,7 @@ class Rolling:
     def _repr_html_(self) -> str:
         return html_table(np.array([self.state], STATE), self.units, caption=f"rolling by {self.method}")
 
-    # Calls
-
-    def _open(self) -> int:
-        if not self._finalizer.alive:
-            raise Error("this contact is closed")
-        return self._handle
-
-    def _check(self, status: int, before: int = 0) -> None:
-        """Raises what the library says.
-
-        before  number of steps that were made before this call
-        """
-        if status == 0:
-            return
-        message = text_of("message", self._handle)
-        if message.startswith("steps["):
-            number, _, rest = message[len("steps["):].partition("]: ")
-            message = f"step {int(number) + before}: {rest}"
-        raise error_of(status, message)
-
-    @_in_turn
-    def _call(self, name: str, *arguments: Any) -> None:
-        self._check(call(name, self._open(), *arguments))
-
-    def _filled(self, name: str, *arguments: Any, into: Tuple[Any, ...]) -> Tuple[Any, ...]:
-        """Calls a function that fills a number or record of each type in `into`, and returns them."""
-        places = [np.zeros((), kind) for kind in into]
-        self._call(name, *arguments, *(place.ctypes.data for place in places))
-        return tuple(record(place) if place.dtype.names else float(place) for place in places)
-
-    @_in_turn
+    @in_turn
     def _values(self, name: str, kind: Any = float) -> np.ndarray:
         values = np.empty(len(self), kind)
         self._call(f"get_{name}", values.ctypes.data, values.size)

@@ -6,15 +6,17 @@ from __future__ import annotations
 import ctypes as c
 import html
 import os
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple, Union
 
 import numpy as np
 
 from . import _plot
-from ._arrays import Values, numbers
+from ._arrays import Values, numbers, shown
 from ._errors import InputError
 from ._library import (CREEPAGE, FORCE, STATUS_OF_NO_SOLUTION, STEADY, SteadyNodes, call, error_of, free_with, require,
                        require_ok, text_of)
+from ._patch import PatchOfScene
+from ._patch_steady import PatchSteady, solve_loads
 from ._result import Progress, shown_progress, warn_of
 from ._scene import Scene, SceneArguments
 from ._table import html_table, to_pandas
@@ -85,8 +87,8 @@ class Steady:
 class _Contact:
     """A contact that has been read by the library."""
 
-    def __init__(self, scene: Scene, overrides: Any):
-        self.handle = require(call("py_steady_read", SceneArguments(scene, overrides).in_c()))
+    def __init__(self, arguments: SceneArguments):
+        self.handle = require(call("py_steady_read", arguments.in_c()))
         free_with(self, "py_steady_destroy", self.handle)
         self.nodes = call("py_steady_size", self.handle)
         self.full_sliding = call("py_full_sliding", self.handle)
@@ -120,7 +122,7 @@ class _Contact:
         """Returns forces by FASTSIM, with the flexibility that gives it the slope of this contact without slip."""
         small = 1e-9 * float(np.abs(creepages).max())
         without_slip = self.solve(CREEPAGE, np.array(small), 1)
-        _raise_first(without_slip, "raise")
+        _raise_first(without_slip.states["status"], without_slip.messages, "raise")
         forces, at = np.empty(creepages.size), np.ascontiguousarray(creepages, dtype=float)
         require_ok(call("py_fastsim", self.handle, abs(float(without_slip.force)) / small, at.ctypes.data, at.size,
                         forces.ctypes.data))
@@ -142,8 +144,10 @@ def require_word(name: str, value: Any, accepted: Tuple[Any, ...]) -> None:
         raise InputError.of(name, repr(value), " or ".join(map(repr, accepted)))
 
 
-def steady(scene: Scene = None, *, creepage: Values = None, force: Values = None, threads: Optional[int] = None,
-           progress: Progress = None, missing: str = "raise", **overrides: Any) -> Steady:
+def steady(scene: Scene = None, *, creepage: Values = None, force: Values = None, lateral_creepage: Values = None,
+           spin: Values = None, lateral_force: Values = None, spin_moment: Values = None,
+           threads: Optional[int] = None, progress: Progress = None, missing: str = "raise",
+           **overrides: Any) -> Union[Steady, PatchSteady]:
     """Solves steady rolling: the force of a creepage, or the creepage of a force, with tractions.
 
     Parameters
@@ -154,7 +158,10 @@ def steady(scene: Scene = None, *, creepage: Values = None, force: Values = None
     creepage : float or array
         w, finite  [1].
     force : float or array
-        F, less in absolute value than full sliding  [N/mm]; instead of creepage.
+        F, less in absolute value than full sliding  [N/mm]; of an ellipse or another patch [N]; instead of creepage.
+    lateral_creepage, lateral_force, spin, spin_moment : float or array, optional
+        The other components of the load of an ellipse or another patch  [1, N, 1/mm, N mm], see ms.Patch; numpy
+        broadcasts all of them. A component that is not given has the motion 0.
     threads : int, optional
         At once; all cores if it is not given. Results do not depend on it.
     progress : bool or function
@@ -166,7 +173,7 @@ def steady(scene: Scene = None, *, creepage: Values = None, force: Values = None
 
     Returns
     -------
-    Steady
+    Steady, or PatchSteady of an ellipse or another patch
 
     >>> import microslip as ms
     >>> wheel = {"material": {"shear_modulus": 82000, "poisson_ratio": 0.28},
@@ -177,32 +184,67 @@ def steady(scene: Scene = None, *, creepage: Values = None, force: Values = None
     array([0.000592, 0.002093])
     >>> result.traction.shape
     (2, 100)
+    >>> ellipse = {"material": {"youngs_modulus": 210000, "poisson_ratio": 0.28},
+    ...            "contact": {"normal_load": 80000, "radius_1": 460, "lateral_radius_2": 300, "friction": 0.3},
+    ...            "grid": {"rows": 8, "elements": 10}}
+    >>> result = ms.steady(ellipse, force=[-5000, -15000], spin=[[0], [1e-4], [2e-4]])
+    >>> (1e6 * result.creepage).round(-1)
+    array([[ 430., 1560.],
+           [ 440., 1580.],
+           [ 480., 1630.]])
+    >>> result.traction.shape
+    (3, 2, 8, 10, 2)
     """
+    arguments = SceneArguments(scene, overrides)
+    across = {"lateral_creepage": lateral_creepage, "spin": spin, "lateral_force": lateral_force,
+              "spin_moment": spin_moment}
+    require_word("missing", missing, ("raise", "nan"))
+    if has_patch(arguments):
+        return _steady_patch(arguments, {"creepage": creepage, "force": force, **across}, threads, progress, missing)
+    for name, value in across.items():
+        if value is not None:
+            raise InputError(f"{name}: expected none, as a line contact rolls along one direction", name,
+                             shown(value), "none")
     if (creepage is None) == (force is None):
         raise InputError("creepage: expected either creepages or forces", "creepage", str(creepage),
                          "either creepages or forces")
-    require_word("missing", missing, ("raise", "nan"))
-    contact = _read(scene, overrides)
+    contact = _read(arguments)
     name, loads = ("creepage", creepage) if force is None else ("force", force)
     found = contact.solve(CREEPAGE if force is None else FORCE, numbers(name, loads), threads_of(threads),
                           shown_progress(progress))
-    _raise_first(found, missing)
+    _raise_first(found.states["status"], found.messages, missing)
     if force is None:
         contact.warn_of_creepages(found.creepage)
     return found
 
 
-def _read(scene: Scene, overrides: Any) -> _Contact:
-    contact = _Contact(scene, overrides)
+def has_patch(arguments: SceneArguments) -> bool:
+    """Whether the contact of a scene has three dimensions."""
+    found = call("py_has_patch", arguments.in_c())
+    require(found >= 0)
+    return bool(found)
+
+
+def _steady_patch(arguments: SceneArguments, given: Dict[str, Values], threads: Optional[int], progress: Progress,
+                  missing: str) -> PatchSteady:
+    read = PatchOfScene(arguments)
+    warn_of(read.warnings, depth=4)
+    found = solve_loads(read, given, threads_of(threads), shown_progress(progress))
+    _raise_first(found.status, found.messages, missing)
+    return found
+
+
+def _read(arguments: SceneArguments) -> _Contact:
+    contact = _Contact(arguments)
     warn_of(text_of("py_steady_warnings", contact.handle).splitlines(), depth=4)
     return contact
 
 
-def _raise_first(found: Steady, missing: str) -> None:
+def _raise_first(statuses: np.ndarray, messages: List[str], missing: str) -> None:
     """Raises the error of the first failed load; with missing="nan" a load without solution is none."""
-    for number, (status, message) in enumerate(zip(found.states["status"].flat, found.messages)):
+    for number, (status, message) in enumerate(zip(statuses.flat, messages)):
         if status and not (missing == "nan" and status == STATUS_OF_NO_SOLUTION):
-            raise error_of(int(status), f"load {number}: {message}" if len(found) > 1 else message)
+            raise error_of(int(status), f"load {number}: {message}" if len(messages) > 1 else message)
 
 
 def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, beside: Optional[str] = None,
@@ -245,15 +287,15 @@ def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, b
         if load in overrides:
             raise InputError(f"{load}: expected no loads, because a curve has its own; "
                              f"ms.steady(scene, {load}=...) takes them", load, repr(overrides[load]), "no loads")
-    contact = _read(scene, overrides)
+    contact = _read(SceneArguments(scene, overrides))
     told, cores = shown_progress(progress), threads_of(threads)
     below = (3 * points + 3) // 4
     ratios = most * (1 - (1 - np.linspace(0, 1, below)) ** 2)
     rising = contact.solve(FORCE, -ratios * contact.full_sliding, cores, told)
-    _raise_first(rising, "raise")
+    _raise_first(rising.states["status"], rising.messages, "raise")
     last = float(rising.creepage[-1])
     sliding = contact.solve(CREEPAGE, last * np.linspace(1, 1.5, points - below + 1)[1:], cores, told)
-    _raise_first(sliding, "raise")
+    _raise_first(sliding.states["status"], sliding.messages, "raise")
     curve = _joined(rising, sliding)
     contact.warn_of_creepages(curve.creepage)
     if beside is not None:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <microslip.h>
+#include <microslip_ellipse.h>
 
 #include <cstddef>
 
@@ -38,9 +38,11 @@ MICROSLIP_API const char* microslip_py_error_message(void);
 /// tabs.
 MICROSLIP_API const char* microslip_py_keys(void);
 
-/// Scenes that have been read: one, or all cases of one with a sweep.
+/// Scenes that have been read: one, or all cases of one with a sweep. They are solved, or they are ellipses or
+/// other patches of which curves are wanted.
 struct microslip_py_cases;
-MICROSLIP_API microslip_py_cases* microslip_py_read(const microslip_py_scene* scene, int is_swept);
+MICROSLIP_API microslip_py_cases* microslip_py_read(const microslip_py_scene* scene, int is_swept,
+                                                    int is_curve);
 MICROSLIP_API void microslip_py_cases_destroy(microslip_py_cases* cases);
 /// The swept keys, and their values in each case: rows that end with the control character RS, of
 /// cells that end with US.
@@ -96,4 +98,43 @@ MICROSLIP_API int microslip_py_steady_solve(const microslip_py_steady* steady, i
                                             microslip_steady* states,
                                             const microslip_steady_nodes* nodes, char* messages,
                                             std::size_t room);
+
+/// Whether the contact of a scene has three dimensions: 1 or 0, and -1 if the call fails.
+MICROSLIP_API int microslip_py_has_patch(const microslip_py_scene* scene);
+
+/// The contact patch of a scene, an ellipse or another one. What the scene says about its problem, load,
+/// steps, start and motion is left out.
+struct microslip_py_patch;
+MICROSLIP_API microslip_py_patch* microslip_py_patch_read(const microslip_py_scene* scene);
+MICROSLIP_API void microslip_py_patch_destroy(microslip_py_patch* patch);
+MICROSLIP_API const char* microslip_py_patch_warnings(const microslip_py_patch* patch);
+MICROSLIP_API std::size_t microslip_py_patch_rows(const microslip_py_patch* patch);
+MICROSLIP_API std::size_t microslip_py_patch_elements(const microslip_py_patch* patch);
+MICROSLIP_API double microslip_py_patch_full_sliding(const microslip_py_patch* patch);
+/// The table of the edges, as the program writes it. Valid until this thread's next call; null if it fails.
+MICROSLIP_API const char* microslip_py_patch_edges(const microslip_py_patch* patch);
+/// Why a motion is doubtful; empty if it is not. Valid until this thread's next call.
+/// \param component  0, 1 or 2: along, across or spin
+MICROSLIP_API const char* microslip_py_patch_doubt(const microslip_py_patch* patch, int component,
+                                                   double motion);
+/// To roll: for the functions of microslip_ellipse.h.
+MICROSLIP_API microslip_ellipse* microslip_py_patch_ellipse(const microslip_py_patch* patch);
+
+/// The factors of the size and of the bound that are set.
+/// \param factors  out, both
+MICROSLIP_API int microslip_py_ellipse_contact(const microslip_ellipse* ellipse, double* factors);
+
+/// Steady rolling under many loads, each on its own. Values of a load without solution are not numbers.
+struct microslip_py_patch_solutions {
+  microslip_ellipse_state* states;  ///< `count` of them
+  double* changes;                  ///< of the result from rows and elements that are a third fewer
+  int* statuses;                    ///< of microslip_status
+  char* messages;                   ///< `count` rows of `room` bytes
+  std::size_t room;
+  microslip_ellipse_cells cells;  ///< `count` rows of all elements in each array
+};
+MICROSLIP_API int microslip_py_patch_steady(microslip_py_patch* patch,
+                                            const microslip_ellipse_load* loads, std::size_t count,
+                                            int threads,
+                                            const microslip_py_patch_solutions* solutions);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "scene.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <initializer_list>
 #include <map>
@@ -8,7 +10,9 @@
 #include <sstream>
 #include <string_view>
 
+#include "microslip/scene/keys.hpp"
 #include "microslip/scene/model.hpp"
+#include "microslip/scene/unloaded.hpp"
 #include "microslip/support/text.hpp"
 
 namespace microslip::python {
@@ -63,6 +67,12 @@ Scene scene_of(const microslip_py_scene& given) {
 }
 
 TransientProblem rolling_of(Scene scene) {
+  for (const char* key : patch_keys) {
+    if (!scene.has(key)) continue;
+    throw BadParameter(key, fmt::format("{}: expected a line contact, without this key; "
+                                        "microslip.Patch rolls ellipses and other patches",
+                                        key));
+  }
   leave_out(scene, {"problem", "method", "leading_edge", "target_error", "load.", "motion.",
                     "start.", "cylinder.", "step.ratio", "step.tolerance"});
   return read_all(scene, [&] { return read_transient_problem(scene); });
@@ -75,6 +85,20 @@ SteadyProblem steady_of(Scene& scene) {
   if (!is_steady) leave_out(scene, {"step."});
   scene.set("load.creepage=0");
   return read_all(scene, [&] { return read_steady(scene); });
+}
+
+PatchOfScene patch_of(Scene& scene) {
+  if (!scene.has_patch()) {
+    throw BadParameter(
+        patch_keys[0],
+        fmt::format("{} or {}: expected an ellipse or another patch, with one of "
+                    "them; microslip.Rolling rolls a line contact",
+                    fmt::join(patch_keys.begin(), patch_keys.end() - 1, ", "), patch_keys.back()));
+  }
+  const std::string scheme = scene.has("step.scheme") ? scene.word("step.scheme") : "remembered";
+  leave_out(scene, {"problem", "load.", "motion.", "start.", "step.", "curve."});
+  scene.set("problem=steady");
+  return {read_all(scene, [&] { return read_steady_patch(scene, 0); }), scheme};
 }
 
 std::string lines_of(const std::vector<Warning>& warnings) {

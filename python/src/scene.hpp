@@ -2,6 +2,7 @@
 #pragma once
 
 #include "interface.hpp"
+#include "microslip/patch/steady_patch.hpp"
 #include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/transient_problem.hpp"
 #include "microslip/scene/scene.hpp"
@@ -29,6 +30,18 @@ TransientProblem rolling_of(Scene scene);
 /// The same in steady rolling, free for now.
 /// \param scene  gets the warnings
 SteadyProblem steady_of(Scene& scene);
+
+/// A contact patch of a scene, whose load is left out.
+struct PatchOfScene {
+  SteadyPatch patch;
+  std::string scheme;  ///< as step.scheme names it
+};
+
+/// Reads the contact patch of a scene. What the scene says about its problem, load, steps, start, motion and
+/// curve is left out, but for the scheme.
+/// \param scene  gets the warnings
+/// \throws std::invalid_argument likewise, and for a line contact
+PatchOfScene patch_of(Scene& scene);
 
 /// The lines of warnings.
 std::string lines_of(const std::vector<Warning>& warnings);

@@ -28,10 +28,10 @@ struct Case {
 
 /// Reads a case. If it fails to converge while it is read, it fails when it is solved: others may
 /// have solutions.
-Case read_case(Scene scene) {
+Case read_case(Scene scene, bool is_curve) {
   const program::Work work = placed(scene, [&]() -> program::Work {
     try {
-      const program::Work prepared = solver_of(scene);
+      const program::Work prepared = is_curve ? patch_curve_of(scene) : solver_of(scene);
       scene.reject_unread();
       return prepared;
     } catch (const NotConverged& error) {
@@ -76,7 +76,7 @@ struct microslip_py_tables {
 
 namespace {
 
-microslip_py_cases read_sweep(const Scene& scene) {
+microslip_py_cases read_sweep(const Scene& scene, bool is_curve) {
   const Sweep sweep = placed(scene, [&] { return Sweep(scene); });
   microslip_py_cases cases{.swept = ""};
   for (const SweptKey& key : sweep.keys()) cases.swept += key.key + '\x1f';
@@ -84,7 +84,7 @@ microslip_py_cases read_sweep(const Scene& scene) {
     cases.swept += '\x1e';
     for (const std::string& value : sweep.values(i)) cases.swept += value + '\x1f';
     try {
-      cases.all.push_back(read_case(sweep.scene(i)));
+      cases.all.push_back(read_case(sweep.scene(i), is_curve));
     } catch (const BadParameter& error) {
       throw BadParameter(error.name(), label(sweep, i) + error.what());
     } catch (const std::invalid_argument& error) {
@@ -97,12 +97,12 @@ microslip_py_cases read_sweep(const Scene& scene) {
 
 }  // namespace
 
-microslip_py_cases* microslip_py_read(const microslip_py_scene* scene, int is_swept) {
+microslip_py_cases* microslip_py_read(const microslip_py_scene* scene, int is_swept, int is_curve) {
   return or_null([&] {
     const Scene read = scene_of(*scene);
-    if (is_swept != 0) return new microslip_py_cases(read_sweep(read));
+    if (is_swept != 0) return new microslip_py_cases(read_sweep(read, is_curve != 0));
     placed(read, [&] { reject_sweep(read, "for many there is microslip.sweep"); });
-    return new microslip_py_cases{.all = {read_case(read)}};
+    return new microslip_py_cases{.all = {read_case(read, is_curve != 0)}};
   });
 }
 

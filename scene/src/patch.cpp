@@ -250,20 +250,21 @@ double mean_strain(const SteadyPatch& patch) {
   return patch.bound.total() / patch.bound.shape().area() / patch.material.shear_modulus;
 }
 
-void warn_of_large_motion(Scene& scene, const std::string& key, std::size_t component,
-                          double motion, const SteadyPatch& patch) {
+std::string doubt_of_large_motion(std::size_t component, double motion, const SteadyPatch& patch) {
   const bool is_spin = component == 2;
   const double slip = is_spin ? patch.bound.size() * motion : motion;
-  std::string doubt = doubt_of_creepage(slip, mean_strain(patch));
-  if (doubt.empty()) return;
-  if (is_spin) {
-    doubt = fmt::format(
-        "the slip by this spin, up to {} at the sides of the contact, is not small against 1, as "
-        "the "
-        "theory has it; 0.2 1/m is 2e-4",
-        format_roughly(std::abs(slip)));
-  }
-  scene.warn(key, motion, doubt);
+  const std::string doubt = doubt_of_creepage(slip, mean_strain(patch));
+  if (doubt.empty() || !is_spin) return doubt;
+  return fmt::format(
+      "the slip by this spin, up to {} at the sides of the contact, is not small against 1, as the "
+      "theory has it; 0.2 1/m is 2e-4",
+      format_roughly(std::abs(slip)));
+}
+
+void warn_of_large_motion(Scene& scene, const std::string& key, std::size_t component,
+                          double motion, const SteadyPatch& patch) {
+  const std::string doubt = doubt_of_large_motion(component, motion, patch);
+  if (!doubt.empty()) scene.warn(key, motion, doubt);
 }
 
 void warn_of_large_motions(Scene& scene, const SteadyPatch& patch) {

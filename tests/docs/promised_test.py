@@ -27,7 +27,8 @@ class Promised(unittest.TestCase):
                      "row transient/summary.tsv dissipated_energy [N]",
                      "C enum microslip_status: MICROSLIP_NO_SOLUTION = 2",
                      "C struct microslip_grid: int elements; int scheme;", "C void microslip_destroy(microslip_rolling* rolling)",
-                     "Python steady() argument 0: scene", "Python Rolling.roll() argument force=", "Python Result.summary"):
+                     "Python steady() argument 0: scene", "Python Rolling.roll() argument force=", "Python Rolling.copy()",
+                     "Python Result.summary"):
             self.assertIn(line, self.now)
 
     def test_tables_of_studies_are_none_of_them(self):

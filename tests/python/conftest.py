@@ -21,6 +21,14 @@ def strip_scene():
             "kernel": {"type": "strip", "width": 10}, "grid": {"elements": 40}}
 
 
+@pytest.fixture(name="ellipse")
+def ellipse_scene():
+    """A wheel on a rail: full sliding is 24 kN."""
+    return {"material": {"youngs_modulus": "210 GPa", "poisson_ratio": 0.28},
+            "contact": {"normal_load": "80 kN", "radius_1": 460, "lateral_radius_2": 300, "friction": 0.3},
+            "grid": {"rows": 6, "elements": 8}}
+
+
 @pytest.fixture(name="plane")
 def plane_scene(scene):
     """The same in plane strain, which Carter solved."""

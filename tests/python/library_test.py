@@ -12,13 +12,14 @@ import microslip
 from microslip import _library
 
 KINDS = {"double": np.dtype(float), "int": np.dtype(np.intc), "struct microslip_slopes": _library.SLOPES}
+HEADERS = ("capi/include/microslip.h", "capi/include/microslip_ellipse.h", "python/src/interface.hpp")
 
 
 def struct(header, name):
     """Names and types of a struct in C, without comments."""
     body = re.search(r"struct %s \{(.*?)\};" % name, header, re.DOTALL).group(1)
     fields = re.sub(r"/\*.*?\*/|///<[^\n]*", "", body, flags=re.DOTALL)
-    return re.findall(r"([\w ]+?(?: ?\*)?(?:const\*)?) ?(\w+);", fields)
+    return re.findall(r"([\w ]+?(?: ?\*)?(?:const\*)?) ?(\w+(?:\[\d\])?);", fields)
 
 
 @pytest.mark.parametrize("name", ["state", "steady", "shift", "slopes", "jacobian"])
@@ -30,9 +31,41 @@ def test_records_are_the_structs_of_the_header(name, source):
     assert dtype.isalignedstruct
 
 
+def spread(fields, names):
+    """The same fields, of which arrays of three have names of their own."""
+    for kind, field in fields:
+        yield from ((kind, name) for name in names.get(field.partition("[")[0], [field]))
+
+
+THREE = {"resultants": _library.RESULTANTS, "motion": _library.MOTIONS}
+
+
+@pytest.mark.parametrize("name, record, names", [
+    ("microslip_ellipse_state", "PATCH_STATE", THREE),
+    ("microslip_ellipse_state", "PATCH_SHIFT", {**THREE, "motion": _library.SHIFTS}),
+    ("microslip_bodies", "BODIES", {}), ("microslip_ellipse_contact", "ELLIPSE_CONTACT", {}),
+    ("microslip_material", "MATERIAL", {})])
+def test_records_of_ellipses_are_the_structs_of_the_headers(name, record, names, source):
+    header = "".join((source / file).read_text() for file in HEADERS)
+    dtype = getattr(_library, record)
+    expected = [(field, KINDS[kind.strip()]) for kind, field in spread(struct(header, name), names)]
+    assert [(field, dtype[field]) for field in dtype.names] == expected
+    assert dtype.isalignedstruct
+
+
+def test_loads_of_ellipses_are_those_of_the_header(source):
+    header = (source / "capi/include/microslip_ellipse.h").read_text()
+    load = _library.PATCH_LOAD
+    fields = [(f"{name}[{load[name].shape[0]}]", load[name].base) for name in load.names]
+    assert fields == [(field, KINDS[kind.strip()]) for kind, field in struct(header, "microslip_ellipse_load")]
+    assert load.isalignedstruct
+
+
 @pytest.mark.parametrize("name, file, kind", [
     ("microslip_steps", "capi/include/microslip.h", _library.Steps),
     ("microslip_steady_nodes", "capi/include/microslip.h", _library.SteadyNodes),
+    ("microslip_ellipse_cells", "capi/include/microslip_ellipse.h", _library.PatchCells),
+    ("microslip_py_patch_solutions", "python/src/interface.hpp", _library.PatchSolutions),
     ("microslip_py_scene", "python/src/interface.hpp", _library.SceneText)])
 def test_structures_have_the_fields_of_the_header(name, file, kind, source):
     fields = [field for _, field in struct((source / file).read_text(), name)]
@@ -40,7 +73,7 @@ def test_structures_have_the_fields_of_the_header(name, file, kind, source):
 
 
 def test_functions_have_the_types_of_the_headers(source):
-    headers = "".join((source / file).read_text() for file in ("capi/include/microslip.h", "python/src/interface.hpp"))
+    headers = "".join((source / file).read_text() for file in HEADERS)
     headers = re.sub(r"/\*.*?\*/|//[^\n]*", "", headers, flags=re.DOTALL)
     kinds = {"void": "-", "int": "i", "enum microslip_status": "i", "size_t": "s", "std::size_t": "s", "double": "d",
              "const char*": "t", "microslip_py_progress": "p"}
@@ -75,4 +108,5 @@ def test_examples_are_tried():
     finder = doctest.DocTestFinder()
     tried = {test.name for name in microslip.__all__ for test in finder.find(getattr(microslip, name), name)
              if test.examples}
-    assert {"solve", "steady", "creep_curve", "sweep", "read_table", "keys", "Rolling", "InputError"} <= tried
+    assert {"solve", "steady", "creep_curve", "sweep", "read_table", "keys", "Rolling", "Patch",
+            "InputError"} <= tried

@@ -212,3 +212,23 @@ def test_keys_that_are_not_there_name_the_nearest():
 
 def test_what_is_installed_is_typed():
     assert (pathlib.Path(ms.__file__).parent / "py.typed").exists()
+
+
+@pytest.mark.parametrize("scheme", ["remembered", "direct", "relaxed"])
+def test_fields_of_ellipses_have_rows_across_the_rolling(source, scene, scheme):
+    result = ms.solve(source / "examples/ellipse_transient.info", grid={"rows": 6, "elements": 8}, step_scheme=scheme,
+                      step_ratio=0.9, step_relaxation=None if scheme != "relaxed" else 1, motion_distance=8)
+    table, x, y = result.traction, result.field("x"), result.field("y")
+    assert x.shape == y.shape == (6, 8) and np.all(np.diff(x, axis=1) < 0) and np.all(np.diff(y, axis=0) > 0)
+    area, traction, slips = (result.field(name) for name in ("area", "traction", "slips"))
+    assert traction.shape == result.field("slip").shape == (6, 8, 2) and slips.dtype == bool
+    assert np.isnan(area).any() == (scheme != "remembered") and np.nansum(area) == pytest.approx(table["area"].sum())
+    for row in table:  # each is where its coordinates say
+        at = np.unravel_index(np.argmin(np.hypot(x - row["x"], y - row["y"])), x.shape)
+        assert abs(x[at] - row["x"]) + abs(y[at] - row["y"]) < 1e-9
+        assert traction[at].tolist() == [row["traction_x"], row["traction_y"]] and slips[at] == (row["zone"] == "S")
+        assert result.field("bound")[at] == row["bound"]
+    with pytest.raises(ms.InputError, match="^name = 'pressure': expected traction, slip, slips, x, y, "):
+        result.field("pressure")
+    with pytest.raises(ms.InputError, match="^name: expected a result of an ellipse"):
+        ms.solve(scene, problem="steady", load_force=1).field("x")

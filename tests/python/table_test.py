@@ -70,6 +70,21 @@ def test_figures_are_drawn_or_refused_in_a_line(scene, source, monkeypatch):
     ms.Rolling(scene).plot()
     ellipse = ms.solve(source / "examples/ellipse.info", grid_rows=6, grid_elements=8)
     assert ellipse.plot().get_ylabel() == "y [mm]"
+    size = np.hypot(*np.moveaxis(ellipse.field("traction"), -1, 0))
+    patch = ms.Patch(source / "examples/ellipse.info", grid={"rows": 6, "elements": 8})
+    patch.roll([2, 2], creepage=1e-3, size_factor=[1, 1.2])
+    steady = ms.steady(source / "examples/ellipse.info", grid={"rows": 6, "elements": 8}, creepage=[1e-4, 1e-3])
+    for drawn, x, shown in ((ellipse, ellipse.field("x"), size), (patch, patch.x, None), (steady, steady.x, None)):
+        axes = drawn.plot()
+        mesh, = (one for one in axes.collections if type(one).__name__ == "QuadMesh")
+        # Six rows of four strips have the color of their elements; corners reach beyond the centres, to the edges.
+        values = mesh.get_array().reshape(-1, 8)
+        assert values.shape == (24, 8) and (shown is None or np.array_equal(values[::4], shown))
+        corners = mesh.get_coordinates()
+        assert 1 < corners[..., 0].max() / x.max() < 1.1 and corners[..., 1].max() == axes.dataLim.y1
+    assert patch.x.max() == pytest.approx(1.2 * ellipse.field("x").max(), rel=1e-9)
+    transient = ms.solve(source / "examples/ellipse_transient.info", grid={"rows": 6, "elements": 8}, step_scheme="direct")
+    assert transient.plot()[1].get_ylabel() == "force [N]"
     matplotlib.pyplot.close("all")
     monkeypatch.setitem(__import__("sys").modules, "matplotlib", None)
     with pytest.raises(ImportError, match="^plot wants matplotlib"):
