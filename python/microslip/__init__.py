@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""2D tractive rolling contact by boundary elements, for any time step.
+"""Rolling contact with friction by boundary elements, for any time step: contact ellipses and line contacts.
 
     import microslip as ms
 
@@ -12,8 +12,10 @@
 
     rolling = ms.Rolling(scene)                          # step by step, for simulations
     rolling.roll(dq, creepage=w)                         # of numbers or arrays
+    patch = ms.Patch(scene)                              # the same of an ellipse; patch.traction, patch.plot()
+    patch.roll(dq, creepage=w, spin=phi)
 
-Units are mm and N, per mm of width, so forces are in N/mm. Rolling is towards +x. A positive creepage
+Units are mm and N; of a line contact per mm of width, so that its forces are in N/mm. Rolling is towards +x. A positive creepage
 w = (v - omega R)/v gives negative tractions and a negative force, which acts on v.
 
 Keys of scenes: ms.keys(), and docs/scenes.md. Errors are ms.InputError, a ValueError, and ms.NoSolution.
@@ -23,6 +25,7 @@ from ._errors import Error, InputError, LoadWarning, NoSolution
 from ._keys import Key, Keys, keys
 from ._library import text_of as _text_of
 from ._patch import Patch, PatchFactors
+from ._patch_curve import PatchCurve, PatchCurves
 from ._patch_steady import PatchSteady
 from ._result import Result, solve
 from ._rolling import Load, Rolling
@@ -32,6 +35,7 @@ from ._table import Column, Table, read_table
 
 __version__ = _text_of("version")
 
-__all__ = ["Column", "Error", "InputError", "Key", "Keys", "Load", "LoadWarning", "NoSolution", "Patch", "PatchFactors", "PatchSteady",
+__all__ = ["Column", "Error", "InputError", "Key", "Keys", "Load", "LoadWarning", "NoSolution", "Patch", "PatchCurve", "PatchCurves", "PatchFactors",
+           "PatchSteady",
            "Result", "Rolling",
            "Steady", "Sweep", "Table", "creep_curve", "keys", "read_table", "solve", "steady", "sweep"]

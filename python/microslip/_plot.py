@@ -122,6 +122,46 @@ def plot_result(result: Any, axes: Any = None) -> Any:
     return both
 
 
+def with_unit(unit: str) -> str:
+    """A unit behind a number."""
+    return "" if unit == "1" else f" {unit}"
+
+
+_OF_PATCH = {"force": "force along", "lateral_force": "force across", "spin_moment": "moment"}
+_ALONG = {"creepage": "force", "lateral_creepage": "lateral_force", "spin": "spin_moment"}
+_LAWS = {"fastsim": ("FASTSIM", ":"), "fastsim_one": ("FASTSIM, one flexibility", (0, (3, 1, 1, 1))),
+         "vermeulen_johnson": ("Vermeulen and Johnson", "--"), "polach": ("Polach", "-.")}
+
+
+def plot_patch_curves(curves: Any, names: Any, axes: Any = None) -> Any:
+    """Draws resultants over a motion, those of each curve in a colour of its own, and those of laws in other dashes.
+
+    names  of the curves; empty for one alone
+    """
+    first = curves[0]
+    size = np.sqrt(first.summary["half_width"] * first.summary["lateral_half_width"])
+    drawn = [_ALONG[first.along]]
+    if axes is None:  # the others where they are more than rounding
+        drawn = [name for name in _OF_PATCH if name in drawn or max(
+            np.abs(getattr(curve, name)).max() for curve in curves) > 1e-6 * first.full_sliding * (
+                size if name == "spin_moment" else 1)]
+    panels = np.atleast_1d(_new_axes(len(drawn))) if axes is None else [axes]
+    factor, unit = (1, "1/mm") if first.along == "spin" else (100, "%")
+    for panel, of in zip(panels, drawn):
+        for curve, name in zip(curves, names):
+            (line,) = panel.plot(factor * getattr(curve, curve.along), getattr(curve, of), label=name or "steady rolling")
+            for law, values in curve.beside.items():
+                if of in values.dtype.names:
+                    title, dashes = _LAWS[law]
+                    error = f", error {curve.summary[f'{law}_error']:.2g} of full sliding"
+                    panel.plot(factor * getattr(curve, curve.along), values[of], linestyle=dashes, color=line.get_color(),
+                               label=title + error if len(curves) == 1 else title if curve is first else None)
+        panel.set(xlabel=f"{first.along.replace('_', ' ')} [{unit}]",
+                  ylabel=f"{_OF_PATCH[of]} [{first.units[of]}]")
+    panels[0].legend(fontsize="small")
+    return panels if axes is None else axes
+
+
 def plot_curve(steady: Any, axes: Any = None) -> Any:
     """Draws |F| over |w|, with full sliding."""
     axes = _new_axes() if axes is None else axes

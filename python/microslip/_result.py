@@ -7,7 +7,7 @@ import html
 import os
 import pathlib
 import warnings
-from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Union
+from typing import Any, Callable, Dict, Iterable, List, Optional, Tuple, Union
 
 import numpy as np
 
@@ -30,7 +30,52 @@ def shown_progress(progress: Progress) -> Optional[Callable[[int, int], Any]]:
     return _plot.print_progress if progress else None
 
 
-class Result:
+def threads_of(threads: Optional[int]) -> int:
+    """Returns a number of threads: all cores that this process may use, if none is given."""
+    if threads is None:
+        return len(os.sched_getaffinity(0))
+    if isinstance(threads, int) and threads >= 1:
+        return threads
+    raise InputError.of("threads", repr(threads), "a whole number >= 1")
+
+
+def require_word(name: str, value: Any, accepted: Tuple[Any, ...]) -> None:
+    """Rejects what is none of the words."""
+    if value not in accepted:
+        raise InputError.of(name, repr(value), " or ".join(map(repr, accepted)))
+
+
+class Tables:
+    """Tables of the program, one of which is the summary."""
+
+    def __init__(self, tables: Dict[str, Table]):
+        self.tables = tables
+        summary = tables["summary"]
+        self.units: Dict[str, str] = {**{str(row["quantity"]): str(row["unit"]) for row in summary.data}}
+        for table in tables.values():
+            if table is not summary:
+                self.units.update(table.units)
+        self.parameters = summary.parameters
+        self.summary = _record_of(summary)
+        doubt = str(self.summary["warning"])
+        self.warnings: List[str] = summary.warnings + ([] if doubt == "none" else [doubt])
+
+    def _repr_html_(self) -> str:
+        table = self.tables["summary"]
+        doubts = "".join(f"<p>warning: {html.escape(line)}</p>" for line in self.warnings)
+        rows = "".join(f"<tr><td>{html.escape(row['quantity'])}</td><td>{html.escape(_short(row['value']))}"
+                       f"{html.escape(_plot.with_unit(row['unit']))}</td></tr>" for row in table.data)
+        return f"<table><caption>{html.escape(table.description)}</caption>{rows}</table>{doubts}"
+
+    def write(self, folder: Union[str, "os.PathLike[str]"]) -> None:
+        """Writes the tables as files, as the program does; ms.read_table and `microslip plot` read them."""
+        path = pathlib.Path(folder)
+        path.mkdir(parents=True, exist_ok=True)
+        for name, table in self.tables.items():
+            table.write(path / f"{name}.tsv")
+
+
+class Result(Tables):
     """The solution of a scene: its tables as numpy structured arrays.
 
     Attributes
@@ -57,33 +102,17 @@ class Result:
     """
 
     def __init__(self, tables: Dict[str, Table]):
-        self.tables = tables
-        summary = tables["summary"]
-        self.units: Dict[str, str] = {**{str(row["quantity"]): str(row["unit"]) for row in summary.data}}
-        for table in tables.values():
-            if table is not summary:
-                self.units.update(table.units)
-        self.parameters = summary.parameters
-        self.summary = _record_of(summary)
+        super().__init__(tables)
         self.traction = tables["traction"].data
         self.history = tables["history"].data if "history" in tables else None
         self.shifts = tables["shifts"].data if "shifts" in tables else None
         self.evidence: Dict[str, float] = {name: float(self.summary[name]) for name in _EVIDENCE
                                            if name in self.summary.dtype.names}
-        doubt = str(self.summary["warning"])
-        self.warnings: List[str] = summary.warnings + ([] if doubt == "none" else [doubt])
 
     def __repr__(self) -> str:
-        shown = ", ".join(f"{name} = {self.summary[name]:.6g}" + _with_unit(self.units[name])
+        shown = ", ".join(f"{name} = {self.summary[name]:.6g}" + _plot.with_unit(self.units[name])
                           for name in ("force", "creepage", "distance") if name in self.summary.dtype.names)
         return f"<microslip.Result: {self.tables['summary'].description}: {shown}>"
-
-    def _repr_html_(self) -> str:
-        table = self.tables["summary"]
-        doubts = "".join(f"<p>warning: {html.escape(line)}</p>" for line in self.warnings)
-        rows = "".join(f"<tr><td>{html.escape(row['quantity'])}</td><td>{html.escape(_short(row['value']))}"
-                       f"{html.escape(_with_unit(row['unit']))}</td></tr>" for row in table.data)
-        return f"<table><caption>{html.escape(table.description)}</caption>{rows}</table>{doubts}"
 
     def to_pandas(self, table: str = "") -> Any:
         """Returns a table as a pandas.DataFrame: by default the steps if there are any, else the tractions."""
@@ -136,13 +165,6 @@ class Result:
     def _has_rectangles(self) -> bool:
         return "method" in self.summary.dtype.names and self.summary["method"] in ("direct", "relaxed")
 
-    def write(self, folder: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes the tables as files, as the program does; ms.read_table and `microslip plot` read them."""
-        path = pathlib.Path(folder)
-        path.mkdir(parents=True, exist_ok=True)
-        for name, table in self.tables.items():
-            table.write(path / f"{name}.tsv")
-
     def plot(self, axes: Any = None) -> Any:
         """Draws tractions within their bound and, unless rolling is steady, the force over the distance.
 
@@ -167,10 +189,6 @@ def _places(centres: np.ndarray) -> Any:
     return centres[first], numbers
 
 
-def _with_unit(unit: str) -> str:
-    return "" if unit == "1" else f" {unit}"
-
-
 def _short(text: str) -> str:
     try:
         return f"{float(text):.6g}"
@@ -192,11 +210,14 @@ def _record_of(summary: Table) -> np.record:
 
 
 class Cases:
-    """Scenes that have been read by the library, to be solved."""
+    """Scenes that have been read by the library, to be solved.
 
-    def __init__(self, scene: Scene, overrides: Mapping[str, Any], is_swept: bool, is_curve: bool = False):
-        self.arguments = SceneArguments(scene, overrides)
-        self._handle = require(call("py_read", self.arguments.in_c(), is_swept, is_curve))
+    curve  makes the curves that are wanted of tables; None for solutions
+    """
+
+    def __init__(self, arguments: SceneArguments, is_swept: bool, curve: Optional[Callable[..., Any]] = None):
+        self._make = curve or Result
+        self._handle = require(call("py_read", arguments.in_c(), is_swept, curve is not None))
         free_with(self, "py_cases_destroy", self._handle)
 
         rows = text_of("py_swept", self._handle).split("\x1e")[:-1]
@@ -208,7 +229,7 @@ class Cases:
     def warnings(self, case: int) -> List[str]:
         return text_of("py_warnings", self._handle, case).splitlines()
 
-    def solve(self, case: int, told: Optional[Callable[[int, int], Any]]) -> Result:
+    def solve(self, case: int, told: Optional[Callable[[int, int], Any]]) -> Any:
         """Raises what `told` raises, too, which ends the work."""
         raised: List[BaseException] = []
         handle = call("py_solve", self._handle, case, as_progress(told, raised))
@@ -216,7 +237,7 @@ class Cases:
             raise raised[0]
         require(handle)
         try:
-            return Result({table.name: table for table in (
+            return self._make({table.name: table for table in (
                 Table(text_of("py_table_name", handle, k), text_of("py_table_text", handle, k))
                 for k in range(call("py_table_count", handle)))})
         finally:
@@ -267,7 +288,7 @@ def solve(scene: Scene = None, *, progress: Progress = None, **overrides: Any) -
     >>> round(float(result.traction["traction"].min()), 1)
     -290.5
     """
-    cases = Cases(scene, overrides, False)
+    cases = Cases(SceneArguments(scene, overrides), False)
     warn_of(cases.warnings(0))
     result = cases.solve(0, shown_progress(progress))
     warn_of(line for line in result.warnings if line not in cases.warnings(0))

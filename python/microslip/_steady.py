@@ -5,8 +5,7 @@ from __future__ import annotations
 
 import ctypes as c
 import html
-import os
-from typing import Any, Dict, List, Optional, Tuple, Union
+from typing import Any, Dict, Iterable, List, Optional, Union
 
 import numpy as np
 
@@ -16,8 +15,9 @@ from ._errors import InputError
 from ._library import (CREEPAGE, FORCE, STATUS_OF_NO_SOLUTION, STEADY, SteadyNodes, call, error_of, free_with, require,
                        require_ok, text_of)
 from ._patch import PatchOfScene
+from ._patch_curve import PatchCurve, PatchCurves, curves_of
 from ._patch_steady import PatchSteady, solve_loads
-from ._result import Progress, shown_progress, warn_of
+from ._result import Progress, require_word, shown_progress, threads_of, warn_of
 from ._scene import Scene, SceneArguments
 from ._table import html_table, to_pandas
 
@@ -129,21 +129,6 @@ class _Contact:
         return forces
 
 
-def threads_of(threads: Optional[int]) -> int:
-    """Returns a number of threads: all cores that this process may use, if none is given."""
-    if threads is None:
-        return len(os.sched_getaffinity(0))
-    if isinstance(threads, int) and threads >= 1:
-        return threads
-    raise InputError.of("threads", repr(threads), "a whole number >= 1")
-
-
-def require_word(name: str, value: Any, accepted: Tuple[Any, ...]) -> None:
-    """Rejects what is none of the words."""
-    if value not in accepted:
-        raise InputError.of(name, repr(value), " or ".join(map(repr, accepted)))
-
-
 def steady(scene: Scene = None, *, creepage: Values = None, force: Values = None, lateral_creepage: Values = None,
            spin: Values = None, lateral_force: Values = None, spin_moment: Values = None,
            threads: Optional[int] = None, progress: Progress = None, missing: str = "raise",
@@ -247,29 +232,47 @@ def _raise_first(statuses: np.ndarray, messages: List[str], missing: str) -> Non
             raise error_of(int(status), f"load {number}: {message}" if len(messages) > 1 else message)
 
 
-def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, beside: Optional[str] = None,
-                threads: Optional[int] = None, progress: Progress = None, **overrides: Any) -> Steady:
+def creep_curve(scene: Scene = None, *, points: Optional[int] = None, most: Optional[float] = None,
+                beside: Union[str, Iterable[str], None] = None, along: Optional[str] = None,
+                threads: Optional[int] = None, progress: Progress = None,
+                **overrides: Any) -> Union[Steady, PatchCurve, PatchCurves]:
     """Computes the curve of force and creepage in steady rolling, from rest to full sliding and beyond.
+
+    Of an ellipse or another patch: all three resultants over one of its motions, as `microslip curve` does.
 
     Parameters
     ----------
     scene : str, path or dict
         As of ms.steady().
-    points : int
-        Number of points, >= 5: three quarters of them up to `most`, closer to one another where the curve bends,
-        and the rest up to half as much creepage again, where all slides.
-    most : float
-        Largest force below full sliding, as a part of it, above 0, below 1.
-    beside : {None, "fastsim"}
-        Another curve for comparison, in ``.fastsim_force``: Kalker's simplified theory of like bodies.
+    points : int, optional
+        Number of points, >= 5, by default 41: three quarters of them up to `most`, closer to one another where the
+        curve bends, and the rest up to half as much creepage again, where all slides. Of a patch 2 ... 10000, by
+        default 51, evenly spaced from 0 on, and on both sides of 0 where the curve has no symmetry.
+    most : float, optional
+        Largest force below full sliding, as a part of it, above 0, below 1, by default 0.999; of a line contact.
+    beside : {None, "fastsim"}; of an ellipse one or more of fastsim, fastsim_one, vermeulen_johnson and polach
+        Other curves for comparison. Of a line contact in ``.fastsim_force``: Kalker's simplified theory of like
+        bodies. Of an ellipse in ``.beside``, with errors.
+    along : {"creepage", "lateral_creepage", "spin"}, optional
+        The motion of a patch that varies, by default that of the scene, or creepage. The load of the scene has the other
+        components, motions or resultants.
     threads, progress, **overrides
-        As of ms.steady().
+        As of ms.steady(). Keys ``curve.creepages``, ``curve.spins``, ``curve.largest``, ``curve.largest_spin`` and
+        ``curve.kalker_factor`` are for patches: ``curve={"spins": [0, 1e-4, 2e-4]}``. A section ``sweep`` makes a
+        family: ``sweep={"load.spin": [0, 1e-4, 2e-4]}``.
 
     Returns
     -------
     Steady
         Results for creepages >= 0 in ascending order; the force is negative. Bodies of different material have
         another curve for creepages below zero, which ms.steady() computes.
+    PatchCurve
+        Of an ellipse or another patch; with a sweep PatchCurves, which are several of them.
+
+    Raises
+    ------
+    InputError, NoSolution
+        NoSolution names the point that has none.
 
     >>> import microslip as ms
     >>> curve = ms.creep_curve(material={"shear_modulus": 82000, "poisson_ratio": 0.28},
@@ -277,7 +280,27 @@ def creep_curve(scene: Scene = None, *, points: int = 41, most: float = 0.999, b
     ...                        kernel={"type": "strip", "width": 10}, grid={"elements": 50}, points=9)
     >>> (curve.force / curve.full_sliding).round(2)
     array([ 0.  , -0.31, -0.55, -0.75, -0.89, -0.97, -1.  , -1.  , -1.  ])
+    >>> curve = ms.creep_curve(material={"youngs_modulus": 210000, "poisson_ratio": 0.28},
+    ...                        contact={"normal_load": 80000, "radius_1": 460, "lateral_radius_2": 300,
+    ...                                 "friction": 0.3}, grid={"rows": 8, "elements": 10},
+    ...                        load={"spin": 1e-4}, curve={"creepages": [0, 5e-4, 1e-3, 2e-3]}, beside="fastsim")
+    >>> (curve.force[1:] / curve.full_sliding).round(2)
+    array([-0.23, -0.44, -0.74])
+    >>> curve.beside["fastsim"]["error"].round(3)
+    array([0.   , 0.003, 0.009, 0.026])
     """
+    if has_patch(SceneArguments(scene, overrides)):
+        for name in ("creepage", "force", "lateral_creepage", "lateral_force", "spin", "spin_moment"):
+            if name in overrides:
+                raise InputError(f"{name}: expected load.{name} for a load that stays, or curve.creepages or curve.spins",
+                                 name, shown(overrides[name]), f"load.{name}, curve.creepages or curve.spins")
+        if most is not None:
+            raise InputError("most: expected none for an ellipse; curve.largest is its largest creepage", "most",
+                             repr(most), "none")
+        return curves_of(scene, overrides, along, points, beside, threads, progress)
+    if along not in (None, "creepage"):
+        raise InputError.of("along", repr(along), "'creepage' of a line contact")
+    points, most = 41 if points is None else points, 0.999 if most is None else most
     if not isinstance(points, (int, np.integer)) or points < 5:
         raise InputError.of("points", repr(points), "a whole number >= 5")
     if not 0 < most < 1:

@@ -12,9 +12,8 @@ import numpy as np
 
 from ._errors import Error, NoSolution
 from ._keys import keys as all_keys
-from ._result import Cases, Progress, Result, shown_progress, warn_of
-from ._scene import Scene
-from ._steady import require_word, threads_of
+from ._result import Cases, Progress, require_word, shown_progress, threads_of, warn_of
+from ._scene import Scene, SceneArguments
 from ._table import column_of, html_table, structured, to_pandas
 
 
@@ -35,7 +34,7 @@ class Sweep:
     units : dict of str
     """
 
-    def __init__(self, keys: List[str], values: List[List[str]], results: List[Optional[Result]], errors: List[str]):
+    def __init__(self, keys: List[str], values: List[List[str]], results: List[Any], errors: List[str]):
         self.keys, self.results, self.errors = keys, results, errors
         self.units: Dict[str, str] = {key: all_keys()[key].unit for key in keys if key in all_keys()}
         for result in results:
@@ -63,7 +62,7 @@ class Sweep:
         return to_pandas(self.cases, self.units)
 
 
-def _table_of(keys: List[str], values: List[List[str]], results: List[Optional[Result]]) -> np.ndarray:
+def _table_of(keys: List[str], values: List[List[str]], results: List[Any]) -> np.ndarray:
     columns: Dict[str, Any] = {key: column_of([row[k] for row in values]) for k, key in enumerate(keys)}
     solved = [result.summary for result in results if result is not None]
     names = [name for name in (solved[0].dtype.names if solved else ())
@@ -116,13 +115,13 @@ def sweep(scene: Scene = None, over: Optional[Mapping[str, Any]] = None, *, thre
     cores = threads_of(threads)
     given = {f"sweep.{key}": value for key, value in (over or {}).items()}
     removed = {key: None for key in (over or {})}
-    cases = Cases(scene, {**removed, **overrides, **given}, True)
-    warn_of(_warnings_of(cases))
-    results, errors = _solve_all(cases, cores, shown_progress(progress), missing)
+    cases = Cases(SceneArguments(scene, {**removed, **overrides, **given}), True)
+    warn_of(warnings_of(cases))
+    results, errors = solve_all(cases, cores, shown_progress(progress), missing)
     return Sweep(cases.keys, cases.values, results, errors)
 
 
-def _warnings_of(cases: Cases) -> List[str]:
+def warnings_of(cases: Cases) -> List[str]:
     """A line for each kind of warning, which is the warning without its numbers: how many cases have it, and the
     first of them."""
     counts: Dict[str, int] = {}
@@ -135,9 +134,9 @@ def _warnings_of(cases: Cases) -> List[str]:
     return [f"{count} of {len(cases)} cases, {first[kind]}" for kind, count in counts.items()]
 
 
-def _solve_all(cases: Cases, threads: int, told: Any, missing: str) -> Any:
+def solve_all(cases: Cases, threads: int, told: Any, missing: str) -> Any:
     """Solves all cases in threads; an interrupt or an error ends the cases that run."""
-    results: List[Optional[Result]] = [None] * len(cases)
+    results: List[Any] = [None] * len(cases)
     errors = [""] * len(cases)
     stop = threading.Event()
 

@@ -40,6 +40,7 @@ MICROSLIP_API const char* microslip_py_keys(void);
 
 /// Scenes that have been read: one, or all cases of one with a sweep. They are solved, or they are ellipses or
 /// other patches of which curves are wanted.
+/// \param is_swept  of curves: where the scene has a sweep
 struct microslip_py_cases;
 MICROSLIP_API microslip_py_cases* microslip_py_read(const microslip_py_scene* scene, int is_swept,
                                                     int is_curve);

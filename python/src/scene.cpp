@@ -96,9 +96,14 @@ PatchOfScene patch_of(Scene& scene) {
                     fmt::join(patch_keys.begin(), patch_keys.end() - 1, ", "), patch_keys.back()));
   }
   const std::string scheme = scene.has("step.scheme") ? scene.word("step.scheme") : "remembered";
-  leave_out(scene, {"problem", "load.", "motion.", "start.", "step.", "curve."});
-  scene.set("problem=steady");
+  leave_out_steps(scene);
+  leave_out(scene, {"load.", "curve."});
   return {read_all(scene, [&] { return read_steady_patch(scene, 0); }), scheme};
+}
+
+void leave_out_steps(Scene& scene) {
+  leave_out(scene, {"problem", "motion.", "start.", "step.", "load.file", "load.columns"});
+  scene.set("problem=steady");
 }
 
 std::string lines_of(const std::vector<Warning>& warnings) {

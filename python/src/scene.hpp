@@ -43,6 +43,9 @@ struct PatchOfScene {
 /// \throws std::invalid_argument likewise, and for a line contact
 PatchOfScene patch_of(Scene& scene);
 
+/// Makes a scene of steady rolling of one of a patch by steps.
+void leave_out_steps(Scene& scene);
+
 /// The lines of warnings.
 std::string lines_of(const std::vector<Warning>& warnings);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 #include <sstream>
@@ -76,6 +77,12 @@ struct microslip_py_tables {
 
 namespace {
 
+bool has_sweep(const Scene& scene) {
+  const std::vector<std::string> keys = scene.keys();
+  return std::ranges::any_of(keys,
+                             [](const std::string& key) { return key.starts_with("sweep."); });
+}
+
 microslip_py_cases read_sweep(const Scene& scene, bool is_curve) {
   const Sweep sweep = placed(scene, [&] { return Sweep(scene); });
   microslip_py_cases cases{.swept = ""};
@@ -99,8 +106,10 @@ microslip_py_cases read_sweep(const Scene& scene, bool is_curve) {
 
 microslip_py_cases* microslip_py_read(const microslip_py_scene* scene, int is_swept, int is_curve) {
   return or_null([&] {
-    const Scene read = scene_of(*scene);
-    if (is_swept != 0) return new microslip_py_cases(read_sweep(read, is_curve != 0));
+    Scene read = scene_of(*scene);
+    if (is_curve != 0) leave_out_steps(read);
+    if (is_swept != 0 && (is_curve == 0 || has_sweep(read)))
+      return new microslip_py_cases(read_sweep(read, is_curve != 0));
     placed(read, [&] { reject_sweep(read, "for many there is microslip.sweep"); });
     return new microslip_py_cases{.all = {read_case(read, is_curve != 0)}};
   });
