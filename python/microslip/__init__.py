@@ -22,6 +22,7 @@ Keys of scenes: ms.keys(), and docs/scenes.md. Errors are ms.InputError, a Value
 """
 
 from ._errors import Error, InputError, LoadWarning, NoSolution
+from ._hertz import Hertz, hertz
 from ._keys import Key, Keys, keys
 from ._library import text_of as _text_of
 from ._patch import Patch, PatchFactors
@@ -35,7 +36,7 @@ from ._table import Column, Table, read_table
 
 __version__ = _text_of("version")
 
-__all__ = ["Column", "Error", "InputError", "Key", "Keys", "Load", "LoadWarning", "NoSolution", "Patch", "PatchCurve", "PatchCurves", "PatchFactors",
+__all__ = ["Column", "Error", "Hertz", "InputError", "Key", "Keys", "Load", "LoadWarning", "NoSolution", "Patch", "PatchCurve", "PatchCurves", "PatchFactors",
            "PatchSteady",
            "Result", "Rolling",
-           "Steady", "Sweep", "Table", "creep_curve", "keys", "read_table", "solve", "steady", "sweep"]
+           "Steady", "Sweep", "Table", "creep_curve", "hertz", "keys", "read_table", "solve", "steady", "sweep"]

@@ -153,6 +153,11 @@ def _at(name: str, index: Tuple[int, ...]) -> str:
     return f"{name}[{', '.join(map(str, index))}]" if index else name
 
 
+def index_of(name: str, where: np.ndarray) -> str:
+    """The name with the first place where something is so."""
+    return _at(name, _first(where))
+
+
 def numbers(name: str, value: Any) -> np.ndarray:
     """Returns an array of floats.
 
@@ -189,7 +194,7 @@ def broadcast(given: Mapping[str, Any], any_shape: bool = False) -> Dict[str, np
     try:
         arrays = np.broadcast_arrays(*columns.values())
     except ValueError:
-        name = next(iter(columns))
+        name = next(name for name, column in columns.items() if column.ndim)
         sizes = ", ".join(f"{name} {column.shape if any_shape else column.size}" for name, column in columns.items()
                           if column.ndim)
         expected = "arrays that numpy broadcasts" if any_shape else "arrays of one length"

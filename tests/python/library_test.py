@@ -108,5 +108,5 @@ def test_examples_are_tried():
     finder = doctest.DocTestFinder()
     tried = {test.name for name in microslip.__all__ for test in finder.find(getattr(microslip, name), name)
              if test.examples}
-    assert {"solve", "steady", "creep_curve", "sweep", "read_table", "keys", "Rolling", "Patch",
+    assert {"solve", "steady", "creep_curve", "sweep", "read_table", "keys", "hertz", "Rolling", "Patch",
             "InputError"} <= tried
