@@ -30,26 +30,15 @@
  *                                           row a load, and matrices x, bound, traction, slip,
  *                                           displacement, a column a load. It needs no handle
  *
+ * Contact ellipses: microslip_ellipse_mex.c.
+ *
  * Octave: mkoctfile --mex microslip_mex.c -lmicroslip;  MATLAB: mex microslip_mex.c -lmicroslip */
-#include <mex.h>
+#include "microslip_mex.h"
+
 #include <microslip.h>
-#include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
-static void check(enum microslip_status status, const char* message) {
-  static const char* const names[] = {"ok", "bad_input", "no_solution", "out_of_memory",
-                                      "internal"};
-  char id[64] = "microslip:";
-  if (status != MICROSLIP_OK) mexErrMsgIdAndTxt(strcat(id, names[status]), "%s", message);
-}
-
-static mxArray* handle_array(microslip_rolling* rolling) {
-  mxArray* array = mxCreateNumericMatrix(1, 1, mxUINT64_CLASS, mxREAL);
-  *(uint64_t*)mxGetData(array) = (uint64_t)(uintptr_t)rolling;
-  return array;
-}
+static mxArray* handle_array(microslip_rolling* rolling) { return new_handle(rolling, 1); }
 
 static mxArray* state_struct(const struct microslip_state* s) {
   const char* names[] = {"distance",      "force",     "mean_force", "creepage",
@@ -85,19 +74,6 @@ static mxArray* jacobian_struct(const struct microslip_jacobian* j) {
   mxSetField(array, 0, names[0], slopes_struct(&j->by_load));
   mxSetField(array, 0, names[1], slopes_struct(&j->by_length));
   return array;
-}
-
-/* Of a field that must be there; null for one that need not. */
-static const mxArray* field(const mxArray* problem, const char* name, int needed) {
-  const mxArray* value = mxGetField(problem, 0, name);
-  if (!value && needed)
-    mexErrMsgIdAndTxt("microslip:bad_input", "%s: expected in the struct", name);
-  return value;
-}
-
-static double number(const mxArray* problem, const char* name, int needed) {
-  const mxArray* value = field(problem, name, needed);
-  return value ? mxGetScalar(value) : 0;
 }
 
 /* What a struct describes; the arrays of its bound still belong to the struct. */
@@ -176,8 +152,6 @@ static void attempt(microslip_rolling* h, double dq, int outputs, mxArray* out[]
   out[0] = state_struct(&state);
   if (outputs > 1) out[1] = jacobian_struct(&jacobian);
 }
-
-static int is(const char* command, const char* name) { return strcmp(command, name) == 0; }
 
 /* Saves to a file, or restores from it. */
 static void keep(const char* command, microslip_rolling* h, const mxArray* name) {
@@ -338,8 +312,7 @@ void mexFunction(int outputs, mxArray* out[], int inputs, const mxArray* in[]) {
     out[0] = steady(in[1], in[2], in[3]);
     return;
   }
-  if (!mxIsUint64(in[1])) mexErrMsgIdAndTxt("microslip:bad_input", "expected a handle");
-  microslip_rolling* handle = (microslip_rolling*)(uintptr_t)(*(uint64_t*)mxGetData(in[1]));
+  microslip_rolling* handle = handle_of(in[1], 1);
   if (is(command, "destroy")) {
     microslip_destroy(handle);
     return;

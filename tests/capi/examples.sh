@@ -4,45 +4,12 @@
 # what else its functions do. Status 77 where the language is not installed.
 # Usage: examples.sh c|python|octave C_PROGRAM LIBRARY SOURCE_FOLDER WORK_FOLDER PYTHON_FOLDER
 set -euo pipefail
-language=$1 c_program=$2 library=$3 source=$4 work=$5 packages=$6
-examples=$source/examples
-rm -rf "$work"
-mkdir -p "$work"
-
-skip() {
-  echo "skipped: $1 (tools/deps.sh languages installs it)"
-  exit 77
-}
-case "$language" in
-  c) ;;
-  python)
-    for candidate in python3 /usr/bin/python3 none; do
-      [ "$candidate" != none ] || skip "no python3 with numpy"
-      ! "$candidate" -c 'import numpy' 2>"$work/log" || break
-    done
-    export PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$packages
-    run_example() {
-      "$candidate" "$examples/python/wheel_drive.py"
-    }
-    ;;
-  octave)
-    for program in octave-cli mkoctfile; do
-      command -v "$program" >"$work/log" || skip "no $program"
-    done
-    folder=$(dirname "$library")
-    mkoctfile --mex "$examples/octave/microslip_mex.c" -o "$work/microslip_mex.mex" -Wall -Wextra \
-      -I"$source/capi/include" -L"$folder" -lmicroslip "-Wl,-rpath,$folder" >"$work/log" 2>&1 ||
-      { cat "$work/log" >&2; exit 1; }
-    [ ! -s "$work/log" ] || { cat "$work/log" >&2; exit 1; }
-    octave-cli --no-init-file --no-history --path "$work" --path "$source/tests/capi" --eval octave_test
-    run_example() {
-      octave-cli --no-init-file --no-history --path "$work" --path "$examples/octave" --eval wheel_drive
-    }
-    ;;
-esac
+source "$(dirname "$0")/example.bash"
+prepare "$@"
+[ "$language" != octave ] || octave_with octave_test
 
 "$c_program" >"$work/c.tsv"
-[ "$language" = c ] || run_example >"$work/$language.tsv"
+[ "$language" = c ] || run_example wheel_drive >"$work/$language.tsv"
 
 diff <(grep -v '^[0-9]' "$work/c.tsv") <(grep -v '^[0-9]' "$work/$language.tsv")
 grep -v '^#' "$work/c.tsv" >"$work/c.rows"
