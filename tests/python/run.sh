@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The Python package. Status 77 where something for it is not installed.
 #   package   its tests, on the package in the build folder
-#   notebook  the notebook of examples/ runs from top to bottom
+#   notebook  the notebooks of examples/ run from top to bottom
 #   install   pip makes a wheel in a virtual environment, without a network, and that solves a scene elsewhere
 # Usage: run.sh package|notebook|install SOURCE_FOLDER BUILD_FOLDER WORK_FOLDER
 set -euo pipefail
@@ -38,10 +38,11 @@ case "$part" in
       skip "no python3 with nbconvert, ipykernel and matplotlib"
     export HOME=$work PYTHONPATH=$build/python PYDEVD_DISABLE_FILE_VALIDATION=1
     export IPYTHONDIR=$work/ipython
-    "$python" -m nbconvert --to notebook --execute --output-dir "$work" --log-level ERROR \
-      "$source/examples/python/rolling.ipynb"
-    # Each cell of code has run, and figures are there.
-    "$python" - rolling.ipynb <<'TEXT'
+    for notebook in rolling ellipse; do
+      "$python" -m nbconvert --to notebook --execute --output-dir "$work" --log-level ERROR \
+        "$source/examples/python/$notebook.ipynb"
+      # Each cell of code has run, and figures are there.
+      "$python" - $notebook.ipynb <<'TEXT'
 import json, sys
 cells = [cell for cell in json.load(open(sys.argv[1]))["cells"] if cell["cell_type"] == "code"]
 figures = sum("image/png" in output.get("data", {}) for cell in cells for output in cell["outputs"])
@@ -49,6 +50,7 @@ assert cells and all(cell["execution_count"] for cell in cells), "a cell did not
 assert figures >= 3, f"{figures} figures"
 print(f"{len(cells)} cells, {figures} figures")
 TEXT
+    done
     ;;
   install)
     python=$(python_with numpy, setuptools, wheel, venv, ensurepip) ||
