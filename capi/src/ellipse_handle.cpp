@@ -122,7 +122,8 @@ microslip_ellipse_state solve_steady(microslip_ellipse& ellipse, const PatchLoad
   if (!ellipse.solver) ellipse.solver.emplace(ellipse.problem, false);
   const bool is_hertz = ellipse.problem.bound.is_hertz();
   if (is_hertz) ellipse.solver->set_bound(bound_of(ellipse));
-  // Another bound that is g times as large has the same solution with g times the load, motions included.
+  // Another bound that is g times as large has the same solution with g times the load, motions
+  // included.
   const double g = is_hertz ? 1 : ellipse.rolling.contact().bound;
   PatchLoad over_bound = load;
   for (PatchComponent& component : over_bound) component.value /= g;

@@ -15,8 +15,8 @@
     patch = ms.Patch(scene)                              # the same of an ellipse; patch.traction, patch.plot()
     patch.roll(dq, creepage=w, spin=phi)
 
-Units are mm and N; of a line contact per mm of width, so that its forces are in N/mm. Rolling is towards +x. A positive creepage
-w = (v - omega R)/v gives negative tractions and a negative force, which acts on v.
+Units are mm and N; of a line contact per mm of width, so that its forces are in N/mm. Rolling is towards +x. A
+positive creepage w = (v - omega R)/v gives negative tractions and a negative force, which acts on v.
 
 Keys of scenes: ms.keys(), and docs/scenes.md. Errors are ms.InputError, a ValueError, and ms.NoSolution.
 """
@@ -36,7 +36,6 @@ from ._table import Column, Table, read_table
 
 __version__ = _text_of("version")
 
-__all__ = ["Column", "Error", "Hertz", "InputError", "Key", "Keys", "Load", "LoadWarning", "NoSolution", "Patch", "PatchCurve", "PatchCurves", "PatchFactors",
-           "PatchSteady",
-           "Result", "Rolling",
-           "Steady", "Sweep", "Table", "creep_curve", "hertz", "keys", "read_table", "solve", "steady", "sweep"]
+__all__ = ["Column", "Error", "Hertz", "InputError", "Key", "Keys", "Load", "LoadWarning", "NoSolution", "Patch",
+           "PatchCurve", "PatchCurves", "PatchFactors", "PatchSteady", "Result", "Rolling", "Steady", "Sweep",
+           "Table", "creep_curve", "hertz", "keys", "read_table", "solve", "steady", "sweep"]

@@ -115,9 +115,9 @@ def hertz(normal_load: Values, *, radius_1: Values = None, radius_2: Values = No
     if (youngs_modulus is None) == (shear_modulus is None):
         raise InputError("youngs_modulus: expected either youngs_modulus or shear_modulus", "youngs_modulus",
                          shown(youngs_modulus), "either youngs_modulus or shear_modulus")
-    given = {"normal_load": normal_load, "radius_1": radius_1, "radius_2": radius_2, "lateral_radius_1": lateral_radius_1,
-             "lateral_radius_2": lateral_radius_2, "poisson_ratio": poisson_ratio, "youngs_modulus": youngs_modulus,
-             "shear_modulus": shear_modulus, "friction": friction}
+    given = {"normal_load": normal_load, "radius_1": radius_1, "radius_2": radius_2,
+             "lateral_radius_1": lateral_radius_1, "lateral_radius_2": lateral_radius_2, "poisson_ratio": poisson_ratio,
+             "youngs_modulus": youngs_modulus, "shear_modulus": shear_modulus, "friction": friction}
     for name in ("normal_load", "poisson_ratio"):
         if given[name] is None:
             raise InputError.of(name, "None", "a number or an array")
@@ -164,7 +164,7 @@ def _require_small(columns: Dict[str, Any], axes: np.ndarray) -> None:
         _require("normal_load", load, axes[width] < smaller, "a load under which the half-widths are below the radii")
         large = axes[width] > _SMALL * smaller
         if np.any(large):
-            doubts.append(f"{index_of('normal_load', large)} = {load[large].flat[0]:.6g}: the {width.replace('_', ' ')}, "
-                          f"{axes[width][large].flat[0]:.3g} mm, is more than a tenth of the smaller radius; Hertz's "
-                          "theory is for less")
+            doubts.append(f"{index_of('normal_load', large)} = {load[large].flat[0]:.6g}: the "
+                          f"{width.replace('_', ' ')}, {axes[width][large].flat[0]:.3g} mm, is more than a tenth of "
+                          "the smaller radius; Hertz's theory is for less")
     warn_of(doubts, depth=4)

@@ -52,14 +52,13 @@ class PatchOfScene:
 
     def doubt_of(self, loads: np.ndarray) -> str:
         """Why the largest of prescribed motions is doubtful, empty if it is not."""
-        for j, name in enumerate(MOTIONS):
-            motions = np.where(loads["prescribed"][..., j] == 0, loads["value"][..., j], 0).reshape(-1)
-            if motions.size == 0:
-                continue
-            most = float(motions[np.argmax(np.abs(motions))])
+        motions = np.where(loads["prescribed"] == 0, loads["value"], 0).reshape(-1, 3)
+        if len(motions) == 0:
+            return ""
+        for j, most in enumerate(motions[np.abs(motions).argmax(axis=0), (0, 1, 2)].tolist()):
             doubt = text_of("py_patch_doubt", self.handle, j, most) if most else ""
             if doubt:
-                return f"{name} = {most:.6g}: {doubt}"
+                return f"{MOTIONS[j]} = {most:.6g}: {doubt}"
         return ""
 
 
@@ -420,7 +419,7 @@ class Patch(Contact):
 
     @property
     def slip(self) -> np.ndarray:
-        """Relative slip along and across, (M, N, 2), of the last step, 0 where an element sticks  [1]; of a shift [mm]."""
+        """Relative slip of the last step along and across, (M, N, 2), 0 where an element sticks  [1]; of a shift [mm]."""
         return self._values("slip_x", "slip_y")
 
     @property

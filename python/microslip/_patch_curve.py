@@ -69,8 +69,8 @@ class PatchCurve(Tables):
 
     def __repr__(self) -> str:
         motions = self.points[self.along]
-        return (f"<microslip.PatchCurve: {len(self)} points, {self.along} from {motions.min():.6g} to {motions.max():.6g}"
-                f"{_plot.with_unit(self.units[self.along])}>")
+        return (f"<microslip.PatchCurve: {len(self)} points, {self.along} from {motions.min():.6g} to "
+                f"{motions.max():.6g}{_plot.with_unit(self.units[self.along])}>")
 
     def to_pandas(self) -> Any:
         """Returns a pandas.DataFrame with one row per point."""

@@ -102,7 +102,8 @@ class PatchSteady:
             load = (load,)
         if not load:
             load = (-1,) * self.states.ndim
-        return _plot.plot_patch(_plot.PatchFields(self.x, self.y, self.traction[load], self.slips[load]), self._edges, axes)
+        fields = _plot.PatchFields(self.x, self.y, self.traction[load], self.slips[load])
+        return _plot.plot_patch(fields, self._edges, axes)
 
 
 def solve_loads(read: PatchOfScene, given: Mapping[str, Values], threads: int, told: Any) -> PatchSteady:

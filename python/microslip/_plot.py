@@ -69,7 +69,7 @@ def _elements_in_strips(edges: np.ndarray, values: np.ndarray) -> Iterator[Tuple
 def plot_patch(fields: PatchFields, edges: np.ndarray, axes: Any = None) -> Any:
     """Draws the size of tractions in colour, their direction as arrows, and a line about what slips.
 
-    edges  the table of the edges, in whose rows the elements of the fields are; in these are gaps if they are rectangles
+    edges  the table of the edges, in whose rows the elements of the fields are; rectangles leave gaps in the fields
     """
     axes = _new_axes() if axes is None else axes
     size = np.hypot(fields.traction[..., 0], fields.traction[..., 1])
@@ -149,12 +149,13 @@ def plot_patch_curves(curves: Any, names: Any, axes: Any = None) -> Any:
     factor, unit = (1, "1/mm") if first.along == "spin" else (100, "%")
     for panel, of in zip(panels, drawn):
         for curve, name in zip(curves, names):
-            (line,) = panel.plot(factor * getattr(curve, curve.along), getattr(curve, of), label=name or "steady rolling")
+            motions = factor * getattr(curve, curve.along)
+            (line,) = panel.plot(motions, getattr(curve, of), label=name or "steady rolling")
             for law, values in curve.beside.items():
                 if of in values.dtype.names:
                     title, dashes = _LAWS[law]
                     error = f", error {curve.summary[f'{law}_error']:.2g} of full sliding"
-                    panel.plot(factor * getattr(curve, curve.along), values[of], linestyle=dashes, color=line.get_color(),
+                    panel.plot(motions, values[of], linestyle=dashes, color=line.get_color(),
                                label=title + error if len(curves) == 1 else title if curve is first else None)
         panel.set(xlabel=f"{first.along.replace('_', ' ')} [{unit}]",
                   ylabel=f"{_OF_PATCH[of]} [{first.units[of]}]")

@@ -150,7 +150,8 @@ class Result(Tables):
         if name == "slips":
             return self.field("zone") == "S"
         if name not in self.traction.dtype.names:
-            raise InputError.of("name", repr(name), ", ".join(("traction", "slip", "slips", *self.traction.dtype.names)))
+            accepted = ("traction", "slip", "slips", *self.traction.dtype.names)
+            raise InputError.of("name", repr(name), ", ".join(accepted))
         values = self.traction[name]
         if not self._has_rectangles:
             return values.reshape(int(self.summary["rows"]), int(self.summary["elements"]))

@@ -254,8 +254,8 @@ def creep_curve(scene: Scene = None, *, points: Optional[int] = None, most: Opti
         Other curves for comparison. Of a line contact in ``.fastsim_force``: Kalker's simplified theory of like
         bodies. Of an ellipse in ``.beside``, with errors.
     along : {"creepage", "lateral_creepage", "spin"}, optional
-        The motion of a patch that varies, by default that of the scene, or creepage. The load of the scene has the other
-        components, motions or resultants.
+        The motion of a patch that varies, by default that of the scene, or creepage. The load of the scene has the
+        other components, motions or resultants.
     threads, progress, **overrides
         As of ms.steady(). Keys ``curve.creepages``, ``curve.spins``, ``curve.largest``, ``curve.largest_spin`` and
         ``curve.kalker_factor`` are for patches: ``curve={"spins": [0, 1e-4, 2e-4]}``. A section ``sweep`` makes a
@@ -292,8 +292,8 @@ def creep_curve(scene: Scene = None, *, points: Optional[int] = None, most: Opti
     if has_patch(SceneArguments(scene, overrides)):
         for name in ("creepage", "force", "lateral_creepage", "lateral_force", "spin", "spin_moment"):
             if name in overrides:
-                raise InputError(f"{name}: expected load.{name} for a load that stays, or curve.creepages or curve.spins",
-                                 name, shown(overrides[name]), f"load.{name}, curve.creepages or curve.spins")
+                keys = f"load.{name} for a load that stays, or curve.creepages or curve.spins"
+                raise InputError(f"{name}: expected {keys}", name, shown(overrides[name]), keys)
         if most is not None:
             raise InputError("most: expected none for an ellipse; curve.largest is its largest creepage", "most",
                              repr(most), "none")

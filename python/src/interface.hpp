@@ -38,9 +38,9 @@ MICROSLIP_API const char* microslip_py_error_message(void);
 /// tabs.
 MICROSLIP_API const char* microslip_py_keys(void);
 
-/// Scenes that have been read: one, or all cases of one with a sweep. They are solved, or they are ellipses or
-/// other patches of which curves are wanted.
-/// \param is_swept  of curves: where the scene has a sweep
+/// Scenes that have been read: one, or all cases of one with a sweep. They are solved, or they are
+/// ellipses or other patches of which curves are wanted.
+/// With is_swept, curves are those of a sweep only if the scene has one.
 struct microslip_py_cases;
 MICROSLIP_API microslip_py_cases* microslip_py_read(const microslip_py_scene* scene, int is_swept,
                                                     int is_curve);
@@ -103,8 +103,8 @@ MICROSLIP_API int microslip_py_steady_solve(const microslip_py_steady* steady, i
 /// Whether the contact of a scene has three dimensions: 1 or 0, and -1 if the call fails.
 MICROSLIP_API int microslip_py_has_patch(const microslip_py_scene* scene);
 
-/// The contact patch of a scene, an ellipse or another one. What the scene says about its problem, load,
-/// steps, start and motion is left out.
+/// The contact patch of a scene, an ellipse or another one. What the scene says about its problem,
+/// load, steps, start and motion is left out.
 struct microslip_py_patch;
 MICROSLIP_API microslip_py_patch* microslip_py_patch_read(const microslip_py_scene* scene);
 MICROSLIP_API void microslip_py_patch_destroy(microslip_py_patch* patch);
@@ -112,7 +112,8 @@ MICROSLIP_API const char* microslip_py_patch_warnings(const microslip_py_patch* 
 MICROSLIP_API std::size_t microslip_py_patch_rows(const microslip_py_patch* patch);
 MICROSLIP_API std::size_t microslip_py_patch_elements(const microslip_py_patch* patch);
 MICROSLIP_API double microslip_py_patch_full_sliding(const microslip_py_patch* patch);
-/// The table of the edges, as the program writes it. Valid until this thread's next call; null if it fails.
+/// The table of the edges, as the program writes it. Valid until this thread's next call; null if
+/// it fails.
 MICROSLIP_API const char* microslip_py_patch_edges(const microslip_py_patch* patch);
 /// Why a motion is doubtful; empty if it is not. Valid until this thread's next call.
 /// \param component  0, 1 or 2: along, across or spin
@@ -125,7 +126,8 @@ MICROSLIP_API microslip_ellipse* microslip_py_patch_ellipse(const microslip_py_p
 /// \param factors  out, both
 MICROSLIP_API int microslip_py_ellipse_contact(const microslip_ellipse* ellipse, double* factors);
 
-/// Steady rolling under many loads, each on its own. Values of a load without solution are not numbers.
+/// Steady rolling under many loads, each on its own. Values of a load without solution are not
+/// numbers.
 struct microslip_py_patch_solutions {
   microslip_ellipse_state* states;  ///< `count` of them
   double* changes;                  ///< of the result from rows and elements that are a third fewer

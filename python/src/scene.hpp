@@ -37,8 +37,8 @@ struct PatchOfScene {
   std::string scheme;  ///< as step.scheme names it
 };
 
-/// Reads the contact patch of a scene. What the scene says about its problem, load, steps, start, motion and
-/// curve is left out, but for the scheme.
+/// Reads the contact patch of a scene. What the scene says about its problem, load, steps, start,
+/// motion and curve is left out, but for the scheme.
 /// \param scene  gets the warnings
 /// \throws std::invalid_argument likewise, and for a line contact
 PatchOfScene patch_of(Scene& scene);
