@@ -104,19 +104,19 @@ int microslip_py_patch_steady(microslip_py_patch* patch, const microslip_ellipse
                               std::size_t count, int threads,
                               const microslip_py_patch_solutions* solutions) {
   return python::status_of([&] {
-    const auto& [states, changes, statuses, messages, room, cells] = *solutions;
+    const microslip_py_patch_solutions& out = *solutions;
     const std::size_t size = microslip_py_patch_rows(patch) * microslip_py_patch_elements(patch);
     for_each_case(count, threads, [&](std::size_t i) {
-      statuses[i] = capi::guarded({messages + i * room, room}, [&] {
+      out.statuses[i] = capi::guarded({out.messages + i * out.room, out.room}, [&] {
         SteadyPatchSolver solver = patch->fresh_solver();
         const SteadyPatchSolution solution = solver.solve(capi::load_of(loads[i]));
         require_evidence(solution.evidence, solution.condition, solution.iterations,
                          patch->read.patch.accepted);
-        states[i] = capi::state_of(solution, patch->read.patch.bound.total());
-        changes[i] = solution.evidence.change;
+        out.states[i] = capi::state_of(solution, patch->read.patch.bound.total());
+        out.changes[i] = solution.evidence.change;
         capi::put_cells({solution.x, solution.y, solution.area, solution.bound, solution.traction,
                          solution.slip, solution.slips},
-                        capi::cells_from(cells, i * size));
+                        capi::cells_from(out.cells, i * size));
       });
     });
   });

@@ -99,6 +99,7 @@ def test_figures_have_the_resultants_that_are_not_zero(ellipse):
     ({"curve": {"spins": [0, 1e-3]}}, "curve.spins"),
     ({"grid_elemnts": 3}, "unknown key 'grid.elemnts'"),
     ({"threads": 0}, "^threads = 0: expected a whole number >= 1"),
+    ({"sweep": {"load.spin": [0, 1]}, "load": {"spin": 1}}, "sweep"),
     ({"sweep": {"grid.rows": [4, "x"]}}, r"case 2 of 2 \(grid.rows = x\): grid.rows = 'x'")])
 def test_bad_input_is_named(ellipse, given, message):
     with pytest.raises(ms.InputError, match=message):
