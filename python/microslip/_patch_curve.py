@@ -136,8 +136,9 @@ def curves_of(scene: Any, overrides: Mapping[str, Any], along: Optional[str], po
             raise InputError(f"{name}: expected this argument or {key}, not both", name, str(value), "one of both")
     keys = {key: value for value, key in given.values() if value is not None}
     swept = overrides.get("sweep")
-    given_keys = {name: value for name, value in {**overrides, **keys}.items() if name != "sweep"}
-    if isinstance(swept, Mapping):  # the scene's values give way to lists, but arguments do not
+    given_keys = {**overrides, **keys}
+    if isinstance(swept, Mapping):  # lists go before values, as those of ms.sweep()
+        del given_keys["sweep"]
         given_keys = {**{key: None for key in swept}, **given_keys, "sweep": swept}
     cases = Cases(SceneArguments(scene, given_keys), True, PatchCurve)
     cores, told = threads_of(threads), shown_progress(progress)
