@@ -33,6 +33,7 @@ for scene in "$source"/studies/*/study.info; do
     [ -f "$prefix/share/microslip/plots/$(basename "$script")" ] || fail "not installed: $script"
   done
 done
+cmp "$source/tables/creep_forces.nc" "$prefix/share/microslip/creep_forces.nc" || fail "no table"
 cmp "$source/studies/sweep.sbatch" "$prefix/share/microslip/sweep.sbatch" || fail "no sweep.sbatch"
 microslip-carter --quick
 [ -s results/carter/traction.tsv ] || fail "carter wrote nothing"
@@ -97,7 +98,7 @@ expect 'microslip-fourier_inverse --set grid.s' 'grid.spacing= grid.sizes='
 expect 'microslip-fourier_inverse --quick --set basis=' 'both constant linear'
 expect 'microslip-carter --print-keys=t' 'text'
 # Every option that --help lists is offered.
-for command in 'microslip' microslip\ {init,import,explain,response,curve,converge,plot,sweep,merge,keys} microslip-carter; do
+for command in 'microslip' microslip\ {init,import,explain,response,curve,converge,table,plot,sweep,merge,keys} microslip-carter; do
   options=$($command --help | grep -oE '^  --[a-z-]+' | tr -d ' ')
   for option in $options; do  # of which one may be the beginning of others
     expect "$command $option" "$(grep -- "^$option" <<<"$options" | tr '\n' ' ' | sed 's/ $//')"

@@ -35,7 +35,7 @@ class Commands : public Executables {
 
 TEST_F(Commands, AWordThatIsNone) {
   const std::string known =
-      "; commands: init, import, keys, explain, response, curve, converge, plot, sweep, merge";
+      "; commands: init, import, keys, explain, response, curve, converge, table, plot, sweep, merge";
   expect_error("swep",
                "'swep': expected a scene's file or a command (did you mean 'sweep'?)" + known);
   expect_error("my.info", "'my.info': expected a scene's file or a command" + known);

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tables of creep forces through the C interface: against steady solutions of an ellipse, ranges,
+// errors, and bad input.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "microslip_creep_table.h"
+
+namespace microslip::creep_table_c_test {
+
+using Table = std::unique_ptr<microslip_creep_table, void (*)(microslip_creep_table*)>;
+
+const std::string path = std::string(MICROSLIP_SOURCE) + "/tables/creep_forces.nc";
+const microslip_material steel{82000, 0.28};
+const microslip_ellipse_contact contact{6, 4.5, 300};
+
+Table opened() {
+  microslip_creep_table* table = nullptr;
+  char message[512] = "";
+  EXPECT_EQ(microslip_creep_table_open(path.c_str(), &table, message, sizeof message), MICROSLIP_OK)
+      << message;
+  return {table, microslip_creep_table_close};
+}
+
+TEST(CCreepTable, HasTheForcesOfAnEllipse) {
+  const Table table = opened();
+  microslip_ellipse* ellipse = nullptr;
+  ASSERT_EQ(microslip_ellipse_create(&steel, &contact, nullptr, &ellipse, nullptr, 0),
+            MICROSLIP_OK);
+  const double c = std::sqrt(6 * 4.5);
+  for (const auto& motion : {std::array{1e-3, 0.0, 0.0}, std::array{1e-3, -2e-3, 3e-4},
+                             std::array{0.0, 1e-3, -5e-4}, std::array{-3e-3, 1e-3, 1e-4}}) {
+    microslip_ellipse_load load{};
+    for (int i = 0; i < 3; ++i) load.value[i] = motion[static_cast<std::size_t>(i)];
+    microslip_ellipse_state state{};
+    std::array<double, 9> expected{}, jacobian{};
+    std::array<double, 3> found{};
+    ASSERT_EQ(microslip_ellipse_solve_steady(ellipse, &load, &state, expected.data()),
+              MICROSLIP_OK);
+    ASSERT_EQ(microslip_creep_table_forces(table.get(), &steel, &contact, motion.data(),
+                                           found.data(), jacobian.data(), nullptr, 0),
+              MICROSLIP_OK);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(found[i], state.resultants[i], 0.006 * state.full_sliding * (i < 2 ? 1 : c));
+    }
+    EXPECT_NEAR(jacobian[0] / expected[0], 1, 0.2);
+    EXPECT_NEAR(jacobian[4] / expected[4], 1, 0.2);
+  }
+  microslip_ellipse_destroy(ellipse);
+}
+
+TEST(CCreepTable, HasRangesAndErrors) {
+  microslip_creep_table_info info{};
+  ASSERT_EQ(microslip_creep_table_get_info(opened().get(), &info, nullptr, 0), MICROSLIP_OK);
+  EXPECT_EQ(info.poisson_ratio, 0.28);
+  EXPECT_NEAR(info.least_ratio, 0.1, 1e-12);
+  EXPECT_NEAR(info.largest_ratio, 10, 1e-12);
+  EXPECT_GT(info.states, 1000);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_GT(info.error_rms[i], 0);
+    EXPECT_LT(info.error_rms[i], info.error_of_99_percent[i]);
+    EXPECT_LT(info.error_of_99_percent[i], info.error_largest[i]);
+  }
+}
+
+TEST(CCreepTable, RefusesBadInputInOneLine) {
+  const Table table = opened();
+  char message[512] = "";
+  const std::array<double, 3> motion{1e-3, 0, 0};
+  std::array<double, 3> found{};
+  const auto refused = [&](const microslip_material& material,
+                           const microslip_ellipse_contact& of) {
+    return microslip_creep_table_forces(table.get(), &material, &of, motion.data(), found.data(),
+                                        nullptr, message, sizeof message) == MICROSLIP_BAD_INPUT;
+  };
+  EXPECT_TRUE(refused({82000, 0.3}, contact));
+  EXPECT_STREQ(message, "poisson_ratio = 0.3: expected that of the table, 0.28");
+  EXPECT_TRUE(refused({-1, 0.28}, contact));
+  EXPECT_TRUE(refused(steel, {50, 4, 300}));
+  EXPECT_STREQ(message, "ratio = 12.5: expected a/b of the table, 0.1 to 10");
+  EXPECT_EQ(microslip_creep_table_forces(nullptr, &steel, &contact, motion.data(), found.data(),
+                                         nullptr, message, sizeof message),
+            MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(message, "table = null: expected a pointer");
+  microslip_creep_table* none = nullptr;
+  EXPECT_EQ(microslip_creep_table_open("/nowhere.nc", &none, message, sizeof message),
+            MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(message, "cannot read /nowhere.nc: expected a table's file");
+  EXPECT_EQ(none, nullptr);
+  microslip_creep_table_close(nullptr);
+}
+
+}  // namespace microslip::creep_table_c_test
