@@ -75,10 +75,11 @@ microslip_status microslip_creep_table_get_info(const microslip_creep_table* tab
     const auto& [found, errors] = require_pointer(table, "table");
     microslip_creep_table_info& out = require_pointer(info, "info");
     const microslip::CreepTableLayout& layout = found.layout();
-    out = {.poisson_ratio = layout.poisson_ratio,
-           .least_ratio = layout.least_ratio,
-           .largest_ratio = layout.largest_ratio,
-           .states = static_cast<int>(errors.states)};
+    out = {};
+    out.poisson_ratio = layout.poisson_ratio;
+    out.least_ratio = layout.least_ratio;
+    out.largest_ratio = layout.largest_ratio;
+    out.states = static_cast<int>(errors.states);
     for (Eigen::Index i = 0; i < 3; ++i) {
       out.error_rms[i] = errors.rms[i];
       out.error_of_99_percent[i] = errors.of_99_percent[i];

@@ -148,8 +148,9 @@ class TableParts {
       exchange(archive, part, numbers);
       archive.require_end();
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(fmt::format("{}: {}; remove the folder to begin anew",
-                                              shown(path.string()), error.what()));
+      throw std::invalid_argument(
+          fmt::format("{} of the folder beside --out: {}; remove the folder to begin anew",
+                      name_of(part), error.what()));
     }
     return numbers;
   }

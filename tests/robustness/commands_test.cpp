@@ -35,14 +35,15 @@ class Commands : public Executables {
 
 TEST_F(Commands, AWordThatIsNone) {
   const std::string known =
-      "; commands: init, import, keys, explain, response, curve, converge, table, plot, sweep, merge";
+      "; commands: init, import, keys, explain, response, curve, converge, table, plot, sweep, "
+      "merge";
   expect_error("swep",
                "'swep': expected a scene's file or a command (did you mean 'sweep'?)" + known);
   expect_error("my.info", "'my.info': expected a scene's file or a command" + known);
   expect_error("", "missing a scene: expected its file, as in 'microslip scene.info'; see --help");
   const Outcome help = run_in_folder("--help");
   for (const char* command : {"init", "import", "keys", "explain", "response", "curve", "converge",
-                              "plot", "sweep", "merge"}) {
+                              "table", "plot", "sweep", "merge"}) {
     EXPECT_NE(help.output.find(std::string("\n  microslip ") + command), std::string::npos);
     EXPECT_EQ(run_in_folder(std::string(command) + " --help").status, 0);
   }

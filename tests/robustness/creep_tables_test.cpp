@@ -42,8 +42,7 @@ TEST_F(CreepTables, RefusePartsOfAnotherTable) {
   ASSERT_EQ(table("one.nc", "--shard 1/2").status, 0);
   const Outcome other = table("one.nc", "--shard 1/2 --poisson-ratio 0.3");
   EXPECT_EQ(other.status, 1);
-  EXPECT_NE(other.output.find("remove the folder to begin anew"), std::string::npos)
-      << other.output;
+  EXPECT_NE(other.error.find("remove the folder to begin anew"), std::string::npos) << other.error;
 }
 
 TEST_F(CreepTables, RefuseBadOptionsInOneLine) {
@@ -52,7 +51,7 @@ TEST_F(CreepTables, RefuseBadOptionsInOneLine) {
         "--error-cells 2", "--shard 3/2", "--threads 0", "--azimuths many", "--steps 5.5"}) {
     const Outcome refused = table("one.nc", options);
     EXPECT_EQ(refused.status, 1) << options;
-    EXPECT_EQ(std::count(refused.output.begin(), refused.output.end(), '\n'), 1) << refused.output;
+    EXPECT_EQ(std::count(refused.error.begin(), refused.error.end(), '\n'), 1) << refused.error;
     EXPECT_FALSE(fs::exists(file("one.nc"))) << options;
   }
 }

@@ -65,7 +65,9 @@ std::vector<CreepState> random_creep_states(const CreepTableLayout& layout, std:
 
 CreepTableErrors errors_in(const std::vector<CreepState>& states, const CreepTable& table,
                            Index cells) {
-  CreepTableErrors errors{.states = static_cast<Index>(states.size()), .cells = cells};
+  CreepTableErrors errors;
+  errors.states = static_cast<Index>(states.size());
+  errors.cells = cells;
   for (Index c = 0; c < 3; ++c) {
     std::vector<double> sizes;
     double squares = 0;

@@ -94,8 +94,8 @@ double slope_of_smooth_step(double u) { return 6 * u * (1 - u); }
 
 }  // namespace
 
-/// Values of D, and its derivatives by the place among steps, the polar angle and the azimuth over
-/// it: (theta, psi) or the plane (theta sin psi, theta cos psi).
+/// Values of D, and its derivatives by the place among steps, by the polar angle, and by the azimuth
+/// over the polar angle, which has a limit at pure spin.
 struct CreepTable::Slopes {
   Vector3d value = Vector3d::Zero();
   Eigen::Matrix<double, 3, 3> by = Matrix3d::Zero();
@@ -208,12 +208,11 @@ CreepTable::Slopes CreepTable::spline_at(double ratio_place, double step_place, 
   found.value = value;
   found.by.col(0) = by_step;
   found.by.col(1) = by_angle * layout_.slope_of_place(polar);
-  found.by.col(2) = by_turn * per_radian;
+  if (polar > 0) found.by.col(2) = by_turn * per_radian / polar;
   return found;
 }
 
-/// The linear function of the direction about pure spin, with derivatives by the place among steps,
-/// the polar angle and the azimuth.
+/// The linear function of the direction about pure spin.
 CreepTable::Slopes CreepTable::cap_at(double ratio_place, double step_place, double polar,
                                       double azimuth) const {
   const SplinePlace ratio(ratio_place, size_of(layout_.ratios));
@@ -234,7 +233,7 @@ CreepTable::Slopes CreepTable::cap_at(double ratio_place, double step_place, dou
   found.value = value.head<3>() + polar * wave * value.tail<3>();
   found.by.col(0) = by_step.head<3>() + polar * wave * by_step.tail<3>();
   found.by.col(1) = wave * value.tail<3>();
-  found.by.col(2) = polar * turned * value.tail<3>();
+  found.by.col(2) = turned * value.tail<3>();
   return found;
 }
 
@@ -252,7 +251,7 @@ Vector3d CreepTable::forces_of_octant(double ratio, const Vector3d& motion,
   const Vector3d direction = motion.cwiseQuotient(scales.directions);
   const double across = direction.head<2>().norm();
   const double polar = std::atan2(across, direction[2]);
-  const double azimuth = std::atan2(direction[0], direction[1]);
+  const double azimuth = std::atan2(std::abs(direction[0]), direction[1]);
 
   Slopes at;
   if (polar < cap_angle_) {
@@ -271,19 +270,19 @@ Vector3d CreepTable::forces_of_octant(double ratio, const Vector3d& motion,
     const Vector3d size_slope = sized.cwiseProduct(scales.sizes) / std::max(r, 1e-300);
     const Vector3d step_slope = rest / (r + half_step_size) * size_slope;
     const double square = direction.squaredNorm();
-    Vector3d polar_slope(0, 0, -across / square), azimuth_slope = Vector3d::Zero();
-    const double least = 1e-12 * direction[2];
-    // At pure spin, the plane of directions along eta has the polar angle as its coordinate.
-    const double x = across > least ? direction[0] / across : 0;
-    const double y = across > least ? direction[1] / across : 1;
-    polar_slope.head<2>() << direction[2] / square * x, direction[2] / square * y;
-    azimuth_slope.head<2>() << y / std::max(across, least), -x / std::max(across, least);
-    polar_slope = polar_slope.cwiseQuotient(scales.directions);
-    azimuth_slope = azimuth_slope.cwiseQuotient(scales.directions);
+    // At pure spin, the direction along eta has the azimuth 0, and the polar angle is a length.
+    const bool is_pure_spin = across < 1e-12 * direction[2];
+    Eigen::Vector2d away(0, 1);
+    if (!is_pure_spin) away = direction.head<2>() / across;
+    const double turned = is_pure_spin ? 1 / direction[2] : polar / across;
+    const Vector3d polar_slope(direction[2] / square * away.x(), direction[2] / square * away.y(),
+                               -across / square);
+    const Vector3d azimuth_slope(turned * away.y(), -turned * away.x(), 0);
+    const Matrix3d by_direction =
+        at.by.col(1) * polar_slope.transpose() + at.by.col(2) * azimuth_slope.transpose();
     *jacobian =
         (at.value + t * intervals * at.by.col(0) - 2 * rest * creep) * step_slope.transpose() +
-        t * (at.by.col(1) * polar_slope.transpose() + at.by.col(2) * azimuth_slope.transpose()) +
-        rest * rest * linear;
+        t * by_direction * scales.directions.cwiseInverse().asDiagonal() + rest * rest * linear;
   }
   return t * at.value + rest * rest * creep;
 }
