@@ -80,10 +80,9 @@ void add_scene_options(Options& options, const Program& program) {
   }
 }
 
-void add_common_options(Options& options, const std::string& default_out) {
+void add_common_options(Options& options, const std::string& default_out, const std::string& out) {
   options.add_options()("out", options::value<std::string>()->default_value(default_out),
-                        "folder for the tables")("quiet",
-                                                 "no progress, and no line about the result")(
+                        out.c_str())("quiet", "no progress, and no line about the result")(
       "version", "print version and revision")("help", "print this");
 }
 

@@ -17,7 +17,9 @@ using Given = boost::program_options::variables_map;
 void add_scene_options(Options& options, const Program& program);
 
 /// Adds --out, --quiet, --version and --help.
-void add_common_options(Options& options, const std::string& default_out);
+/// \param out  what it is
+void add_common_options(Options& options, const std::string& default_out,
+                        const std::string& out = "folder for the tables");
 
 /// For parse: as many words as there are.
 inline constexpr int any_number = -1;

@@ -3,15 +3,14 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "command_line.hpp"
+#include "folder_lock.hpp"
 #include "interrupts.hpp"
 #include "microslip/creep_table/creep_states.hpp"
 #include "microslip/creep_table/creep_table_file.hpp"
@@ -20,6 +19,7 @@
 #include "microslip/support/parallel.hpp"
 #include "microslip/support/sealed_text.hpp"
 #include "microslip/support/shown.hpp"
+#include "microslip/support/text.hpp"
 #include "outputs.hpp"
 #include "process.hpp"
 #include "provenance.hpp"
@@ -45,11 +45,9 @@ Options table_options() {
   const CreepTableLayout standard;
   Options known("Options of table");
   const auto number = [](auto value) {
-    return options::value<decltype(value)>()->default_value(value);
+    return options::value<decltype(value)>()->default_value(value, fmt::format("{}", value));
   };
-  known.add_options()("out", options::value<std::string>()->default_value("creep_forces.nc"),
-                      "file, in netCDF's classic format")(
-      "poisson-ratio", number(standard.poisson_ratio), "nu, 0 to 0.5")(
+  known.add_options()("poisson-ratio", number(standard.poisson_ratio), "nu, 0 to 0.5")(
       "least-ratio", number(standard.least_ratio), "least a/b, from 0.05")(
       "largest-ratio", number(standard.largest_ratio), "largest a/b, up to 10")(
       "ratios", number(standard.ratios), "nodes of a/b, 4 to 200")(
@@ -64,9 +62,8 @@ Options table_options() {
       "error-cells", number(Index{21}), "cells on which these are solved, and one more, 4 to 40")(
       "threads", options::value<std::string>(), "parts at once (default: the number of cores)")(
       "shard", options::value<std::string>(),
-      "i/n: only parts i, i + n, i + 2n ...; the shard that ends last writes the table")(
-      "quiet", "print no progress and no result")("version", "print version and revision")(
-      "help", "print this");
+      "i/n: only parts i, i + n, i + 2n ...; the shard that ends last writes the table");
+  add_common_options(known, "creep_forces.nc", "file, in netCDF's classic format");
   return known;
 }
 
@@ -139,11 +136,9 @@ class TableParts {
 
   /// \throws std::invalid_argument for a part of another table, or a damaged one
   std::vector<double> read(std::size_t part) const {
-    const fs::path path = folder_ / name_of(part);
-    std::ifstream file(path);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
     std::vector<double> numbers;
     try {
+      const std::string text = file_text(folder_ / name_of(part));
       Archive archive(sealed_part.members_of(text));
       exchange(archive, part, numbers);
       archive.require_end();
@@ -294,6 +289,9 @@ int make(const std::string& program, const Given& given) {
       progress(++done, chosen);
     });
   });
+  // One of the shards that end at the same time writes the table.
+  const FolderLock lock(folder);
+  if (chosen > 0 && !fs::exists(folder)) return 0;
   std::size_t missing = 0;
   for (std::size_t part = 0; part < parts.count(); ++part) missing += parts.is_done(part) ? 0 : 1;
   if (missing > 0) {

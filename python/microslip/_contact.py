@@ -71,6 +71,10 @@ class Contact:
         """Takes it, and what is set but no part of it."""
         raise NotImplementedError
 
+    def _words(self) -> str:
+        """Returns what it is, and its state, for a line that shows it."""
+        raise NotImplementedError
+
     def _own(self, handle: int) -> None:
         vars(self).setdefault("_turns", _Turns())
         self._handle = handle
@@ -135,6 +139,11 @@ class Contact:
     def restore(self, path: Union[str, "os.PathLike[str]"]) -> None:
         """Takes the state from the file of an equal contact, and goes on to the bit; the load stays as it was set."""
         self._call("restore", as_path(path))
+
+    @in_turn
+    def __repr__(self) -> str:
+        name = f"microslip.{type(self).__name__}"
+        return f"<{name} {self._words()}>" if self._finalizer.alive else f"<{name}, closed>"
 
     def __bool__(self) -> bool:
         return True

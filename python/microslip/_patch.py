@@ -225,8 +225,8 @@ class Patch(Contact):
         Parameters
         ----------
         dq : float or array
-            Lengths of the steps, from 1e-6 of the ellipse's size and the distance rolled together, to 1e6 of the size
-            [mm]. numpy broadcasts arrays of one dimension, and numbers.
+            Lengths of the steps, from 1e-6 to 1e6 of the ellipse's size  [mm]. numpy broadcasts arrays of one
+            dimension, and numbers.
         creepage, lateral_creepage, spin : float or array, optional
             Motions of each step  [1, 1, 1/mm].
         force, lateral_force, spin_moment : float or array, optional
@@ -442,14 +442,11 @@ class Patch(Contact):
         return _plot.plot_patch(_plot.PatchFields(self.x, self.y, self.traction, self.slips),
                                 _plot.scaled(self._read.edges, np.sqrt(self.area.sum() / self._area)), axes)
 
-    @in_turn
-    def __repr__(self) -> str:
-        if not self._finalizer.alive:
-            return f"<microslip.{type(self).__name__}, closed>"
+    def _words(self) -> str:
         state = self.state
-        return (f"<microslip.{type(self).__name__} of {self.shape[0]} x {self.shape[1]} elements: distance = "
-                f"{state.distance:.6g} mm, force = {state.force:.6g} N, lateral_force = {state.lateral_force:.6g} N, "
-                f"spin_moment = {state.spin_moment:.6g} N mm>")
+        return (f"of {self.shape[0]} x {self.shape[1]} elements: distance = {state.distance:.6g} mm, "
+                f"force = {state.force:.6g} N, lateral_force = {state.lateral_force:.6g} N, "
+                f"spin_moment = {state.spin_moment:.6g} N mm")
 
     def _repr_html_(self) -> str:
         return html_table(np.array([self.state], PATCH_STATE), self.units, caption="rolling of a patch")

@@ -349,13 +349,10 @@ class Rolling(Contact):
         """Draws tractions within their bound; returns the axes of matplotlib."""
         return _plot.plot_traction(self.x, self.bound, self.traction, axes)
 
-    @in_turn
-    def __repr__(self) -> str:
-        if not self._finalizer.alive:
-            return f"<microslip.{type(self).__name__}, closed>"
+    def _words(self) -> str:
         state = self.state
-        return (f"<microslip.{type(self).__name__} by {self.method}, {len(self)} nodes: distance = "
-                f"{state.distance:.6g} mm, force = {state.force:.6g} N/mm, creepage = {state.creepage:.6g}>")
+        return (f"by {self.method}, {len(self)} nodes: distance = {state.distance:.6g} mm, "
+                f"force = {state.force:.6g} N/mm, creepage = {state.creepage:.6g}")
 
     def _repr_html_(self) -> str:
         return html_table(np.array([self.state], STATE), self.units, caption=f"rolling by {self.method}")

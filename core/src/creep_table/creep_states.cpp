@@ -7,6 +7,7 @@
 #include <random>
 
 #include "microslip/support/not_converged.hpp"
+#include "microslip/support/random.hpp"
 #include "microslip/support/require.hpp"
 #include "unit_patch.hpp"
 
@@ -18,18 +19,9 @@ using std::numbers::pi;
 
 namespace {
 
-/// Numbers from 0 to below 1, the same ones with any library.
-class Uniform {
- public:
-  explicit Uniform(std::uint64_t seed) : bits_(seed) {}
-  double operator()() { return static_cast<double>(bits_() >> 11) * 0x1p-53; }
-
- private:
-  std::mt19937_64 bits_;
-};
-
-Vector3d random_direction(Uniform& uniform) {
-  const double z = 2 * uniform() - 1, turn = 2 * pi * uniform(), across = std::sqrt(1 - z * z);
+Vector3d random_direction(std::mt19937_64& random) {
+  const double z = 2 * unit_random(random) - 1, turn = 2 * pi * unit_random(random),
+               across = std::sqrt(1 - z * z);
   return {across * std::cos(turn), across * std::sin(turn), z};
 }
 
@@ -40,9 +32,9 @@ std::vector<CreepState> random_creep_states(const CreepTableLayout& layout, std:
   validate(layout);
   require(cells >= 4 && cells <= 40, "error_cells", static_cast<double>(cells),
           "a whole number from 4 to 40");
-  Uniform uniform(seed);
+  std::mt19937_64 random(seed);
   const double ratio =
-      layout.least_ratio * std::pow(layout.largest_ratio / layout.least_ratio, uniform());
+      layout.least_ratio * std::pow(layout.largest_ratio / layout.least_ratio, unit_random(random));
   const MotionScales scales(ratio, creep_coefficients(ratio, layout.poisson_ratio).value);
   std::vector<UnitPatch> patches;
   for (std::size_t grid = 0; grid < grids_of_mean; ++grid) {
@@ -50,8 +42,8 @@ std::vector<CreepState> random_creep_states(const CreepTableLayout& layout, std:
   }
   std::vector<CreepState> states;
   for (std::size_t i = 0; i < count; ++i) {
-    const double r = size_of_motion(uniform());
-    const Vector3d motion = r * random_direction(uniform).cwiseQuotient(scales.sizes);
+    const double r = size_of_motion(unit_random(random));
+    const Vector3d motion = r * random_direction(random).cwiseQuotient(scales.sizes);
     try {
       Vector3d sum = Vector3d::Zero();
       for (const UnitPatch& patch : patches) sum += patch.solve(motion).forces;

@@ -111,8 +111,7 @@ CreepTable::CreepTable(const CreepTableNodes& nodes) : layout_(nodes.layout) {
   for (std::size_t c = 0; c < coefficients_.size(); ++c) {
     VectorXd values(layout_.ratios);
     for (Index i = 0; i < layout_.ratios; ++i) {
-      const auto& [c11, c22, c23, c32, c33] = nodes.coefficients[size_of(i)];
-      values[i] = std::array{c11, c22, c23, c32, c33}[c];
+      values[i] = nodes.coefficients[size_of(i)].values()[c];
     }
     coefficients_[c] = by_ratio * values;
   }
@@ -163,7 +162,7 @@ CreepCoefficients CreepTable::coefficients_at(double ratio_place) const {
       found[c] += at.value[i] * coefficients_[c][static_cast<Index>(at.first + i)];
     }
   }
-  return {found[0], found[1], found[2], found[3], found[4]};
+  return CreepCoefficients::of(found);
 }
 
 CreepTable::Slopes CreepTable::spline_at(double ratio_place, double step_place, double polar,
@@ -267,7 +266,7 @@ Vector3d CreepTable::forces_of_octant(double ratio, const Vector3d& motion,
   }
   const Vector3d creep = linear * motion;
   if (jacobian != nullptr) {
-    const Vector3d size_slope = sized.cwiseProduct(scales.sizes) / std::max(r, 1e-300);
+    const Vector3d size_slope = sized.cwiseProduct(scales.sizes) / r;
     const Vector3d step_slope = rest / (r + half_step_size) * size_slope;
     const double square = direction.squaredNorm();
     // At pure spin, the direction along eta has the azimuth 0, and the polar angle is a length.

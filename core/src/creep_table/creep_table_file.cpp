@@ -26,24 +26,17 @@ using Attributes = std::vector<NetcdfFile::Attribute>;
 constexpr const char* title = "microslip table of creep forces 1";
 constexpr const char* comment =
     "A contact ellipse with half-widths a along and b across the rolling, c = sqrt(a b), and "
-    "Hertz's "
-    "pressure p0, rolls steadily with creepage xi, lateral creepage eta and spin phi; the rigid "
-    "slip is "
-    "(xi - phi y, eta + phi x). At a node, with X = sqrt(kp sqrt(b/a)/kx), E = sqrt(kp "
-    "sqrt(a/b)/ky), "
-    "kx = C11/(2 pi/3), ky = C22/(2 pi/3), kp = hypot(C23, 0.59 sqrt(b/a) C11)/(2 pi/3) and "
+    "Hertz's pressure p0, rolls steadily with creepage xi, lateral creepage eta and spin phi; the "
+    "rigid slip is (xi - phi y, eta + phi x). At a node, with X = sqrt(kp sqrt(b/a)/kx), "
+    "E = sqrt(kp sqrt(a/b)/ky), kx = C11/(2 pi/3), ky = C22/(2 pi/3), "
+    "kp = hypot(C23, 0.59 sqrt(b/a) C11)/(2 pi/3) and "
     "d = (X sin(polar) sin(azimuth), E sin(polar) cos(azimuth), cos(polar)), the motion is "
     "(xi, eta, phi c) G/(mu p0) = r d/|(kx d1, ky d2, kp d3)| with r = 1.5 t/(1 - t); t = 1 is "
-    "full "
-    "sliding. Fx is odd in xi; all forces are odd in the motion.";
+    "full sliding. Fx is odd in xi; all forces are odd in the motion.";
 
 constexpr std::array force_names{"force", "lateral_force", "spin_moment"};
 constexpr std::array force_units{"mu F_n", "mu F_n", "mu F_n c"};
 constexpr std::array coefficient_names{"C11", "C22", "C23", "C32", "C33"};
-
-std::array<double, 5> values_of(const CreepCoefficients& of) {
-  return {of.c11, of.c22, of.c23, of.c32, of.c33};
-}
 
 Variable axis(const char* name, std::size_t dimension, const char* unit, const char* meaning,
               Index nodes, auto value) {
@@ -54,27 +47,40 @@ Variable axis(const char* name, std::size_t dimension, const char* unit, const c
   return found;
 }
 
-/// The values as the file keeps them.
-std::string checksum_of(const NetcdfFile& file) {
-  std::string bytes;
-  for (const Variable& variable : file.variables) {
-    for (const double value : variable.values) {
-      bytes += fmt::format("{:.9g} ", variable.is_single ? static_cast<float>(value) : value);
+std::string checksum_of(const NetcdfFile& file) { return checksum(file.value_bytes()); }
+
+/// Attributes of errors, each of the three components.
+struct ErrorKind {
+  const char* name;
+  Vector3d CreepTableErrors::*values;
+};
+constexpr std::array<ErrorKind, 3> error_kinds{
+    {{"error_rms_", &CreepTableErrors::rms},
+     {"error_99_percent_", &CreepTableErrors::of_99_percent},
+     {"error_largest_", &CreepTableErrors::largest}}};
+
+/// Calls take(name, value) for each of them.
+void for_errors(auto& errors, const auto& take) {
+  for (const auto& [name, values] : error_kinds) {
+    for (std::size_t c = 0; c < force_names.size(); ++c) {
+      take(std::string(name) + force_names[c], (errors.*values)[static_cast<Index>(c)]);
     }
   }
-  return checksum(bytes);
 }
 
 void add_errors(Attributes& to, const CreepTableErrors& errors) {
   if (errors.states == 0) return;
   to.push_back({"error_states", static_cast<double>(errors.states)});
   to.push_back({"error_cells", static_cast<double>(errors.cells)});
-  for (std::size_t c = 0; c < force_names.size(); ++c) {
-    const auto i = static_cast<Index>(c);
-    to.push_back({fmt::format("error_rms_{}", force_names[c]), errors.rms[i]});
-    to.push_back({fmt::format("error_99_percent_{}", force_names[c]), errors.of_99_percent[i]});
-    to.push_back({fmt::format("error_largest_{}", force_names[c]), errors.largest[i]});
-  }
+  for_errors(errors, [&](const std::string& name, double value) { to.push_back({name, value}); });
+}
+
+/// A number that is whole and not negative.
+Index whole(const NetcdfFile& file, const std::string& attribute) {
+  constexpr double most = 1e9;
+  const double value = file.number(attribute);
+  require(value >= 0 && value <= most, attribute, value, "a whole number");
+  return static_cast<Index>(value);
 }
 
 CreepTableErrors errors_of(const NetcdfFile& file) {
@@ -83,14 +89,9 @@ CreepTableErrors errors_of(const NetcdfFile& file) {
       file.attributes.end()) {
     return errors;
   }
-  errors.states = static_cast<Index>(file.number("error_states"));
-  errors.cells = static_cast<Index>(file.number("error_cells"));
-  for (std::size_t c = 0; c < force_names.size(); ++c) {
-    const auto i = static_cast<Index>(c);
-    errors.rms[i] = file.number(fmt::format("error_rms_{}", force_names[c]));
-    errors.of_99_percent[i] = file.number(fmt::format("error_99_percent_{}", force_names[c]));
-    errors.largest[i] = file.number(fmt::format("error_largest_{}", force_names[c]));
-  }
+  errors.states = whole(file, "error_states");
+  errors.cells = whole(file, "error_cells");
+  for_errors(errors, [&](const std::string& name, double& value) { value = file.number(name); });
   return errors;
 }
 
@@ -117,7 +118,7 @@ std::string file_of(const CreepTableNodes& nodes, const std::string& history) {
   for (std::size_t c = 0; c < coefficient_names.size(); ++c) {
     file.variables.push_back(
         axis(coefficient_names[c], 0, "1", "Kalker's coefficient", of.ratios,
-             [&](Index i) { return values_of(nodes.coefficients[length(i)])[c]; }));
+             [&](Index i) { return nodes.coefficients[length(i)].values()[c]; }));
   }
   for (std::size_t c = 0; c < force_names.size(); ++c) {
     Variable forces{.name = force_names[c],
@@ -160,7 +161,7 @@ CreepTableNodes read_creep_table(const std::string& bytes) {
                   .steps = length("t"),
                   .polar = length("polar"),
                   .azimuths = length("azimuth"),
-                  .cells = static_cast<Index>(file.number("cells"))};
+                  .cells = whole(file, "cells")};
   validate(nodes.layout);
   if (text("checksum") != checksum_of(file)) {
     throw std::invalid_argument("a damaged table: expected values of another checksum");
@@ -178,7 +179,7 @@ CreepTableNodes read_creep_table(const std::string& bytes) {
     for (std::size_t c = 0; c < of.size(); ++c) {
       of[c] = values(coefficient_names[c], nodes.coefficients.size())[i];
     }
-    nodes.coefficients[i] = {of[0], of[1], of[2], of[3], of[4]};
+    nodes.coefficients[i] = CreepCoefficients::of(of);
   }
   nodes.forces.resize(3 * nodes.layout.nodes());
   for (std::size_t c = 0; c < force_names.size(); ++c) {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "microslip/linalg/real_fft.hpp"
+#include "microslip/support/random.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip {
@@ -16,12 +17,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-/// In [0, 1), the same on all machines.
-double unit(std::mt19937_64& random) {
-  constexpr int digits = 53;
-  return std::ldexp(static_cast<double>(random() >> (64 - digits)), -digits);
-}
 
 /// The profile at n places of its period, with a mean square of 1.
 VectorXd profile(const Roughness& roughness, Index n) {
@@ -32,7 +27,7 @@ VectorXd profile(const Roughness& roughness, Index n) {
   double square = 0;
   for (Index k = 1; k <= waves; ++k) {
     const double height = std::pow(static_cast<double>(k), -(roughness.hurst + 0.5));
-    fft.spectrum()[k] = std::polar(height, 2 * std::numbers::pi * unit(random));
+    fft.spectrum()[k] = std::polar(height, 2 * std::numbers::pi * unit_random(random));
     square += 2 * height * height;
   }
   fft.backward();

@@ -193,6 +193,10 @@ std::string NetcdfFile::bytes() const {
     begins[i] = end;
     end += size_of(*this, variables[i]) * (variables[i].is_single ? 4 : 8);
   }
+  return head_of(*this, begins) + value_bytes();
+}
+
+std::string NetcdfFile::value_bytes() const {
   Writer values;
   for (const Variable& variable : variables) {
     if (variable.values.size() != size_of(*this, variable)) {
@@ -203,7 +207,7 @@ std::string NetcdfFile::bytes() const {
       variable.is_single ? values.put_single(value) : values.put_double(value);
     }
   }
-  return head_of(*this, begins) + values.bytes();
+  return values.bytes();
 }
 
 NetcdfFile read_netcdf(const std::string& bytes) {
@@ -236,8 +240,11 @@ NetcdfFile read_netcdf(const std::string& bytes) {
   }
   for (std::size_t i = 0; i < begins.size(); ++i) {
     NetcdfFile::Variable& variable = file.variables[i];
-    const std::size_t size = size_of(file, variable);
-    if (size > bytes.size()) Reader::fail("more bytes; the file is cut");
+    std::size_t size = 1;
+    for (const std::size_t dimension : variable.dimensions) {
+      size *= file.dimensions[dimension].length;
+      if (size > bytes.size()) Reader::fail("more bytes; the file is cut");
+    }
     reader.move_to(begins[i]);
     variable.values.resize(size);
     for (double& value : variable.values) {

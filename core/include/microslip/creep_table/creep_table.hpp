@@ -48,7 +48,6 @@ class CreepTable {
   const CreepTableLayout& layout() const { return layout_; }
 
  private:
-  using Results = std::array<double, 3>;
   struct Slopes;
   Slopes spline_at(double ratio_place, double step_place, double polar, double azimuth) const;
   Slopes cap_at(double ratio_place, double step_place, double polar, double azimuth) const;

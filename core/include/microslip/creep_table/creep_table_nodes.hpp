@@ -7,7 +7,6 @@
 #include <optional>
 #include <vector>
 
-#include "microslip/patch/patch_load.hpp"
 #include "microslip/reference/kalker.hpp"
 
 namespace microslip {

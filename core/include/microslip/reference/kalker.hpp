@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 namespace microslip {
 
@@ -11,6 +12,12 @@ namespace microslip {
 /// By reciprocity C32 is C23.
 struct CreepCoefficients {
   double c11, c22, c23, c32, c33;
+
+  /// In this order.
+  std::array<double, 5> values() const { return {c11, c22, c23, c32, c33}; }
+  static CreepCoefficients of(const std::array<double, 5>& values) {
+    return {values[0], values[1], values[2], values[3], values[4]};
+  }
 };
 
 /// Coefficients, and how far each of them may be off.

@@ -42,6 +42,9 @@ struct NetcdfFile {
 
   /// The bytes of the file.
   std::string bytes() const;
+
+  /// Its last part, the values of all variables.
+  std::string value_bytes() const;
 };
 
 /// \throws std::invalid_argument, in one line, for bytes that are no such file, or are cut
