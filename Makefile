@@ -79,8 +79,11 @@ $(STUDIES:%=$(BUILD)/content/%): $(BUILD)/content/%: build
 	@mkdir -p $(@D)
 	@cmp -s $(BUILD)/bin/$* $@ || cp $(BUILD)/bin/$* $@
 
-# $(call study_rules,STUDY,FOLDER,OPTIONS): the tables, and every figure from them.
+# $(call study_rules,STUDY,FOLDER,OPTIONS): the tables, and every figure from them. A study puts its
+# provenance.txt in place last and whole: an interrupted make, which removes targets that have just
+# changed, keeps it, so that its tables do not stay behind without it.
 define study_rules
+.PRECIOUS: $(2)/$(1)/provenance.txt
 $(2)/$(1)/provenance.txt: $(BUILD)/content/$(1)
 	$(BUILD)/bin/$(1)$(3) --out $(2)/$(1)
 

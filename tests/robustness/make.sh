@@ -5,6 +5,7 @@
 set -euo pipefail
 programs=$1 source=$2 work=$3
 studies=(carter smoothing under_relaxation world_fixed)  # 4 ms, then 0.5 s and more
+held=under_relaxation                                    # waits while a file is there: no make ends before its signal
 
 fail() {
   echo "make.sh: $1" >&2
@@ -26,6 +27,10 @@ for study in "${studies[@]}"; do
   ln -s "$source/studies/$study/study.info" "$work/project/studies/$study"
   ln -s "$programs/$study" "$work/project/build/release/bin"
 done
+rm "$work/project/build/release/bin/$held"
+printf '#!/bin/sh\nwhile [ -e "%s" ]; do sleep 0.02; done\nexec "%s" "$@"\n' \
+  "$work/hold" "$programs/$held" >"$work/project/build/release/bin/$held"
+chmod +x "$work/project/build/release/bin/$held"
 ln -s "$source/Makefile" "$source/plots" "$work/project"
 touch "$work/project/build/release/CMakeCache.txt"
 for tool in cmake deps.sh; do
@@ -41,12 +46,14 @@ quick=results/quick
 set -m  # a group of processes of its own for make, which does not ignore SIGINT
 for signal in INT TERM; do
   rm -rf results
+  touch "$work/hold"
   make quick JOBS=2 >"$work/log" 2>&1 &
   wait_for $quick/carter/provenance.txt
   sleep 0.1
   kill -s "$signal" -- -$!
   status=0
   wait $! || status=$?
+  rm "$work/hold"
   [ $status -ne 0 ] || fail "status 0 after SIG$signal"
 
   left=$(find . -name '.*.part')
