@@ -19,6 +19,7 @@ from quick_results import ROOT
 
 PROGRAMS, FIGURES, WORK = (Path(word).resolve() for word in sys.argv[1:])
 WIDTHS = (1280, 390)
+VERSION = re.compile("Produced by (GNUPLOT.*)<")
 IN_BROWSER = Path(__file__).with_name("texts.js").read_text(encoding="utf-8")
 BOUNDS = [f"a_file_with_a_long_name_of_a_bound_{i}.tsv" for i in range(4)]
 SWEEP = "sweep steady.info --quiet --set load.force= --out"
@@ -126,10 +127,25 @@ class Texts(unittest.TestCase):
         drawn = WORK / "signs.svg"
         subprocess.run([ROOT / "plots/draw.sh", ROOT / "plots/signs.gp", WORK, drawn], check=True)
         made, kept = drawn.read_text(encoding="utf-8"), (ROOT / "docs/signs.svg").read_text(encoding="utf-8")
-        version = re.compile("Produced by (GNUPLOT.*)<")
-        if version.search(made)[1] != version.search(kept)[1]:
+        if VERSION.search(made)[1] != VERSION.search(kept)[1]:
             self.skipTest("another version of gnuplot")
         self.assertEqual(made, kept)
+
+    def test_picture_of_the_first_page_is_what_its_commands_draw(self):
+        """With the same texts, numbers and colours, and places within a tenth of a pixel, as processors round differently."""
+        block = re.search(r"```sh\n(.*?)```", (ROOT / "README.md").read_text(encoding="utf-8"), re.DOTALL)[1]
+        commands = re.findall(r"^microslip (.+?)(?:  +#.*)?$", block, re.MULTILINE)
+        self.assertEqual([words.split()[0] for words in commands], ["init", "wheel.info", "plot"])
+        for words in commands:
+            made = run(words)
+            self.assertEqual((made.returncode, made.stderr), (0, ""), words)
+        made, kept = ((folder / "wheel.svg").read_text(encoding="utf-8") for folder in (WORK / "out", ROOT / "docs"))
+        if VERSION.search(made)[1] != VERSION.search(kept)[1]:
+            self.skipTest("another version of gnuplot")
+        place = re.compile(r"-?\d+\.\d\d\b")
+        self.assertEqual(place.sub("", made), place.sub("", kept))
+        moved = max(abs(float(a) - float(b)) for a, b in zip(place.findall(made), place.findall(kept), strict=True))
+        self.assertLess(moved, 0.1)
 
     def test_own_results(self):
         plots = (f"plot {words.replace('DEEP', str(WORK))} --to own_{name}.svg" for name, words in PLOTS.items())
