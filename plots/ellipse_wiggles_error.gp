@@ -14,17 +14,18 @@ set xtics (0.03, 0.1, 0.3, 1)
 set xlabel "step over the element, c [1]"
 set title "waves after 1.5 a, over μp_0"
 set ylabel "largest wave [1]"
-set yrange [1e-6:1]
+set yrange [1e-4:1]
 set key bottom left
 plot for [s=1:3] wiggles using (of("creepage", word(names, s), 1.5)):"wave" with linespoints pointtype 7 pointsize 0.5 \
-       linecolor rgb colour_of(word(names, s)) title word(labels, s), \
+       linecolor rgb colour_of(word(names, s)) notitle, \
      for [s=1:3] wiggles using (of("force", word(names, s), 1.5)):"wave" with linespoints dashtype 2 pointtype 6 pointsize 0.6 \
-       linecolor rgb colour_of(word(names, s)) title word(labels, s).", held force", \
-     wiggles using (of("force", "contact", 1.5)):"wave" with points pointtype 2 linecolor "black" title "CONTACT, held force"
+       linecolor rgb colour_of(word(names, s)) notitle, \
+     wiggles using (of("force", "contact", 1.5)):"wave" with points pointtype 2 linecolor "black" title "CONTACT, held force", \
+     NaN with linespoints pointtype 7 pointsize 0.5 linecolor "black" title "under a creepage", \
+     NaN with linespoints dashtype 2 pointtype 6 pointsize 0.6 linecolor "black" title "under a held force"
 set title "force after 3 a, over full sliding"
 set ylabel "error [1]"
-set yrange [1e-4:0.1]
-unset key
+set yrange [1e-5:0.1]
 plot for [s=1:3] wiggles using (of("creepage", word(names, s), 3)):"force_error" with linespoints pointtype 7 pointsize 0.5 \
-       linecolor rgb colour_of(word(names, s))
+       linecolor rgb colour_of(word(names, s)) title word(labels, s)
 unset multiplot
