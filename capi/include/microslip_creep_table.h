@@ -63,6 +63,21 @@ MICROSLIP_API enum microslip_status microslip_creep_table_forces(
     const struct microslip_ellipse_contact* contact, const double motion[3], double resultants[3],
     double* jacobian, char* message, size_t message_size);
 
+/** Gives the same for many contacts in one call, as microslip_creep_table_forces() one by one, to the
+ * bit. The message of an error names the contact, from 0: "contacts[17]: ratio = 12.5: ...". The
+ * results of the contacts before it are written.
+ *
+ * material    of all contacts
+ * contacts    `count` of them
+ * motions     xi, eta [1] and phi [1/mm] of each, `count` x 3
+ * resultants  out: Fx, Fy [N], Mz [N mm] of each, `count` x 3
+ * jacobians   out, may be null: `count` x 3 x 3
+ * message     out, may be null */
+MICROSLIP_API enum microslip_status microslip_creep_table_forces_many(
+    const microslip_creep_table* table, const struct microslip_material* material,
+    const struct microslip_ellipse_contact* contacts, const double* motions, size_t count,
+    double* resultants, double* jacobians, char* message, size_t message_size);
+
 #ifdef __cplusplus
 }
 #endif

@@ -3,7 +3,9 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -55,6 +57,22 @@ void require_material(const microslip::CreepTableLayout& layout, const microslip
                      [&] { return fmt::format("that of the table, {}", layout.poisson_ratio); });
 }
 
+/// Writes the resultants of a motion, and their derivatives unless there is no place for them.
+void look_up(const microslip::CreepTable& table, double shear_modulus,
+             const microslip_ellipse_contact& contact, const double* motion, double* resultants,
+             double* jacobian) {
+  constexpr std::array names{"motion[0]", "motion[1]", "motion[2]"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    microslip::require(true, names[i], motion[i], [] { return "a finite number"; });
+  }
+  Eigen::Matrix3d by_motion;
+  const Eigen::Vector3d found = table.resultants(
+      shear_modulus, {contact.half_width, contact.lateral_half_width, contact.peak_traction},
+      Eigen::Map<const Eigen::Vector3d>(motion), jacobian == nullptr ? nullptr : &by_motion);
+  for (Eigen::Index i = 0; i < 3; ++i) resultants[i] = without_sign_of_zero(found[i]);
+  if (jacobian != nullptr) put_jacobian(jacobian, by_motion);
+}
+
 }  // namespace
 
 microslip_status microslip_creep_table_open(const char* path, microslip_creep_table** table,
@@ -97,15 +115,36 @@ microslip_status microslip_creep_table_forces(const microslip_creep_table* table
   return guarded({message, message_size}, [&] {
     const microslip::CreepTable& from = require_pointer(table, "table").table;
     const microslip_material& of = require_pointer(material, "material");
-    const auto& [a, b, peak] = require_pointer(contact, "contact");
-    const Eigen::Vector3d moved =
-        Eigen::Map<const Eigen::Vector3d>(&require_pointer(motion, "motion"));
+    const microslip_ellipse_contact& one = require_pointer(contact, "contact");
+    const double* moved = &require_pointer(motion, "motion");
     double* out = &require_pointer(resultants, "resultants");
     require_material(from.layout(), of);
-    Eigen::Matrix3d by_motion;
-    const Eigen::Vector3d found = from.resultants(of.shear_modulus, {a, b, peak}, moved,
-                                                  jacobian == nullptr ? nullptr : &by_motion);
-    for (Eigen::Index i = 0; i < 3; ++i) out[i] = without_sign_of_zero(found[i]);
-    if (jacobian != nullptr) put_jacobian(jacobian, by_motion);
+    look_up(from, of.shear_modulus, one, moved, out, jacobian);
+  });
+}
+
+microslip_status microslip_creep_table_forces_many(const microslip_creep_table* table,
+                                                   const microslip_material* material,
+                                                   const microslip_ellipse_contact* contacts,
+                                                   const double* motions, size_t count,
+                                                   double* resultants, double* jacobians,
+                                                   char* message, size_t message_size) {
+  return guarded({message, message_size}, [&] {
+    const microslip::CreepTable& from = require_pointer(table, "table").table;
+    const microslip_material& of = require_pointer(material, "material");
+    require_material(from.layout(), of);
+    if (count == 0) return;
+    require_pointer(contacts, "contacts");
+    require_pointer(motions, "motions");
+    require_pointer(resultants, "resultants");
+    std::size_t k = 0;
+    try {
+      for (; k < count; ++k) {
+        look_up(from, of.shear_modulus, contacts[k], motions + 3 * k, resultants + 3 * k,
+                jacobians == nullptr ? nullptr : jacobians + 9 * k);
+      }
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("contacts[{}]: {}", k, error.what()));
+    }
   });
 }

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "microslip_creep_table.h"
 
@@ -65,6 +67,70 @@ TEST(CCreepTable, HasRangesAndErrors) {
     EXPECT_LT(info.error_rms[i], info.error_of_99_percent[i]);
     EXPECT_LT(info.error_of_99_percent[i], info.error_largest[i]);
   }
+}
+
+TEST(CCreepTable, HasTheSameForcesOfManyContacts) {
+  const Table table = opened();
+  constexpr std::size_t count = 500;
+  std::mt19937 random(1);
+  const auto between = [&](double least, double largest) {
+    return std::uniform_real_distribution<>(least, largest)(random);
+  };
+  std::vector<microslip_ellipse_contact> contacts(count);
+  std::vector<double> motions(3 * count), found(3 * count), jacobians(9 * count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const double half_width = between(2, 9);
+    contacts[k] = {half_width, half_width / std::pow(10, between(-0.99, 0.99)), between(10, 500)};
+    for (std::size_t i = 0; i < 3; ++i) {
+      motions[3 * k + i] = k % 7 == i ? 0 : between(-1, 1) * std::pow(10, between(-6, -2));
+    }
+  }
+  ASSERT_EQ(microslip_creep_table_forces_many(table.get(), &steel, contacts.data(), motions.data(),
+                                              count, found.data(), jacobians.data(), nullptr, 0),
+            MICROSLIP_OK);
+  for (std::size_t k = 0; k < count; ++k) {
+    std::array<double, 3> expected{};
+    std::array<double, 9> jacobian{};
+    ASSERT_EQ(microslip_creep_table_forces(table.get(), &steel, &contacts[k], &motions[3 * k],
+                                           expected.data(), jacobian.data(), nullptr, 0),
+              MICROSLIP_OK);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(found[3 * k + i], expected[i]) << k;
+    for (std::size_t i = 0; i < 9; ++i) EXPECT_EQ(jacobians[9 * k + i], jacobian[i]) << k;
+  }
+  const std::vector<double> with_jacobians = found;
+  ASSERT_EQ(microslip_creep_table_forces_many(table.get(), &steel, contacts.data(), motions.data(),
+                                              count, found.data(), nullptr, nullptr, 0),
+            MICROSLIP_OK);
+  EXPECT_EQ(found, with_jacobians);
+  EXPECT_EQ(microslip_creep_table_forces_many(table.get(), &steel, nullptr, nullptr, 0, nullptr,
+                                              nullptr, nullptr, 0),
+            MICROSLIP_OK);
+}
+
+TEST(CCreepTable, SaysWhichOfManyContactsFailed) {
+  const Table table = opened();
+  char message[512] = "";
+  std::array<microslip_ellipse_contact, 3> contacts{contact, contact, contact};
+  std::array<double, 9> motions{1e-3, 0, 0, 1e-3, 0, 0, 1e-3, 0, 0}, found{};
+  const auto status = [&](const microslip_material& material, double* resultants) {
+    return microslip_creep_table_forces_many(table.get(), &material, contacts.data(),
+                                             motions.data(), 3, resultants, nullptr, message,
+                                             sizeof message);
+  };
+  contacts[1].half_width = 56.25;
+  EXPECT_EQ(status(steel, found.data()), MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(message, "contacts[1]: ratio = 12.5: expected a/b of the table, 0.1 to 10");
+  EXPECT_LT(found[0], 0);
+  EXPECT_EQ(found[3], 0);
+  contacts[1] = contact;
+  motions[8] = std::nan("");
+  EXPECT_EQ(status(steel, found.data()), MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(message, "contacts[2]: motion[2] = nan: expected a finite number");
+  EXPECT_EQ(found[3], found[0]);
+  EXPECT_EQ(status({82000, 0.3}, found.data()), MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(message, "poisson_ratio = 0.3: expected that of the table, 0.28");
+  EXPECT_EQ(status(steel, nullptr), MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(message, "resultants = null: expected a pointer");
 }
 
 TEST(CCreepTable, RefusesBadInputInOneLine) {
