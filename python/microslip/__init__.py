@@ -14,6 +14,8 @@
     rolling.roll(dq, creepage=w)                         # of numbers or arrays
     patch = ms.Patch(scene)                              # the same of an ellipse; patch.traction, patch.plot()
     patch.roll(dq, creepage=w, spin=phi)
+    table = ms.CreepTable()                              # forces of ellipses from a table, in a microsecond
+    table.forces(w, eta, phi, half_width=a, ...)
 
 Units are mm and N; of a line contact per mm of width, so that its forces are in N/mm. Rolling is towards +x. A
 positive creepage w = (v - omega R)/v gives negative tractions and a negative force, which acts on v.
@@ -21,6 +23,7 @@ positive creepage w = (v - omega R)/v gives negative tractions and a negative fo
 Keys of scenes: ms.keys(), and docs/scenes.md. Errors are ms.InputError, a ValueError, and ms.NoSolution.
 """
 
+from ._creep_table import CreepForces, CreepTable, CreepTableErrors
 from ._errors import Error, InputError, LoadWarning, NoSolution
 from ._hertz import Hertz, hertz
 from ._keys import Key, Keys, keys
@@ -36,6 +39,7 @@ from ._table import Column, Table, read_table
 
 __version__ = _text_of("version")
 
-__all__ = ["Column", "Error", "Hertz", "InputError", "Key", "Keys", "Load", "LoadWarning", "NoSolution", "Patch",
-           "PatchCurve", "PatchCurves", "PatchFactors", "PatchSteady", "Result", "Rolling", "Steady", "Sweep",
-           "Table", "creep_curve", "hertz", "keys", "read_table", "solve", "steady", "sweep"]
+__all__ = ["Column", "CreepForces", "CreepTable", "CreepTableErrors", "Error", "Hertz", "InputError", "Key", "Keys",
+           "Load", "LoadWarning", "NoSolution", "Patch", "PatchCurve", "PatchCurves", "PatchFactors", "PatchSteady",
+           "Result", "Rolling", "Steady", "Sweep", "Table", "creep_curve", "hertz", "keys", "read_table", "solve",
+           "steady", "sweep"]

@@ -158,6 +158,13 @@ def index_of(name: str, where: np.ndarray) -> str:
     return _at(name, _first(where))
 
 
+def require_all(name: str, values: np.ndarray, holds: np.ndarray, accepted: str) -> None:
+    """Refuses the first value of an argument that does not hold."""
+    if not np.all(holds):
+        place, value = index_of(name, ~holds), values[~holds].flat[0]
+        raise InputError(f"{place} = {value:.6g}: expected {accepted}", name, f"{value:.6g}", accepted)
+
+
 def numbers(name: str, value: Any) -> np.ndarray:
     """Returns an array of floats.
 

@@ -8,7 +8,7 @@ from typing import Any, Dict, Optional
 
 import numpy as np
 
-from ._arrays import Values, broadcast, index_of, shown
+from ._arrays import Values, broadcast, index_of, require_all, shown
 from ._errors import InputError
 from ._library import BODIES, ELLIPSE_CONTACT, MATERIAL, call, error_of
 from ._result import warn_of
@@ -127,7 +127,7 @@ def hertz(normal_load: Values, *, radius_1: Values = None, radius_2: Values = No
         accepted, holds = (("a number that is not 0, or inf of a flat body", column != 0) if name in _RADII else
                            ("a number > 0", (column > 0) & np.isfinite(column)) if name == "youngs_modulus" else
                            ("a number", np.ones(shape, bool)))
-        _require(name, column, holds & ~np.isnan(column), accepted)
+        require_all(name, column, holds & ~np.isnan(column), accepted)
     bodies, material, axes = np.zeros(shape, BODIES), np.zeros(shape, MATERIAL), np.zeros(shape, ELLIPSE_CONTACT)
     bodies["friction"] = 1
     for name in BODIES.names:
@@ -148,20 +148,13 @@ def hertz(normal_load: Values, *, radius_1: Values = None, radius_2: Values = No
     return Hertz(axes, columns["normal_load"], material["shear_modulus"] / (1 - nu), columns.get("friction"))
 
 
-def _require(name: str, values: np.ndarray, holds: np.ndarray, accepted: str) -> None:
-    """Refuses the first value that does not hold."""
-    if not np.all(holds):
-        place, value = index_of(name, ~holds), values[~holds].flat[0]
-        raise InputError(f"{place} = {value:.6g}: expected {accepted}", name, f"{value:.6g}", accepted)
-
-
 def _require_small(columns: Dict[str, Any], axes: np.ndarray) -> None:
     """Refuses half-widths above a radius, and warns the user, two frames above, of those above a tenth of it."""
     load = columns["normal_load"]
     doubts = []
     for width, radii in (("half_width", _RADII[:2]), ("lateral_half_width", _RADII[2:])):
         smaller = np.min([np.abs(columns[name]) for name in radii if name in columns], axis=0)
-        _require("normal_load", load, axes[width] < smaller, "a load under which the half-widths are below the radii")
+        require_all("normal_load", load, axes[width] < smaller, "a load under which the half-widths are below the radii")
         large = axes[width] > _SMALL * smaller
         if np.any(large):
             doubts.append(f"{index_of('normal_load', large)} = {load[large].flat[0]:.6g}: the "

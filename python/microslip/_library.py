@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The shared library of this package: microslip.h, microslip_ellipse.h, and the functions of python/src/interface.hpp.
+"""The shared library of this package: microslip.h, microslip_ellipse.h, microslip_creep_table.h, and the functions of
+python/src/interface.hpp.
 
 Calls release the interpreter's lock, so that other threads run meanwhile.
 """
@@ -46,6 +47,10 @@ PATCH_LOAD = np.dtype([("prescribed", np.intc, 3), ("value", float, 3)], align=T
 MATERIAL = _dtype("shear_modulus", "poisson_ratio")
 BODIES = _dtype("normal_load", "radius_1", "radius_2", "lateral_radius_1", "lateral_radius_2", "friction")
 ELLIPSE_CONTACT = _dtype("half_width", "lateral_half_width", "peak_traction")
+# That of microslip_creep_table.h.
+CREEP_TABLE_INFO = np.dtype([("poisson_ratio", float), ("least_ratio", float), ("largest_ratio", float),
+                             ("states", np.intc),
+                             *((f"error_{name}", float, 3) for name in ("rms", "of_99_percent", "largest"))], align=True)
 
 
 class PatchCells(c.Structure):
@@ -82,7 +87,7 @@ TYPES = {"-": None, "i": c.c_int, "s": c.c_size_t, "d": c.c_double, "t": c.c_cha
 FUNCTIONS = {
     "t": "version py_error_key py_error_message py_keys",
     "i": "py_error_status",
-    "-p": "destroy ellipse_destroy py_cases_destroy py_patch_destroy py_tables_destroy py_steady_destroy",
+    "-p": "creep_table_close destroy ellipse_destroy py_cases_destroy py_patch_destroy py_tables_destroy py_steady_destroy",
     "tp": "message ellipse_message method warning py_patch_edges py_patch_warnings py_save py_steady_warnings py_swept",
     "sp": "size py_patch_elements py_patch_rows py_table_count py_steady_size",
     "dp": "py_full_sliding py_patch_full_sliding",
@@ -103,6 +108,9 @@ FUNCTIONS = {
     "ipppp": "ellipse_solve_steady",
     "ipdppp": "ellipse_attempt",
     "ipppps": "hertz_ellipse",
+    "itpps": "creep_table_open",
+    "ippps": "creep_table_get_info",
+    "ippppsppps": "creep_table_forces_many",
     "ippsip": "py_patch_steady",
     "ipdp": "start_from_shift shift_to_force shift_by_distance attempt",
     "ipps": "get_nodes get_traction get_bound get_slip get_displacement get_zones",

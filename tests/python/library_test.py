@@ -12,7 +12,8 @@ import microslip
 from microslip import _library
 
 KINDS = {"double": np.dtype(float), "int": np.dtype(np.intc), "struct microslip_slopes": _library.SLOPES}
-HEADERS = ("capi/include/microslip.h", "capi/include/microslip_ellipse.h", "python/src/interface.hpp")
+HEADERS = ("capi/include/microslip.h", "capi/include/microslip_ellipse.h", "capi/include/microslip_creep_table.h",
+           "python/src/interface.hpp")
 
 
 def struct(header, name):
@@ -51,6 +52,14 @@ def test_records_of_ellipses_are_the_structs_of_the_headers(name, record, names,
     expected = [(field, KINDS[kind.strip()]) for kind, field in spread(struct(header, name), names)]
     assert [(field, dtype[field]) for field in dtype.names] == expected
     assert dtype.isalignedstruct
+
+
+def test_the_record_of_a_table_is_the_struct_of_the_header(source):
+    header = (source / "capi/include/microslip_creep_table.h").read_text()
+    info = _library.CREEP_TABLE_INFO
+    fields = [(name + (f"[{info[name].shape[0]}]" if info[name].shape else ""), info[name].base) for name in info.names]
+    assert fields == [(field, KINDS[kind.strip()]) for kind, field in struct(header, "microslip_creep_table_info")]
+    assert info.isalignedstruct
 
 
 def test_loads_of_ellipses_are_those_of_the_header(source):
@@ -109,4 +118,4 @@ def test_examples_are_tried():
     tried = {test.name for name in microslip.__all__ for test in finder.find(getattr(microslip, name), name)
              if test.examples}
     assert {"solve", "steady", "creep_curve", "sweep", "read_table", "keys", "hertz", "Rolling", "Patch",
-            "InputError"} <= tried
+            "CreepTable", "InputError"} <= tried
