@@ -16,7 +16,7 @@ STUDIES := $(patsubst studies/%/study.info,%,$(wildcard studies/*/study.info))
 SOURCES = $(shell find core scene thesis capi python experiments program apps studies bench examples tests tools fuzz \
   -name '*.[ch]pp' -o -name '*.[ch]')
 
-.PHONY: help deps build install package docs figures report article claim claims archive verify-archive quick bench test verify references accuracy coverage mutants sanitize fuzz keep-corpus \
+.PHONY: help deps build install package wheels docs figures report article claim claims archive verify-archive quick bench test verify references accuracy coverage mutants sanitize fuzz keep-corpus \
   format check-format clean $(STUDIES)
 
 help:
@@ -43,6 +43,7 @@ help:
 	@echo 'make docs         API pages, and what is solved, into build/docs/html'
 	@echo 'make install      into PREFIX=$(PREFIX)'
 	@echo 'make package      a Debian package into $(BUILD)/package'
+	@echo 'make wheels       a wheel of the Python package into build/wheels, with the libraries inside that it needs'
 	@echo 'make format       clang-format all sources; make check-format only looks'
 	@echo 'make clean        remove the build, and the results that make has made; others in results stay'
 	@echo 'Missing Debian packages are installed first (DEPS=skip: not). JOBS=$(JOBS) compilers at once.'
@@ -68,6 +69,11 @@ package: build
 	@tools/deps.sh package
 	@cd $(BUILD) && cpack >cpack.log 2>&1 || { cat cpack.log; exit 1; }
 	@ls $(BUILD)/package/*.deb
+
+wheels: deps
+	@tools/deps.sh languages
+	@$(call cmake_build,release,--target microslip_python)
+	@tools/wheel.sh $(BUILD) build/wheels
 
 docs:
 	@tools/deps.sh docs

@@ -3,7 +3,8 @@
 #   package   its tests, on the package in the build folder
 #   notebook  the notebooks of examples/ run from top to bottom
 #   install   pip makes a wheel in a virtual environment, without a network, and that solves a scene elsewhere
-# Usage: run.sh package|notebook|install SOURCE_FOLDER BUILD_FOLDER WORK_FOLDER
+#   wheel     pip installs the wheel of `make wheels`, which loads the libraries that it has inside
+# Usage: run.sh package|notebook|install|wheel SOURCE_FOLDER BUILD_FOLDER WORK_FOLDER
 set -euo pipefail
 part=$1 source=$(realpath "$2") build=$(realpath "$3") work=$4
 export PYTHONDONTWRITEBYTECODE=1
@@ -26,6 +27,21 @@ skip() {
   echo "skipped: $1 (tools/deps.sh languages installs it)"
   exit 77
 }
+
+# Shows that a package of pip works. With an argument more, its libraries are those inside.
+cat >try.py <<'TEXT'
+import pathlib, re, sys
+import microslip as ms
+assert pathlib.Path(ms.__file__).is_relative_to(sys.prefix), ms.__file__
+result = ms.solve(sys.argv[1], load_force=-1000)
+assert abs(result.summary["creepage"] / 0.00112813 - 1) < 1e-5, result
+forces = ms.CreepTable().forces(1e-3, half_width=5, lateral_half_width=5, peak_traction=300, shear_modulus=82000, poisson_ratio=0.28)
+assert abs(forces.force / -7285 - 1) < 0.01, forces
+if len(sys.argv) > 2:
+    loaded = {line.split()[-1] for line in open("/proc/self/maps") if re.search(r"/lib(gsl|gslcblas|fftw3|fmt)\.so", line)}
+    assert len(loaded) == 4 and all(pathlib.Path(one).is_relative_to(sys.prefix) for one in loaded), loaded
+print(f"microslip {ms.__version__} of pip: {result}")
+TEXT
 
 case "$part" in
   package)
@@ -61,16 +77,16 @@ TEXT
     "$python" -m venv --system-site-packages here
     MICROSLIP_BUILD_FOLDER=$build \
       here/bin/python -m pip install --quiet --no-build-isolation --no-index --disable-pip-version-check ./tree
-    cat >try.py <<'TEXT'
-import pathlib, subprocess, sys
-import microslip as ms
-assert pathlib.Path(ms.__file__).is_relative_to(sys.prefix), ms.__file__
-result = ms.solve(sys.argv[1], load_force=-1000)
-assert abs(result.summary["creepage"] / 0.00112813 - 1) < 1e-5, result
-print(f"microslip {ms.__version__} of pip: {result}")
-TEXT
     here/bin/python try.py "$source/examples/steady.info"
     here/bin/python -m pip uninstall --quiet --yes microslip
     ! here/bin/python -c "import microslip" 2>>log
+    ;;
+  wheel)
+    python=$(python_with numpy, setuptools, wheel, venv, ensurepip) ||
+      skip "no python3 with numpy, setuptools, wheel and venv"
+    "$source/tools/wheel.sh" "$build" wheels "$python" || exit
+    "$python" -m venv --system-site-packages here
+    here/bin/python -m pip install --quiet --no-index --no-deps --disable-pip-version-check wheels/microslip-*.whl
+    here/bin/python try.py "$source/examples/steady.info" inside
     ;;
 esac
