@@ -46,6 +46,8 @@ python3-pip /usr/lib/python3/dist-packages/pip
 python3-venv /usr/share/doc/python3-venv
 python3-setuptools /usr/lib/python3/dist-packages/setuptools
 python3-wheel /usr/lib/python3/dist-packages/wheel
+python3-pandas /usr/lib/python3/dist-packages/pandas
+mypy mypy
 python3-matplotlib /usr/lib/python3/dist-packages/matplotlib
 python3-nbconvert /usr/lib/python3/dist-packages/nbconvert
 python3-ipykernel /usr/lib/python3/dist-packages/ipykernel

@@ -72,6 +72,11 @@ def number_of(value: Any) -> float:
     raise NotNumber((), shown(repr(str(value)) if isinstance(value, str) else value), _NUMBERS)
 
 
+def fields_of(dtype: np.dtype) -> Tuple[str, ...]:
+    """The names of the fields of a structured type."""
+    return dtype.names or ()
+
+
 def is_number(value: Any) -> bool:
     """Tells whether a value is meant for a single number, and is neither a text nor a list."""
     if isinstance(value, np.ndarray):

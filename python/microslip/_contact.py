@@ -58,6 +58,7 @@ class Contact:
 
     _functions = ""  # microslip_..., before the names of functions
     _warned = False  # of a creepage
+    _turns: _Turns
 
     def _new_handle(self) -> int:
         """Returns a handle of a contact that has not rolled."""

@@ -10,14 +10,14 @@ from typing import Any, Dict, NamedTuple, Optional, Tuple
 
 import numpy as np
 
-from ._arrays import Values, broadcast, number, require_all, shown
+from ._arrays import Values, broadcast, fields_of, number, require_all, shown
 from ._errors import InputError
 from ._files import Path, as_path
 from ._library import CREEP_TABLE_INFO, ELLIPSE_CONTACT, MATERIAL, MOTIONS, call, error_of, free_with
 
 _ROOM = 512  # of a message, in bytes
 _AT_ONCE = 100000  # contacts in a call, so that an interrupt is noticed
-_SIZES = ELLIPSE_CONTACT.names
+_SIZES = fields_of(ELLIPSE_CONTACT)
 _INSTALLED = pathlib.Path(__file__).with_name("creep_forces.nc")
 
 

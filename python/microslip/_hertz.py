@@ -8,7 +8,7 @@ from typing import Any, Dict, Optional
 
 import numpy as np
 
-from ._arrays import Values, broadcast, index_of, require_all, shown
+from ._arrays import Values, broadcast, fields_of, index_of, require_all, shown
 from ._errors import InputError
 from ._library import BODIES, ELLIPSE_CONTACT, MATERIAL, call, error_of
 from ._result import warn_of
@@ -130,7 +130,7 @@ def hertz(normal_load: Values, *, radius_1: Values = None, radius_2: Values = No
         require_all(name, column, holds & ~np.isnan(column), accepted)
     bodies, material, axes = np.zeros(shape, BODIES), np.zeros(shape, MATERIAL), np.zeros(shape, ELLIPSE_CONTACT)
     bodies["friction"] = 1
-    for name in BODIES.names:
+    for name in fields_of(BODIES):
         if name in columns:
             value = columns[name]
             bodies[name] = np.where(np.isinf(value), 0, value) if name in _RADII else value

@@ -14,6 +14,7 @@ from typing import Any, Callable, Dict, Optional
 
 import numpy as np
 
+from ._arrays import fields_of
 from ._errors import Error, InputError, NoSolution
 
 STATUS_OF_INPUT, STATUS_OF_NO_SOLUTION, STATUS_OF_MEMORY = 1, 2, 3
@@ -42,7 +43,8 @@ RESULTANTS = ("force", "lateral_force", "spin_moment")
 PATCH_STATE = _dtype("distance", *RESULTANTS, *MOTIONS, "dissipation", "full_sliding", "slip_share", "residual",
                      "iterations:int")
 SHIFTS = ("shift", "lateral_shift", "rotation")  # in the place of motions where nothing rolls
-PATCH_SHIFT = _dtype(*(dict(zip(MOTIONS, SHIFTS)).get(name, name) for name in PATCH_STATE.names[:-1]), "iterations:int")
+PATCH_SHIFT = _dtype(*(dict(zip(MOTIONS, SHIFTS)).get(name, name) for name in fields_of(PATCH_STATE)[:-1]),
+                     "iterations:int")
 PATCH_LOAD = np.dtype([("prescribed", np.intc, 3), ("value", float, 3)], align=True)
 MATERIAL = _dtype("shear_modulus", "poisson_ratio")
 BODIES = _dtype("normal_load", "radius_1", "radius_2", "lateral_radius_1", "lateral_radius_2", "friction")
@@ -129,7 +131,7 @@ def _load() -> Dict[str, Any]:
         raise ImportError(f"{error}; expected the package as 'pip install .' or 'make build' makes it") from None
     functions = {}
     for types, names in FUNCTIONS.items():
-        prototype = c.CFUNCTYPE(*(TYPES[one] for one in types))
+        prototype = c.CFUNCTYPE(*(TYPES[one] for one in types))  # type: ignore[arg-type]
         for name in names.split():
             functions[name] = prototype((f"microslip_{name}", library))
     return functions
@@ -158,7 +160,7 @@ def free_with(owner: Any, name: str, handle: int) -> weakref.finalize:
     return finalizer
 
 
-def error_of(status: int, message: str, key: str = "") -> Exception:
+def error_of(status: int, message: str, key: str = "") -> BaseException:
     """The exception for a status that is not 0."""
     if status == STATUS_OF_INPUT:
         return InputError.from_message(message, key)

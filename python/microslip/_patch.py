@@ -254,10 +254,9 @@ class Patch(Contact):
         if changes:
             factors = {name: now if factors[name] is None else factors[name]
                        for name, now in self.contact._asdict().items()}
-        loads, columns = loads_of(given, beside={"dq": numbers("dq", dq), **factors})
+        found, columns = loads_of(given, beside={"dq": numbers("dq", dq), **factors})
         shape = columns["dq"].shape
-        if loads is None:
-            loads = np.broadcast_to(self._last_load(), shape).copy()
+        loads = np.broadcast_to(self._last_load(), shape).copy() if found is None else found
         states = np.zeros(shape, PATCH_STATE)
 
         def roll(work: "Patch", part: slice) -> None:

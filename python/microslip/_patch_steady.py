@@ -10,7 +10,7 @@ from typing import Any, Dict, List, Mapping, Tuple, Union
 import numpy as np
 
 from . import _plot
-from ._arrays import Values
+from ._arrays import Values, fields_of
 from ._errors import InputError
 from ._library import MOTIONS, PATCH_STATE, RESULTANTS, PatchCells, PatchSolutions, call, require_ok
 from ._patch import UNITS, PatchOfScene, loads_of
@@ -116,7 +116,7 @@ def solve_loads(read: PatchOfScene, given: Mapping[str, Values], threads: int, t
     room = max(count, 1)  # without loads, places are those of no load at all
     flat = loads.reshape(-1) if count else np.zeros(1, loads.dtype)
     states, changes = np.zeros(room, PATCH_STATE), np.full(room, np.nan)
-    for name in PATCH_STATE.names[:-1]:
+    for name in fields_of(PATCH_STATE)[:-1]:
         states[name] = np.nan
     statuses, messages = np.zeros(room, np.intc), np.zeros(room, f"S{_ROOM}")
     cells = {name: np.full((room, size), 0 if name == "slips" else np.nan, np.intc if name == "slips" else float)

@@ -12,6 +12,7 @@ from typing import Any, Callable, Dict, Iterable, List, Optional, Tuple, Union
 import numpy as np
 
 from . import _plot
+from ._arrays import fields_of
 from ._errors import InputError, LoadWarning
 from ._library import as_progress, call, free_with, require, text_of
 from ._scene import Scene, SceneArguments
@@ -107,11 +108,11 @@ class Result(Tables):
         self.history = tables["history"].data if "history" in tables else None
         self.shifts = tables["shifts"].data if "shifts" in tables else None
         self.evidence: Dict[str, float] = {name: float(self.summary[name]) for name in _EVIDENCE
-                                           if name in self.summary.dtype.names}
+                                           if name in fields_of(self.summary.dtype)}
 
     def __repr__(self) -> str:
         shown = ", ".join(f"{name} = {self.summary[name]:.6g}" + _plot.with_unit(self.units[name])
-                          for name in ("force", "creepage", "distance") if name in self.summary.dtype.names)
+                          for name in ("force", "creepage", "distance") if name in fields_of(self.summary.dtype))
         return f"<microslip.Result: {self.tables['summary'].description}: {shown}>"
 
     def to_pandas(self, table: str = "") -> Any:
@@ -164,7 +165,7 @@ class Result(Tables):
 
     @property
     def _has_rectangles(self) -> bool:
-        return "method" in self.summary.dtype.names and self.summary["method"] in ("direct", "relaxed")
+        return "method" in fields_of(self.summary.dtype) and self.summary["method"] in ("direct", "relaxed")
 
     def plot(self, axes: Any = None) -> Any:
         """Draws tractions within their bound and, unless rolling is steady, the force over the distance.
@@ -200,13 +201,13 @@ def _short(text: str) -> str:
 def _record_of(summary: Table) -> np.record:
     """Turns the rows quantity, value, unit into one record."""
     names = [str(name) for name in summary["quantity"]]
-    values = []
+    values: List[Union[float, str]] = []
     for text in summary["value"]:
         try:
             values.append(float(text))
         except ValueError:
             values.append(str(text))
-    types = [(name, float if isinstance(value, float) else f"U{len(value)}") for name, value in zip(names, values)]
+    types = [(name, f"U{len(value)}" if isinstance(value, str) else float) for name, value in zip(names, values)]
     return np.rec.array([tuple(values)], dtype=types)[0]
 
 

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # The Python package. Status 77 where something for it is not installed.
 #   package   its tests, on the package in the build folder
+#   types     mypy finds no error in its annotations
 #   notebook  the notebooks of examples/ run from top to bottom
 #   install   pip makes a wheel in a virtual environment, without a network, and that solves a scene elsewhere
 #   wheel     pip installs the wheel of `make wheels`, which loads the libraries that it has inside
-# Usage: run.sh package|notebook|install|wheel SOURCE_FOLDER BUILD_FOLDER WORK_FOLDER
+# Usage: run.sh package|types|notebook|install|wheel SOURCE_FOLDER BUILD_FOLDER WORK_FOLDER
 set -euo pipefail
 part=$1 source=$(realpath "$2") build=$(realpath "$3") work=$4
 export PYTHONDONTWRITEBYTECODE=1
@@ -48,6 +49,10 @@ case "$part" in
     python=$(python_with numpy, pytest) || skip "no python3 with numpy and pytest"
     MICROSLIP=$build/bin/microslip PYTHONPATH=$build/python "$python" -W error::ResourceWarning -m pytest -q \
       -p no:cacheprovider -o python_files='*_test.py' "$source/tests/python"
+    ;;
+  types)
+    command -v mypy >>log || skip "no mypy"
+    (cd "$source" && mypy --cache-dir="$OLDPWD/cache")
     ;;
   notebook)
     python=$(python_with numpy, nbconvert, ipykernel, matplotlib) ||
