@@ -68,7 +68,7 @@ class BuildLibrary(build_ext):
             if "CMAKE_GENERATOR" not in os.environ and shutil.which("ninja") and not (build / "CMakeCache.txt").exists():
                 options = ["-G", "Ninja", *options]  # keeps all cores busy, which make does not between targets
             subprocess.run(["cmake", "-S", SOURCE, "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DBUILD_TESTING=OFF",
-                            *options], check=True)
+                            "-DMICROSLIP_ONLY_PYTHON=ON", *options], check=True)
         subprocess.run(["cmake", "--build", build, "--target", "microslip_python", "--parallel", cores], check=True)
         target = pathlib.Path(self.get_ext_fullpath(ext.name))
         target.parent.mkdir(parents=True, exist_ok=True)

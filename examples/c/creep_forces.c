@@ -5,6 +5,7 @@
  *   ./creep_forces /usr/share/microslip/creep_forces.nc >creep_forces.tsv */
 #include <microslip_creep_table.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { POINTS = 41 };
 
@@ -23,9 +24,9 @@ int main(int count, char** arguments) {
   double motions[POINTS][3], forces[POINTS][3], jacobians[POINTS][3][3];
   char message[256];
   microslip_creep_table* table;
-  if (count != 2) {
-    fprintf(stderr, "usage: creep_forces TABLE\n");
-    return MICROSLIP_BAD_INPUT;
+  if (count != 2 || strcmp(arguments[1], "--help") == 0) {
+    fprintf(count == 2 ? stdout : stderr, "usage: creep_forces TABLE\n");
+    return count == 2 ? MICROSLIP_OK : MICROSLIP_BAD_INPUT;
   }
   if (failed(microslip_creep_table_open(arguments[1], &table, message, sizeof message), message) ||
       failed(microslip_hertz_ellipse(&steel, &bodies, contacts, message, sizeof message),

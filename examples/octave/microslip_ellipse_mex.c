@@ -28,7 +28,14 @@
  *   microslip_ellipse_mex('save', h, path)  likewise restore
  *   microslip_ellipse_mex('destroy', h)
  *
+ *   t = microslip_ellipse_mex('open_table', path)
+ *                                   a table of creep forces, see microslip_creep_table.h; likewise close_table
+ *   [F, J] = microslip_ellipse_mex('table_forces', t, problem, motions)
+ *                                   forces and moments, n x 3, of a struct as for 'create' without grid, under
+ *                                   motions, n x 3; and their derivatives, 3 x 3 x n, resultants in rows
+ *
  * Octave: mkoctfile --mex microslip_ellipse_mex.c -lmicroslip;  MATLAB: mex microslip_ellipse_mex.c -lmicroslip */
+#include <microslip_creep_table.h>
 #include <microslip_ellipse.h>
 
 #include "microslip_mex.h"
@@ -154,9 +161,14 @@ static mxArray* cells(microslip_ellipse* h) {
   return array;
 }
 
+static char* text_of(const mxArray* name) {
+  char* text = mxIsChar(name) ? mxArrayToString(name) : NULL;
+  if (!text) mexErrMsgIdAndTxt("microslip:bad_input", "path: expected a text");
+  return text;
+}
+
 static void keep(const char* command, microslip_ellipse* h, const mxArray* name) {
-  char* path = mxIsChar(name) ? mxArrayToString(name) : NULL;
-  if (!path) mexErrMsgIdAndTxt("microslip:bad_input", "path: expected a text");
+  char* path = text_of(name);
   check(is(command, "save") ? microslip_ellipse_save(h, path) : microslip_ellipse_restore(h, path),
         microslip_ellipse_message(h));
   mxFree(path);
@@ -191,6 +203,59 @@ static int gives_state(const char* command, microslip_ellipse* h, int outputs, m
   return 1;
 }
 
+static void forces_of_table(const microslip_creep_table* table, const mxArray* problem,
+                            const mxArray* motions, int outputs, mxArray* out[]) {
+  const size_t n = mxGetM(motions);
+  const mwSize sizes[] = {3, 3, n};
+  char message[512];
+  if (!mxIsStruct(problem)) mexErrMsgIdAndTxt("microslip:bad_input", "expected a struct");
+  if (!mxIsDouble(motions) || mxIsComplex(motions) || mxGetN(motions) != 3)
+    mexErrMsgIdAndTxt("microslip:bad_input", "motions: expected n x 3 real numbers");
+  const struct microslip_material material = material_of(problem);
+  const struct microslip_ellipse_contact axes = axes_of(problem);
+  struct microslip_ellipse_contact* contacts = mxCalloc(n ? n : 1, sizeof *contacts);
+  double* by_rows = mxCalloc(n ? 15 * n : 1, sizeof *by_rows);
+  double *forces = by_rows + 3 * n, *jacobians = by_rows + 6 * n;
+  for (size_t k = 0; k < n; ++k) {
+    contacts[k] = axes;
+    for (size_t i = 0; i < 3; ++i) by_rows[3 * k + i] = mxGetPr(motions)[k + n * i];
+  }
+  check(microslip_creep_table_forces_many(table, &material, contacts, by_rows, n, forces,
+                                          outputs > 1 ? jacobians : NULL, message, sizeof message),
+        message);
+  out[0] = mxCreateDoubleMatrix(n, 3, mxREAL);
+  if (outputs > 1) out[1] = mxCreateNumericArray(3, sizes, mxDOUBLE_CLASS, mxREAL);
+  for (size_t k = 0; k < n; ++k) {
+    for (size_t i = 0; i < 3; ++i) {
+      mxGetPr(out[0])[k + n * i] = forces[3 * k + i];
+      for (size_t j = 0; outputs > 1 && j < 3; ++j)
+        mxGetPr(out[1])[9 * k + i + 3 * j] = jacobians[9 * k + 3 * i + j];
+    }
+  }
+  mxFree(contacts);
+  mxFree(by_rows);
+}
+
+/* Commands of tables. Returns whether it was one. */
+static int is_of_table(const char* command, int outputs, mxArray* out[], int inputs,
+                       const mxArray* in[]) {
+  if (is(command, "open_table")) {
+    char message[512];
+    char* path = text_of(in[1]);
+    microslip_creep_table* table;
+    check(microslip_creep_table_open(path, &table, message, sizeof message), message);
+    mxFree(path);
+    out[0] = new_handle(table, 3);
+  } else if (is(command, "close_table")) {
+    microslip_creep_table_close(handle_of(in[1], 3));
+  } else if (is(command, "table_forces") && inputs > 3) {
+    forces_of_table(handle_of(in[1], 3), in[2], in[3], outputs, out);
+  } else {
+    return 0;
+  }
+  return 1;
+}
+
 void mexFunction(int outputs, mxArray* out[], int inputs, const mxArray* in[]) {
   char command[32] = "";
   if (inputs < 2 || mxGetString(in[0], command, sizeof command) != 0)
@@ -200,6 +265,7 @@ void mexFunction(int outputs, mxArray* out[], int inputs, const mxArray* in[]) {
     out[0] = is(command, "hertz") ? hertz(in[1]) : create(in[1]);
     return;
   }
+  if (is_of_table(command, outputs, out, inputs, in)) return;
   microslip_ellipse* h = handle_of(in[1], 2);
   if (gives_state(command, h, outputs, out, inputs, in)) return;
   if (is(command, "destroy")) {

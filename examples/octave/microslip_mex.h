@@ -16,8 +16,8 @@ static inline void check(enum microslip_status status, const char* message) {
   if (status != MICROSLIP_OK) mexErrMsgIdAndTxt(strcat(id, names[status]), "%s", message);
 }
 
-/* A handle is a row of whole numbers: the address, and for an ellipse a second one, by which it differs
- * from a line contact. */
+/* A handle is a row of whole numbers, each the address: one of a line contact, two of an ellipse, and
+ * three of a table of creep forces, so that none is taken for another. */
 static inline mxArray* new_handle(void* address, size_t length) {
   mxArray* array = mxCreateNumericMatrix(1, length, mxUINT64_CLASS, mxREAL);
   uint64_t* numbers = (uint64_t*)mxGetData(array);
@@ -26,9 +26,9 @@ static inline mxArray* new_handle(void* address, size_t length) {
 }
 
 static inline void* handle_of(const mxArray* array, size_t length) {
+  static const char* const kinds[] = {"a line contact", "an ellipse", "a table"};
   if (!mxIsUint64(array) || mxGetNumberOfElements(array) != length)
-    mexErrMsgIdAndTxt("microslip:bad_input", "expected a handle of %s",
-                      length == 1 ? "a line contact" : "an ellipse");
+    mexErrMsgIdAndTxt("microslip:bad_input", "expected a handle of %s", kinds[length - 1]);
   return (void*)(uintptr_t)(*(uint64_t*)mxGetData(array));
 }
 

@@ -68,6 +68,31 @@ function octave_ellipse_test()
   for h = {first, second, copy}
     microslip_ellipse_mex('destroy', h{1});
   end
+  creep_table_test();
+end
+
+function creep_table_test()
+  table = microslip_ellipse_mex('open_table', fullfile(fileparts(mfilename('fullpath')), '../../tables/creep_forces.nc'));
+  problem = struct('shear_modulus', 82000, 'poisson_ratio', 0.28, 'half_width', 6, 'lateral_half_width', 4.5, ...
+                   'peak_traction', 300, 'rows', 12, 'elements', 14);
+  motions = [1e-3, 0, 0; 1e-3, -5e-4, 2e-4; 0, 1e-3, -3e-4];
+  [forces, slopes] = microslip_ellipse_mex('table_forces', table, problem, motions);
+  assert(isequal(forces, microslip_ellipse_mex('table_forces', table, problem, motions)));
+  ellipse = microslip_ellipse_mex('create', problem);
+  for k = 1:3
+    [state, expected] = microslip_ellipse_mex('steady', ellipse, struct('creepage', motions(k, 1), ...
+                                              'lateral_creepage', motions(k, 2), 'spin', motions(k, 3)));
+    off = abs(forces(k, :) - [state.force, state.lateral_force, state.spin_moment]) ./ [1, 1, sqrt(6 * 4.5)];
+    assert(all(off < 0.01 * state.full_sliding));
+    assert(slopes(:, :, k), expected, 0.2 * max(abs(expected(:))));
+  end
+  microslip_ellipse_mex('destroy', ellipse);
+  problem.half_width = 56.25;
+  expect_error(@() microslip_ellipse_mex('table_forces', table, problem, motions), 'contacts.0.: ratio = 12.5: expected');
+  expect_error(@() microslip_ellipse_mex('table_forces', table, problem, [1, 2]), 'motions: expected n x 3');
+  expect_error(@() microslip_ellipse_mex('table_forces', uint64([1, 1]), problem, motions), 'expected a handle of a table');
+  expect_error(@() microslip_ellipse_mex('open_table', '/nowhere'), 'cannot read /nowhere');
+  microslip_ellipse_mex('close_table', table);
 end
 
 function expect_error(call, pattern)
