@@ -71,7 +71,7 @@ package: build
 	@ls $(BUILD)/package/*.deb
 
 wheels: deps
-	@tools/deps.sh languages
+	@tools/deps.sh wheels
 	@$(call cmake_build,release,--target microslip_python)
 	@tools/wheel.sh $(BUILD) build/wheels
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Builds the library of the Python package by CMake; pyproject.toml has the rest.
 
-What CMake needs is in the README: a C++ compiler, Eigen, Boost, GSL and FFTW. Environment variables:
+What CMake needs is in the README: a C++ compiler, Eigen, Boost, fmt, GSL and FFTW. Environment variables:
 CMAKE_ARGS has options for it, CMAKE_BUILD_PARALLEL_LEVEL says how many compilers run at once,
 MICROSLIP_BUILD_FOLDER names a build folder that has been configured, which is used then, and with MICROSLIP_BUNDLE=1
 the wheel has the shared libraries inside that the library needs, but for those of the C and C++ runtime.
@@ -65,7 +65,8 @@ class BuildLibrary(build_ext):
         cores = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL") or str(len(os.sched_getaffinity(0)))
         if not given:
             options = shlex.split(os.environ.get("CMAKE_ARGS", ""))
-            if "CMAKE_GENERATOR" not in os.environ and shutil.which("ninja") and not (build / "CMakeCache.txt").exists():
+            is_new = not (build / "CMakeCache.txt").exists()
+            if is_new and "CMAKE_GENERATOR" not in os.environ and shutil.which("ninja"):
                 options = ["-G", "Ninja", *options]  # keeps all cores busy, which make does not between targets
             subprocess.run(["cmake", "-S", SOURCE, "-B", build, "-DCMAKE_BUILD_TYPE=Release", "-DBUILD_TESTING=OFF",
                             "-DMICROSLIP_ONLY_PYTHON=ON", *options], check=True)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what the project needs and this machine lacks. Usage: tools/deps.sh GROUP ...
-# Groups: build, figures, report, article, languages, docs, browser, package, bench, clang, coverage.
+# Groups: build, figures, report, article, languages, wheels, docs, browser, package, bench, clang, coverage.
 # Does nothing, and prints nothing, when all is there. DEPS=skip turns it off. DEPS_ARCHIVE is the address of a Debian
 # archive, as that of one date, from which alone packages are taken then; DEPS_SUITE is its suite, bookworm if not given.
 set -euo pipefail
@@ -53,6 +53,12 @@ python3-nbconvert /usr/lib/python3/dist-packages/nbconvert
 python3-ipykernel /usr/lib/python3/dist-packages/ipykernel
 octave-dev mkoctfile
 pkg-config pkg-config
+LIST
+      ;;
+    wheels) cat <<'LIST'
+python3-setuptools /usr/lib/python3/dist-packages/setuptools
+python3-wheel /usr/lib/python3/dist-packages/wheel
+binutils objdump
 LIST
       ;;
     docs) printf '%s\n' "doxygen doxygen" "libjs-mathjax /usr/share/javascript/mathjax/MathJax.js" ;;

@@ -9,7 +9,7 @@ mkdir -p "$2"
 wheels=$(realpath "$2")
 for python in ${3:-python3 /usr/bin/python3} none; do
   if [ "$python" = none ]; then
-    echo "wheel.sh: no Python with setuptools and wheel (tools/deps.sh languages installs them)" >&2
+    echo "wheel.sh: no Python with setuptools and wheel (tools/deps.sh wheels installs them)" >&2
     exit 77
   fi
   "$python" -c 'import setuptools, wheel' 2>/dev/null && break
