@@ -53,7 +53,7 @@ if /usr/bin/python3 -c "import numpy" 2>>"$work/log"; then
   PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$root/usr/lib/python3/dist-packages /usr/bin/python3 -c "
 import microslip as ms
 assert ms.__file__.startswith('$root'), ms.__file__
-print(ms.solve('$work/steady.info'))"
+print(ms.solve('$work/steady.info'), ms.CreepTable())"
 fi
 dpkg_there --remove microslip python3-microslip
 left=$(find "$root/usr" -not -type d 2>/dev/null || true)
