@@ -15,7 +15,7 @@
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/not_converged_at.hpp"
 #include "microslip/support/require.hpp"
-#include "unit_patch.hpp"
+#include "microslip/creep_table/unit_patch.hpp"
 
 namespace microslip {
 

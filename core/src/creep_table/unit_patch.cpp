@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "unit_patch.hpp"
+#include "microslip/creep_table/unit_patch.hpp"
 
 #include <cmath>
 #include <numbers>
