@@ -31,7 +31,9 @@ colours = "'#000000' \
   calibrated #0072b2 aligned #56b4e9 inversion #cc79a7 chebyshev #7a4fa3 \
   direct #d55e00 remembered #0072b2 relaxed #009e73 relaxed_traction #8a6d00 fractional #cc79a7 springs #e69f00 \
   'direct verlet' #d55e00 'direct midpoint' #cc79a7 'remembered verlet' #0072b2 'remembered midpoint' #009e73 \
-  at_node #cc79a7 cell_mean #009e73 cut #8a8a2b"
+  at_node #cc79a7 cell_mean #009e73 cut #8a8a2b \
+  table #009e73 usetab #8a8a2b fastsim_three #7a4fa3 fastsim_one #cc79a7 vermeulen_johnson #e69f00 polach #8c3a00 \
+  contact #d55e00 few #0072b2"
 colour_of(scheme) = word(colours, 1 + int(sum [i=1:words(colours)] (word(colours, i) eq scheme ? i : 0)))
 
 # Texts beside a line have its hue, and a contrast on white of at least 4.5, where the line is paler: its luminance

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # All tables that are made in seconds: every study, quick, the examples, and a sweep.
 # Usage: tools/quick_tables.sh PROGRAMS_FOLDER OUT THREADS
-# A study has one thread; the threads solve the cases of the sweep.
+# A study has one thread, but for creep_tables, which takes all cores; the threads solve the cases of the sweep.
 set -euo pipefail
 programs=$1 out=$2 threads=$3
 root=$(dirname "$0")/..

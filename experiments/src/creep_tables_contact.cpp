@@ -64,15 +64,15 @@ std::vector<std::vector<ContactTableCase>> contact_table_cases(Index every) {
     for (const double spin : table_spins) {
       for (Index j = 0; j < table_angles; ++j) {
         const double angle = pi / 6 * static_cast<double>(j - table_angles / 2);
+        const double along = j % (table_angles - 1) == 0 ? 0 : std::cos(angle);
         const bool is_mirrored = spin == 0 && angle < 0;
         std::vector<ContactTableCase> row;
         for (std::size_t m = 0; m < table_magnitudes.size(); ++m, ++at) {
           const double size = table_magnitudes[m];
           const bool is_repeated = size == 0 && (spin == 0 || angle != 0);
           if (is_mirrored || is_repeated || m % static_cast<std::size_t>(every) != 0) continue;
-          row.push_back({ratio,
-                         unit * Vector3d(size * std::cos(angle), size * std::sin(angle), spin),
-                         printed[at]});
+          const Vector3d motion(size * along, size * std::sin(angle), spin);
+          row.push_back({ratio, unit * motion, printed[at]});
         }
         if (!row.empty()) rows.push_back(std::move(row));
       }

@@ -103,17 +103,17 @@ std::vector<ComparedMethod> laws_of(const CreepTablesParameters& p, const States
       return Vector3d(force[0], force[1], 0);
     });
   };
-  return {fast_method("fastsim_three", true, states, 10, by_fastsim(Flexibilities::three), has_any),
-          fast_method("fastsim_one", true, states, 10, by_fastsim(Flexibilities::one), has_any),
-          fast_method("vermeulen_johnson", false, states, 1000, without_moment(vermeulen_johnson),
+  return {fast_method("fastsim_three", true, states, 3, by_fastsim(Flexibilities::three), has_any),
+          fast_method("fastsim_one", true, states, 3, by_fastsim(Flexibilities::one), has_any),
+          fast_method("vermeulen_johnson", false, states, 100, without_moment(vermeulen_johnson),
                       has_any),
-          fast_method("polach", false, states, 1000, without_moment(polach), has_any)};
+          fast_method("polach", false, states, 100, without_moment(polach), has_any)};
 }
 
 ComparedMethod installed_table(const States& states) {
   const CreepTable table(read_creep_table(std::string(creep_table_bytes())));
   return fast_method(
-      "table", true, states, 100,
+      "table", true, states, 30,
       [&](double ratio, const Vector3d& motion) { return table.forces(ratio, motion); }, has_any);
 }
 

@@ -34,7 +34,9 @@ for scene in "$source"/studies/*/study.info; do
   done
 done
 cmp "$source/tables/creep_forces.nc" "$prefix/share/microslip/creep_forces.nc" || fail "no table"
-cmp "$source/studies/sweep.sbatch" "$prefix/share/microslip/sweep.sbatch" || fail "no sweep.sbatch"
+for script in sweep table; do
+  cmp "$source/studies/$script.sbatch" "$prefix/share/microslip/$script.sbatch" || fail "no $script.sbatch"
+done
 microslip-carter --quick
 [ -s results/carter/traction.tsv ] || fail "carter wrote nothing"
 

@@ -38,6 +38,21 @@ TEST_F(CreepTables, HaveTheSameBytesInShards) {
   EXPECT_NE(text_of(file("one.nc")).find("error_largest_force"), std::string::npos);
 }
 
+TEST_F(CreepTables, HaveTheSameBytesByTheJobArray) {
+  ASSERT_EQ(table("one.nc", "--threads 2").status, 0);
+  for (const int id : {2, 0, 1}) {
+    const Outcome task = run_command(
+        "SLURM_ARRAY_TASK_MIN=0 SLURM_ARRAY_TASK_COUNT=3 SLURM_CPUS_PER_TASK=1 "
+        "MICROSLIP='" MICROSLIP_BIN "/microslip' SLURM_ARRAY_TASK_ID=" +
+        std::to_string(id) + " bash '" MICROSLIP_SOURCE "/studies/table.sbatch' '" +
+        file("two.nc").string() +
+        "' --ratios 4 --steps 4 --polar 3 --azimuths 3 --cells 4 --states 60 --error-cells 5");
+    EXPECT_EQ(task.status, 0) << task.error;
+    EXPECT_EQ(fs::exists(file("two.nc")), id == 1);
+  }
+  EXPECT_EQ(text_of(file("one.nc")), text_of(file("two.nc")));
+}
+
 TEST_F(CreepTables, RefusePartsOfAnotherTable) {
   ASSERT_EQ(table("one.nc", "--shard 1/2").status, 0);
   const Outcome other = table("one.nc", "--shard 1/2 --poisson-ratio 0.3");
