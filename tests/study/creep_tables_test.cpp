@@ -14,11 +14,11 @@ std::vector<Table> found_with(const std::vector<std::string>& settings) {
   return tables_of("creep_tables", read_creep_tables, creep_tables, settings);
 }
 
-/// Few states on few cells, as the errors that are judged are larger than those of 10 cells.
+/// Few states, and references on few cells: errors that are judged are larger than those of references.
 const std::vector<Table>& few_states() {
   static const std::vector<Table> found =
-      found_with({"random.ratios=4", "random.states=10", "contact.every=8", "reference.cells=12",
-                  "reference.fine_cells=16", "reference.fine_ratios=1", "reference.fine_states=6",
+      found_with({"random.ratios=3", "random.states=8", "contact.every=8", "reference.cells=10",
+                  "reference.fine_cells=13", "reference.fine_ratios=1", "reference.fine_states=4",
                   "usetab.cells=8"});
   return found;
 }
@@ -102,7 +102,7 @@ TEST(CreepTables, RefusesAReferenceThatIsNotFiner) {
 }
 
 TEST(CreepTables, Verdicts) {
-  // References of 12 and 13 cells have errors of some ten-thousandths themselves.
+  // References on 10 and 11 cells have errors of some ten-thousandths themselves.
   std::vector<std::string> found = verdicts(few_states());
   ASSERT_EQ(found.size(), 12U);
   found.erase(found.begin());
