@@ -17,8 +17,8 @@ std::vector<Table> found_with(const std::vector<std::string>& settings) {
 /// Few states, and references on few cells: errors that are judged are larger than those of references.
 const std::vector<Table>& few_states() {
   static const std::vector<Table> found =
-      found_with({"random.ratios=3", "random.states=8", "contact.every=8", "reference.cells=10",
-                  "reference.fine_cells=13", "reference.fine_ratios=1", "reference.fine_states=4",
+      found_with({"random.shapes=3", "random.states=8", "contact.every=8", "reference.cells=10",
+                  "reference.fine_cells=13", "reference.fine_shapes=1", "reference.fine_states=4",
                   "usetab.cells=8"});
   return found;
 }
