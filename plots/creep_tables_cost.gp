@@ -11,11 +11,11 @@ set format x "10^{%T}"
 set format y "10^{%T}"
 set xlabel "time of an evaluation [s]"
 set ylabel "error of a force, over full sliding [1]"
-set xrange [8e-9:0.05]
+set xrange [8e-9:1]
 set yrange [4e-4:3]
 unset key
-set label 1 name_of("contact").": 99 %" at 0.04,measured("contact", "of_99_percent") right offset 0,0.6 textcolor rgb label_colour_of("contact")
-set label 2 "root of the mean square" at 0.04,measured("contact", "rms") right offset 0,0.6 textcolor rgb label_colour_of("contact")
+set label 1 name_of("contact").": 99 %" at 0.7,measured("contact", "of_99_percent") right offset 0,0.6 textcolor rgb label_colour_of("contact")
+set label 2 "root of the mean square" at 0.7,measured("contact", "rms") right offset 0,0.6 textcolor rgb label_colour_of("contact")
 do for [i=1:words(methods)] {
   m = word(methods, i)
   if (m ne "contact") {
@@ -23,7 +23,8 @@ do for [i=1:words(methods)] {
       set label 10+i name_of(m) at measured(m, "time"),measured(m, m eq "polach" ? "rms" : "of_99_percent") left \
           offset (m eq "polach" ? 1 : -2),(m eq "polach" ? 0 : 1) textcolor rgb label_colour(hue(m))
     } else { if (is_few(m)) {
-      set label 10+i name_of(m) at measured(m, "time"),measured(m, "rms") right offset -1,0 textcolor rgb label_colour(hue(m))
+      set label 10+i name_of(m) at measured(m, "time"),measured(m, dash_of(m) == 2 ? "of_99_percent" : "rms") left \
+          offset 1,0 textcolor rgb label_colour(hue(m))
     } else {
       set label 10+i name_of(m) at measured(m, "time"),measured(m, m eq "fastsim_three" ? "rms" : "of_99_percent") \
           left offset 1,0 textcolor rgb label_colour(hue(m))

@@ -25,7 +25,7 @@ using Methods = std::vector<ComparedMethod>;
 using Compared = std::vector<ComparedState>;
 
 /// Forces and moments that are rounding, over full sliding.
-constexpr double rounding_of_solutions = 1e-8;
+constexpr double rounding_of_solutions = 1e-7;
 
 constexpr const char* meaning_of_methods =
     "table: the installed one; usetab: USETAB's layout at a/b = 1; fastsim_three, fastsim_one: "
@@ -331,7 +331,8 @@ CreepTablesParameters read_creep_tables(Scene& scene) {
   using P = CreepTablesParameters;
   const StudyKeys<P> keys(
       scene,
-      {{&P::groups, "random.shapes", "random a/b", range(1, 1000)},
+      {{&P::groups, "random.shapes", "random a/b, one in each of so many parts of 0.1 ... 10",
+        range(1, 100)},
        {&P::states, "random.states", "random motions at each", range(1, 1000)},
        {&P::every, "contact.every", "of CONTACT's 23 magnitudes of the creepage, one of so many",
         range(1, 22)},
@@ -341,7 +342,7 @@ CreepTablesParameters read_creep_tables(Scene& scene) {
        {&P::fine_cells, "reference.fine_cells",
         "the same, by which errors of references are measured", range(5, 39),
         "above reference.cells"},
-       {&P::fine_groups, "reference.fine_shapes", "random a/b that are solved on these",
+       {&P::fine_groups, "reference.fine_shapes", "a/b in the middle that are solved on these",
         range(1, 1000), "at most random.shapes"},
        {&P::fine_states, "reference.fine_states", "random motions at each", range(1, 1000)},
        {&P::direct, "direct.cells", "cells of a circle, of direct solutions on few", range(4, 20),

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "creep_tables_states.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <mutex>
 
 #include "microslip/support/not_converged.hpp"
@@ -47,6 +50,21 @@ std::vector<RowForces> solve_rows(const ShapeRows& shape, Index cells) {
   return found;
 }
 
+/// The a/b of the table in equal parts of their logarithm, one for each group: its shape is random there.
+CreepTableLayout part_of_layout(Index group, Index groups) {
+  CreepTableLayout part;
+  const double least = part.least_ratio, ratio = part.largest_ratio / part.least_ratio;
+  const auto end = [&](Index of) {
+    return least * std::pow(ratio, static_cast<double>(of) / static_cast<double>(groups));
+  };
+  part.least_ratio = end(group);
+  part.largest_ratio = std::min(part.largest_ratio, end(group + 1));
+  return part;
+}
+
+/// The groups that are solved on finer grids, too, are those in the middle.
+Index first_fine_group(const CreepTablesParameters& p) { return (p.groups - p.fine_groups) / 2; }
+
 std::size_t sized(Index count) { return static_cast<std::size_t>(count); }
 
 }  // namespace
@@ -82,8 +100,10 @@ SolvedStates solve_states(const CreepTablesParameters& p, const Progress& progre
   for_each_case(steps_of_states(p), available_cores(), [&](std::size_t i) {
     if (i < random.size()) {
       const bool is_fine = i < fine;
-      const std::uint64_t seed = first_seed + (is_fine ? i : i - fine);
-      random[i] = random_creep_states({}, seed, sized(is_fine ? p.fine_states : p.states),
+      const Index group =
+          is_fine ? first_fine_group(p) + static_cast<Index>(i) : static_cast<Index>(i - fine);
+      random[i] = random_creep_states(part_of_layout(group, p.groups), first_seed + sized(group),
+                                      sized(is_fine ? p.fine_states : p.states),
                                       is_fine ? p.fine_cells : p.cells);
     } else {
       const std::size_t at = i - random.size();
@@ -99,8 +119,9 @@ SolvedStates solve_states(const CreepTablesParameters& p, const Progress& progre
     found.unsolved += sized(p.states) - random[fine + i].size();
     for (const CreepState& state : random[fine + i]) {
       found.states.push_back({state, std::nullopt, true});
-      if (i >= fine) continue;
-      for (const CreepState& other : random[i]) {
+      const std::size_t first = sized(first_fine_group(p));
+      if (i < first || i >= first + fine) continue;
+      for (const CreepState& other : random[i - first]) {
         if (other.motion == state.motion) found.finer.push_back({state, other});
       }
     }
