@@ -1,5 +1,5 @@
 # Errors of creep forces against the time of an evaluation on one core, over all motions: a point is the root of the mean
-# square, a circle bounds 99 %. A table takes no longer than a fast law, and has the errors of a direct solution. CONTACT's
+# square, a circle bounds 99 %. A table is faster than FASTSIM, and has the errors of a direct solution. CONTACT's
 # results are printed ones, without a time; USETAB's layout is measured at a/b = 1.
 load scripts."/creep_tables.gpi"
 times = tables."/cost_timing.tsv"

@@ -2,8 +2,11 @@
 #include "creep_tables_usetab.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 #include "microslip/reference/full_sliding.hpp"
 #include "microslip/support/parallel.hpp"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "creep_tables_states.hpp"

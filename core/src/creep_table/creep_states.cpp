@@ -6,10 +6,10 @@
 #include <numbers>
 #include <random>
 
+#include "microslip/creep_table/unit_patch.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/random.hpp"
 #include "microslip/support/require.hpp"
-#include "microslip/creep_table/unit_patch.hpp"
 
 namespace microslip {
 

@@ -10,12 +10,12 @@
 #include <numbers>
 #include <optional>
 
+#include "microslip/creep_table/unit_patch.hpp"
 #include "microslip/patch/patch_grid.hpp"
 #include "microslip/reference/full_sliding.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/not_converged_at.hpp"
 #include "microslip/support/require.hpp"
-#include "microslip/creep_table/unit_patch.hpp"
 
 namespace microslip {
 
