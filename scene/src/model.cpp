@@ -67,7 +67,7 @@ LoadHistory read_loads(Scene& scene, const TransientProblem& problem) {
   return read_load(scene, problem.contact.kernel, problem.contact.bound);
 }
 
-bool has_step_tolerance(const Scene& scene, const TransientProblem& problem) {
+bool has_step_tolerance(Scene& scene, const TransientProblem& problem) {
   return scene.has("load.file") && std::holds_alternative<Remembered>(problem.scheme) &&
          scene.has("step.tolerance");
 }

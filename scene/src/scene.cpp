@@ -58,15 +58,12 @@ void refuse_names_of_others(const Scene& scene) {
 [[noreturn]] void reject_missing(const Scene& scene, const std::vector<std::string>& names,
                                  const std::string& near) {
   refuse_names_of_others(scene);
-  std::string misspelt = near, hint = suggestion(near);
-  for (const std::string& key : scene.keys()) {
-    if (!hint.empty() || scene.known(key) != nullptr || key.starts_with("sweep.")) continue;
-    const std::string likely = likely_key(key);
-    if (likely.empty()) continue;
-    misspelt = key;
-    hint = fmt::format("; '{}' is no key{}", shown(key), suggestion(likely));
-  }
-  throw MissingKey(misspelt, names, hint);
+  if (!near.empty()) throw MissingKey(near, names, suggestion(near));
+  const std::string misspelt = scene.misspelt();
+  throw MissingKey(misspelt, names,
+                   misspelt.empty() ? ""
+                                    : fmt::format("; '{}' is no key{}", shown(misspelt),
+                                                  suggestion(likely_key(misspelt))));
 }
 
 /// The known key with an s more or less, as step.ratios of a study; empty if there is none.
@@ -205,6 +202,16 @@ const Scene::Value& Scene::value(const std::string& key) const {
   reject_missing(*this, {key}, nearest(key, keys()));
 }
 
+bool Scene::has(const std::string& key) {
+  ask(key);
+  return std::as_const(*this).has(key);
+}
+
+std::string Scene::at_most_one_of(const std::vector<std::string>& keys) {
+  for (const std::string& key : keys) ask(key);
+  return std::as_const(*this).at_most_one_of(keys);
+}
+
 std::string Scene::at_most_one_of(const std::vector<std::string>& keys) const {
   std::string first;
   for (const std::string& key : keys) {
@@ -218,7 +225,7 @@ std::string Scene::at_most_one_of(const std::vector<std::string>& keys) const {
   return first;
 }
 
-std::string Scene::one_of(const std::vector<std::string>& keys) const {
+std::string Scene::one_of(const std::vector<std::string>& keys) {
   const std::string found = at_most_one_of(keys);
   if (!found.empty()) return found;
   reject_missing(*this, keys, nearest(keys.front(), this->keys()));
@@ -432,6 +439,32 @@ void Scene::record(const std::string& key, const std::string& value) {
   if (is_new) parameters_.emplace_back(key, value);
 }
 
+void Scene::ask(const std::string& key) {
+  if (std::ranges::find(asked_, key) == asked_.end()) asked_.push_back(key);
+}
+
+std::string Scene::misspelt() const {
+  for (const std::string& key : keys()) {
+    const bool is_known = known(key) != nullptr || key.starts_with("sweep.");
+    if (!is_known && !likely_key(key).empty()) return key;
+  }
+  return "";
+}
+
+/// Those that were read, then those that were asked for and are not given.
+std::vector<std::string> Scene::keys_with_a_part() const {
+  std::vector<std::string> all;
+  for (const auto& [key, text] : parameters_) {
+    if (key.find(' ') == std::string::npos) all.push_back(key);  // others are derived
+  }
+  const std::size_t read = all.size();
+  for (const std::string& key : asked_) {
+    const auto end = all.begin() + static_cast<std::ptrdiff_t>(read);
+    if (!has(key) && std::find(all.begin(), end, key) == end) all.push_back(key);
+  }
+  return all;
+}
+
 void Scene::reject_unread() const {
   const auto role_of = [&](const Key& key) -> std::string {
     const std::string role(key.role.empty() ? "scenes" : key.role);
@@ -443,19 +476,19 @@ void Scene::reject_unread() const {
     return role + (has("contact.patch_file") ? ", not for this patch" : ", not for this ellipse");
   };
   refuse_names_of_others(*this);
-  std::vector<std::string> known;
-  for (const auto& [key, text] : parameters_) {
-    if (key.find(' ') == std::string::npos) known.push_back(key);  // others are derived
-  }
+  const std::vector<std::string> all = keys_with_a_part();
   for (const auto& [key, value] : values_) {
-    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    if (std::find(all.begin(), all.end(), key) != all.end()) continue;
     const Key* elsewhere = find_key(key);
-    const std::string why =
-        elsewhere == nullptr
-            ? fmt::format("unknown key '{}'{}", shown(key), suggestion(likely_key(key, known)))
-            : fmt::format("key '{}' has no role here{}: it is for {}", key,
-                          suggestion(in_other_number(key, known)), role_of(*elsewhere));
-    throw BadParameter(key, fmt::format("{}; known to this model: {}", why, joined(known, ", ")));
+    std::string likely = elsewhere == nullptr ? likely_key(key, all) : in_other_number(key, all);
+    if (elsewhere == nullptr && likely.empty()) likely = likely_key(key);
+    const std::string why = elsewhere == nullptr
+                                ? fmt::format("unknown key '{}'", shown(key)) + suggestion(likely)
+                                : fmt::format("key '{}' has no role here{}: it is for {}", key,
+                                              suggestion(likely), role_of(*elsewhere));
+    const std::string list =
+        likely.empty() ? fmt::format("; known to this model: {}", joined(all, ", ")) : "";
+    throw BadParameter(key, why + list);
   }
 }
 

@@ -41,6 +41,13 @@ std::string utf16(const std::string& text) {
 const std::string bom = "\xEF\xBB\xBF";
 const std::string range = " that is 0 or from 5e-324 to 1.7e308 in magnitude";
 
+/// Keys that a line contact in steady rolling may have beside those of the good scene.
+const std::string also_known =
+    "target_error, material.youngs_modulus, material.dundurs_beta, material.shear_modulus_2, "
+    "material.youngs_modulus_2, material.poisson_ratio_2, contact.normal_load, contact.roughness, "
+    "contact.bound_polynomial, contact.bound_file, kernel.compliance, load.force, "
+    "load.force_ratio, load.stick_ratio";
+
 class BadInputs : public Executables {
  protected:
   void expect_answer(const BadInput& bad, const Outcome& outcome) const {
@@ -197,7 +204,8 @@ TEST_F(BadInputs, Scenes) {
         "contact.peak_traction, kernel.type, kernel.width, grid.elements, basis, load.creepage, "
         "solver.type, solver.tolerance, "
         "solver.violation, "
-        "solver.condition"},
+        "solver.condition, " +
+            also_known},
        {"a long value", "problem " + repeated("x", 1000000),
         "SCENE:1: problem = '" + repeated("x", 160) +
             "... (1000000 characters)': expected steady or transient or cylinder"},
@@ -230,7 +238,8 @@ TEST_F(BadInputs, PlacesOfKeys) {
         "leading_edge, material.shear_modulus, material.poisson_ratio, direction, "
         "contact.half_width, "
         "contact.peak_traction, kernel.type, kernel.width, grid.elements, basis, load.creepage, "
-        "solver.type, solver.tolerance, solver.violation, solver.condition"},
+        "solver.type, solver.tolerance, solver.violation, solver.condition, " +
+            also_known},
        {"for a sweep", good_scene + "sweep { basis \"constant\" }",
         "SCENE:10: key 'sweep.basis': expected a scene without a sweep; for many see 'microslip "
         "sweep --help'"}});

@@ -206,7 +206,10 @@ TEST_F(Commands, ConvergeAdvisesAndIsDrawn) {
       "model: problem, method, leading_edge, material.shear_modulus, "
       "material.poisson_ratio, direction, contact.half_width, contact.peak_traction, kernel.type, "
       "kernel.width, grid.elements, basis, load.force, solver.type, solver.tolerance, "
-      "solver.violation, solver.condition");
+      "solver.violation, solver.condition, target_error, material.youngs_modulus, "
+      "material.dundurs_beta, material.shear_modulus_2, material.youngs_modulus_2, "
+      "material.poisson_ratio_2, contact.normal_load, contact.roughness, contact.bound_polynomial, "
+      "contact.bound_file, kernel.compliance, load.creepage, load.force_ratio, load.stick_ratio");
 }
 
 // Without a load all sticks that carries a traction, and a small load changes little.

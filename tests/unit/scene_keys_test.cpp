@@ -316,6 +316,37 @@ TEST(KeysOfScenes, HaveARoleOrAreRefused) {
   }
 }
 
+/// The keys that a message lists behind "known to this model".
+std::set<std::string> listed(std::string said) {
+  const std::string begin = "known to this model: ";
+  const std::size_t at = said.find(begin);
+  if (at == std::string::npos) return {};
+  said.erase(0, at + begin.size());
+  std::ranges::replace(said, ',', ' ');
+  return words(said);
+}
+
+// Keys that a scene does not give are in the list, too, by the table of roles: each that a scene
+// takes beside its own, without an answer.
+TEST(KeysOfScenes, AreAllListedForAnUnknownKey) {
+  for (const auto& [name, settings] : scenes) {
+    const std::set<std::string> known = listed(answer(with(settings, {"zzzz=1"})));
+    EXPECT_FALSE(known.empty()) << name;
+    for (const auto& [key, value, where] : roles) {
+      const bool has_role = words(where).contains(name);
+      if (!has_role || !answer(with(settings, {key + "=" + value})).empty()) continue;
+      EXPECT_TRUE(known.contains(key)) << key << " in " << name;
+    }
+  }
+}
+
+TEST(KeysOfScenes, OfNearlyTheNameAreProposedWhetherTheyAreGivenOrNot) {
+  EXPECT_EQ(answer(with(scenes.at("loaded_ellipse"), {"grid.rwos=5"})),
+            "unknown key 'grid.rwos' (did you mean 'grid.rows'?)");
+  EXPECT_EQ(answer(with(ellipse, {"grid.rows=", "grid.elements=", "grid.rwos=5"})),
+            "unknown key 'grid.rwos' (did you mean 'grid.rows'?)");
+}
+
 /// Counts the scenes that reject a value of a key, where the key has a role; others have reasons of
 /// their own besides, as a scheme that takes no offsets.
 std::size_t rejecting(const Key& key, double value) {

@@ -139,6 +139,16 @@ TEST(Scene, NamesTheUnknownKeyAndTheKnownOnes) {
   EXPECT_EQ(message([&] { scene.reject_unread(); }), "unknown key 'extra'; known to this model: a");
 }
 
+// A key that a reader asked for is known, given or not, and so are all that exclude each other.
+TEST(Scene, NamesTheKeysThatWereAskedFor) {
+  Scene scene = scene_of("a 1\nextra 2");
+  EXPECT_FALSE(scene.has("c"));
+  EXPECT_EQ(scene.one_of({"b", "a"}), "a");
+  EXPECT_EQ(scene.number("a"), 1);
+  EXPECT_EQ(message([&] { scene.reject_unread(); }),
+            "unknown key 'extra'; known to this model: a, c, b");
+}
+
 TEST(Scene, RejectsRepeatedKeysAndBrokenFiles) {
   EXPECT_NE(message([] { scene_of("a 1\na 2"); }).find("'a' is given twice"), std::string::npos);
   EXPECT_NE(message([] { scene_of("a { b 1"); }).find("test:1: unmatched {"), std::string::npos);

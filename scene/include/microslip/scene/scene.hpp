@@ -110,6 +110,9 @@ class Scene {
 
   bool has(const std::string& key) const { return values_.count(key) != 0; }
 
+  /// The same, as a reader asks: the key counts as one that has a part here, given or not.
+  bool has(const std::string& key);
+
   /// All keys, in the order in which they were first given.
   std::vector<std::string> keys() const;
 
@@ -124,8 +127,11 @@ class Scene {
   /// \throws std::invalid_argument if two are given
   std::string at_most_one_of(const std::vector<std::string>& keys) const;
 
+  /// The same, as a reader asks.
+  std::string at_most_one_of(const std::vector<std::string>& keys);
+
   /// The same. \throws std::invalid_argument also if none is given
-  std::string one_of(const std::vector<std::string>& keys) const;
+  std::string one_of(const std::vector<std::string>& keys);
 
   /// A finite decimal number, with a point in any locale: 1.5, .5, +5, -1e-3. A number too small
   /// for a double, 1e-400, is rejected like one that is too large. A unit may follow the number,
@@ -191,8 +197,12 @@ class Scene {
   /// One or more of the words of a known key, separated by blanks. A missing key gives the default.
   std::vector<std::string> words(const std::string& key);
 
-  /// \throws std::invalid_argument if a given key was not read
+  /// Rejects a given key that was not read. The message has the likely spelling, or all keys that
+  /// readers of this scene have read or asked for.
   void reject_unread() const;
+
+  /// The first given key that no scene has, of nearly the name of one; empty if there is none.
+  std::string misspelt() const;
 
   /// Adds a value that follows from other values to the parameters, under "derived" and the key
   /// that would give the value.
@@ -234,10 +244,13 @@ class Scene {
   const Key& declared(const std::string& key) const;
   void hold_to_range(const std::string& key, double value) const;
   void record(const std::string& key, const std::string& value);
+  void ask(const std::string& key);
+  std::vector<std::string> keys_with_a_part() const;
 
   std::map<std::string, Value> values_;
   std::size_t next_order_ = 0;
   Parameters parameters_;
+  std::vector<std::string> asked_;  ///< by readers, given or not, each once
   std::vector<Warning> warnings_;
   std::vector<std::shared_ptr<const std::vector<Key>>> declared_;
   FileReader read_file_;
@@ -255,7 +268,8 @@ BadParameter all_missing(const Scene& scene, const MissingKey& first,
 /// unchanged.
 BadParameter in_keys(const BadParameter& error);
 
-/// The same for a scene, where several keys may give an argument.
+/// The same for a scene, where several keys may give an argument. A misspelt key comes first: other
+/// keys may be wrong only because it was not read.
 BadParameter in_keys(const BadParameter& error, const Scene& scene);
 
 /// Calls an action; a message about an argument that a key gives is then about the key.
