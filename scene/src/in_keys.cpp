@@ -83,6 +83,13 @@ BadParameter in_keys(const BadParameter& error) {
 }
 
 BadParameter in_keys(const BadParameter& error, const Scene& scene) {
+  const bool is_of_unknown = scene.has(error.name()) && scene.known(error.name()) == nullptr;
+  const bool is_missing = std::string_view(error.what()).starts_with("missing key");
+  if (const std::string misspelt = scene.misspelt();
+      !misspelt.empty() && !is_of_unknown && !is_missing) {
+    return {misspelt,
+            fmt::format("unknown key '{}'{}", shown(misspelt), suggestion(likely_key(misspelt)))};
+  }
   const BadParameter named = in_keys(error);
   constexpr std::string_view file = "contact.bound_file", roughness = "contact.roughness";
   const std::string& name = named.name();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "microslip/friction/traction_bound.hpp"
+#include "microslip/scene/model.hpp"
 #include "microslip/scene/scene.hpp"
 #include "microslip/scene/sweep.hpp"
 #include "scene_text.hpp"
@@ -107,6 +108,17 @@ TEST(ScenePlaces, OfAMisspeltKey) {
                    s.reject_unread();
                  }),
             "test:4: unknown key 'b.cc' (did you mean 'b.c'?)");
+}
+
+// The key that would make the contact an ellipse is misspelt, and so units seem to be wrong.
+TEST(ScenePlaces, OfAMisspeltKeyComeBeforeThoseOfOthers) {
+  const Scene scene = scene_of(
+      "problem steady\nmaterial { youngs_modulus 210 GPa\npoisson_ratio 0.28 }\n"
+      "contact { normal_load 75 kN\nradius_1 460 mm\nfriction 0.3\n"
+      "lateral_raduis_2 300 mm }\nload { creepage 0.001 }");
+  EXPECT_EQ(said(scene, [](Scene& s) { read_model(s); }),
+            "test:7: unknown key 'contact.lateral_raduis_2' (did you mean "
+            "'contact.lateral_radius_2'?)");
 }
 
 TEST(ScenePlaces, AreThoseOfTheSceneThatWins) {
