@@ -48,6 +48,20 @@ void require_small(Scene& scene, double a, double radius) {
                          format_roughly(a)));
 }
 
+void warn_of_large_bound(Scene& scene, double peak, double shear_modulus) {
+  constexpr double most_strain = 0.05;
+  // N/mm^2; of rubber 1, and of diamond 5e5; normalised contacts may have any outside
+  constexpr double least_modulus = 100, most_modulus = 1e6;
+  const bool is_of_solid = shear_modulus >= least_modulus && shear_modulus <= most_modulus;
+  if (!is_of_solid || peak <= most_strain * shear_modulus) return;
+  const std::string key =
+      scene.one_of({"contact.peak_traction", "contact.bound_file", "contact.normal_load"});
+  scene.warn(key, scene.text(key),
+             fmt::format("the largest traction, {} N/mm^2, is {} of the shear modulus, and strains "
+                         "have to be small; numbers without a unit are in N, mm and N/mm^2",
+                         format_roughly(peak), format_roughly(peak / shear_modulus)));
+}
+
 HertzBound read_loaded_contact(Scene& scene, const Material& material) {
   for (const char* other :
        {"contact.peak_traction", "contact.bound_polynomial", "contact.bound_file"}) {

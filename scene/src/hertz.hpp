@@ -22,6 +22,11 @@ struct Radii {
 /// Reads contact.radius_1 and contact.radius_2.
 Radii read_radii(Scene& scene);
 
+/// Warns of a bound that is large beside the shear modulus, by the key that gives it. Normalised
+/// contacts, with a modulus that no solid has in N/mm^2, have no such limit.
+/// \param peak  of the bound  [N/mm^2]
+void warn_of_large_bound(Scene& scene, double peak, double shear_modulus);
+
 /// Refuses a half-width above a radius, and warns of one above a tenth of it.
 /// \param a  half-width  [mm]
 void require_small(Scene& scene, double a, double radius);

@@ -201,6 +201,7 @@ SteadyPatch read_unloaded_patch(Scene& scene) {
   const Material material = read_material(scene);
   const PatchBound bound =
       scene.has(patch_file) ? read_patch(scene) : read_ellipse(scene, material);
+  warn_of_large_bound(scene, bound.peak(), material.shear_modulus);
   const bool has_grid = scene.has("grid.rows") || scene.has("grid.elements");
   const PatchGrid fitting = fitting_grid(bound.shape());
   SteadyPatch patch{

@@ -71,6 +71,31 @@ TEST(PatchScene, TakesResultantsInNewtons) {
   EXPECT_EQ(patch.load[2], (PatchComponent{true, 3000}));
 }
 
+// Numbers in pascals and newtons that are none in the units of keys.
+TEST(PatchScene, WarnsOfABoundThatIsLargeBesideTheModulus) {
+  const auto warnings = [](const std::vector<std::string>& settings) {
+    Scene scene = scene_of(ellipse);
+    for (const std::string& setting : settings) scene.set(setting);
+    read_model(scene);
+    std::string lines;
+    for (const Warning& warning : scene.warnings()) lines += warning.line;
+    return lines;
+  };
+  EXPECT_EQ(warnings({"contact.peak_traction=4000"}), "");
+  EXPECT_EQ(warnings({"contact.peak_traction=300 MPa"}), "");
+  EXPECT_EQ(warnings({"contact.peak_traction=4001"}),
+            "contact.peak_traction = 4001: the largest traction, 4e+03 N/mm^2, is 0.05 of the "
+            "shear modulus, and strains have to be small; numbers without a unit are in N, mm and "
+            "N/mm^2");
+  EXPECT_TRUE(warnings({"contact.peak_traction=3e8"}).starts_with("contact.peak_traction = 3e8: "));
+  EXPECT_TRUE(
+      warnings({"contact.peak_traction=", "contact.normal_load=8e7", "contact.friction=0.3"})
+          .starts_with("contact.normal_load = 8e7: the largest traction"));
+  // Normalised.
+  EXPECT_EQ(warnings({"material.shear_modulus=1", "contact.peak_traction=1"}), "");
+  EXPECT_EQ(warnings({"material.shear_modulus=1e12", "contact.peak_traction=1e12"}), "");
+}
+
 // Rows and elements grow smoothly from the circle to both sides.
 TEST(PatchScene, HasRowsAndElementsThatFit) {
   Eigen::Index elements = 0;
