@@ -64,11 +64,13 @@ const Law& law_named(const std::string& name) {
   return *std::ranges::find_if(laws, [&](const Law& law) { return name == law.name; });
 }
 
-/// Whether forces are the same but for their signs where the motion along changes its sign.
-bool is_symmetric(const PatchLoad& load, std::size_t along) {
+/// Whether forces are the same but for their signs where the motion along changes its sign. One that
+/// the scene gives as 0 counts as another: curves of a family, which have it in turn, all cover the
+/// same range.
+bool is_symmetric(Scene& scene, const PatchLoad& load, std::size_t along) {
   if (along == 0) return true;  // lateral motions mirror it
-  const PatchComponent& other = load[along == 1 ? 2 : 1];
-  return !other.by_resultant && other.value == 0;
+  const std::size_t other = along == 1 ? 2 : 1;
+  return !load[other].by_resultant && !scene.has(std::string("load.") + components[other].motion);
 }
 
 /// Returns a motion along, on its own, at which nearly all slides.
@@ -87,7 +89,7 @@ std::vector<double> motions_of(const PatchCurveScene& scene,
                                const CreepCoefficients& coefficients) {
   if (!scene.motions.empty()) return scene.motions;
   const double most = scene.largest ? *scene.largest : beyond_sliding(scene, coefficients);
-  return evenly_spaced(is_symmetric(scene.patch.load, scene.along) ? 0 : -most, most, scene.points);
+  return evenly_spaced(scene.is_symmetric ? 0 : -most, most, scene.points);
 }
 
 /// Reads the values of the motion, or how many there are, and the largest one.
@@ -164,6 +166,7 @@ PatchCurveScene read_patch_curve(Scene& scene) {
       std::ranges::find_if(components, [&](const Component& one) { return varied == one.motion; });
   const auto along = static_cast<std::size_t>(component - components.begin());
   PatchCurveScene read{.patch = read_steady_patch(scene, along), .along = along};
+  read.is_symmetric = is_symmetric(scene, read.patch.load, along);
   read_motions(scene, read);
   read.laws = read_laws_beside(scene);
   if (!read.laws.empty()) read.contact = read_contact_of_laws(scene, read.patch);

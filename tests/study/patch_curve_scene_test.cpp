@@ -103,6 +103,9 @@ TEST(PatchCurve, HasBothSidesWhereThereIsNoSymmetry) {
   EXPECT_EQ(first("creepage 1e-4", "lateral_creepage"), 0);
   EXPECT_LT(first("spin 1e-4", "lateral_creepage"), 0);
   EXPECT_LT(first("lateral_force_ratio 0.1", "spin"), 0);
+  // As one of a family over the other motion.
+  EXPECT_EQ(first("spin 0", "lateral_creepage"), first("spin 1e-4", "lateral_creepage"));
+  EXPECT_EQ(first("lateral_creepage 0", "spin"), first("lateral_creepage 1e-4", "spin"));
 }
 
 TEST(PatchCurve, HasLawsWithinWhatIsKnownOfThem) {

@@ -16,10 +16,11 @@ namespace microslip::experiments {
 
 /// A contact patch of which forces and moment are wanted over one motion.
 struct PatchCurveScene {
-  SteadyPatch patch;                   ///< with the load of the other components
-  std::size_t along;                   ///< the component that varies: 0, 1 or 2
-  std::vector<double> motions = {};    ///< its values, in rising order; if there are none:
-  int points = 0;                      ///< evenly spaced ones, also below 0 without symmetry
+  SteadyPatch patch;                 ///< with the load of the other components
+  std::size_t along;                 ///< the component that varies: 0, 1 or 2
+  std::vector<double> motions = {};  ///< its values, in rising order; if there are none:
+  int points = 0;                    ///< evenly spaced ones
+  bool is_symmetric = true;          ///< they begin at 0; otherwise at the negative of the largest
   std::optional<double> largest = {};  ///< up to this; without it, a quarter beyond sliding
   std::vector<std::string> laws = {};
   /// The contact as these laws take it; none without laws.
