@@ -158,7 +158,8 @@ int main(int argc, char** argv) {
             "several in quotes, with blanks between them"},
            {"kalker-factor", "curve.kalker_factor",
             "factor of Kalker's coefficients in these (default: 1)"}},
-      .prepare = prepare_curve};
+      .prepare = prepare_curve,
+      .check_sweep = reject_sweep_of_varied};
   using Arguments = const char* const*;
   const std::vector<program::Command> commands{
       {"init", "writes a commented scene to start from",

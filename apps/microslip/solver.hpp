@@ -26,6 +26,26 @@ inline void reject_sweep(const Scene& scene, const std::string& advice) {
   }
 }
 
+/// Refuses a sweep over the motion that a curve varies, or over its resultant: its curves would all
+/// be equal.
+inline void reject_sweep_of_varied(const Scene& scene) {
+  const bool is_patch = scene.has_patch();
+  const bool is_given = is_patch && scene.has("curve.along");
+  const std::string along = is_given ? scene.text("curve.along") : "creepage";
+  const std::string resultant = along == "creepage"           ? "force"
+                                : along == "lateral_creepage" ? "lateral_force"
+                                                              : "spin_moment";
+  for (const std::string& varied :
+       {along, resultant, resultant + "_ratio", std::string("stick_ratio")}) {
+    const std::string key = "sweep.load." + varied;
+    const bool is_another = varied == "stick_ratio" && is_patch;
+    if (is_another || !scene.has(key) || scene.has("sweep.curve.along")) continue;
+    throw BadParameter(key, fmt::format("key '{}': expected another key, as the curves vary the {} "
+                                        "({}) and would all be equal",
+                                        key, along, is_patch ? "curve.along" : "curve.creepages"));
+  }
+}
+
 /// Reads a scene of any problem.
 /// \return its tables
 inline program::Work solver_of(Scene& scene) {

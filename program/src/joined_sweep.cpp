@@ -80,6 +80,7 @@ bool has_sweep(const Scene& scene) {
 }
 
 JoinedSweep joined_sweep(const Program& program, const Scene& scene) {
+  if (program.check_sweep) with_places(scene, [&] { program.check_sweep(scene); });
   const auto plan = std::make_shared<const SweepPlan>(plan_of(program, scene));
   return {plan->common, [plan](const Progress& progress) { return tables_of(*plan, progress); }};
 }

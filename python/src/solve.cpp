@@ -84,6 +84,7 @@ bool has_sweep(const Scene& scene) {
 }
 
 microslip_py_cases read_sweep(const Scene& scene, bool is_curve) {
+  if (is_curve) placed(scene, [&] { reject_sweep_of_varied(scene); });
   const Sweep sweep = placed(scene, [&] { return Sweep(scene); });
   microslip_py_cases cases{.swept = ""};
   for (const SweptKey& key : sweep.keys()) cases.swept += key.key + '\x1f';

@@ -198,6 +198,7 @@ TEST_F(Curves, OfAnEllipseAreDrawnWithLaws) {
   const Table table = table_of("curve");
   EXPECT_EQ(table.rows(), 3U * 9);
   EXPECT_LT(number(table, 9, "lateral_creepage"), 0);
+  EXPECT_EQ(number(table, 0, "lateral_creepage"), number(table, 9, "lateral_creepage"));
   EXPECT_NEAR(number(table, 26, "spin"), 3e-4, 1e-12);
   const Outcome plot =
       run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip plot out");
@@ -227,6 +228,12 @@ TEST_F(Curves, BadInputOfAnEllipse) {
   expect("--beside polach --kalker-factor 1.1", "curve.kalker_factor = 1.1: expected a number");
   expect("--set problem=transient", "problem = 'transient': expected steady for a curve of an");
   expect("--set load.lateral_force=1e6", "load.lateral_force = 1e+06: expected less than full");
+  expect("--along lateral_creepage --set 'sweep.load.lateral_creepage=0 1e-3'",
+         "key 'sweep.load.lateral_creepage': expected another key, as the curves vary the "
+         "lateral_creepage (curve.along) and would all be equal");
+  expect("--along spin --set 'sweep.load.spin_moment=0 1'", "key 'sweep.load.spin_moment': exp");
+  expect("--set 'sweep.load.force_ratio=0 0.1'", "key 'sweep.load.force_ratio': expected another");
+  expect_error("--set 'sweep.load.creepage=0 0.1'", "key 'sweep.load.creepage': expected another");
   expect_error("--beside polach",
                "curve.beside = 'polach': expected nothing or fastsim for a line");
   expect_error("--along spin", "'curve.along' has no role here: it is for ellipses");

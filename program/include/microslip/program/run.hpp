@@ -32,6 +32,8 @@ struct Program {
   std::function<Work(Scene&)> prepare;
   /// For a program with --save: as prepare, and the work also fills a text to save.
   std::function<Work(Scene&, std::string&)> prepare_to_save = {};
+  /// Refuses a scene with a sweep that makes no sense, before its cases are prepared.
+  std::function<void(const Scene&)> check_sweep = {};
 };
 
 /// Parses the command line, runs the program and writes its tables, with provenance.txt last.
