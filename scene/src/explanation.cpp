@@ -112,9 +112,12 @@ std::vector<std::string> changed(const LoadHistory& loads, double a) {
 }
 
 const std::string normal_changes =
-    "the normal contact: bound and edges are given, from row to row; they do not depend on "
-    "tractions";
-const std::string normal = "the normal contact: bound and edges are given and stay as they are";
+    "the normal contact: bound and edges are given, or by Hertz from the load, from row to row; "
+    "they "
+    "do not depend on tractions";
+const std::string normal =
+    "the normal contact: bound and edges are given, or by Hertz from the load, and stay as they "
+    "are";
 const std::string how_steady = "the start of rolling, and the inertia of the bodies";
 const std::string details =
     "creepage in the other direction, spin, bodies of different material, friction that depends on "

@@ -84,8 +84,9 @@ constexpr auto keys = std::to_array<Key>({
      above_zero},
     {.name = "contact.normal_load",
      .unit = "N/mm",
-     .meaning = "normal load of two cylinders, from which half-width and peak follow by Hertz; of "
-                "an ellipse by its radii the same, and by half-widths the peak alone",
+     .meaning =
+         "normal load, of a line contact per mm of width: with the radii of both bodies, "
+         "half-widths and peak follow by Hertz; with half-widths of an ellipse the peak alone",
      .range = above_zero,
      .note = "instead of contact.half_width, contact.peak_traction, contact.bound_polynomial and "
              "contact.bound_file; with contact.lateral_half_width instead of contact.peak_traction",
