@@ -142,10 +142,11 @@ Convergence convergence(const KalkerCoefficientsParameters& p, const Progress& p
   return found;
 }
 
-/// The largest error of all coefficients over a/b, with at least so many cells along an axis.
-double largest_error(const Table& errors, const char* scheme, double elements) {
+/// The largest error of some coefficients over a/b, with at least so many cells along an axis.
+double largest_error(const Table& errors, const char* scheme, double elements,
+                     const std::vector<const char*>& of = {names.begin(), names.end()}) {
   double largest = not_given;
-  for (const char* name : names) {
+  for (const char* name : of) {
     largest = std::fmax(largest, extreme(errors, name, false, [&](std::size_t i) {
                           return errors.at(i, "scheme") == Cell(scheme) &&
                                  errors.number(i, "elements") >= elements;
@@ -168,29 +169,36 @@ double largest_doubt(const Table& errors) {
 std::vector<Claim> claims_on_rows(const Table& coefficients, const Convergence& found) {
   const double largest_of_joined =
       extreme(coefficients, "joined", false, [](std::size_t) { return true; });
-  return {{"Galin's theorem is far more exact than what is measured against it", "none", not_given,
-           largest_doubt(found.errors), "1", ours_if({below(0.1)}),
-           "largest estimated error of Galin's theorem, over any error of joined rows or of the "
-           "standard scheme",
-           "kalker_coefficients_error"},
-          {"14 x 14 cells in joined rows have Galin's coefficients to half a thousandth for all "
-           "printed shapes",
-           "none", not_given, largest_of_joined, "1", ours_if({below(5e-4)}),
-           "largest relative difference over a/b and nu, by ellipse.elements rows and cells",
-           "kalker_coefficients_error"},
-          {"5 x 5 cells in joined rows give all coefficients to half a percent", "none", not_given,
-           largest_error(found.errors, "joined", 0), "1", ours_if({below(5e-3)}),
-           "largest relative error of the coefficients over a/b, for any number of cells",
-           "kalker_coefficients_error"},
-          {"10 x 10 cells in joined rows give all coefficients to half a thousandth", "none",
-           not_given, largest_error(found.errors, "joined", 10), "1", ours_if({below(5e-4)}),
-           "largest relative error over a/b, from 10 x 10 cells on", "kalker_coefficients_error"},
-          {"the standard scheme has a percent on 28 x 28 rectangles", "none", not_given,
-           largest_error(found.errors, "standard", 28), "1", ours_if({above(0.01)}),
-           "largest relative error over a/b", "kalker_coefficients_error"},
-          {"joined rows are of second order", "none", 2,
-           least(found.orders, "order", {{"scheme", "joined"}}), "1", ours_if({above(1.7)}),
-           "least order over a/b, of the largest error", "kalker_coefficients_error"}};
+  return {
+      {"Galin's theorem is far more exact than what is measured against it", "none", not_given,
+       largest_doubt(found.errors), "1", ours_if({below(0.1)}),
+       "largest estimated error of Galin's theorem, over any error of joined rows or of the "
+       "standard scheme",
+       "kalker_coefficients_error"},
+      {"14 x 14 cells in joined rows have Galin's coefficients to half a thousandth for all "
+       "printed shapes",
+       "none", not_given, largest_of_joined, "1", ours_if({below(5e-4)}),
+       "largest relative difference over a/b and nu, by ellipse.elements rows and cells",
+       "kalker_coefficients_error"},
+      {"5 x 5 cells in joined rows give all coefficients to half a percent", "none", not_given,
+       largest_error(found.errors, "joined", 0), "1", ours_if({below(5e-3)}),
+       "largest relative error of the coefficients over a/b, for any number of cells",
+       "kalker_coefficients_error"},
+      {"10 x 10 cells in joined rows give all coefficients to half a thousandth", "none", not_given,
+       largest_error(found.errors, "joined", 10), "1", ours_if({below(5e-4)}),
+       "largest relative error over a/b, from 10 x 10 cells on", "kalker_coefficients_error"},
+      {"on 28 x 28 rectangles the standard scheme is one to three percent off in C11, C22 and "
+       "C23",
+       "none", not_given, largest_error(found.errors, "standard", 28, {"C11", "C22", "C23"}), "1",
+       ours_if({between(0.01, 0.03)}), "largest relative error of the three over a/b",
+       "kalker_coefficients_error"},
+      {"on 28 x 28 rectangles the standard scheme is more than half off in C33 of a long ellipse",
+       "none", not_given, largest_error(found.errors, "standard", 28, {"C33"}), "1",
+       ours_if({between(0.5, 0.7)}), "largest relative error of C33 over a/b",
+       "kalker_coefficients_error"},
+      {"joined rows are of second order", "none", 2,
+       least(found.orders, "order", {{"scheme", "joined"}}), "1", ours_if({above(1.7)}),
+       "least order over a/b, of the largest error", "kalker_coefficients_error"}};
 }
 
 /// A part of the printed values: the largest difference, and how many differ by more than a unit of
