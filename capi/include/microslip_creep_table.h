@@ -49,8 +49,8 @@ MICROSLIP_API enum microslip_status microslip_creep_table_get_info(
     const microslip_creep_table* table, struct microslip_creep_table_info* info, char* message,
     size_t message_size);
 
-/** Gives forces and moment of steady rolling. They are exact at rest, in their slopes there, and in
- * full sliding. The jacobian is continuous.
+/** Gives forces and moment of steady rolling. They are exact at rest and in their slopes
+ * there. The jacobian is continuous.
  *
  * material    with the Poisson ratio of the table
  * contact     with a/b in the range of the table

@@ -129,7 +129,6 @@ def test_the_jacobian_has_the_slopes_of_the_forces(table, random):
     require_slopes(table, {name: values[~is_pure_spin] for name, values in given.items()})
 
 
-@pytest.mark.xfail(reason="core takes a lateral creepage of -0 for one of azimuth pi", strict=False)
 def test_so_it_has_at_pure_spin(table, random):
     given = generated(random, 100, table)
     given["creepage"] = random.choice([0.0, -0.0], 100)

@@ -174,13 +174,14 @@ TEST(CreepTable, HasTheDerivativesOfItsForces) {
   }
 }
 
+Matrix3d jacobian_at(const Vector3d& motion) {
+  Matrix3d jacobian;
+  small_table().forces(1.1, motion, &jacobian);
+  return jacobian;
+}
+
 // Where formulas change: pure spin, the border of what is about it, no spin, no creepage.
 TEST(CreepTable, HasAContinuousJacobian) {
-  const auto jacobian_at = [](const Vector3d& motion) {
-    Matrix3d jacobian;
-    small_table().forces(1.1, motion, &jacobian);
-    return jacobian;
-  };
   constexpr double little = 1e-7;
   const Matrix3d pure_spin = jacobian_at({0, 0, 1});
   for (const double turn : {0.0, 1.0, 2.0, 3.0, 4.5}) {
@@ -197,6 +198,14 @@ TEST(CreepTable, HasAContinuousJacobian) {
   for (double x = 0; x < 1.5; x += 0.003) {  // no jump on the way from pure spin
     const Vector3d from(x, 0.4 * x, 1), to(x + 0.003, 0.4 * (x + 0.003), 1);
     ASSERT_LT(largest(jacobian_at(to) - jacobian_at(from)), 0.03) << x;
+  }
+}
+
+// A motion and its opposite have the same slopes, also where components are 0 of either sign.
+TEST(CreepTable, HasOneJacobianForOppositeMotions) {
+  for (const Vector3d& motion : {Vector3d(0, 0, 1), Vector3d(0, -0.0, 1), Vector3d(-0.0, 0, 1),
+                                 Vector3d(0, 1, 1), Vector3d(1, 0, 1), Vector3d(1, -0.0, 0)}) {
+    EXPECT_LT(largest(jacobian_at(motion) - jacobian_at(-motion)), 1e-12) << motion.transpose();
   }
 }
 

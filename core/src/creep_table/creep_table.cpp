@@ -287,9 +287,13 @@ Vector3d CreepTable::forces_of_octant(double ratio, const Vector3d& motion,
 }
 
 Vector3d CreepTable::forces(double ratio, const Vector3d& motion, Matrix3d* jacobian) const {
-  require(ratio >= layout_.least_ratio && ratio <= layout_.largest_ratio, "ratio", ratio, [&] {
-    return fmt::format("a/b of the table, {} to {}", layout_.least_ratio, layout_.largest_ratio);
-  });
+  constexpr double rounding = 1e-12;
+  require(ratio >= layout_.least_ratio * (1 - rounding) &&
+              ratio <= layout_.largest_ratio * (1 + rounding),
+          "ratio", ratio, [&] {
+            return fmt::format("a/b of the table, {} to {}", layout_.least_ratio,
+                               layout_.largest_ratio);
+          });
   const double largest = motion.cwiseAbs().maxCoeff();
   require(motion.allFinite() && largest <= 1e100, "motion", largest, "at most 1e100");
   if (largest < 1e-100) {
@@ -301,7 +305,9 @@ Vector3d CreepTable::forces(double ratio, const Vector3d& motion, Matrix3d* jaco
   const double inversion = motion[2] < 0 ? -1 : 1;
   const double mirror = inversion * motion[0] < 0 ? -1 : 1;
   const Vector3d signs(mirror, 1, 1);
-  const Vector3d found = forces_of_octant(ratio, inversion * motion.cwiseProduct(signs), jacobian);
+  // Without -0, of which the azimuth would be half a turn.
+  const Vector3d mirrored = (inversion * motion.cwiseProduct(signs)).array() + 0.0;
+  const Vector3d found = forces_of_octant(ratio, mirrored, jacobian);
   if (jacobian != nullptr) *jacobian = signs.asDiagonal() * *jacobian * signs.asDiagonal();
   return inversion * found.cwiseProduct(signs);
 }

@@ -23,12 +23,12 @@ namespace {
 using Variable = NetcdfFile::Variable;
 using Attributes = std::vector<NetcdfFile::Attribute>;
 
-constexpr const char* title = "microslip table of creep forces 1";
+constexpr const char* title = "microslip table of creep forces 2";
 constexpr const char* comment =
     "A contact ellipse with half-widths a along and b across the rolling, c = sqrt(a b), and "
     "Hertz's pressure p0, rolls steadily with creepage xi, lateral creepage eta and spin phi; the "
-    "rigid slip is (xi - phi y, eta + phi x). At a node, with X = sqrt(kp sqrt(b/a)/kx), "
-    "E = sqrt(kp sqrt(a/b)/ky), kx = C11/(2 pi/3), ky = C22/(2 pi/3), "
+    "rigid slip is (xi - phi y, eta + phi x). At a node, with X = kp/kx (1 + b/a)^0.25, "
+    "E = 1.35 X (1 + b/a)^-0.4, kx = C11/(2 pi/3), ky = C22/(2 pi/3), "
     "kp = hypot(C23, 0.59 sqrt(b/a) C11)/(2 pi/3) and "
     "d = (X sin(polar) sin(azimuth), E sin(polar) cos(azimuth), cos(polar)), the motion is "
     "(xi, eta, phi c) G/(mu p0) = r d/|(kx d1, ky d2, kp d3)| with r = 1.5 t/(1 - t); t = 1 is "

@@ -96,12 +96,14 @@ void validate(const CreepTableLayout& layout) {
 
 MotionScales::MotionScales(double ratio, const CreepCoefficients& coefficients) {
   constexpr double full = 2 * pi / 3;
-  const double a = std::sqrt(ratio), b = 1 / a;
+  const double b = 1 / std::sqrt(ratio), b_over_a = 1 / ratio;
   const double kx = coefficients.c11 / full, ky = coefficients.c22 / full;
   // A row at the side moves along by the spin, by about 0.59 b.
   const double kp = std::hypot(coefficients.c23, 0.59 * b * coefficients.c11) / full;
   sizes = {kx, ky, kp};
-  directions = {std::sqrt(b * kp / kx), std::sqrt(a * kp / ky), 1};
+  // Fitted so that splines over evenly spaced angles have least errors at a/b = 0.1 ... 10.
+  const double along = kp / kx * std::pow(1 + b_over_a, 0.25);
+  directions = {along, 1.35 * along * std::pow(1 + b_over_a, -0.4), 1};
 }
 
 Vector3d MotionScales::unit_motion(double angle, double azimuth) const {

@@ -15,7 +15,8 @@ namespace microslip {
 /// spin times c, c = (a b)^(1/2); forces are over mu F_n, and the moment over mu F_n c. So one table
 /// serves all loads and materials of one Poisson ratio.
 ///
-/// It is exact at rest, in its slopes there, and in full sliding. Between the nodes it is a cubic
+/// It is exact at rest and in its slopes there, and has exact full sliding at its nodes. Between the
+/// nodes it is a cubic
 /// spline along all four axes, with continuous second derivatives, but for directions that are close
 /// to pure spin: there, a linear function of the direction takes over, and first derivatives are
 /// continuous. Symmetries are exact. Equations: docs/creep_tables.md.
