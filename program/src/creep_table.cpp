@@ -104,7 +104,8 @@ TableOrder order_of(const Given& given) {
 }
 
 /// The work in parts: nodes of one a/b and polar angle, and groups of states. Each is written when it
-/// is done, so that an interrupted table goes on, and shards share a folder.
+/// is done, so that an interrupted table goes on, with as many states as it has then, and shards
+/// share a folder.
 class TableParts {
  public:
   TableParts(const TableOrder& order, fs::path folder)
@@ -117,10 +118,9 @@ class TableParts {
   std::vector<double> solve(std::size_t part) const {
     if (part < maker_.parts()) return maker_.solve(part);
     const std::size_t group = part - maker_.parts();
-    const std::size_t left = static_cast<std::size_t>(order_.states) - group * states_of_group;
     std::vector<double> numbers;
-    for (const CreepState& state : random_creep_states(
-             order_.layout, group + 1, std::min(left, states_of_group), order_.error_cells)) {
+    for (const CreepState& state :
+         random_creep_states(order_.layout, group + 1, states_in(part), order_.error_cells)) {
       numbers.push_back(state.ratio);
       numbers.insert(numbers.end(), state.motion.begin(), state.motion.end());
       numbers.insert(numbers.end(), state.forces.begin(), state.forces.end());
@@ -169,6 +169,13 @@ class TableParts {
   }
 
  private:
+  /// The states of a part: none where it has nodes, and as many as are left in the last one.
+  std::size_t states_in(std::size_t part) const {
+    if (part < maker_.parts()) return 0;
+    const std::size_t before = (part - maker_.parts()) * states_of_group;
+    return std::min(static_cast<std::size_t>(order_.states) - before, states_of_group);
+  }
+
   static std::string name_of(std::size_t part) { return fmt::format("part_{}.txt", part + 1); }
 
   void exchange(Archive& archive, std::size_t part, std::vector<double>& numbers) const {
@@ -181,10 +188,10 @@ class TableParts {
                                        {"polar", of.polar},
                                        {"azimuths", of.azimuths},
                                        {"cells", of.cells},
-                                       {"states", order_.states},
                                        {"error_cells", order_.error_cells}}) {
       archive.same(name, static_cast<double>(number));
     }
+    archive.same("states", static_cast<double>(states_in(part)));
     archive.same("part", static_cast<double>(part));
     const bool has_nodes = part < maker_.parts();
     const auto most = static_cast<Index>(has_nodes ? maker_.values_of(part) : 7 * states_of_group);
