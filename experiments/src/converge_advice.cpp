@@ -25,7 +25,9 @@ std::string duration(double seconds) {
 
 std::string named(const Candidate& one) {
   constexpr double nothing_but_rounding = 1e-9;
-  return fmt::format("{} with grid.elements {} (error {})", one.scheme, one.elements,
+  const std::string by =
+      one.rows > 0 ? fmt::format("grid.rows {} and", one.rows) : fmt::format("{} with", one.scheme);
+  return fmt::format("{} grid.elements {} (error {})", by, one.elements,
                      one.error < nothing_but_rounding ? "below 1e-9" : format_roughly(one.error));
 }
 

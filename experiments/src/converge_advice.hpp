@@ -17,7 +17,8 @@ struct Candidate {
   double error;  ///< of the answer, relative
   double time;   ///< [s]
   double steps;
-  double longest_step;  ///< [s]
+  double longest_step;    ///< [s]
+  Eigen::Index rows = 0;  ///< of an ellipse; 0 of a line contact
 };
 
 struct Wanted {

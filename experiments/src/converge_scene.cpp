@@ -4,19 +4,19 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 
 #include "campaign.hpp"
 #include "converge_advice.hpp"
+#include "converge_outcome.hpp"
 #include "microslip/experiments/contact_tables.hpp"
+#include "microslip/patch/patch_grid.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/scene/cost.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
-#include "microslip/support/interpolation.hpp"
 #include "microslip/support/require.hpp"
 #include "microslip/support/work.hpp"
 #include "study_keys.hpp"
@@ -24,88 +24,8 @@
 namespace microslip::experiments {
 
 using Eigen::Index;
-using Eigen::VectorXd;
 
 namespace {
-
-/// The part of a solution that errors are measured of.
-struct Outcome {
-  VectorXd distance;  ///< at the start and after each step; steady rolling has one, 0  [mm]
-  /// The force; if the force is prescribed, the creepage, and in transients the creep so far.
-  VectorXd answer;
-  VectorXd x;
-  VectorXd traction;        ///< at the end  [N/mm^2]
-  double lost = 0;          ///< dissipated energy  [N/mm or N]
-  double longest_step = 0;  ///< time of the longest step except for the first  [s]
-
-  /// Counts the steps of a transient; steady rolling counts as one step.
-  double steps() const { return std::max(1.0, static_cast<double>(distance.size() - 1)); }
-};
-
-Outcome outcome_of(const SteadyProblem& problem) {
-  const SteadySolution solution = solve_steady(problem);
-  if (!solution.fallback.empty()) throw std::invalid_argument(solution.fallback);
-  require_evidence(solution.evidence, solution.condition, solution.iterations, problem.accepted);
-  const bool under_force = Prescribed(problem.load).by_force;
-  return {.distance = VectorXd::Zero(1),
-          .answer = VectorXd::Constant(1, under_force ? solution.creepage : solution.force),
-          .x = solution.x,
-          .traction = solution.traction,
-          .lost = solution.dissipation};
-}
-
-Outcome outcome_of(const TransientScene& scene) {
-  TransientRolling rolling(scene.problem, scene.start, scene.loads.contact_at(0));
-  Outcome outcome;
-  for (const ShiftLoad& load : scene.shifts) outcome.lost += rolling.shift(load).dissipation;
-  const bool under_force = Prescribed(scene.loads.at(0)).by_force;
-  std::vector<double> distance{rolling.state().distance};
-  std::vector<double> answer{under_force ? 0 : rolling.state().force};
-  WorstOfSteps worst;
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point before = Clock::now();
-  rolling.roll_to(scene.distance, scene.step_lengths(), scene.loads, [&](const TransientState& s) {
-    const Clock::time_point now = Clock::now();
-    const double took = std::chrono::duration<double>(now - before).count();
-    if (distance.size() > 1) outcome.longest_step = std::max(outcome.longest_step, took);
-    const double length = s.distance - distance.back();
-    answer.push_back(under_force ? answer.back() + length * s.creepage : s.force);
-    distance.push_back(s.distance);
-    outcome.lost += s.dissipation * length;
-    worst.include(s);
-    before = Clock::now();
-  });
-  constexpr double no_condition = 1;
-  require_evidence(worst.evidence, no_condition, worst.iterations, scene.problem.accepted);
-  outcome.distance = VectorXd::Map(distance.data(), static_cast<Index>(distance.size()));
-  outcome.answer = VectorXd::Map(answer.data(), outcome.distance.size());
-  outcome.x = rolling.x();
-  outcome.traction = rolling.traction_at_nodes();
-  return outcome;
-}
-
-[[noreturn]] void reject_cylinder() {
-  reject("problem", "cylinder", "steady or transient, which have a load");
-}
-
-Outcome outcome_of(const SteadyTarget&) { throw std::logic_error("converge: a target error"); }
-Outcome outcome_of(const CylinderScene&) { reject_cylinder(); }
-Outcome outcome_of(const SteadyPatch&) { throw std::logic_error("converge: an ellipse"); }
-Outcome outcome_of(const PatchTransient&) { throw std::logic_error("converge: an ellipse"); }
-
-/// Relative errors.
-struct Errors {
-  double answer, traction, energy;
-};
-
-Errors errors_of(const Outcome& outcome, const Outcome& exact) {
-  const VectorXd answer = interpolated(exact.distance, exact.answer, outcome.distance);
-  const VectorXd traction = interpolated(exact.x, exact.traction, outcome.x);
-  return {
-      (outcome.answer - answer).lpNorm<Eigen::Infinity>() / exact.answer.lpNorm<Eigen::Infinity>(),
-      (outcome.traction - traction).lpNorm<1>() / traction.lpNorm<1>(),
-      std::abs(outcome.lost / exact.lost - 1)};
-}
 
 /// A scheme, with the settings of a scene that choose it.
 struct Contestant {
@@ -114,6 +34,7 @@ struct Contestant {
   bool by_elements = true;
 };
 
+/// The schemes of line contacts.
 std::vector<Contestant> contestants_for(bool steady) {
   std::vector<Contestant> all;
   if (!steady) {
@@ -132,15 +53,26 @@ std::vector<Contestant> contestants_for(bool steady) {
   return all;
 }
 
+std::vector<Contestant> contestants_for(const ConvergeScene& converge) {
+  if (converge.shape) return {{.name = "rows", .settings = {}}};
+  return contestants_for(converge.steady);
+}
+
+/// The rows that fit a number of elements.
+Index rows_for(const PatchShape& shape, Index elements) {
+  constexpr double cells = 16;
+  const PatchGrid fitting = fitting_grid(shape, cells);
+  const double finer = static_cast<double>(elements) / static_cast<double>(fitting.elements);
+  return std::max(static_cast<Index>(shape.lobes().size()),
+                  fitting_grid(shape, cells * finer).rows);
+}
+
 Model model_of(const ConvergeScene& converge, const Contestant& contestant, Index elements) {
   Scene scene = converge.scene;
+  if (converge.shape) scene.set(fmt::format("grid.rows={}", rows_for(*converge.shape, elements)));
   scene.set(fmt::format("grid.elements={}", elements));
   for (const std::string& setting : contestant.settings) scene.set(setting);
   return read_model(scene);
-}
-
-Outcome solved(const Model& model) {
-  return std::visit([](const auto& read) { return outcome_of(read); }, model);
 }
 
 struct Reference {
@@ -163,12 +95,15 @@ std::optional<Reference> inverted(const ConvergeScene& converge, Index elements)
 }
 
 /// Returns the default one of the schemes by elements.
-Contestant second_order(bool steady) {
-  const std::vector<Contestant> all = contestants_for(steady);
+Contestant by_elements(const ConvergeScene& converge) {
+  const std::vector<Contestant> all = contestants_for(converge);
   return *std::ranges::find_if(all, &Contestant::by_elements);
 }
 
-Index reference_elements(const ConvergeScene& converge) { return 4 * converge.elements.back() + 3; }
+Index reference_elements(const ConvergeScene& converge) {
+  const Index most = converge.elements.back();
+  return converge.shape ? (3 * most + 1) / 2 : 4 * most + 3;
+}
 
 /// Solves by the scheme chebyshev, sampled at as many nodes as given.
 Reference by_chebyshev(const ConvergeScene& converge, Index nodes) {
@@ -178,20 +113,31 @@ Reference by_chebyshev(const ConvergeScene& converge, Index nodes) {
   return {solved(model_of(converge, scheme, nodes)), scheme.name, nodes, of_chebyshev};
 }
 
+/// Errors of a patch alternate with the number of elements: the change by one more tells the error.
+Reference of_patch(const ConvergeScene& converge) {
+  const Contestant rows = contestants_for(converge).front();
+  const Index fine = reference_elements(converge);
+  Outcome outcome = solved(model_of(converge, rows, fine));
+  const Outcome other = solved(model_of(converge, rows, fine - 1));
+  const double error = errors_of(other, outcome).answer;
+  return {std::move(outcome), rows.name, fine, error};
+}
+
 Reference reference_of(const ConvergeScene& converge) {
+  if (converge.shape) return of_patch(converge);
   const Index fine = reference_elements(converge), half = fine / 2;
   if (converge.reference == "chebyshev") return by_chebyshev(converge, fine);
   if (converge.steady && converge.reference == "best") {
     if (auto reference = inverted(converge, fine)) return *reference;
   }
-  const Contestant scheme = second_order(converge.steady);
+  const Contestant scheme = by_elements(converge);
   Outcome outcome = solved(model_of(converge, scheme, fine));
   const Outcome coarse = solved(model_of(converge, scheme, half));
   return {outcome, scheme.name, fine, errors_of(coarse, outcome).answer};
 }
 
 Model reference_model(const ConvergeScene& converge) {
-  return model_of(converge, second_order(converge.steady), reference_elements(converge));
+  return model_of(converge, by_elements(converge), reference_elements(converge));
 }
 
 /// Leaves out the largest of the default numbers where the reference would take minutes.
@@ -227,21 +173,36 @@ void require_reference(ConvergeScene& converge) {
           });
 }
 
-Table converge_table(bool under_force) {
+std::string quantity_of(const ConvergeScene& converge) {
+  if (converge.shape) return "forces, moment and motions";
+  return converge.under_force ? "creepage" : "force";
+}
+
+std::string of_answer(const ConvergeScene& converge) {
+  if (converge.shape) {
+    return "the largest one of forces over full sliding, the moment over that of turning, and "
+           "motions that follow over the largest of their kind";
+  }
+  return converge.under_force
+             ? "creepage; in a transient the creep after each step, the largest error; over the "
+               "largest that is exact"
+             : "force; in a transient after each step, the largest error; over the largest that is "
+               "exact";
+}
+
+Table converge_table(const ConvergeScene& converge) {
   return {
       "converge",
       "errors and counted work of every scheme against the number of elements",
-      {{"scheme", "1", "leading_edge or method of steady rolling, step.scheme of a transient"},
+      {{"scheme", "1",
+        "leading_edge or method of steady rolling, step.scheme of a transient; rows of an ellipse"},
        {"elements", "1", "N; nodes shown of inversion and chebyshev"},
-       {"answer_error", "1",
-        under_force ? "creepage; in a transient the creep after each step, the largest error; "
-                      "over the largest that is exact"
-                    : "force; in a transient after each step, the largest error; over the "
-                      "largest that is exact",
-        1e-9},
+       {"answer_error", "1", of_answer(converge), 1e-9},
        {"order", "1", "of answer_error, from the row before"},
        {"traction_error", "1",
-        "sum of |p - exact| at the nodes over the sum of |exact|; in a transient at the end", 1e-9},
+        "sum of |p - exact| at the nodes over the sum of |exact|; in a transient at the end; not "
+        "given for an ellipse",
+        1e-9},
        {"energy_error", "1", "energy lost by slip, relative", 1e-9},
        {"steps", "1", "steps of a transient"},
        {"work", "1", "counted floating-point operations"},
@@ -259,6 +220,20 @@ Table timing_table() {
            {"longest_step", "s", "the longest step but the first, least of the repeats"}}};
 }
 
+/// The reference has half as many again, and at most 100.
+constexpr Index most_elements_of_row = 2 * most_cells_of_side / 3;
+
+/// Elements about those that fit a shape, in rising order.
+std::vector<Index> elements_for(const PatchShape& shape) {
+  const auto fitting = static_cast<double>(fitting_grid(shape).elements);
+  std::vector<Index> all;
+  for (const double part : {0.3, 0.4, 0.55, 0.75, 1.0, 1.4}) {
+    const Index n = std::min(most_elements_of_row, static_cast<Index>(std::round(part * fitting)));
+    if (n >= least_elements && (all.empty() || n > all.back())) all.push_back(n);
+  }
+  return all;
+}
+
 }  // namespace
 
 ConvergeScene read_converge(Scene& scene) {
@@ -266,30 +241,50 @@ ConvergeScene read_converge(Scene& scene) {
     throw BadParameter("target_error",
                        "target_error: expected a scene without it, as all N are tried");
   }
-  require_line_contact(scene);
   const Model model = read_model(scene);
-  if (std::holds_alternative<CylinderScene>(model)) reject_cylinder();
+  if (std::holds_alternative<CylinderScene>(model)) {
+    reject("problem", "cylinder", "steady or transient, which have a load");
+  }
+  if (std::holds_alternative<PatchTransient>(model)) {
+    reject("problem", "transient", "steady for an ellipse");
+  }
   const auto* transient = std::get_if<TransientScene>(&model);
   if (transient != nullptr && transient->from > 0) {
     reject("start.type", "state", "another start: a state belongs to one scheme and N");
   }
+  const auto* patch = std::get_if<SteadyPatch>(&model);
   const auto* steady = std::get_if<SteadyProblem>(&model);
-  const Load load = steady != nullptr ? steady->load : transient->loads.at(0);
   ConvergeScene read{.scene = scene,
                      .elements = {15, 31, 63, 127, 255},
                      .error = 0,
                      .step_time = std::nullopt,
-                     .steady = steady != nullptr,
-                     .under_force = Prescribed(load).by_force,
+                     .steady = transient == nullptr,
+                     .shape = std::nullopt,
+                     .under_force = false,
                      .memory = 0,
                      .reference = scene.word("converge.reference")};
+  if (patch != nullptr) {
+    read.shape = patch->bound.shape();
+    read.elements = elements_for(patch->bound.shape());
+    if (read.reference == "chebyshev") {
+      reject("converge.reference", read.reference, "best or fine for an ellipse");
+    }
+  } else {
+    read.under_force =
+        Prescribed(steady != nullptr ? steady->load : transient->loads.at(0)).by_force;
+  }
   if (read.reference == "chebyshev" && !read.steady) {
     reject("converge.reference", read.reference, "best or fine in a transient");
   }
   constexpr const char* elements = "converge.elements";
   if (scene.has(elements)) {
     read.elements = scene.wholes(elements);
-    for (const Index n : read.elements) scene.demand_in_range(elements, static_cast<double>(n));
+    for (const Index n : read.elements) {
+      scene.demand_in_range(elements, static_cast<double>(n));
+      if (patch == nullptr) continue;
+      require(n <= most_elements_of_row, elements, static_cast<double>(n),
+              [] { return fmt::format("at most {} in an ellipse", most_elements_of_row); });
+    }
     demand(scene, elements, rising, {read.elements.begin(), read.elements.end()});
   } else {
     limit_elements(read, scene);
@@ -312,7 +307,7 @@ class ExpectedWork {
   /// \param runs  for each number of elements
   ExpectedWork(const ConvergeScene& converge, std::size_t runs, const Progress& progress)
       : reference_(work_needed(reference_model(converge))), progress_(progress) {
-    const Contestant scheme = second_order(converge.steady);
+    const Contestant scheme = by_elements(converge);
     for (const Index n : converge.elements) {
       of_run_[n] = work_needed(model_of(converge, scheme, n));
       total_ += static_cast<double>(runs) * of_run_[n];
@@ -356,14 +351,14 @@ class ExpectedWork {
 }  // namespace
 
 std::vector<Table> converge_tables(const ConvergeScene& converge, const Progress& progress) {
-  const std::vector<Contestant> all = contestants_for(converge.steady);
+  const std::vector<Contestant> all = contestants_for(converge);
   ExpectedWork expected(converge, all.size(), progress);
 
   const Reference reference = expected.reference([&] { return reference_of(converge); });
-  if (reference.outcome.answer.isZero(0)) {
+  if (!reference.outcome.has_answer()) {
     throw std::invalid_argument("converge: expected a load that is not zero");
   }
-  Table table = converge_table(converge.under_force), timing = timing_table();
+  Table table = converge_table(converge), timing = timing_table();
   std::vector<Candidate> candidates;
   for (const Contestant& contestant : all) {
     constexpr double most_operations = 1e11, repeats = 0.05;
@@ -395,7 +390,13 @@ std::vector<Table> converge_tables(const ConvergeScene& converge, const Progress
                  attempt.work, "ok"});
       timing.add(
           {contestant.name, size, errors.answer, attempt.time, attempt.time / steps, longest});
-      candidates.push_back({contestant.name, n, errors.answer, attempt.time, steps, longest});
+      candidates.push_back({.scheme = contestant.name,
+                            .elements = n,
+                            .error = errors.answer,
+                            .time = attempt.time,
+                            .steps = steps,
+                            .longest_step = longest,
+                            .rows = converge.shape ? rows_for(*converge.shape, n) : 0});
       last_error = errors.answer;
       last_size = size;
     }
@@ -408,7 +409,7 @@ std::vector<Table> converge_tables(const ConvergeScene& converge, const Progress
   return {table, timing, summary,
           advice(candidates, {.error = converge.error,
                               .step_time = converge.step_time,
-                              .quantity = converge.under_force ? "creepage" : "force",
+                              .quantity = quantity_of(converge),
                               .steady = converge.steady,
                               .reference_error = reference.error})};
 }

@@ -173,9 +173,24 @@ TEST_F(Ellipses, AreRefusedInOneLineThatNamesTheKey) {
                  "ellipse.info:20: contact.lateral_radius_2: expected a line contact here");
   expect_refused("--set load.spin= --set load.creepage= --set load.lateral_creepage=",
                  "missing key 'load.creepage' or ");
-  for (const char* command : {"converge", "response"}) {
-    EXPECT_EQ(run_in_folder(std::string(command) + " ellipse.info").status, 1) << command;
-  }
+  EXPECT_EQ(run_in_folder("response ellipse.info").status, 1);
+}
+
+TEST_F(Ellipses, ConvergeOnRowsThatFit) {
+  EXPECT_EQ(run_in_folder("converge ellipse.info --elements \"5 7 10\" --out converged").status, 0);
+  const std::string table = text_of("converged/converge.tsv");
+  EXPECT_NE(table.find("\nrows\t10\t"), std::string::npos) << table;
+  EXPECT_NE(text_of("converged/advice_timing.tsv").find("for an error of 0.001 in the forces"),
+            std::string::npos);
+  Outcome outcome = run_in_folder("converge ellipse.info --elements \"10 70\"");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.error.find("converge.elements = 70: expected at most 66 in an ellipse"),
+            std::string::npos)
+      << outcome.error;
+  outcome = run_in_folder("converge ellipse.info --reference chebyshev");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_NE(outcome.error.find("expected best or fine for an ellipse"), std::string::npos)
+      << outcome.error;
 }
 
 // Each force is below full sliding, and the moment below that of turning, but not all together.

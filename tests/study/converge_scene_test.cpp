@@ -6,8 +6,13 @@
 
 #include <cmath>
 #include <map>
+#include <string>
+#include <utility>
+#include <variant>
 
 #include "good_scene.hpp"
+#include "microslip/patch/steady_patch.hpp"
+#include "microslip/scene/model.hpp"
 #include "scene_text.hpp"
 
 namespace microslip::experiments::converge_scene_test {
@@ -71,6 +76,30 @@ TEST(Converge, KnowsTheOrdersOfTransientSchemes) {
   EXPECT_NEAR(order_of(table, "direct"), 1, 0.2);
   EXPECT_LT(error_of(table, "remembered", 127), error_of(table, "direct", 127) / 50);
   EXPECT_EQ(std::get<std::string>(tables[2].at(0, "value")), "remembered");
+}
+
+// Errors of an ellipse are those of its forces by a method that shares no grid with the reference.
+TEST(Converge, MeasuresTheErrorsOfAnEllipse) {
+  const std::string ellipse =
+      "problem steady\nmaterial { shear_modulus 82000\n poisson_ratio 0.28 }\n"
+      "contact { half_width 6\n lateral_half_width 4\n peak_traction 300 }\n"
+      "load { creepage 0.002\n lateral_creepage 0.001\n spin 0.0002 }\n";
+  const std::vector<Table> tables = tables_of(ellipse, "converge { elements \"6 12 24\" }\n");
+  const Table& table = tables.front();
+  Scene scene = scene_of(ellipse + "grid { rows 34\n elements 47 }\n");
+  const auto fine = std::get<SteadyPatch>(read_model(scene));
+  const SteadyPatchSolution exact = solve_steady(fine);
+  for (const auto& [rows, elements] : {std::pair(4, 6), std::pair(9, 12), std::pair(18, 24)}) {
+    Scene coarse = scene_of(ellipse);
+    coarse.set("grid.elements=" + std::to_string(elements));
+    coarse.set("grid.rows=" + std::to_string(rows));
+    const auto patch = std::get<SteadyPatch>(read_model(coarse));
+    const double expected = change_of(fine, solve_steady(patch), exact);
+    const double reference = std::get<double>(tables[2].at(2, "value"));
+    EXPECT_NEAR(error_of(table, "rows", elements), expected, 2 * reference + 1e-4);
+  }
+  EXPECT_LT(error_of(table, "rows", 24), 2e-3);
+  EXPECT_LT(error_of(table, "rows", 24), error_of(table, "rows", 6) / 4);
 }
 
 // The reference's error is that of half its elements: about four times its own.

@@ -139,9 +139,6 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem) {
   return solve_steady(problem, PatchResponse(rows_of(problem), problem.material.poisson_ratio));
 }
 
-namespace {
-
-/// The largest change of what follows from the load; see SteadyPatchSolver.
 double change_of(const SteadyPatch& problem, const SteadyPatchSolution& from,
                  const SteadyPatchSolution& to) {
   const double full = problem.bound.total(), c = problem.bound.size();
@@ -157,8 +154,6 @@ double change_of(const SteadyPatch& problem, const SteadyPatchSolution& from,
   }
   return largest;
 }
-
-}  // namespace
 
 std::optional<SteadyPatch> with_fewer_elements(const SteadyPatch& problem) {
   const auto lobes = static_cast<Index>(problem.bound.shape().lobes().size());
