@@ -205,7 +205,7 @@ Table converge_table(const ConvergeScene& converge) {
         1e-9},
        {"energy_error", "1", "energy lost by slip, relative", 1e-9},
        {"steps", "1", "steps of a transient"},
-       {"work", "1", "counted floating-point operations"},
+       {"work", "1", "counted floating-point operations; not given for an ellipse"},
        {"status", "1", "ok, or why there is no result"}}};
 }
 
@@ -387,7 +387,7 @@ std::vector<Table> converge_tables(const ConvergeScene& converge, const Progress
       const Errors errors = errors_of(outcome, reference.outcome);
       const double order = std::log(last_error / errors.answer) / std::log(size / last_size);
       table.add({contestant.name, size, errors.answer, order, errors.traction, errors.energy, steps,
-                 attempt.work, "ok"});
+                 converge.shape ? not_given : attempt.work, "ok"});
       timing.add(
           {contestant.name, size, errors.answer, attempt.time, attempt.time / steps, longest});
       candidates.push_back({.scheme = contestant.name,

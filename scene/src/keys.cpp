@@ -496,7 +496,7 @@ constexpr auto keys = std::to_array<Key>({
      .fallback = 1,
      .patch_role = "microslip curve with curve.beside"},
     {"converge.elements", wholes, "1", "numbers N to try", range(2, 100000),
-     "in rising order, 15 31 63 127 255 without it", converge},
+     "in rising order, 15 31 63 127 255 without it; of an ellipse up to 66", converge},
     {.name = "converge.error",
      .meaning = "relative error of the force or creepage to reach",
      .range = {.least = 0, .most = 1, .open = true},

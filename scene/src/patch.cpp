@@ -193,7 +193,8 @@ void require_line_contact(const Scene& scene) {
   if (key == patch_keys.end()) return;
   throw BadParameter(*key, fmt::format("{}: expected a line contact here, without this key; an "
                                        "ellipse has problem steady and transient, and the "
-                                       "commands sweep, curve, explain and plot, in this version",
+                                       "commands sweep, curve, converge, explain and plot, in "
+                                       "this version",
                                        *key));
 }
 

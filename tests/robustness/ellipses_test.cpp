@@ -178,9 +178,10 @@ TEST_F(Ellipses, AreRefusedInOneLineThatNamesTheKey) {
 
 TEST_F(Ellipses, ConvergeOnRowsThatFit) {
   EXPECT_EQ(run_in_folder("converge ellipse.info --elements \"5 7 10\" --out converged").status, 0);
-  const std::string table = text_of("converged/converge.tsv");
+  const std::string table = text_of(folder_ / "converged" / "converge.tsv");
   EXPECT_NE(table.find("\nrows\t10\t"), std::string::npos) << table;
-  EXPECT_NE(text_of("converged/advice_timing.tsv").find("for an error of 0.001 in the forces"),
+  EXPECT_NE(text_of(folder_ / "converged" / "advice_timing.tsv")
+                .find("for an error of 0.001 in the forces"),
             std::string::npos);
   Outcome outcome = run_in_folder("converge ellipse.info --elements \"10 70\"");
   EXPECT_EQ(outcome.status, 1);

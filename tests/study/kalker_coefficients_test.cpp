@@ -53,7 +53,7 @@ TEST(KalkerCoefficients, Verdicts) {
       tables_of("kalker_coefficients", read_kalker_coefficients, kalker_coefficients,
                 {"ellipse.aspects=0.1 0.5 0.8 1 1.25 5 10", "ellipse.poisson_ratios=0 0.5",
                  "ellipse.elements=14", "convergence.rectangles=14 28"});
-  EXPECT_EQ(verdicts(found), std::vector<std::string>(11, "ours"));
+  EXPECT_EQ(verdicts(found), std::vector<std::string>(12, "ours"));
 }
 
 }  // namespace microslip::experiments::kalker_coefficients_test
