@@ -30,8 +30,7 @@ constexpr double rounding_of_solutions = 1e-7;
 constexpr const char* meaning_of_methods =
     "table: the installed one; usetab: USETAB's layout at a/b = 1; fastsim_three, fastsim_one: "
     "flexibilities; vermeulen_johnson: spin as by Shen, Hedrick and Elkins; polach; contact: "
-    "printed, "
-    "on 11 x 11; direct_N: direct solutions, N cells of a circle";
+    "printed, on 11 x 11; direct_N: direct solutions, N cells of a circle";
 
 /// Sizes of errors.
 class Sizes {
@@ -123,7 +122,7 @@ Table states_table(const Compared& states, const Methods& methods) {
   return table;
 }
 
-/// Of the references, and of the table in the same states.
+/// Errors of the references, and of the table in the same states.
 struct ReferenceErrors {
   Table table{"reference",
               "errors of the references: changes to solutions on finer grids, over full sliding",

@@ -18,7 +18,7 @@ struct ComparedMethod {
   bool has_moment = true;
   /// By state: results over mu F_n and mu F_n c; none where the method has none.
   std::vector<std::optional<Eigen::Vector3d>> forces{};
-  /// Of a motion, and what comes first for each a/b; nan where it is not measured  [s]
+  /// Times of a motion, and of what comes first for each a/b; nan where not measured  [s]
   double time = std::numeric_limits<double>::quiet_NaN();
   double setup = 0;
 };

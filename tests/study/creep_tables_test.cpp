@@ -38,7 +38,7 @@ TEST(CreepTables, CasesAreThoseOfContact) {
   EXPECT_LT(error_of("contact", "contact", "lateral_force_largest"), 0.25);
 }
 
-// Of a/b = 0.2 ... 5, three spins and seven directions of the creepage, and four directions without
+// Cases of a/b = 0.2 ... 5, three spins and seven directions of the creepage, and four directions without
 // spin: the magnitudes 1.1 and 5 times the unit, and with spin 0 once.
 TEST(CreepTables, CasesAreCountedOnce) {
   const Table& states = table_named(few_states(), "states");
