@@ -174,7 +174,7 @@ void require_reference(ConvergeScene& converge) {
 }
 
 std::string quantity_of(const ConvergeScene& converge) {
-  if (converge.shape) return "forces, moment and motions";
+  if (converge.shape) return "forces (over full sliding), moment and motions";
   return converge.under_force ? "creepage" : "force";
 }
 

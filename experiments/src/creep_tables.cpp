@@ -11,6 +11,7 @@
 #include "creep_tables_methods.hpp"
 #include "creep_tables_states.hpp"
 #include "microslip/experiments/claims.hpp"
+#include "microslip/support/error_sizes.hpp"
 #include "study_keys.hpp"
 #include "table_values.hpp"
 
@@ -32,38 +33,13 @@ constexpr const char* meaning_of_methods =
     "flexibilities; vermeulen_johnson: spin as by Shen, Hedrick and Elkins; polach; contact: "
     "printed, on 11 x 11; direct_N: direct solutions, N cells of a circle";
 
-/// Sizes of errors.
-class Sizes {
- public:
-  void add(double error) { sizes_.push_back(std::abs(error)); }
-  std::size_t count() const { return sizes_.size(); }
-
-  double rms() const {
-    if (sizes_.empty()) return not_given;
-    double squares = 0;
-    for (const double size : sizes_) squares += size * size;
-    return std::sqrt(squares / static_cast<double>(sizes_.size()));
-  }
-
-  /// The size below which a part of the states is.
-  double part(double share) const {
-    if (sizes_.empty()) return not_given;
-    std::vector<double> sorted = sizes_;
-    std::ranges::sort(sorted);
-    return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
-  }
-
- private:
-  std::vector<double> sizes_;
-};
-
 /// The larger one of the errors of both forces.
 double error_of_force(const Vector3d& error) { return error.head<2>().cwiseAbs().maxCoeff(); }
 
 /// Errors of a method in the wanted states, by component; the last ones are those of the force.
 struct MethodErrors {
-  std::array<Sizes, 3> components;
-  Sizes force;
+  std::array<ErrorSizes, 3> components;
+  ErrorSizes force;
 
   MethodErrors(const ComparedMethod& method, const Compared& states, const auto& wanted) {
     for (std::size_t i = 0; i < states.size(); ++i) {
@@ -143,8 +119,8 @@ struct ReferenceErrors {
       if (pair[0].ratio != ratios.back()) ratios.push_back(pair[0].ratio);
     }
     for (const double ratio : ratios) {
-      std::array<Sizes, 3> sizes;
-      Sizes all;
+      std::array<ErrorSizes, 3> sizes;
+      ErrorSizes all;
       for (const auto& [one, fine] : solved.finer) {
         if (ratio != 0 && one.ratio != ratio) continue;
         for (std::size_t c = 0; c < 3; ++c) {
@@ -186,7 +162,7 @@ Table errors_table(const Compared& states, const Methods& methods) {
       const bool is_partial = method.name == "usetab" || method.name == "contact";
       if (is_partial && count < wanted) continue;
       std::vector<Cell> row{method.name, set.name, count, wanted - count};
-      for (const Sizes& sizes : errors.components) {
+      for (const ErrorSizes& sizes : errors.components) {
         for (const double value : {sizes.rms(), sizes.part(0.99), sizes.part(1)}) {
           row.emplace_back(value);
         }

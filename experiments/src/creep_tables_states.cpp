@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <mutex>
 
-#include "microslip/support/not_converged.hpp"
 #include "microslip/support/parallel.hpp"
 
 namespace microslip::experiments {
@@ -45,7 +44,7 @@ std::vector<RowForces> solve_rows(const ShapeRows& shape, Index cells) {
   for (const ContactRow& row : shape.rows) {
     RowForces& forces = found.emplace_back();
     std::optional<PatchState> state;
-    for (const ContactTableCase& one : row) forces.push_back(solved_on(patch, one.motion, state));
+    for (const ContactTableCase& one : row) forces.push_back(patch.forces(one.motion, state));
   }
   return found;
 }
@@ -68,22 +67,6 @@ Index first_fine_group(const CreepTablesParameters& p) { return (p.groups - p.fi
 std::size_t sized(Index count) { return static_cast<std::size_t>(count); }
 
 }  // namespace
-
-std::optional<Vector3d> solved_on(const UnitPatch& patch, const Vector3d& motion,
-                                  std::optional<PatchState>& state) {
-  for (const bool from_state : {true, false}) {
-    if (from_state && !state) continue;
-    try {
-      UnitPatch::Solution found = patch.solve(motion, from_state ? &*state : nullptr);
-      state = std::move(found.state);
-      return found.forces;
-    } catch (const NotConverged&) {
-      continue;
-    }
-  }
-  state.reset();
-  return std::nullopt;
-}
 
 std::size_t steps_of_states(const CreepTablesParameters& p) {
   return sized(p.fine_groups + p.groups) + grids_of_mean * shapes_of(p.every).size();

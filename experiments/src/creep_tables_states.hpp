@@ -36,20 +36,14 @@ struct ContactTableCase {
 /// \param every  of the magnitudes, >= 1; those of 0 always
 std::vector<std::vector<ContactTableCase>> contact_table_cases(Eigen::Index every);
 
-/// The solution on a grid; from the state of a smaller motion if that leads to one.
-/// \param state  of a smaller motion; becomes that of this one, or none where there is no solution
-/// \return       none where there is no solution
-std::optional<Eigen::Vector3d> solved_on(const UnitPatch& patch, const Eigen::Vector3d& motion,
-                                         std::optional<PatchState>& state);
-
 /// Steps of the progress of solve_states().
 std::size_t steps_of_states(const CreepTablesParameters& parameters);
 
 struct SolvedStates {
   std::vector<ComparedState> states;
   std::size_t unsolved = 0;  ///< motions without a solution on one of the grids
-  std::vector<std::array<CreepState, 2>>
-      finer;  ///< random states, and their solutions on fine_cells
+  /// Random states, and their solutions on fine_cells.
+  std::vector<std::array<CreepState, 2>> finer;
 };
 
 /// The references: on all cores, the same for any number of them.

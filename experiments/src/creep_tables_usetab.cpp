@@ -104,7 +104,7 @@ UsetabLayout::UsetabLayout(double ratio, const std::vector<Vector3d>& motions, I
       for (const UnitPatch& patch : patches) {
         std::optional<PatchState> state;
         const Vector3d none = Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-        sum += solved_on(patch, values.cwiseProduct(scales_), state).value_or(none);
+        sum += patch.forces(values.cwiseProduct(scales_), state).value_or(none);
       }
       forces = sum / static_cast<double>(grids_of_mean);
     }

@@ -186,11 +186,14 @@ class CreepTable:
 
     def _accepts(self, contacts: np.ndarray, motions: np.ndarray) -> bool:
         """Whether all values are in their ranges; quick, as all mostly are."""
-        least, largest = self.ratios
         with np.errstate(all="ignore"):
-            ratio = contacts[..., 0] / contacts[..., 1]
             return bool(((contacts >= _LEAST) & (contacts <= _LARGEST)).all() and
-                        ((ratio >= least) & (ratio <= largest)).all() and np.isfinite(motions).all())
+                        self._has(contacts[..., 0] / contacts[..., 1]).all() and np.isfinite(motions).all())
+
+    def _has(self, ratio: np.ndarray) -> np.ndarray:
+        """Whether a/b is in the table, but for rounding, as the library has it."""
+        least, largest = self.ratios
+        return (ratio >= least * (1 - 1e-12)) & (ratio <= largest * (1 + 1e-12))
 
     def _require_ranges(self, columns: Dict[str, np.ndarray]) -> None:
         for name, values in columns.items():
@@ -199,8 +202,7 @@ class CreepTable:
             else:
                 require_all(name, values, (values >= _LEAST) & (values <= _LARGEST), _SIZE)
         least, largest = self.ratios
-        ratio = columns["half_width"] / columns["lateral_half_width"]
-        holds = (ratio >= least) & (ratio <= largest)
+        holds = self._has(columns["half_width"] / columns["lateral_half_width"])
         if not np.all(holds):
             b = columns["lateral_half_width"][~holds].flat[0]
             require_all("half_width", columns["half_width"], holds,

@@ -113,8 +113,7 @@ std::vector<std::string> changed(const LoadHistory& loads, double a) {
 
 const std::string normal_changes =
     "the normal contact: bound and edges are given, or by Hertz from the load, from row to row; "
-    "they "
-    "do not depend on tractions";
+    "they do not depend on tractions";
 const std::string normal =
     "the normal contact: bound and edges are given, or by Hertz from the load, and stay as they "
     "are";

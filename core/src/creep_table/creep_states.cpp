@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/creep_table/creep_states.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 
 #include "microslip/creep_table/unit_patch.hpp"
+#include "microslip/support/error_sizes.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/random.hpp"
 #include "microslip/support/require.hpp"
@@ -61,17 +61,13 @@ CreepTableErrors errors_in(const std::vector<CreepState>& states, const CreepTab
   errors.states = static_cast<Index>(states.size());
   errors.cells = cells;
   for (Index c = 0; c < 3; ++c) {
-    std::vector<double> sizes;
-    double squares = 0;
+    ErrorSizes sizes;
     for (const CreepState& state : states) {
-      const double error = table.forces(state.ratio, state.motion)[c] - state.forces[c];
-      sizes.push_back(std::abs(error));
-      squares += error * error;
+      sizes.add(table.forces(state.ratio, state.motion)[c] - state.forces[c]);
     }
-    std::ranges::sort(sizes);
-    errors.rms[c] = std::sqrt(squares / static_cast<double>(sizes.size()));
-    errors.of_99_percent[c] = sizes[(sizes.size() - 1) * 99 / 100];
-    errors.largest[c] = sizes.back();
+    errors.rms[c] = sizes.rms();
+    errors.of_99_percent[c] = sizes.part(0.99);
+    errors.largest[c] = sizes.part(1);
   }
   return errors;
 }

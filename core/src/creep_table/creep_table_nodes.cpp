@@ -163,17 +163,7 @@ const UnitPatch& CreepTableMaker::patch(std::size_t ratio, std::size_t grid) con
 /// \param state  in which a smaller motion in the same direction ended; it becomes that of this one
 Vector3d CreepTableMaker::solve_on(std::size_t ratio, std::size_t grid, const Vector3d& motion,
                                    std::optional<PatchState>& state) const {
-  for (const bool from_state : {true, false}) {
-    if (from_state && !state) continue;
-    try {
-      UnitPatch::Solution found = patch(ratio, grid).solve(motion, from_state ? &*state : nullptr);
-      state = std::move(found.state);
-      return found.forces;
-    } catch (const NotConverged&) {
-      continue;
-    }
-  }
-  state.reset();
+  if (const auto found = patch(ratio, grid).forces(motion, state)) return *found;
   try {
     return patch(ratio, grid + grids_of_mean).solve(motion).forces;
   } catch (const NotConverged& error) {

@@ -6,6 +6,7 @@
 
 #include "../patch/patch_scale.hpp"
 #include "microslip/patch/patch_grid.hpp"
+#include "microslip/support/not_converged.hpp"
 
 namespace microslip {
 
@@ -35,6 +36,22 @@ UnitPatch::Solution UnitPatch::solve(const Eigen::Vector3d& motion, const PatchS
   }
   SteadyPatchSolution solution = solve_steady(problem, response_, start);
   return {solution.resultants / (2 * std::numbers::pi / 3), std::move(solution.state)};
+}
+
+std::optional<Eigen::Vector3d> UnitPatch::forces(const Eigen::Vector3d& motion,
+                                                 std::optional<PatchState>& state) const {
+  for (const bool from_state : {true, false}) {
+    if (from_state && !state) continue;
+    try {
+      Solution found = solve(motion, from_state ? &*state : nullptr);
+      state = std::move(found.state);
+      return found.forces;
+    } catch (const NotConverged&) {
+      continue;
+    }
+  }
+  state.reset();
+  return std::nullopt;
 }
 
 }  // namespace microslip

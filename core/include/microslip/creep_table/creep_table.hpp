@@ -16,10 +16,9 @@ namespace microslip {
 /// serves all loads and materials of one Poisson ratio.
 ///
 /// It is exact at rest and in its slopes there, and has exact full sliding at its nodes. Between the
-/// nodes it is a cubic
-/// spline along all four axes, with continuous second derivatives, but for directions that are close
-/// to pure spin: there, a linear function of the direction takes over, and first derivatives are
-/// continuous. Symmetries are exact. Equations: docs/creep_tables.md.
+/// nodes it is a cubic spline along all four axes, with continuous second derivatives, but for
+/// directions that are close to pure spin: there, a linear function of the direction takes over, and
+/// first derivatives are continuous. Symmetries are exact. Equations: docs/creep_tables.md.
 ///
 /// Any number of threads may use one table. Cost: about 1 us.
 class CreepTable {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "microslip/patch/patch_response.hpp"
 #include "microslip/patch/steady_patch.hpp"
@@ -24,6 +25,13 @@ class UnitPatch {
   /// \param start   the state of another motion; nullptr for none
   /// \throws NotConverged
   Solution solve(const Eigen::Vector3d& motion, const PatchState* start = nullptr) const;
+
+  /// The forces of a motion, from the state of a smaller one if that leads to a solution, and else from
+  /// none.
+  /// \param state  in which a smaller motion ended, or none; becomes that of this motion
+  /// \return       none, and no state, where there is no solution
+  std::optional<Eigen::Vector3d> forces(const Eigen::Vector3d& motion,
+                                        std::optional<PatchState>& state) const;
 
  private:
   SteadyPatch problem_;
