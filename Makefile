@@ -158,8 +158,9 @@ test: deps
 # Tests of properties take all samples here, and a third of them in `make test`.
 verify: deps
 	@tools/verify.sh build/verify $(JOBS)
-	@$(call cmake_build,release,--target property_tests)
+	@$(call cmake_build,release,--target property_tests robustness_tests)
 	MICROSLIP_SAMPLES=all $(BUILD)/bin/property_tests --gtest_brief=1
+	MICROSLIP_SAMPLES=all $(BUILD)/bin/robustness_tests --gtest_brief=1 --gtest_filter='Ellipses.AreSolvedOnFineRows'
 
 references: deps
 	@$(call cmake_build,release,--target programs compare_tables)
