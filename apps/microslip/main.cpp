@@ -53,6 +53,10 @@ struct PrepareToSave {
     if (!std::holds_alternative<Remembered>(scheme)) {
       reject("step.scheme", scene.text("step.scheme"), "remembered with --save");
     }
+    if (!read.loads.stops().empty()) {
+      reject("load.file", scene.text("load.file"),
+             "rows that neither turn nor shift the bodies with --save");
+    }
     program::require_memory("grid.elements", elements_of(read), memory_needed(read));
     return [whole = with_whole_steps(read), &saved = state](const Progress& progress) {
       return experiments::scene_tables(whole, progress,

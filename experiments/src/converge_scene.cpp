@@ -252,6 +252,9 @@ ConvergeScene read_converge(Scene& scene) {
   if (transient != nullptr && transient->from > 0) {
     reject("start.type", "state", "another start: a state belongs to one scheme and N");
   }
+  if (transient != nullptr && !transient->loads.stops().empty()) {
+    reject("load.file", scene.text("load.file"), "rows that neither turn nor shift the bodies");
+  }
   const auto* patch = std::get_if<SteadyPatch>(&model);
   const auto* steady = std::get_if<SteadyProblem>(&model);
   ConvergeScene read{.scene = scene,

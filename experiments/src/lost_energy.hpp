@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -35,6 +36,9 @@ class LostEnergy {
   /// \param force_before  at its begin  [N/mm]
   /// \param full_sliding  the largest force of the contact  [N/mm]
   void add(const TransientState& state, double length, double force_before, double full_sliding);
+
+  /// Adds the loss of a shift without rolling  [N]
+  void add_shift(double energy) { (energy < 0 ? gained_ : lost_) += std::abs(energy); }
 
   double sum() const { return lost_ - gained_; }  ///< per mm width  [N]
 

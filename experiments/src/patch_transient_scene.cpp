@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
@@ -72,20 +73,33 @@ class PatchRecord {
   std::vector<std::vector<Cell>> rows_;
 };
 
+/// A step, or shifts where the bodies stand.
+struct PatchRunRow {
+  double q = 0;                       ///< [mm]
+  Vector3d shift = Vector3d::Zero();  ///< rigid shifts [mm] and rotation [rad]
+  double loss = 0;                    ///< [N mm]
+  std::optional<double> time = {};    ///< [s]
+};
+
 /// The cells of the history behind those of all records.
-std::vector<Cell> behind_steps(const PatchTransient& scene, double q, const PatchStepEnd& end,
-                               double full_sliding) {
+std::vector<Cell> behind_steps(const PatchTransient& scene, const PatchRunRow& run,
+                               const PatchStepEnd& end, double full_sliding) {
   std::vector<Cell> cells;
-  if (const auto time = scene.loads.time_at(q)) cells.emplace_back(*time);
-  if (!scene.loads.changes_contact()) return cells;
-  const double size = end.contact.half_width;
-  const PatchBound& bound = scene.patch.bound;
-  cells.insert(cells.end(),
-               {size * bound.half_width(), size * bound.lateral_half_width(), full_sliding});
+  if (run.time) cells.emplace_back(*run.time);
+  if (scene.loads.changes_contact()) {
+    const double size = end.contact.half_width;
+    const PatchBound& bound = scene.patch.bound;
+    cells.insert(cells.end(),
+                 {size * bound.half_width(), size * bound.lateral_half_width(), full_sliding});
+  }
+  if (!scene.loads.stops().empty()) {
+    cells.insert(cells.end(), {run.shift[0], run.shift[1], run.shift[2], run.loss});
+  }
   return cells;
 }
 
 Table history_of(const PatchRecord& record, const PatchHistory& loads) {
+  const bool stops = !loads.stops().empty();
   std::vector<Column> behind;
   if (loads.time_at(0)) behind.push_back({"t", "s", "time"});
   if (loads.changes_contact()) {
@@ -93,11 +107,17 @@ Table history_of(const PatchRecord& record, const PatchHistory& loads) {
     behind.push_back({"lateral_half_width", "mm", "of the contact, across the rolling"});
     behind.push_back({"full_sliding", "N", "the force of full sliding"});
   }
+  if (stops) {
+    behind.push_back({"shift", "mm", "rigid shift of the step, along; the bodies may stand"});
+    behind.push_back({"lateral_shift", "mm", "rigid shift of the step, across"});
+    behind.push_back({"rotation", "rad", "rigid rotation of the step"});
+    behind.push_back({"loss", "N mm", "energy lost in the step"});
+  }
   return record.table(
       "history",
       "transient rolling of a patch, a row a step; the first is the start, where nothing moves, or "
       "the end of the run that is continued",
-      {{"q", "mm", "distance rolled"}},
+      {{"q", "mm", stops ? "where the bodies are" : "distance rolled"}},
       {{"creepage", "1", "xi, as a mean over the step"},
        {"lateral_creepage", "1", "eta, as a mean over the step"},
        {"spin", "1/mm", "phi, as a mean over the step"}},
@@ -125,14 +145,14 @@ struct WorstOfPatch {
   }
 };
 
-/// Quantities that add up from step to step.
+/// Quantities that add up from step to step; lengths are below 0 where the bodies roll back.
 struct PatchSums {
   Vector3d path = Vector3d::Zero();  ///< [mm, mm, rad]
   LostEnergy lost{true};
 
   void include(const PatchStepEnd& end, double length) {
     path += length * end.motion;
-    lost.add({.length = length,
+    lost.add({.length = std::abs(length),
               .rate = end.dissipation,
               .power = end.evidence.power,
               .sudden_rate = end.dissipation});
@@ -148,8 +168,9 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
 std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& progress,
                                 const std::function<void(const PatchRolling&)>& at_end) {
   const std::vector<double> lengths = scene.step_lengths();
-  const std::size_t steps = number_of_steps(scene.distance, lengths, scene.from);
   const PatchHistory& loads = scene.loads;
+  const std::vector<double> stops = loads.stops();
+  const std::size_t steps = number_of_steps(scene.distance, lengths, scene.from, stops);
   std::size_t done = 0;
   progress(done, scene.shifts.size() + steps);
   RolledPatch rolled(scene.patch, scene.scheme, loads.contact_at(0));
@@ -160,7 +181,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
     const PatchStepEnd end = step(rolled);
     if (coarse) coarse->follow(end, length, step);
     worst.include(end);
-    progress(++done, scene.shifts.size() + steps);
+    progress(++done, std::max(done, scene.shifts.size() + steps));
     return end;
   };
 
@@ -174,8 +195,8 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
     shifts.add(end);
   }
 
-  const auto record = [&](double q) {
-    history.add(end, {q}, behind_steps(scene, q, end, rolled.full_sliding()));
+  const auto record = [&](const PatchRunRow& run) {
+    history.add(end, {run.q}, behind_steps(scene, run, end, rolled.full_sliding()));
   };
   if (scene.state) {
     end = rolled.restore(*scene.state, loads.at(scene.from));
@@ -188,20 +209,36 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
     end.iterations = 0;
     end.evidence.power = 0;
   }
-  record(scene.from);
-  for_steps(scene.distance, lengths, scene.from, [&](double from, double to, double length) {
+  record({.q = scene.from, .time = loads.time_at(scene.from)});
+  const auto stand = [&](double distance) {
+    for (const PatchHistory::Standing& standing : loads.standing_at(distance)) {
+      end = take(1, [&](RolledPatch& patch) { return patch.shift(standing.load); });
+      sums.path += end.motion;
+      sums.lost.add_shift(end.dissipation);
+      const PatchRunRow run{loads.position_at(distance), end.motion, end.dissipation,
+                            standing.time};
+      end.motion.setZero();
+      end.dissipation = 0;
+      record(run);
+    }
+  };
+  if (scene.from == 0) stand(0);
+  for_steps(scene.distance, lengths, scene.from, stops, [&](double from, double to, double length) {
     const PatchLoad load = loads.between(from, to);
+    const double dq = loads.direction_to(to) * length;
     std::optional<ContactScale> contact;
     if (loads.changes_contact()) contact = loads.contact_at(to);
-    end = take(length, [&](RolledPatch& patch) { return patch.roll(length, load, contact); });
-    record(to);
-    sums.include(end, length);
+    end = take(dq, [&](RolledPatch& patch) { return patch.roll(dq, load, contact); });
+    record({loads.position_at(to), dq * end.motion, length * end.dissipation, loads.time_at(to)});
+    sums.include(end, dq);
+    stand(to);
   });
   if (rolled.remembered()) at_end(*rolled.remembered());
   if (coarse) worst.evidence.change = coarse->change();
 
   Table summary = empty_summary("transient rolling of a patch, the whole contact at the end");
   summary.add({"distance", scene.distance, "mm"});
+  if (!stops.empty()) summary.add({"position", loads.position_at(scene.distance), "mm"});
   summary.add({"steps", steps, "1"});
   add_patch_load(summary, end.resultants, end.motion, scene.patch.bound);
   summary.add({"cumulative_creep", sums.path[0], "mm"});

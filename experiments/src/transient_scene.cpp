@@ -18,9 +18,17 @@ double full_sliding_of(const TransientScene& scene, const TransientState& state)
   return full_sliding_force(scene.problem.contact.bound) * state.scale.full_sliding();
 }
 
+/// A step, or a shift where the bodies stand.
+struct RunRow {
+  double shift = 0;            ///< rigid shift  [mm]
+  double loss = 0;             ///< energy per mm width  [N]
+  std::optional<double> time;  ///< at the end  [s]
+};
+
 Table empty_history(const LoadHistory& loads) {
+  const bool stops = !loads.stops().empty();
   std::vector<Column> columns{
-      {"q", "mm", "distance rolled"},
+      {"q", "mm", stops ? "where the bodies are" : "distance rolled"},
       {"force", "N/mm", "total force F"},
       {"creepage", "1", "relative rigid slip w of the step"},
       {"adhesion_elements", "1", "elements in adhesion"},
@@ -32,12 +40,17 @@ Table empty_history(const LoadHistory& loads) {
     columns.push_back({"half_width", "mm", "of the contact"});
     columns.push_back({"full_sliding", "N/mm", "the force of full sliding"});
   }
+  if (stops) {
+    columns.push_back({"shift", "mm", "rigid shift of the step; the bodies may stand"});
+    columns.push_back({"loss", "N", "energy lost in the step per mm width"});
+  }
   return {"history",
           "transient rolling, a row a step; the first is the start, where there is no rate",
           columns};
 }
 
-void add(Table& history, const TransientState& state, const TransientScene& scene) {
+void add(Table& history, const TransientState& state, const RunRow& run,
+         const TransientScene& scene) {
   std::vector<Cell> row{state.distance,
                         state.force,
                         state.creepage,
@@ -45,10 +58,14 @@ void add(Table& history, const TransientState& state, const TransientScene& scen
                         static_cast<double>(state.slip_elements),
                         state.dissipation,
                         static_cast<double>(state.iterations)};
-  if (const auto time = scene.loads.time_at(state.distance)) row.emplace_back(*time);
+  if (run.time) row.emplace_back(*run.time);
   if (scene.loads.changes_contact()) {
     row.emplace_back(state.scale.half_width * scene.problem.grid.half_width());
     row.emplace_back(full_sliding_of(scene, state));
+  }
+  if (!scene.loads.stops().empty()) {
+    row.emplace_back(run.shift);
+    row.emplace_back(run.loss);
   }
   history.add(row);
 }
@@ -118,7 +135,8 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
 std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress,
                                 const std::function<void(TransientRolling&)>& at_end) {
   const std::vector<double> lengths = scene.step_lengths();
-  const std::size_t steps = number_of_steps(scene.distance, lengths, scene.from);
+  const std::vector<double> ends = scene.loads.ends_of_steps();
+  const std::size_t steps = number_of_steps(scene.distance, lengths, scene.from, ends);
   TransientRolling rolling(scene.problem, scene.start, scene.loads.contact_at(0));
   std::size_t done = 0;
   const auto count = [&] { progress(++done, scene.shifts.size() + steps); };
@@ -127,28 +145,42 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   Table history = empty_history(scene.loads);
   TransientState start = rolling.state();
   if (scene.from == 0) start.iterations = 0;  // the start is no step
-  add(history, start, scene);
+  add(history, start, {.time = scene.loads.time_at(scene.from)}, scene);
   double cumulative_creep = 0;
   LostEnergy lost;
   const double full = full_sliding_force(scene.problem.contact.bound);
   double distance_before = start.distance, force_before = start.force;
   WorstOfSteps worst;
-  rolling.roll_to(scene.distance, lengths, scene.loads, [&](const TransientState& state) {
-    add(history, state, scene);
-    const double length = state.distance - distance_before;
-    cumulative_creep += state.creepage * length;
-    lost.add(state, length, force_before, full);
+  const auto take = [&](const TransientState& state, const RunRow& run) {
+    add(history, state, run, scene);
+    cumulative_creep += run.shift;
     distance_before = state.distance;
     force_before = state.force;
     worst.include(state);
-    count();
-  });
+  };
+  rolling.roll_to(
+      scene.distance, lengths, scene.loads,
+      {.after_step =
+           [&](const TransientState& state, std::optional<double> time) {
+             const double length = state.distance - distance_before;
+             lost.add(state, std::abs(length), force_before, full);
+             take(state, {.shift = state.creepage * length,
+                          .loss = state.dissipation * std::abs(length),
+                          .time = time});
+             count();
+           },
+       .after_shift =
+           [&](const TransientState& state, const Shift& shift, std::optional<double> time) {
+             lost.add_shift(shift.dissipation);
+             take(state, {.shift = shift.distance, .loss = shift.dissipation, .time = time});
+           }});
   at_end(rolling);  // before the estimate of the condition, which refactorises
 
   const TransientState& last = rolling.state();
   const double full_sliding = full_sliding_of(scene, last);
   Table summary = empty_summary("transient rolling, the whole contact at the end");
-  summary.add({"distance", last.distance, "mm"});
+  summary.add({"distance", scene.distance, "mm"});
+  if (!scene.loads.stops().empty()) summary.add({"position", last.distance, "mm"});
   summary.add({"steps", steps, "1"});
   summary.add({"force", last.force, "N/mm"});
   summary.add({"creepage", last.creepage, "1"});

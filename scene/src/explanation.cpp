@@ -111,6 +111,16 @@ std::vector<std::string> changed(const LoadHistory& loads, double a) {
                       least * a, most * a, loses)};
 }
 
+/// Places where the bodies turn, or stand.
+/// \param stops  of a run
+std::vector<std::string> stopped(const std::vector<double>& stops) {
+  if (stops.empty()) return {};
+  return {
+      fmt::format("the bodies turn, or are shifted without rolling, at {} place{}: steps end "
+                  "there",
+                  stops.size(), stops.size() == 1 ? "" : "s")};
+}
+
 const std::string normal_changes =
     "the normal contact: bound and edges are given, or by Hertz from the load, from row to row; "
     "they do not depend on tractions";
@@ -319,6 +329,7 @@ Explanation of_patch(const PatchTransient& scene) {
   std::vector<std::string>& lines = found.consequences;
   std::ranges::move(changed(scene.loads.rows(), scene.patch.bound.half_width()),
                     std::back_inserter(lines));
+  std::ranges::move(stopped(scene.loads.stops()), std::back_inserter(lines));
   std::ranges::move(shifted(scene), std::back_inserter(lines));
   lines.push_back(fmt::format(
       "rolls {} mm, {} contact lengths, in {} steps", five_digits(scene.distance - scene.from),
@@ -372,6 +383,7 @@ struct Explain {
                       std::back_inserter(consequences));
     std::ranges::copy(changed(scene.loads, scene.problem.grid.half_width()),
                       std::back_inserter(consequences));
+    std::ranges::copy(stopped(scene.loads.stops()), std::back_inserter(consequences));
     std::ranges::copy(shifted(scene), std::back_inserter(consequences));
     consequences.push_back(rolled(scene, scene.distance, scene.problem.grid));
     consequences.push_back(method_of(scene.problem.scheme));

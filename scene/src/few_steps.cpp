@@ -33,7 +33,7 @@ std::vector<double> read_step_ratios(Scene& scene) {
   std::vector<double> ratios = scene.numbers("step.ratio");
   for (const double ratio : ratios) {
     require(ratio == 0 || ratio >= min_step_ratio, "step.ratio", ratio,
-            ratio < 0 ? "numbers >= 1e-15 or 0; rolling backwards is not in this version"
+            ratio < 0 ? "numbers >= 1e-15 or 0; bodies roll back by rows of load.file"
                       : "numbers >= 1e-15 or 0");
   }
   std::erase(ratios, 0);

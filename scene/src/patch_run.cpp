@@ -109,8 +109,9 @@ void require_patch_contacts(const NamedColumns& columns, const PatchHistory& loa
   const auto value_of = [&](const char* name, std::size_t row) {
     return (*columns[name])[static_cast<Eigen::Index>(row)];
   };
-  for (std::size_t i = 0; i < loads.distances().size(); ++i) {
-    const auto [size, bound] = loads.contact_at(loads.distances()[i]);
+  const std::vector<double> rows = loads.row_distances();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto [size, bound] = loads.contact_at(rows[i]);
     if (size != 1 && !patch.bound.shape().is_ellipse()) {
       require(false, in_row(i, sizes), value_of(sizes, i),
               fmt::format("that of the scene, as the contact of {} has one size; friction or "
@@ -150,9 +151,9 @@ RunRows rows_of_component(const NamedColumns& columns, std::size_t j,
 /// Requires that friction carries the resultants of each row, and that motions are not too large.
 void require_rows_carried(const NamedColumns& columns, const PatchHistory& loads,
                           const SteadyPatch& patch) {
-  const std::vector<double>& distances = loads.distances();
+  const std::vector<double> distances = loads.row_distances();
   for (std::size_t i = 0; i < distances.size(); ++i) {
-    const PatchLoad load = loads.at(distances[i]);
+    const PatchLoad load = loads.of_row(i);
     with_names_of(
         load,
         [&] {
@@ -230,6 +231,7 @@ PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch, const Advect
       require_scheme_of_changes(scheme);
       require_patch_contacts(columns, loads, patch);
     }
+    if (!loads.stops().empty()) require_scheme_of_stops(scene, scheme);
     require_rows_carried(columns, loads, patch);
     warn_of_creepages_in_run(scene, loads, patch);
     return loads;

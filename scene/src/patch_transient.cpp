@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "doubts.hpp"
@@ -217,11 +218,13 @@ void require_step_lengths(const Scene& scene, const PatchTransient& read) {
           format_roughly(least), format_roughly(most), format_roughly(ratio * dx)));
     });
   }
-  double first = 0, last = 0;
-  for_steps(read.distance, read.step_lengths(), read.from, [&](double, double, double length) {
-    if (first == 0) first = length;
-    last = length;
-  });
+  double first = 0, last = 0, shortest = std::numeric_limits<double>::infinity();
+  for_steps(read.distance, read.step_lengths(), read.from, read.loads.stops(),
+            [&](double, double, double length) {
+              if (first == 0) first = length;
+              last = length;
+              shortest = std::min(shortest, length);
+            });
   require(last >= least, "motion.distance", read.distance, [&] {
     return fmt::format("another distance: the last step would be {} mm long, shorter than {} mm",
                        format_roughly(last), format_roughly(least));
@@ -229,6 +232,12 @@ void require_step_lengths(const Scene& scene, const PatchTransient& read) {
   require(first >= least, "motion.distance of start.state", read.from, [&] {
     return fmt::format("the end of a step: the next step would be {} mm long, shorter than {} mm",
                        format_roughly(first), format_roughly(least));
+  });
+  require(shortest >= least, "step.ratio", read.step_ratios.front(), [&] {
+    return fmt::format(
+        "another one: a step that ends where the bodies turn or are shifted would be "
+        "{} mm long, shorter than {} mm",
+        format_roughly(shortest), format_roughly(least));
   });
 }
 

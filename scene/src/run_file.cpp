@@ -24,8 +24,9 @@ namespace {
 void require_all_carried(const Eigen::VectorXd& forces, const LoadHistory& loads,
                          const TractionBound& bound) {
   const double full = full_sliding_force(bound);
+  const std::vector<double> rows = loads.row_distances();
   for (Eigen::Index i = 0; i < forces.size(); ++i) {
-    const ContactScale contact = loads.contact_at(loads.distances()[static_cast<std::size_t>(i)]);
+    const ContactScale contact = loads.contact_at(rows[static_cast<std::size_t>(i)]);
     require_carried(forces[i], contact, full, fmt::format("row {}: force", i + 1));
   }
 }
@@ -91,6 +92,7 @@ LoadHistory read_run(Scene& scene, const TransientProblem& problem) {
     rows.of_problem = reference_of(scene, rows);
     const LoadHistory loads(rows);
     require_contacts(loads, problem);
+    if (!loads.stops().empty()) require_scheme_of_stops(scene, problem.scheme);
     warn_of_large_creepages(scene, loads, problem.contact.bound);
     if (rows.force) require_all_carried(*rows.force, loads, problem.contact.bound);
     return loads;
@@ -109,6 +111,23 @@ void require_scheme_of_changes(const AdvectionScheme& scheme) {
   reject("step.scheme", name_of(scheme),
          "remembered, which alone rolls on a contact that changes, as columns of load.file have "
          "it");
+}
+
+void require_scheme_of_stops(Scene& scene, const AdvectionScheme& scheme) {
+  if (!std::holds_alternative<Remembered>(scheme)) {
+    reject(
+        "step.scheme", name_of(scheme),
+        "remembered, which alone turns and is shifted within a run, as rows of load.file have it");
+  }
+  if (scene.has("step.tolerance")) {
+    reject("step.tolerance", scene.text("step.tolerance"),
+           "none where the rows of load.file turn or shift the bodies; steps end at the rows, or "
+           "are those of step.ratio");
+  }
+  if (scene.has("start.type") && scene.text("start.type") == "state") {
+    reject("start.type", "state",
+           "another start where the rows of load.file turn or shift the bodies");
+  }
 }
 
 std::vector<double> row_ratios(const std::vector<double>& rows, double spacing) {

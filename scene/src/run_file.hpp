@@ -23,6 +23,9 @@ RunRows::Reference reference_of(Scene& scene, const RunRows& rows);
 /// Refuses schemes that do not roll on a contact that changes.
 void require_scheme_of_changes(const AdvectionScheme& scheme);
 
+/// Refuses schemes, steps and starts that do not go with a load that turns or shifts the bodies.
+void require_scheme_of_stops(Scene& scene, const AdvectionScheme& scheme);
+
 /// The steps from row to row, dq/dx; without those of length 0, in which nothing happens  [1]
 /// \param rows     their distances  [mm]
 /// \param spacing  dx  [mm]

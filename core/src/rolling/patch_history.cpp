@@ -40,6 +40,37 @@ bool PatchHistory::changes_size() const {
       distances(), [&](double distance) { return contact_at(distance).half_width != first; });
 }
 
+PatchLoad PatchHistory::of_row(std::size_t row) const {
+  return patch_load(components_, [&](const LoadHistory& of) { return of.of_row(row); });
+}
+
+std::vector<double> PatchHistory::stops() const {
+  std::vector<double> all;
+  for (const LoadHistory& component : components_) {
+    all.insert(all.end(), component.stops().begin(), component.stops().end());
+  }
+  std::ranges::sort(all);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+std::vector<PatchHistory::Standing> PatchHistory::standing_at(double distance) const {
+  std::array<std::vector<LoadHistory::Standing>, 3> parts;
+  for (std::size_t j = 0; j < parts.size(); ++j) parts[j] = components_[j].standing_at(distance);
+  std::vector<Standing> found;
+  for (std::size_t i = 0; i < parts[0].size(); ++i) {
+    Standing standing{.load = {}, .time = parts[0][i].time};
+    bool changes = false;
+    for (std::size_t j = 0; j < parts.size(); ++j) {
+      const Prescribed prescribed(parts[j][i].load);
+      standing.load[j] = {.by_resultant = prescribed.by_force, .value = prescribed.value};
+      changes = changes || parts[j][i].changes;
+    }
+    if (changes) found.push_back(standing);
+  }
+  return found;
+}
+
 PatchLoad PatchHistory::at(double distance) const {
   return patch_load(components_, [&](const LoadHistory& of) { return of.at(distance); });
 }

@@ -277,38 +277,45 @@ void TransientRolling::step(double length, const Load& load) {
 void TransientRolling::roll(double distance, const std::vector<double>& lengths,
                             const LoadHistory& loads,
                             const std::function<void(const TransientState&)>& after_step) {
-  roll_on(state_.distance, 0, distance, lengths, loads, after_step);
+  roll_on(state_.distance, 0, distance, lengths, loads,
+          {.after_step = [&](const TransientState& state, auto) { after_step(state); }});
 }
 
 void TransientRolling::roll_to(double distance, const std::vector<double>& lengths,
                                const LoadHistory& loads,
                                const std::function<void(const TransientState&)>& after_step) {
-  roll_on(0, state_.distance, distance, lengths, loads, after_step);
+  roll_to(distance, lengths, loads,
+          {.after_step = [&](const TransientState& state, auto) { after_step(state); }});
+}
+
+void TransientRolling::roll_to(double distance, const std::vector<double>& lengths,
+                               const LoadHistory& loads, const Observer& observer) {
+  roll_on(0, state_.distance, distance, lengths, loads, observer);
+}
+
+/// Shifts the bodies at a distance where the loads do so without rolling.
+void TransientRolling::stand(double distance, const LoadHistory& loads, const Observer& observer) {
+  for (const LoadHistory::Standing& standing : loads.standing_at(distance)) {
+    if (!standing.changes || !contact().carries()) continue;
+    const Shift shifted = shift(standing.load);
+    if (observer.after_shift) observer.after_shift(state_, shifted, standing.time);
+  }
 }
 
 void TransientRolling::roll_on(double origin, double start, double distance,
                                const std::vector<double>& lengths, const LoadHistory& loads,
-                               const std::function<void(const TransientState&)>& after_step) {
-  const auto roll_between = [&](double from, double to, double length) {
-    if (loads.changes_contact()) set_contact(loads.contact_at(to));
-    step(length, loads.between(from, to));
-    state_.distance = origin + to;  // the same place, with fewer rounding errors
-    grid_->move_to(state_.distance);
-    after_step(state_);
-  };
-  for_steps(distance, lengths, start, [&](double from, double to, double length) {
-    // Bodies that part forget: a step ends where contact is lost, unless it ends there but for
-    // rounding.
-    constexpr double rounding = 1e-9;
-    const double margin = rounding * (to - from);
-    bool is_whole = true;
-    while (const auto lost = loads.lost_between(from + margin, to - margin)) {
-      roll_between(from, *lost, *lost - from);
-      from = *lost;
-      is_whole = false;
-    }
-    roll_between(from, to, is_whole ? length : to - from);
-  });
+                               const Observer& observer) {
+  if (start == 0) stand(0, loads, observer);
+  for_steps(distance, lengths, start, loads.ends_of_steps(),
+            [&](double from, double to, double length) {
+              if (loads.changes_contact()) set_contact(loads.contact_at(to));
+              step(loads.direction_to(to) * length, loads.between(from, to));
+              // The same place, with fewer rounding errors.
+              state_.distance = origin + loads.position_at(to);
+              grid_->move_to(state_.distance);
+              observer.after_step(state_, loads.time_at(to));
+              stand(to, loads, observer);
+            });
 }
 
 double stiffness(const TransientProblem& problem) {
@@ -327,8 +334,37 @@ void for_steps(double distance, const std::vector<double>& lengths, double start
   }
 }
 
+void for_steps(double distance, const std::vector<double>& lengths, double start,
+               const std::vector<double>& ends,
+               const std::function<void(double from, double to, double length)>& step) {
+  constexpr double rounding = 1e-9;
+  double begin = start;
+  for_steps(distance, lengths, start, [&](double from, double to, double length) {
+    const double margin = rounding * (to - from);
+    bool is_whole = begin == from;
+    auto end = std::ranges::upper_bound(ends, begin + margin);
+    for (; end != ends.end() && *end < to - margin; ++end) {
+      step(begin, *end, *end - begin);
+      begin = *end;
+      is_whole = false;
+    }
+    const bool is_there = end != ends.end() && *end <= to + margin;
+    const double until = is_there ? *end : to;
+    if (until - begin > margin) step(begin, until, is_whole ? length : until - begin);
+    begin = until;
+  });
+}
+
 std::size_t number_of_steps(double distance, const std::vector<double>& lengths, double start) {
   return Schedule(distance, lengths, start).size();
+}
+
+std::size_t number_of_steps(double distance, const std::vector<double>& lengths, double start,
+                            const std::vector<double>& ends) {
+  if (ends.empty()) return number_of_steps(distance, lengths, start);
+  std::size_t count = 0;
+  for_steps(distance, lengths, start, ends, [&](double, double, double) { ++count; });
+  return count;
 }
 
 double last_step(double distance, const std::vector<double>& lengths, double start) {

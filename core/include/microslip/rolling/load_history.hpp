@@ -15,9 +15,9 @@ namespace microslip {
 /// Rows of a measured or computed run; all given columns have the same number of entries. There is
 /// either a distance or a time, and one of creepage, force and angular velocity.
 struct RunRows {
-  std::optional<Eigen::VectorXd> distance;          ///< q, not descending  [mm]
-  std::optional<Eigen::VectorXd> time;              ///< t, ascending  [s]
-  std::optional<Eigen::VectorXd> velocity;          ///< v >= 0, with times  [mm/s]
+  std::optional<Eigen::VectorXd> distance;          ///< q, where the bodies are  [mm]
+  std::optional<Eigen::VectorXd> time;              ///< t, not descending  [s]
+  std::optional<Eigen::VectorXd> velocity;          ///< v of either sign, with times  [mm/s]
   std::optional<Eigen::VectorXd> creepage;          ///< w  [1]
   std::optional<Eigen::VectorXd> force;             ///< F  [N/mm]
   std::optional<Eigen::VectorXd> angular_velocity;  ///< omega, with v and a radius  [rad/s]
@@ -44,11 +44,15 @@ struct RunRows {
   std::string creepage_name = "creepage", force_name = "force";
 };
 
-/// A load that changes on the way. Nothing happens between rows at one distance, or with v = 0 in
-/// both: force and contact must be the same there, and omega 0 where v is. A creepage may jump.
-/// Velocities, creepage, force and the contact's columns are linear
-/// between rows, in distance or in time, whichever the rows have. With omega the creepage is w = (v
-/// - omega R)/v.
+/// A load that changes on the way. Velocities, creepage, force and the contact's columns are linear
+/// between rows, in distance or in time, whichever the rows have. A creepage is the rigid shift over
+/// the distance rolled, w = dS/dq; with omega it is w = (v - omega R)/v. Where the bodies roll back,
+/// dq < 0.
+///
+/// Distances are counted along the way, from 0 at the first row on, and never fall. At some of them
+/// the run stops: the bodies turn, or stand and are shifted against one another. A force that is
+/// another one in the next row of the same place shifts them; so does omega where v is 0. A creepage
+/// may jump. The contact keeps its size and bound where nothing is rolled.
 class LoadHistory {
  public:
   /// A constant load.
@@ -56,20 +60,47 @@ class LoadHistory {
   LoadHistory(const OneLoad& constant) : constant_(constant) {}
 
   /// \throws std::invalid_argument for fewer than two rows, columns that exclude each other or
-  ///         differ in length, numbers that are not finite, times that do not ascend, rows that
-  ///         roll backwards or not at all, and for a load that changes while nothing is rolled.
-  ///         The message names the row, from 1, and the column
+  ///         differ in length, numbers that are not finite, times that descend, rows that never
+  ///         roll, and for a contact that changes while nothing is rolled. The message names the
+  ///         row, from 1, and the column
   explicit LoadHistory(const RunRows& rows);
 
   /// The distance from the first row to the last; infinite for a constant load  [mm]
   double distance() const;
 
-  /// Distances of the rows, from 0 on; none for a constant load  [mm]
+  /// Distances of the rows, and of turns between them, from 0 on; none for a constant load  [mm]
   const std::vector<double>& distances() const { return distances_; }
 
-  /// The load at a distance within the rows: the creepage or the force at that point.
+  /// Distances of the rows alone  [mm]
+  std::vector<double> row_distances() const;
+
+  /// The creepage or the force of a row; a row in which the bodies stand has no creepage, but 0.
+  Load of_row(std::size_t row) const;
+
+  /// The load at a distance within the rows: the creepage or the force at that point, behind a jump;
+  /// 0 where the bodies are shifted without rolling.
   /// \param distance  in [0, distance()]  [mm]
   Load at(double distance) const;
+
+  /// Distances at which the bodies turn or are shifted, ascending; steps end there  [mm]
+  const std::vector<double>& stops() const { return stops_; }
+
+  /// What happens where the bodies stand.
+  struct Standing {
+    ShiftLoad load;              ///< the shift, or the force at its end
+    bool changes;                ///< whether the load is another one than before
+    std::optional<double> time;  ///< at the end, if the rows have times  [s]
+  };
+
+  /// What happens from row to row at a distance, in turn.
+  std::vector<Standing> standing_at(double distance) const;
+
+  /// 1, or -1 where the bodies roll back: on the way to a distance.
+  /// \param distance  in (0, distance()]  [mm]
+  int direction_to(double distance) const;
+
+  /// Where the bodies are at a distance: q, 0 at the first row  [mm]
+  double position_at(double distance) const;
 
   /// Whether the rows have columns of the contact.
   bool changes_contact() const { return !(size_.empty() && load_.empty() && bound_.empty()); }
@@ -77,17 +108,17 @@ class LoadHistory {
   /// The contact at a distance within the rows; the problem's contact if the rows have none.
   ContactScale contact_at(double distance) const;
 
-  /// The first row between two distances in which nothing is carried, because contact or friction
-  /// is lost there.
-  /// \return its distance, in (from, to); none if there is no such row  [mm]
-  std::optional<double> lost_between(double from, double to) const;
+  /// Distances at which a step has to end, ascending: the stops, and rows in which nothing is carried,
+  /// because contact or friction is lost there  [mm]
+  std::vector<double> ends_of_steps() const;
 
-  /// The time at a distance, if the rows have times  [s]
+  /// The time at which a distance is reached, if the rows have times  [s]
   std::optional<double> time_at(double distance) const;
 
   /// The load of a step: the exact mean of the creepage over the step, or the force at the end of
-  /// the step. Cost: one binary search, and the rows within the step.
-  /// \param from, to  distances from the first row, in [0, distance()], from < to  [mm]
+  /// the step, before a jump. Cost: one binary search, and the rows within the step.
+  /// \param from, to  distances from the first row, in [0, distance()], from < to, without a stop
+  ///                  between them  [mm]
   Load between(double from, double to) const;
 
  private:
@@ -98,23 +129,34 @@ class LoadHistory {
   };
 
   Place place_of(double distance) const;
+  Place place_before(double distance) const;
+  Place place_in(std::size_t row, double distance) const;
+  bool stands_in(std::size_t row) const;
+  Standing standing_in(std::size_t row) const;
+  void take_way(const RunRows& rows);
+  void take_load(const RunRows& rows);
+  void find_stops();
   double between_rows(const std::vector<double>& column, const Place& at) const;
-  void take_contact(const RunRows& rows);
-  double force_at(double distance) const;
+  void take_scales(const RunRows& rows);
   double shift_within(std::size_t row, double from, double to) const;
 
   std::optional<Load> constant_;
-  std::vector<double> distances_;  ///< of the rows
-  std::size_t last_row_ = 0;       ///< the last one after which anything is rolled
-  std::vector<double> lost_;       ///< distances of the rows in which nothing is carried
-  std::vector<double> times_;      ///< of the rows, if they have times
-  std::vector<double> lengths_;    ///< from a row to the next, in distance or time
-  std::vector<double> speed_;      ///< of the distance: v, or 1
+  std::vector<double> distances_;  ///< of the rows, and of turns
+  std::vector<double> positions_;  ///< q there
+  std::vector<int> direction_;     ///< from a row to the next: 1, -1, or 0 where the bodies stand
+  std::vector<double> stops_;      ///< distances
+  std::vector<std::size_t> of_rows_;  ///< the rows of the file among these
+  std::size_t last_row_ = 0;          ///< the last one after which anything is rolled
+  std::vector<double> lost_;          ///< distances of the rows in which nothing is carried
+  std::vector<double> times_;         ///< of the rows, if they have times
+  std::vector<double> lengths_;       ///< from a row to the next, in distance or time
+  std::vector<double> speed_;         ///< of the distance: |v|, or 1
   std::vector<double> force_;
-  std::vector<double> load_;                ///< normal load over the problem's
-  std::vector<double> size_;                ///< half-width over the problem's
-  std::vector<double> bound_;               ///< peak, or friction coefficient, over the problem's
-  bool point_contact_ = false;              ///< as RunRows::point_contact
+  double printed_ = 0;          ///< a force that changes by less has been printed with few digits
+  std::vector<double> load_;    ///< normal load over the problem's
+  std::vector<double> size_;    ///< half-width over the problem's
+  std::vector<double> bound_;   ///< peak, or friction coefficient, over the problem's
+  bool point_contact_ = false;  ///< as RunRows::point_contact
   std::vector<Eigen::Array3d> shift_rate_;  ///< coefficients of the shift's rate as a polynomial,
                                             ///< from each row on
 };

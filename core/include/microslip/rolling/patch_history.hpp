@@ -27,14 +27,37 @@ class PatchHistory {
   /// Distances of the rows, from 0 on; none for a constant load  [mm]
   const std::vector<double>& distances() const { return rows().distances(); }
 
+  /// Distances of the rows of the file alone  [mm]
+  std::vector<double> row_distances() const { return rows().row_distances(); }
+
+  /// The load of a row, as LoadHistory::of_row().
+  PatchLoad of_row(std::size_t row) const;
+
   /// The load at a distance within the rows  [mm]
   PatchLoad at(double distance) const;
+
+  /// Distances at which the bodies turn or are shifted, ascending; steps end there  [mm]
+  std::vector<double> stops() const;
+
+  /// A shift without rolling: shifts [mm] and a rotation [rad] in the place of motions, or
+  /// resultants at its end.
+  struct Standing {
+    PatchLoad load;
+    std::optional<double> time;  ///< at the end, if the rows have times  [s]
+  };
+
+  /// The shifts at a distance, in turn.
+  std::vector<Standing> standing_at(double distance) const;
 
   /// The load of a step: exact means of motions over the step, and resultants at its end.
   /// \param from, to  distances from the first row, in [0, distance()], from < to  [mm]
   PatchLoad between(double from, double to) const;
 
-  /// The time at a distance, if the rows have times  [s]
+  /// As LoadHistory.
+  int direction_to(double distance) const { return rows().direction_to(distance); }
+  double position_at(double distance) const { return rows().position_at(distance); }
+
+  /// The time at which a distance is reached, if the rows have times  [s]
   std::optional<double> time_at(double distance) const { return rows().time_at(distance); }
 
   /// Whether the rows have columns of the contact.

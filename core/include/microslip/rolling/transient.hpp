@@ -126,11 +126,22 @@ class TransientRolling {
             const std::function<void(const TransientState&)>& after_step);
 
   /// Continues a run that began at distance 0, with the steps of an uninterrupted run: the first
-  /// step ends where a step of that run ends.
+  /// step ends where a step of that run ends. Steps end where the loads turn or shift the bodies.
+  /// The distances of a run that turns are those along the way; state().distance is the position.
   /// \param distance  at the end; more than the current distance, at most the loads'  [mm]
   /// \param loads     as functions of the distance from 0 on
   void roll_to(double distance, const std::vector<double>& lengths, const LoadHistory& loads,
                const std::function<void(const TransientState&)>& after_step);
+
+  /// Functions that are called in a run.
+  struct Observer {
+    std::function<void(const TransientState&, std::optional<double> time)> after_step;
+    /// Of a shift without rolling; slip, creepage and dissipation of the state are 0.
+    std::function<void(const TransientState&, const Shift&, std::optional<double> time)>
+        after_shift = {};
+  };
+  void roll_to(double distance, const std::vector<double>& lengths, const LoadHistory& loads,
+               const Observer& observer);
 
   /// A text of everything that the next steps depend on, including an attempted step. Another
   /// TransientRolling that starts from this text continues with the same bits, on the same machine
@@ -147,8 +158,8 @@ class TransientRolling {
   /// \param origin           the point from which start, distance and loads are measured  [mm]
   /// \param start, distance  begin and end of the steps, from the origin  [mm]
   void roll_on(double origin, double start, double distance, const std::vector<double>& lengths,
-               const LoadHistory& loads,
-               const std::function<void(const TransientState&)>& after_step);
+               const LoadHistory& loads, const Observer& observer);
+  void stand(double distance, const LoadHistory& loads, const Observer& observer);
   void archive(Archive& archive);
   void read(const SavedState& saved);
   void solve_step(double length, const Load& load, StepJacobian* jacobian);
@@ -174,9 +185,20 @@ double stiffness(const TransientProblem& problem);
 void for_steps(double distance, const std::vector<double>& lengths, double start,
                const std::function<void(double from, double to, double length)>& step);
 
+/// The same; a step that would pass one of some distances is divided there.
+/// \param ends  ascending  [mm]
+void for_steps(double distance, const std::vector<double>& lengths, double start,
+               const std::vector<double>& ends,
+               const std::function<void(double from, double to, double length)>& step);
+
 /// Number of steps that TransientRolling::roll takes; with a start above 0, roll_to().
 /// \param start  in [0, distance)  [mm]
 std::size_t number_of_steps(double distance, const std::vector<double>& lengths, double start = 0);
+
+/// The same, of steps that are divided at some distances.
+/// \param ends  ascending  [mm]
+std::size_t number_of_steps(double distance, const std::vector<double>& lengths, double start,
+                            const std::vector<double>& ends);
 
 /// Length of the last one of these steps; the distance may cut it short  [mm]
 double last_step(double distance, const std::vector<double>& lengths, double start = 0);
