@@ -55,7 +55,7 @@ struct Event {
 };
 
 /// Generates what happens: a load that wanders, by creepage or by force, steps of whole elements
-/// and odd ones, and, if the contact changes, its size, down to none.
+/// and odd ones, forth and back, and, if the contact changes, its size, down to none.
 class EventGenerator {
  public:
   EventGenerator(unsigned seed, const SteadyContact& contact, double spacing, bool changes)
@@ -69,12 +69,13 @@ class EventGenerator {
     if (chance(0.05)) by_force_ = !by_force_;
     if (chance(0.1)) level_ = uniform(-1.5, 1.5);
     if (chance(0.1)) whole_ = !whole_;
+    if (chance(0.06)) direction_ = -direction_;
     if (changes_ && chance(0.3)) {
       const bool lost = chance(0.05);
       scale_ = {lost ? 0 : uniform(0.6, 1.4), uniform(0.5, 1.5)};
     }
     Event event{.kind = Event::Kind::step,
-                .length = spacing_ * (whole_ ? 1 : uniform(0.02, 2.5)),
+                .length = direction_ * spacing_ * (whole_ ? 1 : uniform(0.02, 2.5)),
                 .load = load(),
                 .scale = scale_};
     if (chance(0.03)) {
@@ -100,7 +101,7 @@ class EventGenerator {
   std::mt19937 random_;
   double spacing_, creepage_, full_;
   bool changes_, by_force_ = false, whole_ = true;
-  double level_ = 1;
+  double level_ = 1, direction_ = 1;
   ContactScale scale_;
 };
 

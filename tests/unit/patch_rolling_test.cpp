@@ -219,7 +219,6 @@ TEST(PatchRolling, RefusesBadNumbersAndStaysAsItWas) {
   rolling.roll(0.1, motion(0.1, 0, 0));
   const Vector3d before = rolling.resultants();
   EXPECT_THROW(rolling.roll(0, motion(0.1, 0, 0)), std::invalid_argument);
-  EXPECT_THROW(rolling.roll(-0.1, motion(0.1, 0, 0)), std::invalid_argument);
   EXPECT_THROW(rolling.roll(1e-8, motion(0.1, 0, 0)), std::invalid_argument);
   EXPECT_THROW(rolling.roll(std::numeric_limits<double>::infinity(), motion(0.1, 0, 0)),
                std::invalid_argument);

@@ -117,6 +117,18 @@ std::unique_ptr<BoundTable> BoundTable::half() const {
   return found;
 }
 
+BoundTable BoundTable::turned() const {
+  BoundTable table = *this;
+  for (Rows& rows : table.lobes_) {
+    for (Row& row : rows) {
+      std::ranges::reverse(row.places);
+      std::ranges::reverse(row.squares);
+      for (double& place : row.places) place = -place;
+    }
+  }
+  return table;
+}
+
 PatchBound::PatchBound(const EllipticBound& bound)
     : shape_(PatchShape::ellipse(bound.half_width(), bound.lateral_half_width())),
       peak_(bound.peak()),
@@ -146,6 +158,13 @@ PatchBound::PatchBound(const PatchShape& shape, const BoundTable& table)
 double PatchBound::operator()(std::size_t lobe, double psi, double theta) const {
   if (table_) return (*table_)(shape_, lobe, psi, theta);
   return peak_ * (shape_.lobes()[lobe].row(psi).half_length / longest_) * std::sin(theta);
+}
+
+PatchBound PatchBound::turned() const {
+  PatchBound bound = *this;
+  bound.shape_ = shape_.turned();
+  if (table_) bound.table_ = std::make_shared<const BoundTable>(table_->turned());
+  return bound;
 }
 
 void PatchBound::integrate() {

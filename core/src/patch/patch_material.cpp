@@ -87,7 +87,8 @@ Vector2d PatchMaterial::imposed_by(const StepWays& ways, const MaterialWay& way,
   return -at_entry / way.length;
 }
 
-void PatchMaterial::begin(PointDisplacements& u) {
+void PatchMaterial::begin(PointDisplacements& u, double distance) {
+  distance_ = distance;
   for (Index k = 0; k < u.rows().rows(); ++k) {
     edge_.row(k) = u.at(0, k);
     touch_anew(k, u);

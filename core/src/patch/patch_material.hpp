@@ -42,7 +42,8 @@ class PatchMaterial {
   void impose(const PatchStep& step, PointDisplacements& u, ImposedSlip& found) const;
 
   /// Remembers displacements that no slip has led to, before the first step.
-  void begin(PointDisplacements& u);
+  /// \param distance  rolled so far
+  void begin(PointDisplacements& u, double distance);
 
   /// Takes over a step.
   /// \param step    to the present size

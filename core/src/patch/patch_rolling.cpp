@@ -25,6 +25,11 @@ namespace {
 /// Halvings of a step that is not solved.
 constexpr int most_divisions = 6;
 
+/// A sum with 0 is 0 of a zero, and not -0.
+Vector3d signed_by(const Vector3d& signs, const Vector3d& values) {
+  return signs.cwiseProduct(values).array() + 0.0;
+}
+
 }  // namespace
 
 Vector3d largest_resultants(const PatchBound& bound, const ContactScale& contact) {
@@ -61,7 +66,7 @@ void PatchRolling::set_contact(const ContactScale& scale) {
 const ContactScale& PatchRolling::contact() const { return parts_->next; }
 
 void PatchRolling::start_from(const MatrixX2d& tractions) {
-  Parts fresh(parts_->constants, parts_->next);
+  Parts fresh = parts_->at_rest();
   fresh.start_from(tractions / parts_->units().peak);
   *parts_ = std::move(fresh);
 }
@@ -70,53 +75,80 @@ void PatchRolling::shift(const PatchLoad& load) {
   const double size = parts_->next.half_width;
   require(size == parts_->now.half_width, "half_width", size,
           "that of the contact before a shift, which changes no lengths");
-  parts_->take(0, load);
+  if (parts_->backward) parts_->require_load(load, false);
+  parts_->take(0, parts_->in_frame(load, false));
 }
 
 void PatchRolling::roll(double dq, const PatchLoad& load) {
   const double c = parts_->units().size;
   const double least = PatchStepRanges::least_step * c;
   const double longest = PatchStepRanges::longest_step * c;
-  require(dq >= least && dq <= longest, "dq", dq,
-          [&] { return fmt::format("a length from {:.6g} to {:.6g}", least, longest); });
-  parts_->roll(dq / c, load, most_divisions);
+  const double length = std::abs(dq);
+  require(length >= least && length <= longest, "dq", dq, [&] {
+    return fmt::format("a length from {0:.6g} to {1:.6g}, or back from -{0:.6g} to -{1:.6g}", least,
+                       longest);
+  });
+  const bool backward = dq < 0;
+  if (backward) parts_->require_load(load, true);
+  if (backward == parts_->backward) {
+    return parts_->roll(length / c, parts_->in_frame(load, true), most_divisions);
+  }
+  Parts turned = parts_->turned();
+  turned.roll(length / c, turned.in_frame(load, true), most_divisions);
+  *parts_ = std::move(turned);
 }
 
-double PatchRolling::distance() const { return parts_->material.distance() * parts_->units().size; }
+double PatchRolling::distance() const {
+  const double distance = parts_->material.distance() * parts_->units().size;
+  return parts_->backward ? 0 - distance : distance;
+}
 
 VectorXd PatchRolling::x() const {
-  return parts_->size() * centres_of(parts_->constants->rows).col(0);
+  return parts_->size() * centres_of(parts_->forward().rows).col(0);
 }
 
 VectorXd PatchRolling::y() const {
-  return parts_->size() * centres_of(parts_->constants->rows).col(1);
+  return parts_->size() * centres_of(parts_->forward().rows).col(1);
 }
 
 VectorXd PatchRolling::areas() const {
   const double size = parts_->size();
-  return size * size * parts_->constants->rows.areas();
+  return size * size * parts_->forward().rows.areas();
 }
 
 VectorXd PatchRolling::bound() const { return parts_->units().peak * parts_->bound(); }
 
 MatrixX2d PatchRolling::tractions() const {
-  return tractions_of(parts_->constants->rows, parts_->state.unknowns, parts_->units().peak);
+  return parts_->vectors_in_frame(
+      tractions_of(parts_->constants->rows, parts_->state.unknowns, parts_->units().peak),
+      parts_->resultant_signs());
 }
 
-MatrixX2d PatchRolling::slip() const { return parts_->motion_unit()[0] * slip_of(parts_->state); }
+MatrixX2d PatchRolling::slip() const {
+  return parts_->vectors_in_frame(parts_->motion_unit()[0] * slip_of(parts_->state),
+                                  parts_->motion_signs());
+}
 
-const std::vector<bool>& PatchRolling::slips() const { return parts_->state.slips; }
+std::vector<bool> PatchRolling::slips() const {
+  std::vector<bool> slips = parts_->state.slips;
+  if (!parts_->backward) return slips;
+  const auto n = static_cast<std::ptrdiff_t>(parts_->constants->rows.elements());
+  for (auto row = slips.begin(); row != slips.end(); row += n) std::reverse(row, row + n);
+  return slips;
+}
 
 double PatchRolling::full_sliding() const {
   return largest_resultants(parts_->constants->problem.bound, parts_->now)[0];
 }
 
 Vector3d PatchRolling::resultants() const {
-  return parts_->resultants().cwiseProduct(parts_->units().resultant);
+  return signed_by(parts_->resultant_signs(),
+                   parts_->resultants().cwiseProduct(parts_->units().resultant));
 }
 
 Vector3d PatchRolling::motion() const {
-  return parts_->state.motion.cwiseProduct(parts_->motion_unit());
+  return signed_by(parts_->motion_signs(),
+                   parts_->state.motion.cwiseProduct(parts_->motion_unit()));
 }
 
 double PatchRolling::elastic_energy() const {
@@ -133,8 +165,9 @@ Matrix3d PatchRolling::jacobian() const {
   const PatchResponse& of = p.last_response();
   const Matrix3d scaled = stick_slip_jacobian(of, p.last_limits(), p.state);
   const Vector3d by_size = PatchConstants::by_size(p.now.half_width);
-  return by_size.cwiseProduct(p.units().resultant).asDiagonal() * scaled *
-         p.motion_unit().cwiseInverse().asDiagonal();
+  const Vector3d resultant = p.resultant_signs().cwiseProduct(p.units().resultant);
+  const Vector3d motion = p.motion_signs().cwiseProduct(p.motion_unit());
+  return by_size.cwiseProduct(resultant).asDiagonal() * scaled * motion.cwiseInverse().asDiagonal();
 }
 
 int PatchRolling::iterations() const { return parts_->state.iterations; }

@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr SealedText state_of_patch{.mark = "microslip state of a patch ", .version = "2"};
+constexpr SealedText state_of_patch{.mark = "microslip state of a patch ", .version = "3"};
 
 /// The problem that a state belongs to.
 void archive_problem(Archive& archive, const SteadyPatch& problem, const JoinedRows& rows,
@@ -54,9 +54,12 @@ void archive_state(Archive& archive, PatchState& state, Index cells) {
 }  // namespace
 
 void PatchRolling::Parts::archive(Archive& archive) {
+  archive_problem(archive, forward().problem, forward().rows, forward().limits);
+  bool rolls_back = backward;
+  archive.flag("backward", rolls_back);
+  if (rolls_back != backward) *this = turned();
   const PatchConstants& of = *constants;
   const Index n = of.rows.cells();
-  archive_problem(archive, of.problem, of.rows, of.limits);
   material.archive(archive);
   archive.number("half_width", now.half_width);
   archive.number("bound", now.bound);
@@ -99,7 +102,7 @@ std::string PatchRolling::save() const {
 
 void PatchRolling::restore(const SavedState& saved) {
   Archive members(state_of_patch.members_of(saved.text));
-  Parts restored(parts_->constants, {});
+  Parts restored = parts_->at_rest();
   restored.archive(members);
   members.require_end();
   *parts_ = std::move(restored);
@@ -110,9 +113,11 @@ double distance_of(const SavedState& saved, const SteadyPatch& problem) {
   const JoinedRows rows = rows_of(problem);
   Archive archive(state_of_patch.members_of(saved.text));
   archive_problem(archive, problem, rows, limits_of(rows, problem.bound));
+  bool backward = false;
+  archive.flag("backward", backward);
   double distance = 0;
   archive.number("distance", distance);
-  return distance * problem.bound.size();
+  return (backward ? 0 - distance : distance) * problem.bound.size();
 }
 
 }  // namespace microslip

@@ -45,6 +45,7 @@ PatchConstants::PatchConstants(const SteadyPatch& given)
 
 PatchRolling::Parts::Parts(std::shared_ptr<const PatchConstants> given, const ContactScale& contact)
     : constants(std::move(given)),
+      turned_constants(constants->problem.bound.is_hertz() ? constants : nullptr),
       material(constants->rows, contact.half_width),
       now(contact),
       next(contact),
@@ -57,17 +58,89 @@ PatchRolling::Parts::Parts(std::shared_ptr<const PatchConstants> given, const Co
 }
 
 VectorXd PatchRolling::Parts::bound() const {
-  return now.bound * tractions_of(constants->rows, constants->limits.replicate(2, 1), 1).col(0);
+  const PatchConstants& of = forward();
+  return now.bound * tractions_of(of.rows, of.limits.replicate(2, 1), 1).col(0);
+}
+
+PatchRolling::Parts PatchRolling::Parts::at_rest() const {
+  Parts rest(backward ? turned_constants : constants, next);
+  rest.turned_constants = backward ? constants : turned_constants;
+  return rest;
 }
 
 void PatchRolling::Parts::start_from(const Eigen::MatrixX2d& tractions) {
   const JoinedRows& rows = constants->rows;
   const VectorXd ones = VectorXd::Ones(2 * rows.cells());
   const Eigen::MatrixX2d given = tractions_within(tractions, bound());
-  state.unknowns = given.cwiseQuotient(tractions_of(rows, ones, 1)).reshaped();
+  begin(given.cwiseQuotient(tractions_of(rows, ones, 1)).reshaped(), 0);
+}
+
+void PatchRolling::Parts::begin(const VectorXd& unknowns, double distance) {
+  state.unknowns = unknowns;
   before = state;
   displacements.set(state.unknowns, now.half_width);
-  material.begin(displacements);
+  material.begin(displacements, distance);
+}
+
+/// The cells of each row in the reversed order, if the patch rolls backward.
+VectorXd PatchRolling::Parts::cells_in_frame(const VectorXd& of_cells) const {
+  if (!backward) return of_cells;
+  const Index n = constants->rows.elements();
+  return of_cells.reshaped(n, of_cells.size() / n).colwise().reverse().reshaped();
+}
+
+Eigen::MatrixX2d PatchRolling::Parts::vectors_in_frame(const Eigen::MatrixX2d& of_cells,
+                                                       const Vector3d& signs) const {
+  if (!backward) return of_cells;
+  const VectorXd values = cells_in_frame(of_cells.reshaped());
+  const Eigen::MatrixX2d seen = values.reshaped(of_cells.rows(), 2);
+  return (seen * signs.head<2>().asDiagonal()).array() + 0.0;  // 0 of a zero, and not -0
+}
+
+/// A traction p = tan(theta/2) v is that at theta' = pi - theta, so that v' = tan(theta/2)^2 v.
+PatchRolling::Parts PatchRolling::Parts::turned() const {
+  auto of = turned_constants;
+  if (of == nullptr) {
+    SteadyPatch problem = constants->problem;
+    problem.bound = problem.bound.turned();
+    of = std::make_shared<const PatchConstants>(problem);
+  }
+  Parts there(of, now);
+  there.turned_constants = constants;
+  there.backward = !backward;
+  there.next = next;
+  if (of == constants) {
+    there.response = response;
+    there.limits = limits;
+  }
+  const JoinedRows& rows = constants->rows;
+  VectorXd unknowns(2 * rows.cells());
+  for (Index k = 0; k < rows.rows(); ++k) {
+    for (Index i = 0; i < rows.elements(); ++i) {
+      const double factor = std::pow(std::tan(rows.theta(i) / 2), 2);
+      const Eigen::Vector2d v = factor * pair_of(state.unknowns, rows.cell(i, k));
+      set_pair(unknowns, rows.cell(rows.elements() - 1 - i, k), {-v[0], v[1]});
+    }
+  }
+  there.begin(unknowns, -material.distance());
+  return there;
+}
+
+Vector3d PatchRolling::Parts::resultant_signs() const {
+  return backward ? Vector3d(-1, 1, -1) : Vector3d::Ones();
+}
+
+Vector3d PatchRolling::Parts::motion_signs() const {
+  return step.dq > 0 && backward ? Vector3d(1, -1, 1) : resultant_signs();
+}
+
+PatchLoad PatchRolling::Parts::in_frame(const PatchLoad& load, bool rolls) const {
+  PatchLoad seen = load;
+  for (std::size_t j = 0; backward && j < load.size(); ++j) {
+    const bool is_lateral = j == 1, is_creepage = rolls && !load[j].by_resultant;
+    if (is_lateral == is_creepage) seen[j].value = 0 - load[j].value;
+  }
+  return seen;
 }
 
 VectorXd PatchRolling::Parts::shares() const {

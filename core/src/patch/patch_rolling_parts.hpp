@@ -46,8 +46,15 @@ struct StepLimits {
 /// \throws std::invalid_argument outside the ranges of PatchRolling::set_contact()
 void require_contact(const ContactScale& scale, const PatchShape& shape);
 
+/// The state of a patch. If it rolls backward, all is that of the turned patch, which rolls forward:
+/// x' = -x with
+///   p' = (-px, py), (Fx, Fy, Mz)' = (-Fx, Fy, -Mz), and shifts likewise,
+///   (xi, eta, phi)' = (xi, -eta, phi) and (sx, -sy) of the slip, over dq' = -dq.
 struct PatchRolling::Parts {
   std::shared_ptr<const PatchConstants> constants;
+  /// Those of the turned patch, from the first turn on; an ellipse with Hertz's bound is its own.
+  std::shared_ptr<const PatchConstants> turned_constants;
+  bool backward = false;
   PatchMaterial material;
   ContactScale now, next;                 ///< at the end of the last step, and of the next one
   PatchState state, before;               ///< at the end of the last step, and before it
@@ -79,8 +86,30 @@ struct PatchRolling::Parts {
   const Eigen::VectorXd& last_limits() { return limits_of_bound(now.bound); }
   double condition() const { return response ? response->of.condition() : 0; }
 
+  /// Of the patch that rolls forward.
+  const PatchConstants& forward() const { return backward ? *turned_constants : *constants; }
+
+  /// The same bodies at rest, without tractions, in the contact that was set last.
+  Parts at_rest() const;
+
   /// Sets tractions before the first step, over the bound's peak.
   void start_from(const Eigen::MatrixX2d& tractions);
+
+  /// The same bodies as they roll the other way. Their material remembers the displacements by the
+  /// present tractions.
+  Parts turned() const;
+
+  // Between the contact's frame and this one, either way. Values of cells are in their order.
+  PatchLoad in_frame(const PatchLoad& load, bool rolls) const;
+  Eigen::Vector3d resultant_signs() const;
+  Eigen::Vector3d motion_signs() const;  ///< of the last step
+  Eigen::VectorXd cells_in_frame(const Eigen::VectorXd& of_cells) const;
+  Eigen::MatrixX2d vectors_in_frame(const Eigen::MatrixX2d& of_cells,
+                                    const Eigen::Vector3d& signs) const;
+
+  /// \param load  in the contact's frame
+  /// \throws std::invalid_argument if a number is out of its range
+  void require_load(const PatchLoad& load, bool rolls) const { scaled(load, rolls); }
 
   /// \param dq  0 for a shift
   void take(double dq, const PatchLoad& load);
@@ -91,6 +120,7 @@ struct PatchRolling::Parts {
   void archive(Archive& archive);
 
  private:
+  void begin(const Eigen::VectorXd& unknowns, double distance);
   Eigen::Vector3d resultants_of(const PatchState& of, double size) const;
   double elastic_energy_of(const PatchState& of, double size) const;
   const PatchResponse& response_of(const PatchStep& wanted);

@@ -177,6 +177,12 @@ Lobe Lobe::scaled(double factor) const {
   return lobe;
 }
 
+Lobe Lobe::turned() const {
+  Lobe lobe = *this;
+  lobe.middle_of_ = [of = middle_of_](double sine) { return 0 - of(sine); };
+  return lobe;
+}
+
 namespace {
 
 /// Places at which lobes are compared.
@@ -244,6 +250,14 @@ PatchShape PatchShape::scaled(double factor) const {
   shape.area_ *= factor * factor;
   shape.trailing_ *= factor;
   shape.leading_ *= factor;
+  return shape;
+}
+
+PatchShape PatchShape::turned() const {
+  PatchShape shape = *this;
+  for (Lobe& lobe : shape.lobes_) lobe = lobe.turned();
+  shape.trailing_ = -leading_;
+  shape.leading_ = -trailing_;
   return shape;
 }
 

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip {
 
@@ -58,6 +59,8 @@ Shift ContactGrid::solve_shift(const TransientState& before, const ShiftLoad& lo
 void ContactGrid::solve_step(const TransientState& before, double length, const Load& load,
                              TransientState& after, StepJacobian* jacobian) {
   require_no_jacobian(jacobian);
+  require(length > 0, "step_ratio", length / spacing_,
+          "a number > 0; the scheme 'remembered' alone rolls back, by ratios below 0");
   const double step_ratio = length / spacing_;
   const double solved_length = advection_.solved_step_ratio(step_ratio) * spacing_;
   advection_.advect(before.traction, step_ratio, conditions_);

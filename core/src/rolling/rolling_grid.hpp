@@ -125,6 +125,9 @@ inline bool sticks(const std::vector<Zone>& zones, Eigen::Index i) {
   return zones[static_cast<std::size_t>(i)] == Zone::adhesion;
 }
 
+/// The zone of the mirrored element, where tractions have the other sign.
+inline Zone mirrored(Zone zone) { return static_cast<Zone>(-static_cast<signed char>(zone)); }
+
 /// The ratio of tractions to the bound, within -1 and 1; 0 where there is no bound.
 /// \param x         places  [mm]
 /// \param traction  there  [N/mm^2]

@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr SealedText format{.mark = "microslip state ", .version = "3"};
+constexpr SealedText format{.mark = "microslip state ", .version = "4"};
 
 void archive_kernel(Archive& archive, const Kernel& kernel) {
   archive.same("kernel.type", kernel.name());

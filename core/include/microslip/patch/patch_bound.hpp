@@ -40,6 +40,9 @@ class BoundTable {
   /// error; nullptr if there are too few.
   std::unique_ptr<BoundTable> half() const;
 
+  /// The table on the turned shape.
+  BoundTable turned() const;
+
  private:
   struct Row {
     double y;
@@ -85,6 +88,9 @@ class PatchBound {
 
   double half_width() const { return shape_.half_width(); }                  ///< [mm]
   double lateral_half_width() const { return shape_.lateral_half_width(); }  ///< [mm]
+
+  /// The bound on the turned shape, g(-x, y).
+  PatchBound turned() const;
 
  private:
   void integrate();

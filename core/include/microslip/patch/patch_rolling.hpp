@@ -42,6 +42,13 @@ Eigen::Vector3d largest_resultants(const PatchBound& bound, const ContactScale& 
 /// the centre in the middle of the step. As dq tends to 0, that is the slip at the centre of steady
 /// rolling. Equations: docs/ellipse.md.
 ///
+/// Bodies roll back by a step dq < 0, and turn as often as they like. The frame stays: x, tractions,
+/// resultants and shifts keep their directions, and distance() goes back. Motions and slip are
+/// derivatives by the distance, as w is: a positive creepage of a step back gives a positive force.
+/// Energies are over |dq|. A turn keeps the tractions. The first turn of a patch that is no ellipse,
+/// or has a bound of its own, prepares it from the other side, which costs what the patch did.
+/// tests/unit/turning_patch_test.cpp
+///
 /// Motions are at most 1e8 times the strain mu p0/G, beside which displacements keep their digits.
 ///
 /// A copy continues with the same bits as the original, and independently of it; it shares the
@@ -89,18 +96,18 @@ class PatchRolling {
 
   /// Rolls over a step. A step in which stick and slip are not found is divided into halves, up to
   /// six times, on the way of which resultants go linearly to those prescribed.
-  /// \param dq  from 1e-6 to 1e6 of the size  [mm]
+  /// \param dq  from 1e-6 to 1e6 of the size, or less than 0 by as much to roll back  [mm]
   /// \throws std::invalid_argument if a number is out of its range; NotConverged
   void roll(double dq, const PatchLoad& load);
 
-  double distance() const;             ///< rolled so far  [mm]
+  double distance() const;             ///< rolled so far, less what was rolled back  [mm]
   Eigen::VectorXd x() const;           ///< of the centres of cells  [mm]
   Eigen::VectorXd y() const;           ///< [mm]
   Eigen::VectorXd areas() const;       ///< of the cells  [mm^2]
   Eigen::VectorXd bound() const;       ///< at the centres  [N/mm^2]
   Eigen::MatrixX2d tractions() const;  ///< along and across, at the centres  [N/mm^2]
-  Eigen::MatrixX2d slip() const;       ///< [1]; by a shift [mm]; 0 where a cell sticks
-  const std::vector<bool>& slips() const;
+  Eigen::MatrixX2d slip() const;       ///< over dq [1]; by a shift [mm]; 0 where a cell sticks
+  std::vector<bool> slips() const;
   double full_sliding() const;         ///< the force that the bound allows  [N]
   Eigen::Vector3d resultants() const;  ///< Fx, Fy [N], Mz about the centre [N mm]
   /// xi, eta [1] and phi [1/mm], as means over the step; of a shift in [mm] and [rad]
@@ -109,9 +116,9 @@ class PatchRolling {
   /// Half of the integral of tractions times displacements  [N mm]
   double elastic_energy() const;
 
-  /// The energy that the last step lost, over dq [N]; in a shift, the energy [N mm]. In a step it is
+  /// The energy that the last step lost, over |dq| [N]; in a shift, the energy [N mm]. In a step it is
   /// what the balance leaves, with the mean of the resultants at its ends,
-  ///   -mean(Fx, Fy, Mz) (xi, eta, phi) - (change of elastic energy)/dq,
+  ///   -mean(Fx, Fy, Mz) (xi, eta, phi) dq/|dq| - (change of elastic energy)/|dq|,
   /// which includes what material takes along that leaves the contact with tractions. In a shift
   /// it is the work of friction by the tractions at the end, which is exact where slip keeps its
   /// direction.

@@ -49,6 +49,9 @@ class Lobe {
   /// The same lobe, with all lengths multiplied by a factor > 0.
   Lobe scaled(double factor) const;
 
+  /// The lobe whose trailing edge leads, x' = -x.
+  Lobe turned() const;
+
  private:
   Lobe() = default;
   double narrowing(double psi) const;  ///< w
@@ -93,6 +96,9 @@ class PatchShape {
   double lateral_half_width() const { return (high() - low()) / 2; }
 
   PatchShape scaled(double factor) const;
+
+  /// The shape whose trailing edges lead, x' = -x.
+  PatchShape turned() const;
 
  private:
   std::vector<Lobe> lobes_;

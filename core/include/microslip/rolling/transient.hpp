@@ -31,6 +31,15 @@ class RollingGrid;
 /// Remembered, for any steps; otherwise of first order, as in steady rolling, because of the
 /// leading edge. tests/order/transient_order_test.cpp
 ///
+/// With Remembered, bodies roll back by steps of negative length, and turn as often as they like.
+/// The frame stays: x, tractions, forces and shifts keep their directions, and distances go back.
+/// Creepage and slip are derivatives by the distance, w = dS/dq, so that bodies which slide the same
+/// way have creepages of opposite signs on their ways forth and back; a positive creepage gives
+/// positive tractions on the way back. Energies are per length rolled, |dq|. A turn keeps the force
+/// and the tractions, but for interpolation of second order; nodes are those of the mirrored
+/// contact on the way back, -x, as the leading edge is at the other side.
+/// tests/unit/turning_test.cpp
+///
 /// A copy continues with the same bits as the original, and independently of it, in another thread,
 /// too. A step that throws leaves the state unchanged; later states differ by rounding at most.
 /// This does not hold after std::bad_alloc: an Eigen object whose resizing failed must not even be
@@ -50,7 +59,7 @@ class TransientRolling {
   ~TransientRolling();
 
   // Nodes, and current values at the nodes.
-  const Eigen::VectorXd& x() const;      ///< in the contact's frame  [mm]
+  const Eigen::VectorXd& x() const;      ///< in the contact's frame, rising; see turns  [mm]
   const Eigen::VectorXd& bound() const;  ///< [N/mm^2]
   const TransientState& state() const { return state_; }
 
@@ -100,8 +109,8 @@ class TransientRolling {
   Shift shift(const ShiftLoad& load);
 
   /// Rolls one step. A step of length 0 changes nothing, neither this state nor the next one.
-  /// \param length  dq; 0, or dq/dx in the range of Advection::advect, or >= min_step_ratio with
-  ///                Remembered  [mm]
+  /// \param length  dq; 0, or dq/dx in the range of Advection::advect; with Remembered |dq|/dx >=
+  ///                min_step_ratio, and dq < 0 rolls back  [mm]
   /// \throws std::invalid_argument outside the range, with length 0 for a force or a contact that
   ///                               differs from the present one, and as ActiveSet::solve
   void step(double length, const Load& load);
@@ -110,7 +119,7 @@ class TransientRolling {
   /// nothing.
   TransientState attempt(double length, const Load& load);
 
-  /// The same with derivatives of the step, for the scheme Remembered and lengths above 0. Cost:
+  /// The same with derivatives of the step, for the scheme Remembered and any length but 0. Cost:
   /// two more solves for each travelled element.
   /// \param jacobian  out
   /// \throws std::invalid_argument for another scheme, and as step

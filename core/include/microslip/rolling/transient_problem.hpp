@@ -64,17 +64,18 @@ void require_within_bound(const Eigen::VectorXd& x, const Eigen::VectorXd& bound
                           const Eigen::VectorXd& traction);
 
 /// Values at the N nodes at the end of a step, or at standstill, before the first one and after a
-/// shift, and what follows from them. A positive creepage gives negative tractions.
+/// shift, and what follows from them. A positive creepage gives negative tractions on the way forth, and
+/// positive ones on the way back, where dq < 0.
 struct TransientState {
-  double distance;           ///< q rolled so far  [mm]
+  double distance;           ///< q, less what has been rolled back  [mm]
   ContactScale scale = {};   ///< of the contact, over the problem's contact
   Eigen::VectorXd traction;  ///< coefficients of the basis  [N/mm^2]
-  Eigen::VectorXd slip;      ///< relative slip s of the step; zero at standstill  [1]
+  Eigen::VectorXd slip;      ///< s, over dq of either sign; zero at standstill  [1]
   std::vector<Zone> zones;
   double force;     ///< integral of the traction  [N/mm]
-  double creepage;  ///< w of the step; zero at standstill  [1]
+  double creepage;  ///< w = dS/dq of the step; zero at standstill  [1]
   /// Energy lost per mm rolled and mm width. With Remembered it is the work of the force less the
-  /// change of elastic_energy(), over dq. With the other schemes it is -integral of (p + p')/2 s
+  /// change of elastic_energy(), over |dq|. With the other schemes it is -integral of (p + p')/2 s
   /// over the material points, including points that have just left, for which slip is
   /// interpolated. The two are equal in theory. In steady rolling with 101 nodes they differ by
   /// 1e-3, with Fractional by 5 % (tests/unit/dissipation_test.cpp)  [N/mm]

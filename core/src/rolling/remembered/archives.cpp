@@ -38,6 +38,7 @@ void ShiftMemory::archive(Archive& archive, Index size) {
 
 void RowMemory::archive(Archive& archive) {
   const Index size = row.size;
+  archive.flag("backward", backward);
   archive.number("rolled", distance);
   archive.number("rolled_error", distance_error);
   archive.number("origin", origin);

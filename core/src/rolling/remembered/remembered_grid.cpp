@@ -26,11 +26,55 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const RollingRow
       problem_x_(row.grid().nodes()),
       reach_(problem.grid.half_width() + problem.grid.spacing()),
       row_(row),
-      memory_(row.response().nodes()) {
+      memory_(row.response().nodes()),
+      turned_(memory_),
+      placed_backward_(false) {
   require_filling(problem.grid, fewest_points, "where the material remembers its displacement");
   x_ = problem_x_;
   bound_ = row.response().bound();
 }
+
+namespace {
+
+/// Values of the mirrored row in the contact's frame, or the other way round.
+/// The difference from 0 is 0 of a zero, and not -0.
+VectorXd mirrored(const VectorXd& values) { return 0 - values.reverse().array(); }
+
+ShiftLoad mirrored(const ShiftLoad& load) {
+  if (const auto* force = std::get_if<PrescribedForce>(&load)) {
+    return PrescribedForce{0 - force->value};
+  }
+  return PrescribedShift{0 - std::get<PrescribedShift>(load).value};
+}
+
+/// A creepage is a shift over a distance rolled, both of which change their signs.
+Load mirrored(const Load& load) {
+  const auto* force = std::get_if<PrescribedForce>(&load);
+  return force != nullptr ? PrescribedForce{0 - force->value} : load;
+}
+
+/// Slip is a displacement over a distance rolled, like creepage.
+void mirror(TransientState& state) {
+  for (double* one : {&state.distance, &state.force, &state.mean_force}) *one = 0 - *one;
+  state.traction = mirrored(state.traction);
+  state.slip.reverseInPlace();
+  std::ranges::reverse(state.zones);
+  for (Zone& zone : state.zones) zone = mirrored(zone);
+}
+
+void mirror(Shift& shift) {
+  shift.distance = 0 - shift.distance;
+  shift.slip = mirrored(shift.slip);
+}
+
+/// Mirrors derivatives by an input.
+/// \param turns  whether the input changes its sign
+void mirror(StepSlopes& slopes, bool turns) {
+  for (double* one : {&slopes.force, &slopes.mean_force}) *one = turns ? *one : -*one;
+  for (double* one : {&slopes.creepage, &slopes.dissipation}) *one = turns ? -*one : *one;
+}
+
+}  // namespace
 
 std::unique_ptr<RollingGrid> RememberedGrid::clone() const {
   return std::make_unique<RememberedGrid>(*this);
@@ -48,15 +92,17 @@ StandingRow& RememberedGrid::standing() {
 }
 
 VectorXd RememberedGrid::traction_at_nodes(const TransientState& state) const {
-  const VectorXd at_nodes = state.scale.bound * bound_at(traction_bound_, problem_x_);
+  const Index n = x_.size();
+  const VectorXd x = memory_.backward ? mirrored(problem_x_) : problem_x_;
+  const VectorXd at_nodes = state.scale.bound * bound_at(traction_bound_, x);
   const LeadingEdgeConstants& edge = row_.edges().constants();
-  VectorXd values(x_.size());
-  for (Index i = 0; i < x_.size(); ++i) {
+  VectorXd values(n);
+  for (Index i = 0; i < n; ++i) {
     const Zone zone = state.zones[static_cast<std::size_t>(i)];
-    values[i] = zone == Zone::adhesion
-                    ? std::clamp(state.traction[i] / edge.value(x_.size() - 1 - i, 0), -at_nodes[i],
-                                 at_nodes[i])
-                    : static_cast<double>(zone) * at_nodes[i];
+    const Index behind_last = memory_.backward ? i : n - 1 - i;
+    values[i] = zone == Zone::adhesion ? std::clamp(state.traction[i] / edge.value(behind_last, 0),
+                                                    -at_nodes[i], at_nodes[i])
+                                       : static_cast<double>(zone) * at_nodes[i];
   }
   return values;
 }
@@ -64,7 +110,9 @@ VectorXd RememberedGrid::traction_at_nodes(const TransientState& state) const {
 VectorXd RememberedGrid::displacement(const VectorXd& traction) {
   if (!memory_.scale.carries()) return VectorXd::Zero(traction.size());
   row_.set_half_width(memory_.scale.half_width);
-  return row_.response().displaced_by(memory_.scale.half_width * traction);
+  const VectorXd scaled = memory_.scale.half_width * traction;
+  return memory_.backward ? mirrored(row_.response().displaced_by(mirrored(scaled)))
+                          : row_.response().displaced_by(scaled);
 }
 
 void RememberedGrid::set_contact(const ContactScale& scale) {
@@ -80,6 +128,7 @@ void RememberedGrid::set_contact(const ContactScale& scale) {
 /// Begins with tractions of another grid: the nodes keep the ratio of tractions to the bound.
 void RememberedGrid::start_from(const VectorXd& traction, TransientState& state) {
   const VectorXd ratio = ratio_to_bound(traction_bound_, problem_nodes_, traction);
+  row_.face(false);
   row_.set_bound(target_);
   if (target_.carries()) row_.set_half_width(target_.half_width);
   memory_ = row_.started(row_.bound().cwiseProduct(interpolated(problem_nodes_, ratio, problem_x_)),
@@ -101,10 +150,15 @@ void RememberedGrid::give_tractions(const RowMemory& now, TransientState& state)
 
 /// Places nodes and bound where they are after a step.
 void RememberedGrid::place_nodes() {
-  if (placed_ == memory_.scale) return;
+  if (placed_ == memory_.scale && placed_backward_ == memory_.backward) return;
   placed_ = memory_.scale;
+  placed_backward_ = memory_.backward;
   x_ = placed_.half_width * problem_x_;
+  row_.face(memory_.backward);
   bound_ = placed_.bound * row_.response().bound();
+  if (!placed_backward_) return;
+  x_ = mirrored(x_);
+  bound_.reverseInPlace();
 }
 
 /// Begins a contact that was lost and returns within the step where it returns: as a tiny one,
@@ -116,6 +170,7 @@ void RememberedGrid::begin_lost_contact() {
   if (!(first.half_width > 0)) first.half_width = tiny * target_.half_width;
   if (!(first.bound > 0)) first.bound = tiny * target_.bound;
   const double distance = memory_.distance;
+  row_.face(memory_.backward);
   row_.set_half_width(first.half_width);
   row_.set_bound(first);
   memory_ = row_.started(VectorXd::Zero(x_.size()), first);
@@ -123,23 +178,37 @@ void RememberedGrid::begin_lost_contact() {
 }
 
 /// Goes all the way, on the contact as it changes.
-void RememberedGrid::go(const Way& way) {
-  if (memory_.shifts) {
-    row_.set_bound(memory_.scale);
+void RememberedGrid::go(const Way& way, const RowMemory& from) {
+  if (from.shifts) {
+    row_.set_bound(from.scale);
     ShiftMemory::end(row_.step().memory, row_.bound());
   }
-  if (memory_.scale.carries() && target_.carries()) {
-    row_.roll(way, memory_, target_);
+  if (from.scale.carries() && target_.carries()) {
+    row_.roll(way, from, target_);
   } else {
-    row_.replace(way, memory_, target_);
+    row_.replace(way, from, target_);
   }
 }
 
-void RememberedGrid::solve_step(const TransientState&, double length, const Load& load,
+/// Requires a force that a contact carries, before the mirrored one is solved.
+void RememberedGrid::require_carried_back(const Prescribed& load) const {
+  if (!load.by_force) return;
+  require_carried(load.value, target_, full_sliding_force(traction_bound_), "force");
+}
+
+/// Rolls the row, or the mirrored row if the length is negative.
+void RememberedGrid::solve_step(const TransientState&, double signed_length, const Load& given,
                                 TransientState& after, StepJacobian* jacobian) {
+  const bool backward = signed_length < 0;
+  const double length = std::abs(signed_length);
+  if (backward) require_carried_back(given);
+  const Load load = backward ? mirrored(given) : given;
   if (length > 0 && std::holds_alternative<PrescribedCreepage>(load)) begin_lost_contact();
-  row_.begin(memory_, jacobian != nullptr);
-  go({.length = length, .load = over_length(load, length)});
+  const bool turns = backward != memory_.backward;
+  if (turns) turned_ = row_.turned(memory_);
+  const RowMemory& from = turns ? turned_ : memory_;
+  row_.begin(from, jacobian != nullptr);
+  go({.length = length, .load = over_length(load, length)}, from);
   const RowStep& step = row_.step();
   const RowMemory& memory = step.memory;
   ContactState& result = row_.result();
@@ -149,18 +218,27 @@ void RememberedGrid::solve_step(const TransientState&, double length, const Load
   fill_state(memory.distance, result, length, row_.bound(), row_.bound(), after);
   give_tractions(memory, after);
   after.mean_force = step.mean_force / length;
-  after.dissipation = -(step.work + memory.stored - memory_.stored) / length;
+  after.dissipation = -(step.work + memory.stored - from.stored) / length;
+  if (jacobian != nullptr) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    jacobian->by_load = row_.tangent().by_load(after, length);
+    jacobian->by_length = target_ == from.scale ? row_.tangent().by_length(after, length)
+                                                : StepSlopes{unknown, unknown, unknown, unknown};
+  }
+  if (!backward) return;
+  mirror(after);
   if (jacobian == nullptr) return;
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  jacobian->by_load = row_.tangent().by_load(after, length);
-  jacobian->by_length = target_ == memory_.scale ? row_.tangent().by_length(after, length)
-                                                 : StepSlopes{unknown, unknown, unknown, unknown};
+  mirror(jacobian->by_load, std::holds_alternative<PrescribedForce>(load));
+  mirror(jacobian->by_length, true);
 }
 
 /// Solves a shift of a contact that stays, or else a step of no length.
-Shift RememberedGrid::solve_shift(const TransientState& before, const ShiftLoad& load,
+Shift RememberedGrid::solve_shift(const TransientState&, const ShiftLoad& given,
                                   TransientState& after) {
   const bool stays = target_ == memory_.scale && target_.carries();
+  const bool backward = memory_.backward;
+  if (backward) require_carried_back(given);
+  const ShiftLoad load = backward ? mirrored(given) : given;
   row_.begin(memory_, false);
   RowStep& step = row_.step();
   RowMemory& memory = step.memory;
@@ -170,7 +248,7 @@ Shift RememberedGrid::solve_shift(const TransientState& before, const ShiftLoad&
     row_.set_bound(target_);
     step.shift = standing().shift(row_.response(), load, memory_, memory, result);
   } else {
-    go({.length = 0, .load = load});
+    go({.length = 0, .load = load}, memory_);
     const bool entered = memory.entry_has_come(row_.edges().constants().offset) &&
                          sticks(memory.zones, x_.size() - 1);
     if (target_.carries() && !entered) memory.admit_entry();
@@ -183,12 +261,16 @@ Shift RememberedGrid::solve_shift(const TransientState& before, const ShiftLoad&
       stays ? VectorXd(row_.response().displaced_by(memory.traction - memory_.traction).array() +
                        result.rigid_slip)
             : result.slip;
-  Shift shift = fill_shift(before.distance, memory_.traction, result, slip, row_.bound(),
+  Shift shift = fill_shift(memory_.distance, memory_.traction, result, slip, row_.bound(),
                            row_.bound(), after);
   give_tractions(memory, after);
   if (!stays) {
     shift.work = -step.work;
     shift.dissipation = shift.work - (memory.stored - memory_.stored);
+  }
+  if (backward) {
+    mirror(after);
+    mirror(shift);
   }
   return shift;
 }

@@ -42,7 +42,9 @@ class RememberedGrid final : public RollingGrid {
   void solve_step(const TransientState& before, double length, const Load& load,
                   TransientState& after, StepJacobian* jacobian) override;
   void accept_step() override;
-  void move_to(double distance) override { memory_.move_to(distance); }
+  void move_to(double distance) override {
+    memory_.move_to(memory_.backward ? -distance : distance);
+  }
   void set_contact(const ContactScale& scale) override;
   void archive(Archive& archive, bool with_solved) override;
 
@@ -52,9 +54,10 @@ class RememberedGrid final : public RollingGrid {
   bool has_shifted() const;
   StandingRow& standing();
   void begin_lost_contact();
-  void go(const Way& way);
+  void go(const Way& way, const RowMemory& from);
   void give_tractions(const RowMemory& now, TransientState& state) const;
   void place_nodes();
+  void require_carried_back(const Prescribed& load) const;
 
   TractionBound traction_bound_;
   Eigen::VectorXd problem_nodes_;  ///< [mm]
@@ -63,6 +66,8 @@ class RememberedGrid final : public RollingGrid {
   RollingRow row_;
   std::optional<StandingRow> standing_;  ///< from the first shift on
   RowMemory memory_;
+  RowMemory turned_;      ///< where a step begins that turns round
+  bool placed_backward_;  ///< whether x_ and bound_ are those of the mirrored row
 };
 
 }  // namespace microslip

@@ -13,6 +13,15 @@ namespace microslip {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+namespace {
+
+double turned_at(const RowPoints& points, double at) {
+  const double whole = std::floor(at);
+  return interpolated_at(points, static_cast<Index>(whole), at - whole, 0);
+}
+
+}  // namespace
+
 RollingRow::RollingRow(const TransientProblem& problem)
     : edges_(problem.contact.kernel, problem.grid.spacing()),
       grid_(edges_.nodes(problem.grid.half_width(), problem.grid.size())),
@@ -35,6 +44,7 @@ void RollingRow::set_bound(const ContactScale& scale) {
 
 RowMemory RollingRow::started(const VectorXd& traction, const ContactScale& scale) const {
   RowMemory memory(response_.nodes());
+  memory.backward = response_.faces_backward();
   const Index n = memory.row.size;
   memory.scale = scale;
   memory.counted_by = scale.half_width;
@@ -50,7 +60,55 @@ RowMemory RollingRow::started(const VectorXd& traction, const ContactScale& scal
   return memory;
 }
 
+void RollingRow::face(bool backward) {
+  response_.face(backward);
+  step_.imposed = response_.pressed();
+}
+
+/// Returns the displacements by the tractions now, without those by the pressure.
+RowPoints RollingRow::displacements_of(const RowMemory& memory) const {
+  const Index n = memory.row.size;
+  VectorXd traction = memory.traction;
+  traction[n - 1] -= memory.entry;
+  RowPoints points{.at = VectorXd(n + 1)};
+  points.at.head(n) = response_.displaced_by(traction) + response_.displaced_by_entry(memory.entry);
+  response_.displace_ends(points, traction, memory.entry);
+  return points;
+}
+
+RowMemory RollingRow::turned(const RowMemory& from) {
+  const Index n = grid_.size();
+  face(!from.backward);
+  set_bound(from.scale);
+  RowMemory turned = started(VectorXd::Zero(n), from.scale);
+  turned.distance = turned.origin = -from.distance;
+  turned.distance_error = -from.distance_error;
+  if (!from.scale.carries()) return turned;
+  set_half_width(from.scale.half_width);
+  const RowPoints before = displacements_of(from);
+  const double entry_before = -2 * from.row.first;
+  for (Index j = 0; j <= n; ++j) {
+    turned.nodes.at[j] = -turned_at(before, entry_before - static_cast<double>(j));
+  }
+  turned.nodes.exit = -turned_at(before, entry_before + 1);
+  turned.nodes.at += response_.pressed().head(n + 1);
+  turned.nodes.exit += response_.pressed()[n + 1];
+  for (Index j = 0; j < n; ++j) {
+    const auto i = static_cast<std::size_t>(n - 1 - j);
+    turned.zones[static_cast<std::size_t>(j)] = mirrored(from.zones[i]);
+  }
+  turned.traction = -from.traction.reverse();
+  turned.remember_all();
+  begin(turned, false);
+  const bool slides = first_stuck(turned.zones) == n;
+  const ShiftLoad held =
+      slides ? ShiftLoad(PrescribedShift{0}) : PrescribedForce{response_.force(turned.traction)};
+  roll_substep({turned.here(), 0, held, {held, held}, false});
+  return step_.memory;
+}
+
 void RollingRow::begin(const RowMemory& from, bool with_slopes) {
+  face(from.backward);
   step_.begin(from);
   tangent_.begin(from, with_slopes);
   result_.slip.setZero(grid_.size());

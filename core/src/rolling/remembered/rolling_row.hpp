@@ -37,9 +37,17 @@ class RollingRow {
   /// Takes the bound of a contact, for tractions on the problem's contact.
   void set_bound(const ContactScale& scale);
 
+  /// Takes bound and pressure of the contact, or of the mirrored contact.
+  void face(bool backward);
+
   /// Makes the memory of tractions on a contact that has not rolled yet; the bound that is set
   /// limits them.
   RowMemory started(const Eigen::VectorXd& traction, const ContactScale& scale) const;
+
+  /// Makes the memory of bodies that turn round: the material in the contact remembers the
+  /// displacements by the present tractions, and no more.
+  /// \throws as ActiveSet::solve
+  RowMemory turned(const RowMemory& from);
 
   /// Begins a step, or a shift.
   void begin(const RowMemory& from, bool with_slopes);
@@ -64,6 +72,7 @@ class RollingRow {
   void archive(Archive& archive);
 
  private:
+  RowPoints displacements_of(const RowMemory& memory) const;
   void roll_substep(const Substep& substep);
   void settle_lead(const ShiftLoad& load);
   void search_partition(const Substep& substep);

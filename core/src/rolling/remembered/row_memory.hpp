@@ -43,6 +43,7 @@ struct RowMemory : ElementTravel {
   explicit RowMemory(const RowNodes& row_nodes) : row(row_nodes) {}
 
   RowNodes row;
+  bool backward = false;  ///< whether the row is the mirrored one, which rolls backward
   ContactScale scale;     ///< of the contact now
   double counted_by = 1;  ///< travel is counted in elements of this half-width, over the problem's
 

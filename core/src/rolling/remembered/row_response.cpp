@@ -24,24 +24,33 @@ VectorXd lengths(const RowNodes& nodes, Index size) {
 }
 
 /// Returns the displacement by the pressure; it is zero in the middle of a symmetric contact.
-/// \param x  of the nodes  [mm]
+/// \param x         of the nodes  [mm]
+/// \param backward  whether x is mirrored
 /// \return at nodes, entry and exit  [mm]
-VectorXd pressed_at(const TransientProblem& problem, const VectorXd& x, double spacing) {
+VectorXd pressed_at(const TransientProblem& problem, const VectorXd& x, double spacing,
+                    bool backward) {
   const Index n = x.size();
   if (problem.contact.pressure_strain == 0) return VectorXd::Zero(n + 2);
+  const double total = full_sliding_force(problem.contact.bound);
   const auto integral = [&](double place) {
-    return std::visit([&](const auto& bound) { return bound.integral(place); },
-                      problem.contact.bound);
+    const auto up_to = [&](double end) {
+      return std::visit([&](const auto& bound) { return bound.integral(end); },
+                        problem.contact.bound);
+    };
+    return backward ? total - up_to(-place) : up_to(place);
   };
   VectorXd pressed(n + 2);
   for (Index i = 0; i < n; ++i) pressed[i] = integral(x[i]);
   pressed[n] = std::lerp(pressed[n - 1], integral(x[n - 1] + spacing), pressure_seen_at_edge);
   pressed[n + 1] = integral(x[0] - spacing);
-  const double middle = full_sliding_force(problem.contact.bound) / 2;
-  return problem.contact.pressure_strain * (pressed.array() - middle);
+  return problem.contact.pressure_strain * (pressed.array() - total / 2);
 }
 
 }  // namespace
+
+VectorXd mirrored_means(const TractionBound& bound, const VectorXd& x, const VectorXd& lengths) {
+  return element_means(bound, -x.reverse(), lengths.reverse()).reverse();
+}
 
 RowResponse::RowResponse(const TransientProblem& problem, const Grid& grid, const RowEdges& edges)
     : nodes_{.size = grid.size(),
@@ -52,10 +61,18 @@ RowResponse::RowResponse(const TransientProblem& problem, const Grid& grid, cons
       active_set_(response_of(kernel_, nodes_, nodes_.size, solver_), lengths(nodes_, nodes_.size),
                   solver_),
       exit_(edges.exit()),
-      bound_(element_means(problem.contact.bound, grid.nodes(), lengths(nodes_, nodes_.size))),
-      pressure_strain_(problem.contact.pressure_strain),
-      pressed_(pressed_at(problem, grid.nodes(), grid.spacing())) {
+      facings_{facing_of(problem, grid, false), facing_of(problem, grid, true)},
+      pressure_strain_(problem.contact.pressure_strain) {
   set_influence(kernel_);
+}
+
+RowResponse::Facing RowResponse::facing_of(const TransientProblem& problem, const Grid& grid,
+                                           bool backward) {
+  const VectorXd x = grid.nodes();
+  const VectorXd lengths = VectorXd::Constant(x.size(), grid.spacing());
+  return {.bound = backward ? mirrored_means(problem.contact.bound, x, lengths)
+                            : element_means(problem.contact.bound, x, lengths),
+          .pressed = pressed_at(problem, x, grid.spacing(), backward)};
 }
 
 void RowResponse::set_influence(const Kernel& kernel) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 
 #include "microslip/friction/active_set.hpp"
 #include "microslip/halfspace/kernel.hpp"
@@ -11,12 +13,19 @@
 
 namespace microslip {
 
+/// Means of the mirrored bound over elements at x; as element_means()
+Eigen::VectorXd mirrored_means(const TractionBound& bound, const Eigen::VectorXd& x,
+                               const Eigen::VectorXd& lengths);
+
 /// The displacements of a row by its tractions and by the pressure: at the nodes, at the entry, and
 /// at the exit.
 ///
 /// Tractions are on the problem's contact, whatever the half-width. In plane strain, another
 /// half-width has the same response and a common compliance, which shifts the whole contact in
 /// proportion to the force; a strip needs a new response.
+///
+/// A row of bodies that roll backward is the mirrored row, x' = -x and p'(x') = -p(-x'). The influence
+/// of tractions is the same; bound and pressure are mirrored.
 class RowResponse {
  public:
   /// \param grid  the row's nodes
@@ -37,6 +46,10 @@ class RowResponse {
 
   /// Takes another half-width: the kernel's lengths are divided by it.
   void set_half_width(double half_width);
+
+  /// Takes the bound and the pressure of the contact, or of the mirrored contact.
+  void face(bool backward) { facing_ = backward ? 1 : 0; }
+  bool faces_backward() const { return facing_ == 1; }
 
   /// Counts how often the influence coefficients have changed.
   int version() const { return version_; }
@@ -60,17 +73,23 @@ class RowResponse {
 
   /// Displacement by the pressure at nodes, entry and exit; zero unless bodies differ in material
   /// [mm]
-  const Eigen::VectorXd& pressed() const { return pressed_; }
+  const Eigen::VectorXd& pressed() const { return facings_[facing_].pressed; }
 
   /// \return work of tractions on the strain by the pressure, per distance rolled  [N/mm]
   double work_of_pressure(const Eigen::VectorXd& traction) const {
-    return pressure_strain_ * nodes_.spacing * traction.dot(bound_);
+    return pressure_strain_ * nodes_.spacing * traction.dot(bound());
   }
 
   /// The bound on the problem's contact, as means over elements  [N/mm^2]
-  const Eigen::VectorXd& bound() const { return bound_; }
+  const Eigen::VectorXd& bound() const { return facings_[facing_].bound; }
 
  private:
+  struct Facing {
+    Eigen::VectorXd bound;    ///< N
+    Eigen::VectorXd pressed;  ///< N + 2
+  };
+
+  static Facing facing_of(const TransientProblem& problem, const Grid& grid, bool backward);
   void set_influence(const Kernel& kernel);
 
   RowNodes nodes_;
@@ -82,9 +101,9 @@ class RowResponse {
   int version_ = 0;
   double common_ = 0;
   CompliantElement exit_;
-  Eigen::VectorXd bound_;    ///< N
-  double pressure_strain_;   ///< [mm^2/N]
-  Eigen::VectorXd pressed_;  ///< N + 2
+  std::array<Facing, 2> facings_;  ///< forward and backward
+  std::size_t facing_ = 0;
+  double pressure_strain_;  ///< [mm^2/N]
 };
 
 }  // namespace microslip

@@ -48,7 +48,8 @@ StandingRow::StandingRow(const RowResponse& response, const RowEdges& edges,
       leading_(edges.leading_point()) {
   VectorXd with_entry(x.size() + 1);
   with_entry << x, x[x.size() - 1] + response.nodes().spacing;
-  bound_ = element_means(bound, with_entry, active_set_.weights());
+  bounds_ = {element_means(bound, with_entry, active_set_.weights()),
+             mirrored_means(bound, with_entry, active_set_.weights())};
 }
 
 /// Searches the partition of nodes and entry.
@@ -118,7 +119,7 @@ double StandingRow::shift(const RowResponse& response, const ShiftLoad& load,
                                      : std::get<PrescribedShift>(load).value);
   const double entry_before = memory.nodes.at[n];
 
-  conditions_ = {.bound = memory.scale.full_sliding() * bound_,
+  conditions_ = {.bound = memory.scale.full_sliding() * bounds_[memory.backward ? 1 : 0],
                  .offset = VectorXd(n + 1),
                  .reference = VectorXd::Zero(n + 1),
                  .compliant = {response.exit(), entry_},

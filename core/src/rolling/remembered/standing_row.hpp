@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "row_edges.hpp"
 #include "row_memory.hpp"
@@ -39,7 +40,8 @@ class StandingRow {
               RowMemory& memory, ContactState& result);
   void average(const ShiftLoad& load, RowMemory& memory);
 
-  Eigen::VectorXd bound_;  ///< its means over elements of the problem's contact  [N/mm^2]
+  /// Means of the bound over elements of the problem's contact, and of the mirrored one [N/mm^2]
+  std::array<Eigen::VectorXd, 2> bounds_;
   CompliantElement entry_;
   int version_;
   ActiveSet active_set_;     ///< N + 1
