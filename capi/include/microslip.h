@@ -241,11 +241,15 @@ MICROSLIP_API enum microslip_status microslip_shift_by_distance(microslip_rollin
 /** Rolls on by dq, 0 or from 1e-15 to 1e6 elements of the larger contact of the step  [mm]. Under a
  * force, rounding is more than 1 % of the creepage below 1e-13 N elements.
  *
+ * With MICROSLIP_REMEMBERED the bodies roll back by dq < 0, and turn as often as they like. The
+ * frame stays: x, tractions, forces and shifts keep their directions, and the distance of the state
+ * goes back. A creepage is a shift over the distance rolled, dS/dq, so that a positive one gives a
+ * positive force on the way back.
+ *
  * Nothing happens in a step of dq = 0: state and energies stay, and the next step is to the bit what
  * it would have been. A creepage may be set meanwhile, as it shifts nothing over no length. Another
  * force or another contact than that now is refused: microslip_shift_to_force() changes the force
- * without rolling, and microslip_shift_by_distance() by 0 the contact. Rolling backwards, dq < 0, is
- * not in this version. */
+ * without rolling, and microslip_shift_by_distance() by 0 the contact. */
 MICROSLIP_API enum microslip_status microslip_advance(microslip_rolling* rolling, double dq);
 
 /** The steps of one call are arrays of `count` numbers each. */
@@ -276,7 +280,7 @@ MICROSLIP_API enum microslip_status microslip_attempt(microslip_rolling* rolling
 
 /** Gives the same state and the derivatives of the step, by which an implicit integrator finds its
  * load with Newton's method: examples/c/wheel_drive.c. The scheme must be MICROSLIP_REMEMBERED, and
- * dq above 0. It costs two more solves than microslip_attempt() for each element that is travelled. */
+ * dq not 0. It costs two more solves than microslip_attempt() for each element that is travelled. */
 MICROSLIP_API enum microslip_status microslip_attempt_with_jacobian(
     microslip_rolling* rolling, double dq, struct microslip_state* state,
     struct microslip_jacobian* jacobian);

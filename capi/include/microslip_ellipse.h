@@ -125,7 +125,8 @@ MICROSLIP_API enum microslip_status microslip_ellipse_solve_steady(
     microslip_ellipse* ellipse, const struct microslip_ellipse_load* load,
     struct microslip_ellipse_state* state, double* jacobian);
 
-/** Rolls on by dq, from 1e-6 to 1e6 of the ellipse's size  [mm]. A step of another length than
+/** Rolls on by dq, from 1e-6 to 1e6 of the ellipse's size, or back by as much below 0  [mm]; then
+ * motions are shifts over dq, as in microslip_advance(). A step of another length than
  * the last one, or that changes the size of the contact, takes new matrices. A step in which stick
  * and slip are not found is divided.
  *

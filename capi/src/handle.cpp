@@ -43,12 +43,15 @@ const Load& require_step(const microslip_rolling& handle, double dq) {
   const double now = handle.contact->state().scale.half_width;
   const double larger = std::max(now, handle.contact->contact().half_width);
   const double spacing = handle.spacing * (larger > 0 ? larger : 1);
-  const double elements = dq / spacing;
+  const bool rolls_back = handle.method == name_of(Remembered{});
+  const double elements = (rolls_back ? std::abs(dq) : dq) / spacing;
   require(dq == 0 || (elements >= min_step_ratio && elements <= most_elements), "dq", dq, [&] {
     return fmt::format("0, or from {} to {} elements, one of which is {}{}",
                        format_short(min_step_ratio), format_short(most_elements),
                        format_short(spacing),
-                       dq < 0 ? "; rolling backwards is not in this version" : "");
+                       rolls_back ? ", or by as much below 0"
+                       : dq < 0   ? "; the scheme remembered alone rolls back"
+                                  : "");
   });
   if (!handle.load) throw std::invalid_argument("load: expected a creepage or a force to be set");
   const auto* force = std::get_if<PrescribedForce>(&*handle.load);

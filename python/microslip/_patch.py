@@ -225,8 +225,8 @@ class Patch(Contact):
         Parameters
         ----------
         dq : float or array
-            Lengths of the steps, from 1e-6 to 1e6 of the ellipse's size  [mm]. numpy broadcasts arrays of one
-            dimension, and numbers.
+            Lengths of the steps, from 1e-6 to 1e6 of the ellipse's size, or below 0 to roll back  [mm]. numpy
+            broadcasts arrays of one dimension, and numbers.
         creepage, lateral_creepage, spin : float or array, optional
             Motions of each step  [1, 1, 1/mm].
         force, lateral_force, spin_moment : float or array, optional

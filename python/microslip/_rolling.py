@@ -98,11 +98,12 @@ class Rolling(Contact):
         Parameters
         ----------
         dq : float or array
-            Lengths of the steps, 0 or from 1e-15 to 1e6 elements  [mm]. numpy broadcasts arrays and numbers.
+            Lengths of the steps, 0 or from 1e-15 to 1e6 elements  [mm]; below 0 the bodies roll back, with the
+            scheme remembered. numpy broadcasts arrays and numbers.
             Nothing happens in a step of 0: its state is that before, and the next step is what it would have
             been. Under a changed force or contact it is refused; shift() changes them without rolling.
         creepage : float or array, optional
-            w of each step  [1].
+            w of each step, the shift over dq  [1].
         force : float or array, optional
             F at the end of each step, less in absolute value than full sliding  [N/mm]; instead of
             creepage. Without either the load of the last step goes on.
@@ -199,7 +200,7 @@ class Rolling(Contact):
         dq, creepage, force : float
             As of roll().
         jacobian : bool
-            Whether derivatives of the step are wanted, for the scheme remembered and dq above 0.
+            Whether derivatives of the step are wanted, for the scheme remembered and dq other than 0.
 
         Returns
         -------

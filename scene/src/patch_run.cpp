@@ -74,8 +74,7 @@ void require_touching(const NamedColumns& columns) {
     for (Eigen::Index i = 0; i < column.size(); ++i) {
       if (column[i] > 0) continue;
       require(false, in_row(static_cast<std::size_t>(i), name), column[i],
-              "a number > 0: loss of contact is not in this version for a contact of three "
-              "dimensions");
+              "a number > 0: a contact of three dimensions is not lost in runs");
     }
   }
 }

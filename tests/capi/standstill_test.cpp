@@ -128,9 +128,10 @@ TEST_P(Standstill, UnderAChangedLoadNamesTheShift) {
   microslip_jacobian slopes{};
   expect_refused(handle, microslip_attempt_with_jacobian(handle.get(), 0, &state, &slopes),
                  "length = 0: expected a number > 0", "has no slopes");
-  const std::string back = "; rolling backwards is not in this version";
-  expect_refused(handle, microslip_advance(handle.get(), -0.1), "dq = -0.1: expected 0, or from",
-                 back);
+  if (GetParam() == MICROSLIP_DIRECT) {
+    expect_refused(handle, microslip_advance(handle.get(), -0.1), "dq = -0.1: expected 0, or from",
+                   "; the scheme remembered alone rolls back");
+  }
   if (GetParam() == MICROSLIP_REMEMBERED) {
     ASSERT_EQ(microslip_set_contact(handle.get(), 1.1, 1), MICROSLIP_OK);
     expect_refused(handle, microslip_advance(handle.get(), 0), "half_width_factor = 1.1", shift);

@@ -234,7 +234,7 @@ TEST(PatchTransientScene, RefusesContactsThatDoNotChangeSo) {
     expect_refused(loaded_with(more), error, "q,creepage," + columns + "\n" + rows);
   };
   refused("normal_load", "0,0,5e4\n20,0,0\n",
-          "row 2: normal_load = 0: expected a number > 0: loss of contact is not in this version");
+          "row 2: normal_load = 0: expected a number > 0: a contact of three dimensions is not lost");
   refused("friction", "0,0,-0.1\n20,0,0.3\n", "row 1: friction = -0.1: expected a number > 0");
   refused("normal_load", "0,0,5e4\n20,0,1e11\n",
           "row 2: normal_load = 1e+11: expected half-widths 0.01 ... 100 times");
