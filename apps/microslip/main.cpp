@@ -107,8 +107,8 @@ int main(int argc, char** argv) {
       .quick = "",
       .default_out = "out",
       .key_options = {{"target-error", "target_error",
-                       "largest relative error of the force or creepage of steady rolling; picks "
-                       "method and grid"}},
+                       "largest relative error of the force or creepage of steady rolling, of an "
+                       "ellipse of forces, moment and motions; picks method and grid"}},
       .prepare = prepare,
       .prepare_to_save = prepare_to_save};
   const program::Program response{

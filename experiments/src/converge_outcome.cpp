@@ -73,6 +73,7 @@ Outcome outcome_of(const SteadyPatch& patch) {
 }
 
 Outcome outcome_of(const SteadyTarget&) { throw std::logic_error("converge: a target error"); }
+Outcome outcome_of(const PatchTarget&) { throw std::logic_error("converge: a target error"); }
 Outcome outcome_of(const CylinderScene&) { throw std::logic_error("converge: a cylinder"); }
 Outcome outcome_of(const PatchTransient&) {
   throw std::logic_error("converge: steps of an ellipse");

@@ -38,6 +38,7 @@ struct ContactOf {
   }
   SteadyContact operator()(const SteadyTarget& target) const { return target.contact; }
   SteadyContact operator()(const SteadyPatch&) const { refuse("the contact is an ellipse"); }
+  SteadyContact operator()(const PatchTarget&) const { refuse("the contact is an ellipse"); }
   SteadyContact operator()(const PatchTransient&) const { refuse("the contact is an ellipse"); }
   SteadyContact operator()(const TransientScene& scene) const {
     if (!scene.loads.distances().empty()) {

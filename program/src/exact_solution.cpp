@@ -31,6 +31,7 @@ struct CarterOf {
     return carter(target.contact);
   }
   std::optional<Carter> operator()(const SteadyPatch&) const { return std::nullopt; }
+  std::optional<Carter> operator()(const PatchTarget&) const { return std::nullopt; }
   std::optional<Carter> operator()(const PatchTransient&) const { return std::nullopt; }
   std::optional<Carter> operator()(const TransientScene&) const { return std::nullopt; }
   std::optional<Carter> operator()(const CylinderScene&) const { return std::nullopt; }

@@ -62,6 +62,7 @@ struct MemoryOf {
     const auto n = static_cast<double>(patch.rows * patch.elements);
     return 240 * n * n;
   }
+  double operator()(const PatchTarget& target) const { return (*this)(target.patch); }
   double operator()(const TransientScene& scene) const {
     const bool shifts = !scene.shifts.empty() || std::holds_alternative<CattaneoShift>(scene.start);
     const bool twice = shifts && std::holds_alternative<Remembered>(scene.problem.scheme);
@@ -90,6 +91,7 @@ struct StepsOf {
   double operator()(const SteadyProblem&) const { return 0; }
   double operator()(const SteadyTarget&) const { return 0; }
   double operator()(const SteadyPatch&) const { return 0; }
+  double operator()(const PatchTarget&) const { return 0; }
   double operator()(const TransientScene& scene) const {
     return static_cast<double>(number_of_steps(scene.distance, scene.step_lengths(), scene.from));
   }
@@ -119,6 +121,7 @@ struct WorkOf {
     return (0.4 * n * n + 5000) * n;
   }
   double operator()(const SteadyTarget&) const { return std::numeric_limits<double>::quiet_NaN(); }
+  double operator()(const PatchTarget&) const { return std::numeric_limits<double>::quiet_NaN(); }
   /// Integrals of the kernels, then some seven systems of all cells, and the same for fewer cells.
   double operator()(const SteadyPatch& patch) const {
     const auto n = static_cast<double>(patch.rows * patch.elements);

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "microslip/patch/patch_rolling.hpp"
 #include "microslip/reference/kalker.hpp"
@@ -284,13 +285,16 @@ std::string in_place_of(const SteadyPatch& patch) {
       five_digits(peak_over_peak * patch.bound.peak()), acts(1) ? ", direction lateral" : "");
 }
 
-Explanation of_patch(const SteadyPatch& patch) {
+Explanation of_patch(const SteadyPatch& patch, const std::optional<std::string>& how = {}) {
   Explanation found{fmt::format("steady rolling of {} under {}", name_of(patch.bound.shape()),
                                 kind_of(patch.load)),
                     sizes_of(patch),
                     {normal, how_steady, unlike_patch, shape_by_spin}};
+  if (how) found.consequences.back() = *how;
   found.consequences.emplace_back(
-      "stick and slip are found by Newton's method; where nothing slips, forces are right to 1e-3");
+      how ? "stick and slip are found by Newton's method"
+          : "stick and slip are found by Newton's method; where nothing slips, forces are right to "
+            "1e-3");
   if (patch.bound.is_hertz() && patch.bound.ratio() >= least_kalker_ratio) {
     const CreepCoefficients of =
         creep_coefficients(patch.bound.ratio(), patch.material.poisson_ratio).value;
@@ -376,6 +380,16 @@ struct Explain {
              "calibrated elements as the error needs"}));
   }
   Explanation operator()(const SteadyPatch& patch) const { return of_patch(patch); }
+  Explanation operator()(const PatchTarget& target) const {
+    const PatchGrid coarsest = grids_to_try(target.patch.bound.shape()).front();
+    return of_patch(
+        target.patch,
+        fmt::format("the program chooses rows and elements: from {} rows of {} up to {} rows of "
+                    "{}, each time with twice as many cells, until the estimate of the error is "
+                    "below {}",
+                    coarsest.rows, coarsest.elements, target.patch.rows, target.patch.elements,
+                    five_digits(target.error)));
+  }
   Explanation operator()(const PatchTransient& scene) const { return of_patch(scene); }
   Explanation operator()(const TransientScene& scene) const {
     std::vector<std::string> consequences = {loaded(scene), elements_of(scene.problem.grid)};

@@ -361,7 +361,10 @@ namespace {
 
 Model read_any(Scene& scene) {
   const std::string problem = scene.word("problem");
-  if (problem == "steady" && scene.has_patch()) return read_steady_patch(scene);
+  if (problem == "steady" && scene.has_patch()) {
+    if (scene.has("target_error")) return read_patch_target(scene);
+    return read_steady_patch(scene);
+  }
   if (problem == "transient" && scene.has_patch()) return read_patch_transient(scene);
   if (problem == "transient") return read_transient(scene);
   if (problem == "cylinder") return read_cylinder(scene);
@@ -384,6 +387,7 @@ Eigen::Index elements_of(const Model& model) {
     Eigen::Index operator()(const SteadyProblem& problem) const { return problem.grid.size(); }
     Eigen::Index operator()(const SteadyTarget&) const { return 0; }
     Eigen::Index operator()(const SteadyPatch& patch) const { return patch.elements; }
+    Eigen::Index operator()(const PatchTarget& target) const { return target.patch.elements; }
     Eigen::Index operator()(const TransientScene& scene) const { return scene.problem.grid.size(); }
     Eigen::Index operator()(const PatchTransient& scene) const { return scene.patch.elements; }
     Eigen::Index operator()(const CylinderScene& scene) const { return scene.problem.grid.size(); }

@@ -198,22 +198,43 @@ void require_line_contact(const Scene& scene) {
                                        *key));
 }
 
-SteadyPatch read_unloaded_patch(Scene& scene) {
+namespace {
+
+/// Reads material.* and contact.*
+/// \param grid_of  chooses the grid of a shape
+template <class GridOf>
+SteadyPatch read_contact_of_patch(Scene& scene, const GridOf& grid_of) {
   const Material material = read_material(scene);
   const PatchBound bound =
       scene.has(patch_file) ? read_patch(scene) : read_ellipse(scene, material);
   warn_of_large_bound(scene, bound.peak(), material.shear_modulus);
-  const bool has_grid = scene.has("grid.rows") || scene.has("grid.elements");
-  const PatchGrid fitting = fitting_grid(bound.shape());
+  const PatchGrid grid = grid_of(bound.shape());
   SteadyPatch patch{
-      .material = material,
-      .bound = bound,
-      .rows = has_grid ? read_cells(scene, "grid.rows", 1) : fitting.rows,
-      .elements = has_grid ? read_cells(scene, "grid.elements", least_elements) : fitting.elements};
+      .material = material, .bound = bound, .rows = grid.rows, .elements = grid.elements};
   // On fine rows, the rounding of a solution is above the tolerance of equations.
   patch.accepted.residual = largest_residual_of_step;
+  return patch;
+}
+
+/// Reads the load of all components, of which one has to be there.
+void read_load_of(Scene& scene, SteadyPatch& patch) {
+  if (!has_patch_load(scene)) scene.one_of(keys_of_patch_loads());  // says which are missing
+  patch.load = read_patch_load(scene, patch.bound);
+  validate(patch);
+  warn_of_large_motions(scene, patch);
+}
+
+}  // namespace
+
+SteadyPatch read_unloaded_patch(Scene& scene) {
+  const bool has_grid = scene.has("grid.rows") || scene.has("grid.elements");
+  const SteadyPatch patch = read_contact_of_patch(scene, [&](const PatchShape& shape) {
+    if (!has_grid) return fitting_grid(shape);
+    const Eigen::Index rows = read_cells(scene, "grid.rows", 1);
+    return PatchGrid{.rows = rows, .elements = read_cells(scene, "grid.elements", least_elements)};
+  });
   if (has_grid) {
-    const std::size_t lobes = bound.shape().lobes().size();
+    const std::size_t lobes = patch.bound.shape().lobes().size();
     require(static_cast<std::size_t>(patch.rows) >= lobes, "grid.rows",
             static_cast<double>(patch.rows),
             [&] { return fmt::format("at least one row for each of the {} lobes", lobes); });
@@ -290,11 +311,17 @@ SteadyPatch read_steady_patch(Scene& scene, std::size_t varied) {
 
 SteadyPatch read_steady_patch(Scene& scene) {
   SteadyPatch patch = read_unloaded_patch(scene);
-  if (!has_patch_load(scene)) scene.one_of(keys_of_patch_loads());  // says which are missing
-  patch.load = read_patch_load(scene, patch.bound);
-  validate(patch);
-  warn_of_large_motions(scene, patch);
+  read_load_of(scene, patch);
   return patch;
+}
+
+PatchTarget read_patch_target(Scene& scene) {
+  const double target = scene.number("target_error");
+  require_target_error(target);
+  SteadyPatch patch = read_contact_of_patch(
+      scene, [](const PatchShape& shape) { return grids_to_try(shape).back(); });
+  read_load_of(scene, patch);
+  return {patch, target};
 }
 
 }  // namespace microslip

@@ -2,6 +2,7 @@
 // Contact ellipses as they are typed: tables, units, and a line for what is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -177,6 +178,36 @@ TEST_F(Ellipses, AreRefusedInOneLineThatNamesTheKey) {
   expect_refused("--set load.spin= --set load.creepage= --set load.lateral_creepage=",
                  "missing key 'load.creepage' or ");
   EXPECT_EQ(run_in_folder("response ellipse.info").status, 1);
+}
+
+// The estimate is below the target, and so is the difference to a finer grid.
+TEST_F(Ellipses, AreSolvedToATarget) {
+  const auto fine = summary("--set grid.rows=24 --set grid.elements=25");
+  const auto found = summary("--target-error 3e-3");
+  EXPECT_LE(found.at("estimated_error"), 3e-3);
+  EXPECT_GT(found.at("estimated_error"), 0);
+  const double most = fine.at("full_sliding_force");
+  EXPECT_NEAR(found.at("force"), fine.at("force"), 3e-3 * most);
+  EXPECT_NEAR(found.at("lateral_force"), fine.at("lateral_force"), 3e-3 * most);
+  EXPECT_NE(text_of(folder_ / "out" / "summary.tsv").find("picked: grid.rows "), std::string::npos);
+  fs::remove_all(folder_ / "out");
+  expect_refused("--target-error 0.5", "target_error = 0.5: expected a number in [1e-11, 0.1]");
+  expect_refused("--target-error 1e-3 --set grid.rows=9",
+                 "key 'grid.rows' has no role here: it is for ellipses without target_error");
+  const Outcome outcome = solve("--target-error 1e-9");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.error.find("target_error = 1e-09: expected about "),
+            std::string::npos)
+      << outcome.error;
+  EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+  EXPECT_EQ(run_in_folder("sweep ellipse.info --quiet --set 'sweep.target_error=3e-2 1e-2'").status,
+            0);
+  run_in_folder("init ellipse_transient");
+  const Outcome steps = run_in_folder("ellipse_transient.info --target-error 1e-3");
+  EXPECT_EQ(steps.status, 1);
+  EXPECT_NE(steps.error.find("key 'target_error' has no role here"), std::string::npos)
+      << steps.error;
 }
 
 TEST_F(Ellipses, ConvergeOnRowsThatFit) {

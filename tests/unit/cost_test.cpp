@@ -160,6 +160,21 @@ TEST(Cost, WithATargetIsNotKnown) {
   EXPECT_TRUE(std::isnan(work_needed(read_model(scene))));
 }
 
+// The finest grid takes the most memory.
+TEST(Cost, OfAPatchWithATargetIsThatOfItsFinestGrid) {
+  Scene scene = scene_of(
+      "problem steady\nmaterial { shear_modulus 1\n poisson_ratio 0.3 }\n"
+      "contact { half_width 2\n lateral_half_width 1\n peak_traction 1 }\n"
+      "load { creepage 0.1 }\ntarget_error 1e-3");
+  const auto target = std::get<PatchTarget>(read_model(scene));
+  EXPECT_GT(target.patch.rows * target.patch.elements, 800);
+  EXPECT_LE(target.patch.rows * target.patch.elements, 1700);
+  EXPECT_EQ(memory_needed(target), memory_needed(target.patch));
+  EXPECT_EQ(steps_needed(target), 0);
+  EXPECT_NE(explain(target).consequences[2].find("until the estimate of the error is below 0.001"),
+            std::string::npos);
+}
+
 TEST(Explanation, ComparesRowsWithElements) {
   Scene scene = scene_of(good_contact +
                          "problem steady\nload { force -1 }\ncontact { roughness 0.1\n rows 201 }");

@@ -88,6 +88,7 @@ const std::map<std::string, Settings> scenes = {
     {"run", with(transient, {"load.force=", "start.type=rest", "load.file=run", "load.radius=460",
                              "step.ratio=", "motion.distance="})},
     {"ellipse", ellipse},
+    {"ellipse_target", with(ellipse, {"grid.rows=", "grid.elements=", "target_error=1e-3"})},
     {"loaded_ellipse",
      with(ellipse, {"contact.half_width=", "contact.peak_traction=", "contact.normal_load=0.01",
                     "contact.radius_1=100", "contact.friction=0.3",
@@ -159,8 +160,9 @@ const std::string strips =
 const std::string half_spaces = unlike + "plane layer " + strips;
 const std::string lines = half_spaces + "winkler symbol ";
 const std::string patch_steps = "steps steps_run ";
-const std::string ellipses =
+const std::string ellipses_by_grid =
     "ellipse loaded_ellipse ellipse_table patch patch_table " + patch_steps;
+const std::string ellipses = "ellipse_target " + ellipses_by_grid;
 const std::string shifted = "remembered direct relaxed relaxed_traction fractional creepage steps";
 const std::string all = lines + ellipses;
 const std::string hertzian = unlike +
@@ -204,14 +206,15 @@ const std::vector<Role> roles = {
     {"kernel.length", "10", "plane layer " + unlike},
     {"kernel.compliance", "0.1", half_spaces + "winkler "},
     {"kernel.table", "symbol", "symbol"},
-    {"grid.elements", "21", steady_scenes + transients + cylinders + ellipses},
-    {"grid.rows", "5", ellipses},
+    {"grid.elements", "21", steady_scenes + transients + cylinders + ellipses_by_grid},
+    {"grid.rows", "5", ellipses_by_grid},
     {"grid.leading_offset", "0.5", differences + transients + cylinders},
     {"grid.trailing_offset", "0.5", differences + transients + cylinders},
     {"method", "collocation", steady_scenes},
     {"leading_edge", "calibrated", by_elements},
     {"basis", "constant", by_elements + transients + cylinders},
-    {"target_error", "1e-3", with_target},
+    {"target_error", "1e-3",
+     with_target + "ellipse_target ellipse loaded_ellipse ellipse_table patch patch_table "},
     {"load.creepage", "0.4", with_target + transients + ellipses},
     {"load.force", "-1", with_target + transients + ellipses},
     {"load.force_ratio", "-0.5", with_target + transients + ellipses},

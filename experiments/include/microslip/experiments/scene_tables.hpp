@@ -22,6 +22,7 @@ namespace microslip::experiments {
 std::vector<Table> scene_tables(const SteadyProblem& problem, const Progress& progress);
 std::vector<Table> scene_tables(const SteadyTarget& target, const Progress& progress);
 std::vector<Table> scene_tables(const SteadyPatch& patch, const Progress& progress);
+std::vector<Table> scene_tables(const PatchTarget& target, const Progress& progress);
 std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress);
 
 /// \param at_end  called with the contact in its state after the last step

@@ -21,7 +21,7 @@ namespace microslip {
 /// to 4000 with dense matrices, as the largest resident set minus the 12 MB of any program; each
 /// figure is the largest over schemes and bases. Inversion takes at most the memory of calibrated
 /// elements, which replace it if there is more than one stick zone. With target_error there is no
-/// forecast.
+/// forecast for a line contact, and that of the finest grid for a patch.
 ///
 /// \throws std::invalid_argument if matrices have to be dense and would be too large
 double memory_needed(const Model& model);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "microslip/dynamics/cylinder.hpp"
+#include "microslip/patch/patch_target.hpp"
 #include "microslip/patch/steady_patch.hpp"
 #include "microslip/patch/traction_table.hpp"
 #include "microslip/rolling/patch_history.hpp"
@@ -106,6 +107,15 @@ SteadyTarget read_steady_target(Scene& scene);
 /// load.* of all three components.
 SteadyPatch read_steady_patch(Scene& scene);
 
+/// Steady rolling of a patch to a given error; the program chooses the grid.
+struct PatchTarget {
+  SteadyPatch patch;  ///< with the finest grid that is tried
+  double error;       ///< [1]
+};
+
+/// Reads the keys of read_steady_patch() but for the grid, and target_error.
+PatchTarget read_patch_target(Scene& scene);
+
 /// A contact patch that rolls by steps.
 struct PatchTransient {
   SteadyPatch patch;                      ///< its load is not used
@@ -177,15 +187,15 @@ CylinderScene read_cylinder(Scene& scene);
 CylinderScene read_cylinder(Scene& scene, const AdvectionScheme& scheme, Integrator integrator);
 
 /// The problem of a scene.
-using Model = std::variant<SteadyProblem, SteadyTarget, SteadyPatch, TransientScene, PatchTransient,
-                           CylinderScene>;
+using Model = std::variant<SteadyProblem, SteadyTarget, SteadyPatch, PatchTarget, TransientScene,
+                           PatchTransient, CylinderScene>;
 
 /// Reads `problem`, and the keys of that problem: with one of `patch_keys` those of
 /// read_steady_patch() or read_patch_transient(), and with target_error those of
-/// read_steady_target().
+/// read_steady_target() or read_patch_target().
 Model read_model(Scene& scene);
 
-/// Returns N; 0 with target_error.
+/// Returns N; with target_error 0, and of a patch that of the finest grid.
 Eigen::Index elements_of(const Model& model);
 
 }  // namespace microslip
