@@ -75,7 +75,7 @@ TEST(SavedState, ThatIsDamagedIsRefused) {
 }
 
 TEST(SavedState, OfAnotherVersionIsRefused) {
-  const std::string other = replaced(rolled(3).save(), "microslip state 3", "microslip state 1");
+  const std::string other = replaced(rolled(3).save(), "microslip state 4", "microslip state 1");
   EXPECT_EQ(refusal(sealed(other)),
             "version = '1': expected 3, the version of this program's states");
 }

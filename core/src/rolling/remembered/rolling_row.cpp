@@ -15,6 +15,10 @@ using Eigen::VectorXd;
 
 namespace {
 
+/// A force this much below full sliding, over full sliding, is that of full sliding.
+constexpr double rounding_of_full_sliding = 1e-9;
+
+/// Interpolates to a place of the nodes, in elements from the first.
 double turned_at(const RowPoints& points, double at) {
   const double whole = std::floor(at);
   return interpolated_at(points, static_cast<Index>(whole), at - whole, 0);
@@ -76,6 +80,9 @@ RowPoints RollingRow::displacements_of(const RowMemory& memory) const {
   return points;
 }
 
+/// Displacements are interpolated to the places of the mirrored nodes. A solve of no length gives the
+/// tractions of the mirrored row, under the same force; in full sliding, where no partition has a
+/// force of its own, without a shift. This solve is no slip.
 RowMemory RollingRow::turned(const RowMemory& from) {
   const Index n = grid_.size();
   face(!from.backward);
@@ -100,9 +107,10 @@ RowMemory RollingRow::turned(const RowMemory& from) {
   turned.traction = -from.traction.reverse();
   turned.remember_all();
   begin(turned, false);
-  const bool slides = first_stuck(turned.zones) == n;
-  const ShiftLoad held =
-      slides ? ShiftLoad(PrescribedShift{0}) : PrescribedForce{response_.force(turned.traction)};
+  const double force = response_.force(turned.traction);
+  const bool slides =
+      std::abs(force) > (1 - rounding_of_full_sliding) * response_.force(step_.conditions.bound);
+  const ShiftLoad held = slides ? ShiftLoad(PrescribedShift{0}) : PrescribedForce{force};
   roll_substep({turned.here(), 0, held, {held, held}, false});
   return step_.memory;
 }
