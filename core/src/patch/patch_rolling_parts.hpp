@@ -46,8 +46,8 @@ struct StepLimits {
 /// \throws std::invalid_argument outside the ranges of PatchRolling::set_contact()
 void require_contact(const ContactScale& scale, const PatchShape& shape);
 
-/// The state of a patch. If it rolls backward, all is that of the turned patch, which rolls forward:
-/// x' = -x with
+/// The state of a patch. If it rolls backward, all is that of the turned patch, which rolls
+/// forward: x' = -x with
 ///   p' = (-px, py), (Fx, Fy, Mz)' = (-Fx, Fy, -Mz), and shifts likewise,
 ///   (xi, eta, phi)' = (xi, -eta, phi) and (sx, -sy) of the slip, over dq' = -dq.
 struct PatchRolling::Parts {

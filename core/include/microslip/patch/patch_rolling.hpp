@@ -42,11 +42,12 @@ Eigen::Vector3d largest_resultants(const PatchBound& bound, const ContactScale& 
 /// the centre in the middle of the step. As dq tends to 0, that is the slip at the centre of steady
 /// rolling. Equations: docs/ellipse.md.
 ///
-/// Bodies roll back by a step dq < 0, and turn as often as they like. The frame stays: x, tractions,
-/// resultants and shifts keep their directions, and distance() goes back. Motions and slip are
-/// derivatives by the distance, as w is: a positive creepage of a step back gives a positive force.
-/// Energies are over |dq|. A turn keeps the tractions. The first turn of a patch that is no ellipse,
-/// or has a bound of its own, prepares it from the other side, which costs what the patch did.
+/// Bodies roll back by a step dq < 0, and turn as often as they like. The frame stays: x,
+/// tractions, resultants and shifts keep their directions, and distance() goes back. Motions and
+/// slip are derivatives by the distance, as w is: a positive creepage of a step back gives a
+/// positive force. Energies are over |dq|. A turn keeps the tractions. The first turn of a patch
+/// that is no ellipse, or has a bound of its own, prepares it from the other side, which costs what
+/// the patch did.
 /// tests/unit/turning_patch_test.cpp
 ///
 /// Motions are at most 1e8 times the strain mu p0/G, beside which displacements keep their digits.

@@ -64,8 +64,8 @@ void require_within_bound(const Eigen::VectorXd& x, const Eigen::VectorXd& bound
                           const Eigen::VectorXd& traction);
 
 /// Values at the N nodes at the end of a step, or at standstill, before the first one and after a
-/// shift, and what follows from them. A positive creepage gives negative tractions on the way forth, and
-/// positive ones on the way back, where dq < 0.
+/// shift, and what follows from them. A positive creepage gives negative tractions on the way
+/// forth, and positive ones on the way back, where dq < 0.
 struct TransientState {
   double distance;           ///< q, less what has been rolled back  [mm]
   ContactScale scale = {};   ///< of the contact, over the problem's contact

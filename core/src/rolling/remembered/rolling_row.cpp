@@ -80,9 +80,9 @@ RowPoints RollingRow::displacements_of(const RowMemory& memory) const {
   return points;
 }
 
-/// Displacements are interpolated to the places of the mirrored nodes. A solve of no length gives the
-/// tractions of the mirrored row, under the same force; in full sliding, where no partition has a
-/// force of its own, without a shift. This solve is no slip.
+/// Displacements are interpolated to the places of the mirrored nodes. A solve of no length gives
+/// the tractions of the mirrored row, under the same force; in full sliding, where no partition has
+/// a force of its own, without a shift. This solve is no slip.
 RowMemory RollingRow::turned(const RowMemory& from) {
   const Index n = grid_.size();
   face(!from.backward);

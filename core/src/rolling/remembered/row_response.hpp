@@ -24,8 +24,8 @@ Eigen::VectorXd mirrored_means(const TractionBound& bound, const Eigen::VectorXd
 /// half-width has the same response and a common compliance, which shifts the whole contact in
 /// proportion to the force; a strip needs a new response.
 ///
-/// A row of bodies that roll backward is the mirrored row, x' = -x and p'(x') = -p(-x'). The influence
-/// of tractions is the same; bound and pressure are mirrored.
+/// A row of bodies that roll backward is the mirrored row, x' = -x and p'(x') = -p(-x'). The
+/// influence of tractions is the same; bound and pressure are mirrored.
 class RowResponse {
  public:
   /// \param grid  the row's nodes
