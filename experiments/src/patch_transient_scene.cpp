@@ -212,7 +212,9 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   record({.q = scene.from, .time = loads.time_at(scene.from)});
   const auto stand = [&](double distance) {
     for (const PatchHistory::Standing& standing : loads.standing_at(distance)) {
-      end = take(1, [&](RolledPatch& patch) { return patch.shift(standing.load); });
+      std::optional<ContactScale> contact;
+      if (loads.changes_contact()) contact = standing.contact;
+      end = take(1, [&](RolledPatch& patch) { return patch.shift(standing.load, contact); });
       sums.path += end.motion;
       sums.lost.add_shift(end.dissipation);
       const PatchRunRow run{loads.position_at(distance), end.motion, end.dissipation,

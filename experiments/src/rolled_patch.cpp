@@ -101,7 +101,8 @@ PatchStepEnd RolledPatch::restore(const SavedState& state, const PatchLoad& load
   return found;
 }
 
-PatchStepEnd RolledPatch::shift(const PatchLoad& load) {
+PatchStepEnd RolledPatch::shift(const PatchLoad& load, const std::optional<ContactScale>& contact) {
+  if (contact) std::get<PatchRolling>(rolling_).set_contact(*contact);
   std::visit([&](auto& of) { of.shift(load); }, rolling_);
   return end(load);
 }

@@ -41,7 +41,8 @@ class RolledPatch {
   /// \param load  with which the next step begins
   PatchStepEnd restore(const SavedState& state, const PatchLoad& load);
 
-  PatchStepEnd shift(const PatchLoad& load);
+  /// \param contact  of the same size, at the end of the shift; none if it stays
+  PatchStepEnd shift(const PatchLoad& load, const std::optional<ContactScale>& contact = {});
 
   /// \param contact  at the end of the step; none if it stays
   PatchStepEnd roll(double dq, const PatchLoad& load, const std::optional<ContactScale>& contact);

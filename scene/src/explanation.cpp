@@ -96,11 +96,10 @@ std::vector<std::string> changed(const LoadHistory& loads, double a) {
   if (!loads.changes_contact()) return {};
   double least = std::numeric_limits<double>::infinity(), most = 0;
   int lost = 0;
-  for (const double distance : loads.distances()) {
-    const double ratio = loads.contact_at(distance).half_width;
-    least = std::min(least, ratio);
-    most = std::max(most, ratio);
-    lost += loads.contact_at(distance).carries() ? 0 : 1;
+  for (const ContactScale& contact : loads.contacts()) {
+    least = std::min(least, contact.half_width);
+    most = std::max(most, contact.half_width);
+    lost += contact.carries() ? 0 : 1;
   }
   const std::string loses =
       lost == 0 ? ""

@@ -110,7 +110,13 @@ void require_patch_contacts(const NamedColumns& columns, const PatchHistory& loa
   };
   const std::vector<double> rows = loads.row_distances();
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto [size, bound] = loads.contact_at(rows[i]);
+    const auto [size, bound] = loads.contact_of_row(i);
+    if (i > 0 && rows[i] == rows[i - 1] && size != loads.contact_of_row(i - 1).half_width) {
+      require(false, in_row(i, sizes), value_of(sizes, i),
+              fmt::format("{:.9g} of the row before, as nothing is rolled between them: an ellipse "
+                          "keeps its size there",
+                          value_of(sizes, i - 1)));
+    }
     if (size != 1 && !patch.bound.shape().is_ellipse()) {
       require(false, in_row(i, sizes), value_of(sizes, i),
               fmt::format("that of the scene, as the contact of {} has one size; friction or "
@@ -150,13 +156,13 @@ RunRows rows_of_component(const NamedColumns& columns, std::size_t j,
 /// Requires that friction carries the resultants of each row, and that motions are not too large.
 void require_rows_carried(const NamedColumns& columns, const PatchHistory& loads,
                           const SteadyPatch& patch) {
-  const std::vector<double> distances = loads.row_distances();
-  for (std::size_t i = 0; i < distances.size(); ++i) {
+  const std::size_t rows = loads.row_distances().size();
+  for (std::size_t i = 0; i < rows; ++i) {
     const PatchLoad load = loads.of_row(i);
     with_names_of(
         load,
         [&] {
-          require_patch_carried(load, patch.bound, loads.contact_at(distances[i]));
+          require_patch_carried(load, patch.bound, loads.contact_of_row(i));
           require_motions(load, patch);
         },
         [&](std::size_t j) {

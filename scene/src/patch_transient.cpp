@@ -185,8 +185,8 @@ std::vector<double> read_patch_steps(Scene& scene, const PatchTransient& read) {
 /// At 0.9 a, resultants have errors of 1 % of the largest ones, and creepages of 6 %.
 void warn_of_long_steps(Scene& scene, const PatchTransient& read) {
   double size = 1;
-  for (const double distance : read.loads.distances()) {
-    size = std::min(size, read.loads.contact_at(distance).half_width);
+  for (const ContactScale& contact : read.loads.rows().contacts()) {
+    size = std::min(size, contact.half_width);
   }
   const double most = 0.5 * size * read.patch.bound.half_width();
   const double longest = std::min(std::ranges::max(read.step_lengths()), read.distance);

@@ -24,9 +24,8 @@ namespace {
 void require_all_carried(const Eigen::VectorXd& forces, const LoadHistory& loads,
                          const TractionBound& bound) {
   const double full = full_sliding_force(bound);
-  const std::vector<double> rows = loads.row_distances();
   for (Eigen::Index i = 0; i < forces.size(); ++i) {
-    const ContactScale contact = loads.contact_at(rows[static_cast<std::size_t>(i)]);
+    const ContactScale contact = loads.contact_of_row(static_cast<std::size_t>(i));
     require_carried(forces[i], contact, full, fmt::format("row {}: force", i + 1));
   }
 }
@@ -50,10 +49,9 @@ void require_contacts(const LoadHistory& loads, const TransientProblem& problem)
         "bodies differ in material");
   }
   double narrowest = std::numeric_limits<double>::infinity(), widest = 0;
-  for (const double distance : loads.distances()) {
-    const double half_width = loads.contact_at(distance).half_width;
-    narrowest = std::min(narrowest, half_width);
-    widest = std::max(widest, half_width);
+  for (const ContactScale& contact : loads.contacts()) {
+    narrowest = std::min(narrowest, contact.half_width);
+    widest = std::max(widest, contact.half_width);
   }
   if ((narrowest != 1 || widest != 1) && !problem.contact.kernel.is_half_space()) {
     throw std::invalid_argument(fmt::format(

@@ -147,6 +147,24 @@ TEST_P(Standstill, UnderAChangedLoadNamesTheShift) {
   expect_same(answers(handle), answers(twin));
 }
 
+TEST(RollingBack, IsRollingForthInTheMirror) {
+  const Parts parts{.grid = {40, MICROSLIP_REMEMBERED}};
+  const Handle forth = created(parts), back = created(parts);
+  for (int k = 0; k < 12; ++k) {
+    const double dq = k < 7 ? 0.07 : -0.05, creepage = 0.3 - 0.04 * k;
+    for (const auto& [handle, sign] : {std::pair{&forth, 1.0}, {&back, -1.0}}) {
+      ASSERT_EQ(microslip_set_creepage(handle->get(), creepage), MICROSLIP_OK);
+      ASSERT_EQ(microslip_advance(handle->get(), sign * dq), MICROSLIP_OK)
+          << microslip_message(handle->get());
+    }
+    const microslip_state there = state_of(forth), mirrored = state_of(back);
+    EXPECT_NEAR(mirrored.distance, -there.distance, 1e-12);
+    EXPECT_NEAR(mirrored.force, -there.force, 1e-9);
+    EXPECT_NEAR(mirrored.dissipation, there.dissipation, 1e-9);
+    EXPECT_EQ(mirrored.creepage, there.creepage);
+  }
+}
+
 TEST_P(Standstill, NeedsALoadAsAnyStepDoes) {
   const Handle handle = created({.grid = {40, GetParam()}});
   EXPECT_EQ(microslip_advance(handle.get(), 0), MICROSLIP_BAD_INPUT);

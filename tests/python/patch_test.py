@@ -231,6 +231,17 @@ def test_shifts_go_back_and_forth(ellipse):
     assert abs(back.force) < 0.1 * FULL and back.dissipation > 0
 
 
+def test_bodies_roll_back(ellipse):
+    """In the mirror along the rolling, Fx, Mz, the lateral creepage and shifts change their signs."""
+    dq = np.array([1, 1, -0.5, -2, -1, 0.7])
+    loads = {"creepage": np.array([5, 5, 5, 8, -4, -4]) * 1e-4, "spin": np.full(6, 1e-4)}
+    lateral = np.array([1, 2, -3, 1, 1, 2]) * 1e-4
+    forth = ms.Patch(ellipse).roll(dq, lateral_creepage=lateral, **loads)
+    back = ms.Patch(ellipse).roll(-dq, lateral_creepage=-lateral, **loads)
+    for name, sign in (("force", -1), ("lateral_force", 1), ("spin_moment", -1), ("dissipation", 1), ("distance", -1)):
+        assert np.allclose(back[name], sign * forth[name], atol=1e-5 * np.abs(forth[name]).max()), name
+
+
 def test_files_go_on_to_the_bit(ellipse, tmp_path):
     original, other = started(ellipse), ms.Patch(ellipse)
     original.set_contact(1.05, 0.9)

@@ -326,6 +326,21 @@ def test_nothing_happens_over_no_length(scene, random):
     assert twin.state.distance == 0
 
 
+def test_bodies_roll_back(scene):
+    """Rolling back is rolling forth in the mirror; a turn keeps the force."""
+    dq = np.array([0.5, 0.5, 0.3, -0.2, -0.6, -0.6, 0.4])
+    creepage = np.array([1, 2, 2, 2, -1, -1, 1]) * 1e-3
+    forth, back = (ms.Rolling(scene).roll(sign * dq, creepage=creepage) for sign in (1, -1))
+    assert np.allclose(back["force"], -forth["force"], atol=1e-7)
+    assert np.allclose(back["distance"], -np.cumsum(dq)) and np.allclose(back["dissipation"], forth["dissipation"], atol=1e-7)
+    contact = ms.Rolling(scene)
+    force = contact.roll(dq[:3], creepage=creepage[:3])["force"][-1]
+    assert contact.attempt(-1e-6, creepage=0).force == pytest.approx(force, rel=1e-3)
+    _, slopes = contact.attempt(-0.2, creepage=1e-3, jacobian=True)
+    near = [contact.attempt(-0.2, creepage=1e-3 + change).force for change in (-1e-6, 1e-6)]
+    assert slopes.by_load.force == pytest.approx((near[1] - near[0]) / 2e-6, rel=1e-3)
+
+
 def test_zeros_have_no_sign(scene, plane):
     contact = ms.Rolling(scene)
     results = [contact.state, contact.roll(0.1, creepage=-0.0), contact.roll([0.1], force=-0.0)[0], contact.shift(force=-0.0),

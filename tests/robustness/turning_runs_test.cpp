@@ -175,8 +175,8 @@ TEST_F(TurningRuns, ThatCannotBeAreRefusedInOneLine) {
   refused("q creepage\n0 0\n0 0.1\n", "", "distance of the rows = 0: expected a number > 0");
   refused("q force\n0 0\n1 0\n1 9000\n2 0\n", "",
           "row 3: force = 9000: expected an absolute value");
-  refused("q force half_width\n0 0 5\n1 0 5\n1 0 6\n2 0 6\n", "",
-          "row 3: half_width = 6: expected 5 of the row before, as nothing is rolled");
+  expect_rejected(scene_by_force(ellipse, "q force half_width\n0 0 6\n1 0 6\n1 0 7\n2 0 7\n"), "",
+                  "row 3: half_width = 7: expected 6 of the row before, as nothing is rolled");
 }
 
 }  // namespace microslip::turning_runs_test

@@ -285,7 +285,7 @@ TEST(LoadHistory, FromAStandstillToAnotherHasItsCreepage) {
   EXPECT_NEAR(*history.time_at(10), 5, 1e-14);
 }
 
-TEST(LoadHistory, NamesAContactThatChangesAtAStandstill) {
+TEST(LoadHistory, StopsWhereTheContactJumps) {
   RunRows rows;
   rows.distance = Eigen::Vector4d(0, 1, 1, 2);
   rows.creepage = Eigen::Vector4d(0, 0.1, 0.2, 0.2);  // which may jump
@@ -293,10 +293,15 @@ TEST(LoadHistory, NamesAContactThatChangesAtAStandstill) {
   EXPECT_NEAR(creepage_of(jumps.between(0, 1)), 0.05, 1e-15);
   EXPECT_NEAR(creepage_of(jumps.between(1, 2)), 0.2, 1e-15);
   EXPECT_TRUE(jumps.stops().empty());
-  rows.normal_load = Eigen::Vector4d(1, 1, 1.5, 1.5);
-  expect_refused(rows,
-                 "row 3: normal_load = 1.5: expected 1 of the row before, as nothing is rolled "
-                 "between them; only forces and creepages jump");
+  rows.normal_load = Eigen::Vector4d(1, 1, 4, 4);
+  const LoadHistory history(rows);
+  EXPECT_EQ(history.stops(), std::vector<double>{1});
+  EXPECT_EQ(history.contact_at(1).half_width, 1);
+  EXPECT_EQ(history.contact_at(1.5).half_width, 2);
+  ASSERT_EQ(history.standing_at(1).size(), 1U);
+  EXPECT_EQ(history.standing_at(1)[0].contact.half_width, 2);
+  EXPECT_EQ(std::get<PrescribedShift>(history.standing_at(1)[0].load).value, 0);
+  EXPECT_EQ(history.contact_of_row(2).half_width, 2);
 }
 
 TEST(LoadHistory, StopsWhereAForceJumps) {

@@ -36,7 +36,6 @@ LoadHistory::LoadHistory(const RunRows& rows) {
   TurningRows all = with_turns(rows);
   of_rows_ = std::move(all.of_file);
   take_way(all.rows);
-  require_contact_kept(rows, row_distances());
   take_scales(all.rows);
   take_load(all.rows);
   find_stops();
@@ -70,9 +69,8 @@ void LoadHistory::take_way(const RunRows& rows) {
 /// Takes the force, or the rate of the rigid shift in time or distance.
 void LoadHistory::take_load(const RunRows& rows) {
   if (rows.force) {
-    constexpr double printed = 1e-9;  // over the largest one
     force_ = in_std(*rows.force);
-    printed_ = printed * rows.force->lpNorm<Eigen::Infinity>();
+    largest_force_ = rows.force->lpNorm<Eigen::Infinity>();
     return;
   }
   const auto take_shift = [&](const std::vector<double>& rate) {
@@ -98,14 +96,27 @@ void LoadHistory::take_load(const RunRows& rows) {
 bool LoadHistory::stands_in(std::size_t row) const { return direction_[row] == 0; }
 
 LoadHistory::Standing LoadHistory::standing_in(std::size_t row) const {
-  std::optional<double> time;
-  if (!times_.empty()) time = times_[row + 1];
+  constexpr double printed = 1e-9;  // relative: numbers of tables have few digits
+  const auto differ = [&](double before, double after) {
+    return std::abs(after - before) > printed * std::max(std::abs(before), std::abs(after));
+  };
+  const ContactScale before = contact_in(row), after = contact_in(row + 1);
+  Standing found{
+      .load = PrescribedShift{0},
+      .contact = after,
+      .changes = differ(before.half_width, after.half_width) || differ(before.bound, after.bound),
+      .time = {}};
+  if (!times_.empty()) found.time = times_[row + 1];
   if (!force_.empty()) {
     const double change = std::abs(force_[row + 1] - force_[row]);
-    return {.load = PrescribedForce{force_[row + 1]}, .changes = change > printed_, .time = time};
+    found.load = PrescribedForce{force_[row + 1]};
+    found.changes = found.changes || change > printed * largest_force_;
+    return found;
   }
   const double shift = shift_within(row, 0, lengths_[row]);
-  return {.load = PrescribedShift{shift}, .changes = shift != 0, .time = time};
+  found.load = PrescribedShift{shift};
+  found.changes = found.changes || shift != 0;
+  return found;
 }
 
 void LoadHistory::find_stops() {
@@ -160,8 +171,8 @@ void LoadHistory::take_scales(const RunRows& rows) {
   size_ = sizes(rows.half_width, n, "half_width", reference.half_width);
   bound_ = rows.friction ? sizes(rows.friction, n, "friction", reference.friction)
                          : sizes(rows.peak_traction, n, "peak_traction", reference.peak_traction);
-  for (const double distance : distances_) {
-    if (changes_contact() && !contact_at(distance).carries()) lost_.push_back(distance);
+  for (std::size_t row = 0; row < distances_.size(); ++row) {
+    if (changes_contact() && !contact_in(row).carries()) lost_.push_back(distances_[row]);
   }
 }
 
@@ -205,15 +216,30 @@ double LoadHistory::between_rows(const std::vector<double>& column, const Place&
   return std::lerp(column[at.row], column[at.row + 1], at.since / lengths_[at.row]);
 }
 
+/// \param value  of a column
+template <class Value>
+ContactScale LoadHistory::contact_by(const Value& value) const {
+  const double bound = bound_.empty() ? 1 : value(bound_);
+  if (load_.empty()) return {.half_width = size_.empty() ? 1 : value(size_), .bound = bound};
+  const double load = value(load_);
+  return point_contact_ ? hertz_point_scale(load, bound) : hertz_scale(load, bound);
+}
+
+ContactScale LoadHistory::contact_in(std::size_t row) const {
+  return contact_by([&](const std::vector<double>& column) { return column[row]; });
+}
+
 ContactScale LoadHistory::contact_at(double distance) const {
   if (!changes_contact()) return {};
-  const Place at = place_of(distance);
-  const double bound = bound_.empty() ? 1 : between_rows(bound_, at);
-  if (!load_.empty()) {
-    const double load = between_rows(load_, at);
-    return point_contact_ ? hertz_point_scale(load, bound) : hertz_scale(load, bound);
-  }
-  return {.half_width = size_.empty() ? 1 : between_rows(size_, at), .bound = bound};
+  if (distance <= 0) return contact_in(0);
+  const Place at = place_before(distance);
+  return contact_by([&](const std::vector<double>& column) { return between_rows(column, at); });
+}
+
+std::vector<ContactScale> LoadHistory::contacts() const {
+  std::vector<ContactScale> found;
+  for (std::size_t row = 0; row < distances_.size(); ++row) found.push_back(contact_in(row));
+  return found;
 }
 
 std::vector<double> LoadHistory::ends_of_steps() const {

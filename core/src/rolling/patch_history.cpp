@@ -37,7 +37,7 @@ bool PatchHistory::changes_size() const {
   if (!changes_contact()) return false;
   const double first = contact_at(0).half_width;
   return std::ranges::any_of(
-      distances(), [&](double distance) { return contact_at(distance).half_width != first; });
+      rows().contacts(), [&](const ContactScale& contact) { return contact.half_width != first; });
 }
 
 PatchLoad PatchHistory::of_row(std::size_t row) const {
@@ -59,7 +59,7 @@ std::vector<PatchHistory::Standing> PatchHistory::standing_at(double distance) c
   for (std::size_t j = 0; j < parts.size(); ++j) parts[j] = components_[j].standing_at(distance);
   std::vector<Standing> found;
   for (std::size_t i = 0; i < parts[0].size(); ++i) {
-    Standing standing{.load = {}, .time = parts[0][i].time};
+    Standing standing{.load = {}, .contact = parts[0][i].contact, .time = parts[0][i].time};
     bool changes = false;
     for (std::size_t j = 0; j < parts.size(); ++j) {
       const Prescribed prescribed(parts[j][i].load);

@@ -36,26 +36,6 @@ void require_times(const VectorXd& column) {
   }
 }
 
-/// A printed number may differ by as much, over the largest of its column.
-constexpr double printed_number = 1e-9;
-
-/// Rejects a column that changes from a row to the next one where nothing is rolled.
-/// \param distances  of the rows  [mm]
-void require_kept_at_standstill(const std::optional<VectorXd>& column, const std::string& name,
-                                const std::vector<double>& distances) {
-  if (!column) return;
-  const double most = printed_number * column->lpNorm<Eigen::Infinity>();
-  for (Index i = 1; i < column->size(); ++i) {
-    const auto row = static_cast<std::size_t>(i);
-    const double before = (*column)[i - 1];
-    if (distances[row] > distances[row - 1] || std::abs((*column)[i] - before) <= most) continue;
-    require(false, named(i, name), (*column)[i],
-            fmt::format("{} of the row before, as nothing is rolled between them; only forces and "
-                        "creepages jump",
-                        format_short(before)));
-  }
-}
-
 /// \throws std::invalid_argument unless the columns fit together
 void require_columns(const RunRows& rows) {
   if (rows.distance.has_value() == rows.time.has_value()) {
@@ -121,13 +101,6 @@ void require_rows(const RunRows& rows) {
   require_all(rows.creepage, rows.creepage_name);
   if (rows.angular_velocity) require_positive("radius", rows.radius);
   require_contact(rows);
-}
-
-void require_contact_kept(const RunRows& rows, const std::vector<double>& distances) {
-  require_kept_at_standstill(rows.normal_load, "normal_load", distances);
-  require_kept_at_standstill(rows.half_width, "half_width", distances);
-  require_kept_at_standstill(rows.peak_traction, "peak_traction", distances);
-  require_kept_at_standstill(rows.friction, "friction", distances);
 }
 
 std::vector<double> sizes(const std::optional<VectorXd>& column, Index rows,

@@ -14,10 +14,6 @@ namespace microslip {
 /// \throws std::invalid_argument unless the columns are as LoadHistory takes them, on their own
 void require_rows(const RunRows& rows);
 
-/// Requires a contact that is kept where nothing is rolled.
-/// \param distances  of the rows, along the way  [mm]
-void require_contact_kept(const RunRows& rows, const std::vector<double>& distances);
-
 /// A column of the contact divided by the problem's value; empty without the column.
 /// \throws std::invalid_argument for another number of rows, and for numbers < 0
 std::vector<double> sizes(const std::optional<Eigen::VectorXd>& column, Eigen::Index rows,

@@ -296,7 +296,8 @@ void TransientRolling::roll_to(double distance, const std::vector<double>& lengt
 /// Shifts the bodies at a distance where the loads do so without rolling.
 void TransientRolling::stand(double distance, const LoadHistory& loads, const Observer& observer) {
   for (const LoadHistory::Standing& standing : loads.standing_at(distance)) {
-    if (!standing.changes || !contact().carries()) continue;
+    if (!standing.changes) continue;
+    if (loads.changes_contact()) set_contact(standing.contact);
     const Shift shifted = shift(standing.load);
     if (observer.after_shift) observer.after_shift(state_, shifted, standing.time);
   }

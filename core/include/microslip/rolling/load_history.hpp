@@ -50,9 +50,9 @@ struct RunRows {
 /// dq < 0.
 ///
 /// Distances are counted along the way, from 0 at the first row on, and never fall. At some of them
-/// the run stops: the bodies turn, or stand and are shifted against one another. A force that is
-/// another one in the next row of the same place shifts them; so does omega where v is 0. A creepage
-/// may jump. The contact keeps its size and bound where nothing is rolled.
+/// the run stops: the bodies turn, or stand and are shifted against one another. A force or a contact
+/// that is another one in the next row of the same place shifts them; so does omega where v is 0. A
+/// creepage may jump.
 class LoadHistory {
  public:
   /// A constant load.
@@ -60,9 +60,8 @@ class LoadHistory {
   LoadHistory(const OneLoad& constant) : constant_(constant) {}
 
   /// \throws std::invalid_argument for fewer than two rows, columns that exclude each other or
-  ///         differ in length, numbers that are not finite, times that descend, rows that never
-  ///         roll, and for a contact that changes while nothing is rolled. The message names the
-  ///         row, from 1, and the column
+  ///         differ in length, numbers that are not finite, times that descend, and rows that
+  ///         never roll. The message names the row, from 1, and the column
   explicit LoadHistory(const RunRows& rows);
 
   /// The distance from the first row to the last; infinite for a constant load  [mm]
@@ -88,7 +87,8 @@ class LoadHistory {
   /// What happens where the bodies stand.
   struct Standing {
     ShiftLoad load;              ///< the shift, or the force at its end
-    bool changes;                ///< whether the load is another one than before
+    ContactScale contact;        ///< at the end
+    bool changes;                ///< whether load or contact are others than before
     std::optional<double> time;  ///< at the end, if the rows have times  [s]
   };
 
@@ -105,8 +105,15 @@ class LoadHistory {
   /// Whether the rows have columns of the contact.
   bool changes_contact() const { return !(size_.empty() && load_.empty() && bound_.empty()); }
 
-  /// The contact at a distance within the rows; the problem's contact if the rows have none.
+  /// The contact with which a distance is reached, and at 0 that of the first row; the problem's
+  /// contact if the rows have none.
   ContactScale contact_at(double distance) const;
+
+  /// The contact of a row.
+  ContactScale contact_of_row(std::size_t row) const { return contact_in(of_rows_[row]); }
+
+  /// The contacts of all rows, and of turns between them.
+  std::vector<ContactScale> contacts() const;
 
   /// Distances at which a step has to end, ascending: the stops, and rows in which nothing is carried,
   /// because contact or friction is lost there  [mm]
@@ -133,6 +140,9 @@ class LoadHistory {
   Place place_in(std::size_t row, double distance) const;
   bool stands_in(std::size_t row) const;
   Standing standing_in(std::size_t row) const;
+  ContactScale contact_in(std::size_t row) const;
+  template <class Value>
+  ContactScale contact_by(const Value& value) const;
   void take_way(const RunRows& rows);
   void take_load(const RunRows& rows);
   void find_stops();
@@ -152,11 +162,11 @@ class LoadHistory {
   std::vector<double> lengths_;       ///< from a row to the next, in distance or time
   std::vector<double> speed_;         ///< of the distance: |v|, or 1
   std::vector<double> force_;
-  double printed_ = 0;          ///< a force that changes by less has been printed with few digits
-  std::vector<double> load_;    ///< normal load over the problem's
-  std::vector<double> size_;    ///< half-width over the problem's
-  std::vector<double> bound_;   ///< peak, or friction coefficient, over the problem's
-  bool point_contact_ = false;  ///< as RunRows::point_contact
+  double largest_force_ = 0;
+  std::vector<double> load_;                ///< normal load over the problem's
+  std::vector<double> size_;                ///< half-width over the problem's
+  std::vector<double> bound_;               ///< peak, or friction coefficient, over the problem's
+  bool point_contact_ = false;              ///< as RunRows::point_contact
   std::vector<Eigen::Array3d> shift_rate_;  ///< coefficients of the shift's rate as a polynomial,
                                             ///< from each row on
 };

@@ -30,8 +30,9 @@ class PatchHistory {
   /// Distances of the rows of the file alone  [mm]
   std::vector<double> row_distances() const { return rows().row_distances(); }
 
-  /// The load of a row, as LoadHistory::of_row().
+  /// The load and the contact of a row, as LoadHistory::of_row().
   PatchLoad of_row(std::size_t row) const;
+  ContactScale contact_of_row(std::size_t row) const { return rows().contact_of_row(row); }
 
   /// The load at a distance within the rows  [mm]
   PatchLoad at(double distance) const;
@@ -43,6 +44,7 @@ class PatchHistory {
   /// resultants at its end.
   struct Standing {
     PatchLoad load;
+    ContactScale contact;        ///< at the end
     std::optional<double> time;  ///< at the end, if the rows have times  [s]
   };
 
