@@ -25,8 +25,8 @@ std::string duration(double seconds) {
 
 std::string named(const Candidate& one) {
   constexpr double nothing_but_rounding = 1e-9;
-  const std::string by =
-      one.rows > 0 ? fmt::format("grid.rows {} and", one.rows) : fmt::format("{} with", one.scheme);
+  std::string by = one.scheme == "rows" ? "" : one.scheme + " with";
+  if (one.rows > 0) by += fmt::format("{}grid.rows {} and", by.empty() ? "" : " ", one.rows);
   return fmt::format("{} grid.elements {} (error {})", by, one.elements,
                      one.error < nothing_but_rounding ? "below 1e-9" : format_roughly(one.error));
 }

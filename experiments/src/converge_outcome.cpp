@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "converge_outcome.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <stdexcept>
@@ -10,12 +11,15 @@
 
 #include "campaign.hpp"
 #include "microslip/experiments/contact_tables.hpp"
+#include "microslip/patch/patch_rolling.hpp"
 #include "microslip/support/interpolation.hpp"
 #include "microslip/support/require.hpp"
+#include "rolled_patch.hpp"
 
 namespace microslip::experiments {
 
 using Eigen::Index;
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 namespace {
@@ -32,6 +36,12 @@ Outcome outcome_of(const SteadyProblem& problem) {
           .lost = solution.dissipation};
 }
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point before) {
+  return std::chrono::duration<double>(Clock::now() - before).count();
+}
+
 Outcome outcome_of(const TransientScene& scene) {
   TransientRolling rolling(scene.problem, scene.start, scene.loads.contact_at(0));
   Outcome outcome;
@@ -40,11 +50,9 @@ Outcome outcome_of(const TransientScene& scene) {
   std::vector<double> distance{rolling.state().distance};
   std::vector<double> answer{under_force ? 0 : rolling.state().force};
   WorstOfSteps worst;
-  using Clock = std::chrono::steady_clock;
   Clock::time_point before = Clock::now();
   rolling.roll_to(scene.distance, scene.step_lengths(), scene.loads, [&](const TransientState& s) {
-    const Clock::time_point now = Clock::now();
-    const double took = std::chrono::duration<double>(now - before).count();
+    const double took = seconds_since(before);
     if (distance.size() > 1) outcome.longest_step = std::max(outcome.longest_step, took);
     const double length = s.distance - distance.back();
     answer.push_back(under_force ? answer.back() + length * s.creepage : s.force);
@@ -72,14 +80,72 @@ Outcome outcome_of(const SteadyPatch& patch) {
   return outcome;
 }
 
+Outcome outcome_of(const PatchTransient& scene) {
+  const PatchHistory& loads = scene.loads;
+  const PatchBound& bound = scene.patch.bound;
+  RolledPatch rolled(scene.patch, scene.scheme, loads.contact_at(0));
+  Outcome outcome;
+  Outcome::PatchSteps steps{bound.size(), {}, {}};
+  Vector3d way = Vector3d::Zero();
+  Evidence worst;
+  int iterations = 0;
+  const auto include = [&](const PatchStepEnd& end, double length) {
+    way += length * end.motion;
+    steps.resultants.emplace_back(
+        end.resultants.cwiseQuotient(largest_resultants(bound, end.contact)));
+    steps.ways.push_back(way);
+    outcome.lost += length * end.dissipation;
+    worst = worst_of(worst, end.evidence);
+    iterations = std::max(iterations, end.iterations);
+  };
+  for (const PatchLoad& load : scene.shifts) include(rolled.shift(load), 1);
+  if (scene.start) rolled.start_from(*scene.start);
+  std::vector<double> distance{scene.from};
+  for_steps(scene.distance, scene.step_lengths(), scene.from,
+            [&](double from, double to, double length) {
+              std::optional<ContactScale> contact;
+              if (loads.changes_contact()) contact = loads.contact_at(to);
+              const Clock::time_point before = Clock::now();
+              const PatchStepEnd end = rolled.roll(length, loads.between(from, to), contact);
+              if (distance.size() > 1) {
+                outcome.longest_step = std::max(outcome.longest_step, seconds_since(before));
+              }
+              include(end, length);
+              distance.push_back(to);
+            });
+  require_evidence(worst, rolled.condition().value_or(1), iterations, scene.patch.accepted);
+  outcome.distance = VectorXd::Map(distance.data(), static_cast<Index>(distance.size()));
+  outcome.patch_steps = std::move(steps);
+  return outcome;
+}
+
 Outcome outcome_of(const SteadyTarget&) { throw std::logic_error("converge: a target error"); }
 Outcome outcome_of(const PatchTarget&) { throw std::logic_error("converge: a target error"); }
 Outcome outcome_of(const CylinderScene&) { throw std::logic_error("converge: a cylinder"); }
-Outcome outcome_of(const PatchTransient&) {
-  throw std::logic_error("converge: steps of an ellipse");
+
+/// Both have the same steps.
+double error_of(const Outcome::PatchSteps& steps, const Outcome::PatchSteps& exact) {
+  if (steps.ways.size() != exact.ways.size()) {
+    throw std::logic_error("converge: other steps of an ellipse");
+  }
+  double of_resultants = 0;
+  MotionChange of_ways{exact.size};
+  for (std::size_t i = 0; i < exact.ways.size(); ++i) {
+    of_resultants = std::max(of_resultants,
+                             (steps.resultants[i] - exact.resultants[i]).lpNorm<Eigen::Infinity>());
+    of_ways.include(steps.ways[i], exact.ways[i]);
+  }
+  return std::max(of_resultants, of_ways.relative());
 }
 
 }  // namespace
+
+bool Outcome::has_answer() const {
+  if (patch) return !patch->solution.resultants.isZero(0);
+  if (!patch_steps) return !answer.isZero(0);
+  return std::ranges::any_of(patch_steps->resultants,
+                             [](const Vector3d& one) { return !one.isZero(0); });
+}
 
 Outcome solved(const Model& model) {
   return std::visit([](const auto& read) { return outcome_of(read); }, model);
@@ -91,6 +157,9 @@ Errors errors_of(const Outcome& outcome, const Outcome& exact) {
     const double answer =
         change_of(exact.patch->problem, outcome.patch->solution, exact.patch->solution);
     return {answer, not_given, energy};
+  }
+  if (exact.patch_steps) {
+    return {error_of(*outcome.patch_steps, *exact.patch_steps), not_given, energy};
   }
   const VectorXd answer = interpolated(exact.distance, exact.answer, outcome.distance);
   const VectorXd traction = interpolated(exact.x, exact.traction, outcome.x);

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <optional>
+#include <vector>
 
 #include "microslip/patch/steady_patch.hpp"
 #include "microslip/scene/model.hpp"
@@ -27,12 +28,18 @@ struct Outcome {
   };
   std::optional<Patch> patch = std::nullopt;
 
+  /// A patch after its shifts and steps.
+  struct PatchSteps {
+    double size;                              ///< c  [mm]
+    std::vector<Eigen::Vector3d> resultants;  ///< over the largest ones  [1]
+    std::vector<Eigen::Vector3d> ways;        ///< crept so far, by the bodies  [mm, mm, rad]
+  };
+  std::optional<PatchSteps> patch_steps = std::nullopt;
+
   /// Counts the steps of a transient; steady rolling counts as one step.
   double steps() const { return std::max(1.0, static_cast<double>(distance.size() - 1)); }
 
-  bool has_answer() const {
-    return patch ? !patch->solution.resultants.isZero(0) : !answer.isZero(0);
-  }
+  bool has_answer() const;
 };
 
 /// Solves a scene.
@@ -41,7 +48,9 @@ Outcome solved(const Model& model);
 
 /// Relative errors.
 struct Errors {
-  double answer;    ///< in a patch as change_of()
+  /// In a patch as change_of(); of steps the largest one of resultants after each step over the
+  /// largest that friction carries, and of the ways crept over the longest of their kind.
+  double answer;
   double traction;  ///< not given in a patch
   double energy;
 };

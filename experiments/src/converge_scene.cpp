@@ -54,7 +54,11 @@ std::vector<Contestant> contestants_for(bool steady) {
 }
 
 std::vector<Contestant> contestants_for(const ConvergeScene& converge) {
-  if (converge.shape) return {{.name = "rows", .settings = {}}};
+  if (converge.shape && converge.steady) return {{.name = "rows", .settings = {}}};
+  if (converge.shape) {
+    return {{.name = "remembered", .settings = {"step.scheme=remembered"}},
+            {.name = "direct", .settings = {"step.scheme=direct"}}};
+  }
   return contestants_for(converge.steady);
 }
 
@@ -71,6 +75,14 @@ Model model_of(const ConvergeScene& converge, const Contestant& contestant, Inde
   Scene scene = converge.scene;
   if (converge.shape) scene.set(fmt::format("grid.rows={}", rows_for(*converge.shape, elements)));
   scene.set(fmt::format("grid.elements={}", elements));
+  if (!converge.step_parts.empty()) {
+    std::string ratios;
+    for (const double part : converge.step_parts) {
+      ratios +=
+          fmt::format("{}{}", ratios.empty() ? "" : " ", static_cast<double>(elements) * part);
+    }
+    scene.set("step.ratio=" + ratios);
+  }
   for (const std::string& setting : contestant.settings) scene.set(setting);
   return read_model(scene);
 }
@@ -142,7 +154,8 @@ Model reference_model(const ConvergeScene& converge) {
 
 /// Leaves out the largest of the default numbers where the reference would take minutes.
 void limit_elements(ConvergeScene& converge, Scene& scene) {
-  constexpr double most_operations = 5e11;  // half a minute
+  // Half a minute. An ellipse has two references, and twice as many grids of nearly their size.
+  const double most_operations = converge.shape ? 1e11 : 5e11;
   constexpr std::size_t least_count = 3;
   const Index most = converge.elements.back();
   const double work = work_needed(reference_model(converge));
@@ -174,11 +187,17 @@ void require_reference(ConvergeScene& converge) {
 }
 
 std::string quantity_of(const ConvergeScene& converge) {
-  if (converge.shape) return "forces (over full sliding), moment and motions";
+  if (converge.shape && converge.steady) return "forces (over full sliding), moment and motions";
+  if (converge.shape) return "forces (over full sliding), moment and ways crept";
   return converge.under_force ? "creepage" : "force";
 }
 
 std::string of_answer(const ConvergeScene& converge) {
+  if (converge.shape && !converge.steady) {
+    return "the largest one after any step of forces over full sliding, the moment over that of "
+           "turning, and ways crept over the longest of their kind; steps have the same lengths "
+           "with all N";
+  }
   if (converge.shape) {
     return "the largest one of forces over full sliding, the moment over that of turning, and "
            "motions that follow over the largest of their kind";
@@ -245,27 +264,33 @@ ConvergeScene read_converge(Scene& scene) {
   if (std::holds_alternative<CylinderScene>(model)) {
     reject("problem", "cylinder", "steady or transient, which have a load");
   }
-  if (std::holds_alternative<PatchTransient>(model)) {
-    reject("problem", "transient", "steady for an ellipse");
-  }
   const auto* transient = std::get_if<TransientScene>(&model);
-  if (transient != nullptr && transient->from > 0) {
+  const auto* rolling = std::get_if<PatchTransient>(&model);
+  if ((transient != nullptr && transient->from > 0) ||
+      (rolling != nullptr && rolling->state.has_value())) {
     reject("start.type", "state", "another start: a state belongs to one scheme and N");
   }
-  if (transient != nullptr && !transient->loads.stops().empty()) {
+  const bool stops = (transient != nullptr && !transient->loads.stops().empty()) ||
+                     (rolling != nullptr && !rolling->loads.stops().empty());
+  if (stops) {
     reject("load.file", scene.text("load.file"), "rows that neither turn nor shift the bodies");
   }
-  const auto* patch = std::get_if<SteadyPatch>(&model);
+  const auto* patch = rolling != nullptr ? &rolling->patch : std::get_if<SteadyPatch>(&model);
   const auto* steady = std::get_if<SteadyProblem>(&model);
   ConvergeScene read{.scene = scene,
                      .elements = {15, 31, 63, 127, 255},
                      .error = 0,
                      .step_time = std::nullopt,
-                     .steady = transient == nullptr,
+                     .steady = transient == nullptr && rolling == nullptr,
                      .shape = std::nullopt,
                      .under_force = false,
                      .memory = 0,
                      .reference = scene.word("converge.reference")};
+  if (rolling != nullptr && (scene.has("step.ratio") || rolling->loads.distances().empty())) {
+    for (const double ratio : rolling->step_ratios) {
+      read.step_parts.push_back(ratio / static_cast<double>(rolling->patch.elements));
+    }
+  }
   if (patch != nullptr) {
     read.shape = patch->bound.shape();
     read.elements = elements_for(patch->bound.shape());

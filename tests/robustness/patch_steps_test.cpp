@@ -127,7 +127,7 @@ TEST_F(PatchSteps, AreRefusedInOneLineThatNamesTheKey) {
   expect_refused("--set cylinder.mass=1", "key 'cylinder.mass' has no role here");
   expect_refused("--set step.scheme=direct --save x",
                  "step.scheme = 'direct': expected remembered with --save");
-  for (const char* command : {"curve", "converge", "response"}) {
+  for (const char* command : {"curve", "response"}) {
     const Outcome outcome = run_in_folder(std::string(command) + " ellipse_transient.info");
     EXPECT_EQ(outcome.status, 1) << command;
     EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
@@ -136,6 +136,28 @@ TEST_F(PatchSteps, AreRefusedInOneLineThatNamesTheKey) {
                           "load.force= --set load.spin= --set load.spin_moment_ratio=0.9")
                 .status,
             2);
+}
+
+TEST_F(PatchSteps, ConvergeOnRowsThatFit) {
+  const std::string few = " --elements '5 8' --set motion.distance='5 mm'";
+  const Outcome outcome =
+      run_in_folder("converge ellipse_transient.info --step-time '1 s' --out converged" + few);
+  EXPECT_EQ(outcome.status, 0) << outcome.error;
+  EXPECT_EQ(std::count(outcome.output.begin(), outcome.output.end(), '\n'), 2) << outcome.output;
+  EXPECT_TRUE(outcome.output.starts_with("for an error of 0.001 in the forces (over full sliding)"))
+      << outcome.output;
+  EXPECT_NE(outcome.output.find("within 1 s a step: remembered with grid.rows "), std::string::npos)
+      << outcome.output;
+  const std::string table = text_of(folder_ / "converged" / "converge.tsv");
+  EXPECT_NE(table.find("\nremembered\t8\t"), std::string::npos) << table;
+  EXPECT_NE(table.find("\ndirect\t8\t"), std::string::npos) << table;
+  EXPECT_EQ(run_in_folder("plot converged --to a.svg").output, "drew a.svg\n");
+  run_in_folder("ellipse_transient.info --quiet --save state --set motion.distance='5 mm'");
+  const Outcome continued = run_in_folder(
+      "converge ellipse_transient.info --set start.type=state --set start.state=state");
+  EXPECT_EQ(continued.status, 1);
+  EXPECT_NE(continued.error.find("start.type = 'state': expected another start"), std::string::npos)
+      << continued.error;
 }
 
 }  // namespace microslip::patch_steps_test

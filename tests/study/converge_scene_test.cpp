@@ -4,13 +4,18 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "good_scene.hpp"
+#include "microslip/patch/patch_rolling.hpp"
 #include "microslip/patch/steady_patch.hpp"
 #include "microslip/scene/model.hpp"
 #include "scene_text.hpp"
@@ -102,6 +107,64 @@ TEST(Converge, MeasuresTheErrorsOfAnEllipse) {
   EXPECT_LT(error_of(table, "rows", 14), error_of(table, "rows", 5) / 3);
 }
 
+/// An ellipse that begins to roll under a force along and a creepage across.
+const std::string ellipse_steps =
+    "problem transient\nmaterial { shear_modulus 82000\n poisson_ratio 0.28 }\n"
+    "contact { half_width 6\n lateral_half_width 4\n peak_traction 300 }\n"
+    "load { force -3000\n lateral_creepage 0.001\n spin 0.0001 }\nstart { type cattaneo }\n";
+
+// All grids have the steps of the scene, whose own grid has 10 elements a row. The errors are those
+// of runs that are made by hand, on a grid that is no multiple of the reference.
+TEST(Converge, MeasuresTheErrorsOfStepsOfAnEllipse) {
+  const std::string text = ellipse_steps +
+                           "step { ratio \"1 0.5\" }\nmotion { distance 9 }\n"
+                           "grid { rows 7\n elements 10 }\n";
+  const std::vector<Table> tables = tables_of(text, "converge { elements \"5 8 16\" }\n");
+  const Table& table = tables.front();
+  const auto run = [&](int rows, int elements) {
+    Scene scene = scene_of(text);
+    scene.set("grid.rows=" + std::to_string(rows));
+    scene.set("grid.elements=" + std::to_string(elements));
+    scene.set("step.ratio=" + std::to_string(0.1 * elements) + " " +
+              std::to_string(0.05 * elements));
+    const auto read = std::get<PatchTransient>(read_model(scene));
+    PatchRolling rolling(read.patch);
+    rolling.shift(read.shifts.front());
+    std::vector<Eigen::Vector3d> all;
+    Eigen::Vector3d way = rolling.motion();
+    double lost = rolling.dissipation();
+    for_steps(9, {1.2, 0.6}, 0, [&](double from, double to, double length) {
+      rolling.roll(length, read.loads.between(from, to));
+      way += length * rolling.motion();
+      lost += length * rolling.dissipation();
+      all.push_back(rolling.resultants().cwiseQuotient(
+          largest_resultants(read.patch.bound, rolling.contact())));
+    });
+    return std::tuple(all, way, lost);
+  };
+  const auto [exact, exact_way, exact_lost] = run(19, 25);
+  const double reference = tables[2].number(2, "value");
+  EXPECT_LT(reference, 5e-3);
+  for (const auto& [rows, elements] : {std::pair(4, 5), std::pair(6, 8), std::pair(12, 16)}) {
+    const auto [found, way, lost] = run(rows, elements);
+    ASSERT_EQ(found.size(), 10U);
+    double largest = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      largest = std::max(largest, (found[i] - exact[i]).lpNorm<Eigen::Infinity>());
+    }
+    const double of_way = (way - exact_way).head<2>().lpNorm<Eigen::Infinity>() /
+                          exact_way.head<2>().lpNorm<Eigen::Infinity>();
+    const double said = error_of(table, "remembered", elements);
+    EXPECT_GE(said, std::max(largest, of_way) - 2 * reference - 1e-3) << elements;
+    EXPECT_LE(said, 2 * std::max(largest, of_way) + 2 * reference + 1e-3) << elements;
+    EXPECT_NEAR(table.latest({{"scheme", "remembered"}, {"elements", elements}}, "energy_error"),
+                std::abs(lost / exact_lost - 1), 2 * reference + 2e-3);
+    EXPECT_EQ(table.latest({{"scheme", "remembered"}, {"elements", elements}}, "steps"), 10);
+  }
+  EXPECT_LT(error_of(table, "remembered", 16), error_of(table, "remembered", 5) / 4);
+  EXPECT_GT(error_of(table, "direct", 16), error_of(table, "remembered", 16));
+}
+
 // The reference's error is that of half its elements: about four times its own.
 TEST(Converge, SaysHowFarTheReferenceMayBeOff) {
   const auto tables = [](const std::string& elements) {
@@ -152,6 +215,11 @@ TEST(Converge, RefusesWhatItCannotCompare) {
   EXPECT_EQ(refusal(steady, "converge.step_time=1 ms"),
             "problem = 'steady': expected transient with converge.step_time");
   EXPECT_EQ(refusal(steady, "load.force=0"), "converge: expected a load that is not zero");
+  const std::string rolled = ellipse_steps + "step { ratio 1 }\nmotion { distance 2 }\n";
+  EXPECT_EQ(refusal(rolled, "converge.reference=chebyshev"),
+            "converge.reference = 'chebyshev': expected best or fine for an ellipse");
+  EXPECT_EQ(refusal(rolled, "converge.elements=10 67"),
+            "converge.elements = 67: expected at most 66 in an ellipse");
   EXPECT_TRUE(
       refusal(transient, "converge.elements=50000")
           .starts_with("converge.elements = 50000: expected fewer: the reference with 200003 "

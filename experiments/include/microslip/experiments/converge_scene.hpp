@@ -24,9 +24,12 @@ struct ConvergeScene {
   bool under_force;                    ///< so that the creepage is the answer, else the force
   double memory;                       ///< that the reference takes  [bytes]
   std::string reference;               ///< best, chebyshev or fine
+  /// Of steps of an ellipse, which have the same lengths on all grids: dq over 2 a, so that N times
+  /// as much is step.ratio; empty if rows of load.file are the steps.
+  std::vector<double> step_parts = {};
 };
 
-/// All keys of a steady or transient scene, of an ellipse a steady one; converge.elements (15 31 63
+/// All keys of a steady or transient scene; converge.elements (15 31 63
 /// 127 255; of an ellipse six from 0.3 to 1.4 times its default, up to 66), converge.error
 /// (1e-3), converge.step_time and converge.reference best|chebyshev|fine (best).
 /// \throws std::invalid_argument for a cylinder, target_error, start.type state, the reference
@@ -38,7 +41,8 @@ ConvergeScene read_converge(Scene& scene);
 /// step). The best reference of steady rolling is the inversion where it holds; the best of all
 /// else is fine: the default scheme of those by elements with 4 N + 3 elements for the largest N,
 /// of which the difference to 2 N + 1 elements is the reference's error. An ellipse has rows that fit
-/// its elements, and its reference 3 N/2 elements, of which the difference to one less is the error.
+/// its elements, and its reference 3 N/2 elements, of which the difference to one less is the error; its
+/// steps have the same lengths with all N.
 ///
 /// \throws std::invalid_argument if the answer is zero all the way, or chebyshev does not take it
 /// \throws NotConverged         if the reference has no solution
