@@ -90,8 +90,8 @@ TEST(CRoll, ThatFailsMakesNoStep) {
     }
     expect_same(answers(handle), answers(twin));
   };
-  expect_refused("steps[17]: dq = -1: expected 0, or from 1e-15 to",
-                 [](Steps& r) { r.dq[17] = -1; });
+  expect_refused("steps[17]: dq = 1e-30: expected 0, or from 1e-15 to",
+                 [](Steps& r) { r.dq[17] = 1e-30; });
   expect_refused("steps[0]: force = nan: expected an absolute value",
                  [&](Steps& r) { r.load[0] = nan; });
   expect_refused("steps[5]: half_width_factor = -2: expected a number >= 0",

@@ -6,11 +6,13 @@
 
 namespace microslip {
 
-/// Says how many of the generated cases a test takes: a third, or all with MICROSLIP_SAMPLES=all, as
-/// `make verify` has it.
-inline int samples(int all) {
+/// Tells whether tests take all that they can, with MICROSLIP_SAMPLES=all, as `make verify` has it.
+inline bool takes_all_samples() {
   const char* given = std::getenv("MICROSLIP_SAMPLES");
-  return given != nullptr && std::string_view(given) == "all" ? all : (all + 2) / 3;
+  return given != nullptr && std::string_view(given) == "all";
 }
+
+/// Says how many of the generated cases a test takes: a third, or all.
+inline int samples(int all) { return takes_all_samples() ? all : (all + 2) / 3; }
 
 }  // namespace microslip

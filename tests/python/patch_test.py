@@ -177,7 +177,7 @@ def test_fields_belong_together(ellipse):
 
 
 @pytest.mark.parametrize("given, message", [
-    ({"dq": [1, -1, 1], "creepage": 0}, r"^step 1: dq = -1: expected a length from"),
+    ({"dq": [1, 1e-30, 1], "creepage": 0}, r"^step 1: dq = 1e-30: expected a length from"),
     ({"dq": [1, np.nan], "creepage": 0}, r"^step 1: dq = nan: expected a length from"),
     ({"dq": 1, "force": 1e5}, r"^force = 1e\+05: expected less than full sliding, 24000 N"),
     ({"dq": [1, 1], "lateral_force": [0, 1e5]}, r"^step 1: lateral_force = 1e\+05: expected less than full sliding"),

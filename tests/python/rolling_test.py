@@ -137,7 +137,7 @@ def test_energy_is_balanced(scene, random):
 
 
 @pytest.mark.parametrize("given, message", [
-    ({"dq": [0.1, -1, 0.1], "creepage": 0}, r"^step 1: dq = -1: expected 0, or from 1e-15"),
+    ({"dq": [0.1, 1e-30, 0.1], "creepage": 0}, r"^step 1: dq = 1e-30: expected 0, or from 1e-15"),
     ({"dq": np.r_[np.full(1500, 0.1), np.nan], "creepage": 0}, r"^step 1500: dq = nan: expected 0, or from"),
     ({"dq": 0.1, "force": 12345}, r"^force = 12345: expected an absolute value below full sliding"),
     ({"dq": [0.1, 0.2], "creepage": [1, 2, 3]}, r"^dq: expected arrays of one length, not of dq 2, creepage 3"),

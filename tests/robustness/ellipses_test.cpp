@@ -119,7 +119,7 @@ TEST_F(Ellipses, AreExplainedWhereTheyAreVeryWide) {
 
 // Rounding grows with the cells.
 TEST_F(Ellipses, AreSolvedOnFineRows) {
-  const int rows = 10 + samples(30);  // 20, or 40
+  const int rows = takes_all_samples() ? 40 : 20;
   const Outcome fine = solve("--set grid.rows=" + std::to_string(rows) +
                              " --set grid.elements=" + std::to_string(rows) +
                              " --set load.creepage=0 --set load.lateral_creepage=0 --set "
@@ -196,8 +196,7 @@ TEST_F(Ellipses, AreSolvedToATarget) {
                  "key 'grid.rows' has no role here: it is for ellipses without target_error");
   const Outcome outcome = solve("--target-error 1e-9");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_NE(outcome.error.find("target_error = 1e-09: expected about "),
-            std::string::npos)
+  EXPECT_NE(outcome.error.find("target_error = 1e-09: expected about "), std::string::npos)
       << outcome.error;
   EXPECT_EQ(std::count(outcome.error.begin(), outcome.error.end(), '\n'), 1) << outcome.error;
   EXPECT_FALSE(fs::exists(folder_ / "out"));
