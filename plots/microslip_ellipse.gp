@@ -97,7 +97,7 @@ do for [pass=1:2] {
   set size ratio -1
   set xrange [x_middle - wide:x_middle + wide]
   set yrange [y_middle - high:y_middle + high]
-  set label 3 "x [mm], rolling to the right" at screen 0.55, screen 1 - (top + map_height + 56) / height center
+  set label 3 x_label at screen 0.55, screen 1 - (top + map_height + 56) / height center
   set ylabel "y [mm]" offset -1.2, 0
   set xtics scale 0
   set ytics scale 0
@@ -123,7 +123,7 @@ do for [pass=1:2] {
   unset colorbox
   set xtics scale 0.6 autofreq
   set ytics scale 0.6 autofreq
-  set xlabel "x [mm], rolling to the right"
+  set xlabel x_label
   set size noratio
   eval area(top + map_height + 154, height - 55)
   set autoscale

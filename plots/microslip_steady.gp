@@ -17,7 +17,7 @@ do for [pass=1:2] {
   eval end_panel
   eval area(top + 226, top + 433)
   set format x
-  set xlabel "x [mm], rolling to the right"
+  set xlabel x_label
   set ylabel "relative slip s"
   eval without_key
   eval flat_axis(traction, "x", x_range, "slip", "no slip: all sticks")

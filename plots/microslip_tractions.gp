@@ -10,7 +10,7 @@ do for [pass=1:2] {
   eval begin_pass
   eval area(top, height - 62)
   eval "set xrange ".x_range
-  set xlabel "x [mm], rolling to the right"
+  set xlabel x_label
   set ylabel "traction p [N/mm^2]"
   eval draw_key
   eval drawn_tractions

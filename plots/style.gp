@@ -66,6 +66,7 @@ same(a, b) = abs(a - b) <= 1e-9 * abs(b)
 # On logarithmic axes, what is nothing but rounding.
 shown(error) = error < 1e-16 ? 1e-16 : error
 
-# These are the visible ranges of the horizontal axis and of the axis of a history; draw.sh may have set them.
+# These are the visible ranges of the horizontal axis and of the axis of a history, and a name; draw.sh may have set them.
 if (!exists("x_range")) x_range = "[*:*]"
+if (!exists("x_label")) x_label = "x [mm], rolling to the right"
 if (!exists("history_range")) history_range = "[*:*]"

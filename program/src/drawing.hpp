@@ -59,6 +59,9 @@ std::string color_of(std::size_t i, std::size_t count);
 /// The colour of exact solutions.
 inline constexpr const char* black = "#000000";
 
+/// Whether the bodies roll back at the end of a result with a history.
+bool ends_backward(const Result& result);
+
 /// Letters of a label that have room in the key.
 inline constexpr std::size_t label_letters = 60;
 

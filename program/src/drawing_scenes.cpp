@@ -135,6 +135,12 @@ Names quantities_of(const std::string& kind) {
 /// The column of a history that has the distance rolled.
 std::string distance_column(const std::string& kind) { return kind == "cylinder" ? "X" : "q"; }
 
+/// Whether a history is of bodies that turn or stand within their run.
+bool stands_or_turns(const Table& history) {
+  const Names names = names_of(history.columns());
+  return std::ranges::find(names, "shift") != names.end();
+}
+
 void require_times(const Result& result, const Table& history) {
   const Names names = names_of(history.columns());
   if (std::ranges::find(names, "t") != names.end()) return;
@@ -157,10 +163,12 @@ void add_histories(Drawing& drawing, const std::vector<Result>& results) {
   drawing.axes.emplace_back(
       "over", over_time ? "time t [s]" : fmt::format("distance rolled {} [mm]", distance));
   Table all = empty_table("history", drawn);
+  bool turns = false;
   for (std::size_t i = 0; i < results.size(); ++i) {
     Table history = table_in(results[i].folder, "history").table;
     if (drawing.kind == "history") history = without_rounding(history, quantities);
     if (over_time) require_times(results[i], history);
+    turns = turns || stands_or_turns(history);
     const std::size_t begin = all.rows();
     append(all, i + 1, history, taken, drawing.history);
     for (const std::string& motion : motions_of(drawing.kind)) {
@@ -168,9 +176,20 @@ void add_histories(Drawing& drawing, const std::vector<Result>& results) {
     }
   }
   drawing.tables.push_back(all);
+  if (turns && !over_time) drawing.axes.back().second = "position q [mm]";
 }
 
 }  // namespace
+
+bool ends_backward(const Result& result) {
+  if (!std::filesystem::exists(result.folder / "history.tsv")) return false;
+  const Table history = table_in(result.folder, "history").table;
+  if (!stands_or_turns(history)) return false;
+  const auto place = [&](std::size_t i) { return number_of(history.at(i, "q")).value_or(NAN); };
+  std::size_t last = history.rows() - 1;
+  while (last > 0 && place(last - 1) == place(last)) --last;
+  return last > 0 && place(last) < place(last - 1);
+}
 
 Drawing drawing_of_scenes(const std::vector<Result>& results, const std::string& over) {
   Drawing drawing{.kind = common_kind(results)};

@@ -247,6 +247,11 @@ void draw_results(const std::string& name, const std::vector<Result>& results, c
   if (given.count("x") != 0) {
     settings += fmt::format("x_range='{}';", axis_of("x", given, drawing.horizontal, drawing.unit));
   }
+  const auto backward = std::ranges::count_if(results, ends_backward);
+  if (backward > 0) {
+    const bool all = backward == static_cast<std::ptrdiff_t>(results.size());
+    settings += fmt::format("x_label='x [mm]{}';", all ? ", rolling to the left at the end" : "");
+  }
   if (drawing.history.values.empty()) {
     reject_options_of(given, {"q", "time"}, "a transient or a cylinder");
   }

@@ -178,6 +178,26 @@ TEST_F(Plots, OverTimeOrDistance) {
   EXPECT_TRUE(has(drawn("rolls", "rolls.svg"), ">distance rolled X [mm]<"));
 }
 
+TEST_F(Plots, OfRunsThatTurnSayWhereTheyRoll) {
+  run_in_folder("init transient");
+  std::ofstream(folder_ / "back.tsv") << "q creepage\n0 0.001\n20 0.001\n5 0.001\n";
+  std::ofstream(folder_ / "forth.tsv") << "q creepage\n0 0.001\n-20 0.001\n5 0.001\n";
+  for (const std::string name : {"back", "forth"}) {
+    const Outcome outcome = run_in_folder(
+        "transient.info --set load.force= --set load.creepage= --set load.force_ratio= --set "
+        "start.type=rest --set start.force= --set motion.distance= --set load.file=" +
+        name + ".tsv --out " + name);
+    ASSERT_EQ(outcome.status, 0) << outcome.error;
+  }
+  const std::string back = drawn("back", "back.svg"), forth = drawn("forth", "forth.svg");
+  EXPECT_TRUE(has(back, "rolling to the left at the end"));
+  EXPECT_TRUE(has(back, "position q [mm]"));
+  EXPECT_TRUE(has(forth, "rolling to the right"));
+  EXPECT_TRUE(has(forth, "position q [mm]"));
+  const std::string both = drawn("back forth", "back_and_forth.svg");
+  EXPECT_FALSE(has(both, "rolling to the"));
+}
+
 TEST_F(Plots, TimesThatAreNone) {
   run_in_folder("init transient");
   run_in_folder("transient.info --set grid.elements=20 --out rolled");

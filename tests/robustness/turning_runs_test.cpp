@@ -65,6 +65,7 @@ void expect_near(const std::vector<double>& found, const std::vector<double>& ex
 /// Times, velocities and rotations that brake, stand and roll back.
 std::string braking(double sign, const std::string& more = "") {
   std::ostringstream rows;
+  rows.precision(17);
   rows << "t v omega" << (more.empty() ? "" : " lateral_creepage spin") << '\n';
   for (int i = 0; i <= 40; ++i) {
     const double t = 0.1 * i;
