@@ -58,7 +58,7 @@ class Generator {
 // and is five times the error in the middle of the cases.
 TEST(GeneratedPatchTargets, EstimatesHold) {
   constexpr double side = 29;  // of the grid of the truth
-  constexpr int loads = 8;
+  const int loads = takes_all_samples() ? 8 : 4;
   Generator generator(5);
   int held = 0, broken = 0, refused = 0, impossible = 0, above = 0;
   std::vector<double> ratios;
@@ -100,11 +100,11 @@ TEST(GeneratedPatchTargets, EstimatesHold) {
   std::cout << held << " held, " << broken << " broken, " << refused << " refused, " << impossible
             << " impossible; the estimate over the error is " << ratios[ratios.size() / 2]
             << " in the middle\n";
-  EXPECT_GE(held, 20 * broken);
+  EXPECT_LE(broken, 1 + held / 40);
   EXPECT_EQ(above, 0);
-  EXPECT_LE(refused, ellipses * loads / 4);
+  EXPECT_LE(refused, 1 + ellipses * loads / 6);
   EXPECT_LE(impossible, ellipses * loads / 10);
-  EXPECT_LT(ratios[ratios.size() / 2], 10);
+  EXPECT_LT(ratios[ratios.size() / 2], takes_all_samples() ? 10 : 20);
 }
 
 }  // namespace microslip::generated_patch_targets_test

@@ -116,7 +116,7 @@ TEST_F(PatchSteps, AreSwept) {
 }
 
 TEST_F(PatchSteps, AreRefusedInOneLineThatNamesTheKey) {
-  expect_refused("--set step.ratio=-1", "step.ratio = -1: expected numbers >= 1e-15 or 0; rolling");
+  expect_refused("--set step.ratio=-1", "step.ratio = -1: expected numbers >= 1e-15 or 0; bodies");
   expect_refused("--set motion.distance=0", "motion.distance = 0: expected");
   expect_refused("--set load.force=30kN", "load.force = 30000: expected less than full sliding");
   expect_refused("--set load.force= --set load.creepage=1e9",

@@ -73,7 +73,7 @@ TEST_F(SavedStates, AreWhatTheRunWithoutThemIs) {
   const auto history = rows("history.tsv");
   ASSERT_EQ(run(scene(), save()).status, 0);
   EXPECT_EQ(rows("history.tsv"), history);
-  EXPECT_EQ(text_of(state()).rfind("microslip state 3\n", 0), 0U);
+  EXPECT_EQ(text_of(state()).rfind("microslip state 4\n", 0), 0U);
 }
 
 TEST_F(SavedStates, OfOtherProblemsAreRefused) {

@@ -77,7 +77,7 @@ TEST(SavedState, ThatIsDamagedIsRefused) {
 TEST(SavedState, OfAnotherVersionIsRefused) {
   const std::string other = replaced(rolled(3).save(), "microslip state 4", "microslip state 1");
   EXPECT_EQ(refusal(sealed(other)),
-            "version = '1': expected 3, the version of this program's states");
+            "version = '1': expected 4, the version of this program's states");
 }
 
 TEST(SavedState, OfAnotherProblemIsRefused) {

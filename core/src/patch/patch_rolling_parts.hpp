@@ -69,7 +69,7 @@ struct PatchRolling::Parts {
     return step.dq > 0 ? units().motion : units().shift;
   }
 
-  /// Of the present contact  [mm]
+  /// The size of the present contact  [mm]
   double size() const { return now.half_width * units().size; }
 
   /// At the centres, over the problem's peak.
@@ -86,7 +86,7 @@ struct PatchRolling::Parts {
   const Eigen::VectorXd& last_limits() { return limits_of_bound(now.bound); }
   double condition() const { return response ? response->of.condition() : 0; }
 
-  /// Of the patch that rolls forward.
+  /// The constants of the patch that rolls forward.
   const PatchConstants& forward() const { return backward ? *turned_constants : *constants; }
 
   /// The same bodies at rest, without tractions, in the contact that was set last.

@@ -29,7 +29,7 @@ constexpr std::size_t fewest_grids = 3;
 constexpr std::size_t solving_grid = 4;
 /// A target is not tried for if second order reaches this many times as much on the finest grid.
 constexpr double hopeless = 4;
-/// Of motions, relative.
+/// Motions have this relative rounding error.
 constexpr double rounding = 1e-8;
 
 /// The part of the motion, over all of it, by slip that the cells do not resolve. If a row slips over

@@ -84,7 +84,7 @@ class LoadHistory {
   /// Distances at which the bodies turn or are shifted, ascending; steps end there  [mm]
   const std::vector<double>& stops() const { return stops_; }
 
-  /// What happens where the bodies stand.
+  /// A shift where the bodies stand, or a change of the contact.
   struct Standing {
     ShiftLoad load;              ///< the shift, or the force at its end
     ContactScale contact;        ///< at the end
@@ -92,7 +92,7 @@ class LoadHistory {
     std::optional<double> time;  ///< at the end, if the rows have times  [s]
   };
 
-  /// What happens from row to row at a distance, in turn.
+  /// Returns the shifts and changes from row to row at a distance, in turn.
   std::vector<Standing> standing_at(double distance) const;
 
   /// 1, or -1 where the bodies roll back: on the way to a distance.

@@ -145,7 +145,7 @@ class TransientRolling {
   /// Functions that are called in a run.
   struct Observer {
     std::function<void(const TransientState&, std::optional<double> time)> after_step;
-    /// Of a shift without rolling; slip, creepage and dissipation of the state are 0.
+    /// Follows a shift without rolling: slip, creepage and dissipation of the state are 0.
     std::function<void(const TransientState&, const Shift&, std::optional<double> time)>
         after_shift = {};
   };
