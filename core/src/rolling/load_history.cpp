@@ -133,8 +133,9 @@ void LoadHistory::find_stops() {
 std::vector<LoadHistory::Standing> LoadHistory::standing_at(double distance) const {
   std::vector<Standing> found;
   const auto [first, behind] = std::equal_range(distances_.begin(), distances_.end(), distance);
-  for (auto place = first; place + 1 < behind; ++place) {
-    found.push_back(standing_in(static_cast<std::size_t>(place - distances_.begin())));
+  const auto end = static_cast<std::size_t>(behind - distances_.begin());
+  for (auto row = static_cast<std::size_t>(first - distances_.begin()); row + 1 < end; ++row) {
+    found.push_back(standing_in(row));
   }
   return found;
 }
