@@ -1,6 +1,6 @@
 # A contact sticks where it is blue, the darker the nearer its tractions are to their bound, and slips where it is orange.
 # Arrows are tractions. Below: both components along the middle row and along a row halfway to the side; of several lobes
-# along the middle rows of the first two. The contact rolls to the right.
+# along the middle rows of the first two. The name of the axis says where it rolls.
 load scripts."/microslip_margins.gpi"
 traction = tables."/traction.tsv"
 edges = tables."/edges.tsv"

@@ -87,33 +87,30 @@ Outcome outcome_of(const PatchTransient& scene) {
   Outcome outcome;
   Outcome::PatchSteps steps{bound.size(), {}, {}};
   Vector3d way = Vector3d::Zero();
-  Evidence worst;
-  int iterations = 0;
+  WorstOfPatch worst;
   const auto include = [&](const PatchStepEnd& end, double length) {
     way += length * end.motion;
     steps.resultants.emplace_back(
         end.resultants.cwiseQuotient(largest_resultants(bound, end.contact)));
     steps.ways.push_back(way);
     outcome.lost += length * end.dissipation;
-    worst = worst_of(worst, end.evidence);
-    iterations = std::max(iterations, end.iterations);
+    worst.include(end);
   };
   for (const PatchLoad& load : scene.shifts) include(rolled.shift(load), 1);
   if (scene.start) rolled.start_from(*scene.start);
   std::vector<double> distance{scene.from};
   for_steps(scene.distance, scene.step_lengths(), scene.from,
             [&](double from, double to, double length) {
-              std::optional<ContactScale> contact;
-              if (loads.changes_contact()) contact = loads.contact_at(to);
               const Clock::time_point before = Clock::now();
-              const PatchStepEnd end = rolled.roll(length, loads.between(from, to), contact);
+              const PatchStepEnd end = rolled.roll(loads, from, to, length);
               if (distance.size() > 1) {
                 outcome.longest_step = std::max(outcome.longest_step, seconds_since(before));
               }
               include(end, length);
               distance.push_back(to);
             });
-  require_evidence(worst, rolled.condition().value_or(1), iterations, scene.patch.accepted);
+  require_evidence(worst.evidence, rolled.condition().value_or(1), worst.iterations,
+                   scene.patch.accepted);
   outcome.distance = VectorXd::Map(distance.data(), static_cast<Index>(distance.size()));
   outcome.patch_steps = std::move(steps);
   return outcome;

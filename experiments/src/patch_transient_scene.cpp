@@ -134,17 +134,6 @@ Table shifts_of(const PatchRecord& record) {
       {"dissipation", "N mm", "energy lost in the shift"}, {});
 }
 
-/// The worst evidence of all steps.
-struct WorstOfPatch {
-  Evidence evidence;
-  int iterations = 0;
-
-  void include(const PatchStepEnd& end) {
-    evidence = worst_of(evidence, end.evidence);
-    iterations = std::max(iterations, end.iterations);
-  }
-};
-
 /// Quantities that add up from step to step; lengths are below 0 where the bodies roll back.
 struct PatchSums {
   Vector3d path = Vector3d::Zero();  ///< [mm, mm, rad]
@@ -169,7 +158,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
                                 const std::function<void(const PatchRolling&)>& at_end) {
   const std::vector<double> lengths = scene.step_lengths();
   const PatchHistory& loads = scene.loads;
-  const std::vector<double> stops = loads.stops();
+  const std::vector<double>& stops = loads.stops();
   const std::size_t steps = number_of_steps(scene.distance, lengths, scene.from, stops);
   std::size_t done = 0;
   progress(done, scene.shifts.size() + steps);
@@ -181,7 +170,8 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
     const PatchStepEnd end = step(rolled);
     if (coarse) coarse->follow(end, length, step);
     worst.include(end);
-    progress(++done, std::max(done, scene.shifts.size() + steps));
+    ++done;
+    progress(done, std::max(done, scene.shifts.size() + steps));
     return end;
   };
 
@@ -212,25 +202,22 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   record({.q = scene.from, .time = loads.time_at(scene.from)});
   const auto stand = [&](double distance) {
     for (const PatchHistory::Standing& standing : loads.standing_at(distance)) {
-      std::optional<ContactScale> contact;
-      if (loads.changes_contact()) contact = standing.contact;
-      end = take(1, [&](RolledPatch& patch) { return patch.shift(standing.load, contact); });
+      end =
+          take(1, [&](RolledPatch& patch) { return patch.shift(standing.load, standing.contact); });
       sums.path += end.motion;
       sums.lost.add_shift(end.dissipation);
       const PatchRunRow run{loads.position_at(distance), end.motion, end.dissipation,
                             standing.time};
       end.motion.setZero();
       end.dissipation = 0;
+      end.evidence.power = 0;
       record(run);
     }
   };
   if (scene.from == 0) stand(0);
   for_steps(scene.distance, lengths, scene.from, stops, [&](double from, double to, double length) {
-    const PatchLoad load = loads.between(from, to);
     const double dq = loads.direction_to(to) * length;
-    std::optional<ContactScale> contact;
-    if (loads.changes_contact()) contact = loads.contact_at(to);
-    end = take(dq, [&](RolledPatch& patch) { return patch.roll(dq, load, contact); });
+    end = take(dq, [&](RolledPatch& patch) { return patch.roll(loads, from, to, length); });
     record({loads.position_at(to), dq * end.motion, length * end.dissipation, loads.time_at(to)});
     sums.include(end, dq);
     stand(to);

@@ -107,10 +107,12 @@ PatchStepEnd RolledPatch::shift(const PatchLoad& load, const std::optional<Conta
   return end(load);
 }
 
-PatchStepEnd RolledPatch::roll(double dq, const PatchLoad& load,
-                               const std::optional<ContactScale>& contact) {
-  if (contact) std::get<PatchRolling>(rolling_).set_contact(*contact);
-  std::visit([&](auto& of) { of.roll(dq, load); }, rolling_);
+PatchStepEnd RolledPatch::roll(const PatchHistory& loads, double from, double to, double length) {
+  const PatchLoad load = loads.between(from, to);
+  if (loads.changes_contact()) {
+    std::get<PatchRolling>(rolling_).set_contact(loads.contact_at(to));
+  }
+  std::visit([&](auto& of) { of.roll(loads.direction_to(to) * length, load); }, rolling_);
   return end(load);
 }
 

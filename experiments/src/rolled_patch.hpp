@@ -9,6 +9,7 @@
 #include "microslip/patch/patch_rolling.hpp"
 #include "microslip/patch/standard_patch.hpp"
 #include "microslip/patch/traction_table.hpp"
+#include "microslip/rolling/patch_history.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/scene/table.hpp"
 #include "microslip/support/not_converged.hpp"
@@ -44,8 +45,10 @@ class RolledPatch {
   /// \param contact  of the same size, at the end of the shift; none if it stays
   PatchStepEnd shift(const PatchLoad& load, const std::optional<ContactScale>& contact = {});
 
-  /// \param contact  at the end of the step; none if it stays
-  PatchStepEnd roll(double dq, const PatchLoad& load, const std::optional<ContactScale>& contact);
+  /// Rolls over a step of a run.
+  /// \param from, to  its ends along the way  [mm]
+  /// \param length    between them, free of their rounding  [mm]
+  PatchStepEnd roll(const PatchHistory& loads, double from, double to, double length);
 
   /// The contact itself with Remembered; nullptr otherwise.
   const PatchRolling* remembered() const { return std::get_if<PatchRolling>(&rolling_); }
@@ -67,6 +70,17 @@ class RolledPatch {
 
   SteadyPatch patch_;
   AnyRolling rolling_;
+};
+
+/// The worst evidence of all steps.
+struct WorstOfPatch {
+  Evidence evidence;
+  int iterations = 0;
+
+  void include(const PatchStepEnd& end) {
+    evidence = worst_of(evidence, end.evidence);
+    iterations = std::max(iterations, end.iterations);
+  }
 };
 
 /// The largest change of a motion, by its kind, over the largest motion of that kind.

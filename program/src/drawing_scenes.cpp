@@ -135,15 +135,8 @@ Names quantities_of(const std::string& kind) {
 /// The column of a history that has the distance rolled.
 std::string distance_column(const std::string& kind) { return kind == "cylinder" ? "X" : "q"; }
 
-/// Whether a history is of bodies that turn or stand within their run.
-bool stands_or_turns(const Table& history) {
-  const Names names = names_of(history.columns());
-  return std::ranges::find(names, "shift") != names.end();
-}
-
 void require_times(const Result& result, const Table& history) {
-  const Names names = names_of(history.columns());
-  if (std::ranges::find(names, "t") != names.end()) return;
+  if (history.has("t")) return;
   throw std::invalid_argument(
       fmt::format("--over t: '{}' has no times: expected a run whose load.file has columns t and v",
                   shown(result.name)));
@@ -168,7 +161,7 @@ void add_histories(Drawing& drawing, const std::vector<Result>& results) {
     Table history = table_in(results[i].folder, "history").table;
     if (drawing.kind == "history") history = without_rounding(history, quantities);
     if (over_time) require_times(results[i], history);
-    turns = turns || stands_or_turns(history);
+    turns = turns || history.has("shift");
     const std::size_t begin = all.rows();
     append(all, i + 1, history, taken, drawing.history);
     for (const std::string& motion : motions_of(drawing.kind)) {
@@ -181,10 +174,16 @@ void add_histories(Drawing& drawing, const std::vector<Result>& results) {
 
 }  // namespace
 
+/// The summary, which is short, says whether there is anything to look for.
 bool ends_backward(const Result& result) {
   if (!std::filesystem::exists(result.folder / "history.tsv")) return false;
+  const Table summary = table_in(result.folder, "summary").table;
+  bool turns = false;
+  for (std::size_t i = 0; i < summary.rows(); ++i) {
+    turns = turns || summary.at(i, "quantity") == Cell("position");
+  }
+  if (!turns) return false;
   const Table history = table_in(result.folder, "history").table;
-  if (!stands_or_turns(history)) return false;
   const auto place = [&](std::size_t i) { return number_of(history.at(i, "q")).value_or(NAN); };
   std::size_t last = history.rows() - 1;
   while (last > 0 && place(last - 1) == place(last)) --last;

@@ -169,6 +169,7 @@ void require_rows_carried(const NamedColumns& columns, const PatchHistory& loads
           const auto& [motion, resultant] = run_components[j];
           const std::string name = load[j].by_resultant ? resultant : motion;
           if (columns[name]) return in_row(i, name);
+          if (j == 0 && columns["omega"]) return in_row(i, "creepage by omega");
           return loads.changes_contact() ? in_row(i, "load." + name) : "load." + name;
         });
   }

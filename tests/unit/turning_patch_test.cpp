@@ -66,7 +66,7 @@ PatchLoad motion(double creepage, double lateral_creepage, double spin) {
   return {{{false, creepage}, {false, lateral_creepage}, {false, spin}}};
 }
 
-/// What is prescribed in the mirror, x' = -x.
+/// The load in the mirror, x' = -x.
 PatchLoad mirrored(PatchLoad load, bool rolls) {
   const Vector3d motions = rolls ? Vector3d(1, -1, 1) : Vector3d(-1, 1, -1);
   const Vector3d resultants(-1, 1, -1);

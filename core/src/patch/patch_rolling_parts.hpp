@@ -52,7 +52,8 @@ void require_contact(const ContactScale& scale, const PatchShape& shape);
 ///   (xi, eta, phi)' = (xi, -eta, phi) and (sx, -sy) of the slip, over dq' = -dq.
 struct PatchRolling::Parts {
   std::shared_ptr<const PatchConstants> constants;
-  /// Those of the turned patch, from the first turn on; an ellipse with Hertz's bound is its own.
+  /// The constants of the turned patch, made at the first turn; an ellipse with Hertz's bound has its
+  /// own.
   std::shared_ptr<const PatchConstants> turned_constants;
   bool backward = false;
   PatchMaterial material;
@@ -99,7 +100,7 @@ struct PatchRolling::Parts {
   /// present tractions.
   Parts turned() const;
 
-  // Between the contact's frame and this one, either way. Values of cells are in their order.
+  // These convert between the contact's frame and this one, either way.
   PatchLoad in_frame(const PatchLoad& load, bool rolls) const;
   Eigen::Vector3d resultant_signs() const;
   Eigen::Vector3d motion_signs() const;  ///< of the last step

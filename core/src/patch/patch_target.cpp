@@ -123,11 +123,11 @@ double error_of(const SteadyPatch& tried, std::size_t k, const OnGrid& found,
 std::vector<PatchGrid> grids_to_try(const PatchShape& shape) {
   constexpr Index most_cells = 1700;
   const auto lobes = static_cast<Index>(shape.lobes().size());
+  const PatchGrid finest = fitting_grid(shape, finest_side);
   std::vector<PatchGrid> grids;
   for (double side = coarsest_side; side < 1.01 * finest_side; side *= std::numbers::sqrt2) {
     PatchGrid grid = fitting_grid(shape, side);
     // Where the finest grid would have too many rows, all have fewer.
-    const PatchGrid finest = fitting_grid(shape, finest_side);
     if (finest.rows == most_cells_of_side) {
       grid.rows = std::lround(static_cast<double>(most_cells_of_side) * side / finest_side);
     }

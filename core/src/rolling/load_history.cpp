@@ -93,8 +93,6 @@ void LoadHistory::take_load(const RunRows& rows) {
   }
 }
 
-bool LoadHistory::stands_in(std::size_t row) const { return direction_[row] == 0; }
-
 LoadHistory::Standing LoadHistory::standing_in(std::size_t row) const {
   constexpr double printed = 1e-9;  // relative: numbers of tables have few digits
   const auto differ = [&](double before, double after) {
@@ -123,7 +121,7 @@ void LoadHistory::find_stops() {
   int direction = 0;
   for (std::size_t row = 0; row < direction_.size(); ++row) {
     const bool turns = direction_[row] * direction < 0;
-    const bool shifts = stands_in(row) && standing_in(row).changes;
+    const bool shifts = direction_[row] == 0 && standing_in(row).changes;
     if (direction_[row] != 0) direction = direction_[row];
     const bool is_new = stops_.empty() || stops_.back() < distances_[row];
     if ((turns || shifts) && is_new) stops_.push_back(distances_[row]);

@@ -30,8 +30,13 @@ PatchHistory::PatchHistory(const PatchLoad& constant)
     : components_{constant_component(constant[0]), constant_component(constant[1]),
                   constant_component(constant[2])} {}
 
-PatchHistory::PatchHistory(const std::array<LoadHistory, 3>& components)
-    : components_(components) {}
+PatchHistory::PatchHistory(const std::array<LoadHistory, 3>& components) : components_(components) {
+  for (const LoadHistory& component : components_) {
+    stops_.insert(stops_.end(), component.stops().begin(), component.stops().end());
+  }
+  std::ranges::sort(stops_);
+  stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
+}
 
 bool PatchHistory::changes_size() const {
   if (!changes_contact()) return false;
@@ -44,22 +49,13 @@ PatchLoad PatchHistory::of_row(std::size_t row) const {
   return patch_load(components_, [&](const LoadHistory& of) { return of.of_row(row); });
 }
 
-std::vector<double> PatchHistory::stops() const {
-  std::vector<double> all;
-  for (const LoadHistory& component : components_) {
-    all.insert(all.end(), component.stops().begin(), component.stops().end());
-  }
-  std::ranges::sort(all);
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
-}
-
 std::vector<PatchHistory::Standing> PatchHistory::standing_at(double distance) const {
   std::array<std::vector<LoadHistory::Standing>, 3> parts;
   for (std::size_t j = 0; j < parts.size(); ++j) parts[j] = components_[j].standing_at(distance);
   std::vector<Standing> found;
   for (std::size_t i = 0; i < parts[0].size(); ++i) {
-    Standing standing{.load = {}, .contact = parts[0][i].contact, .time = parts[0][i].time};
+    Standing standing{.load = {}, .contact = {}, .time = parts[0][i].time};
+    if (changes_contact()) standing.contact = parts[0][i].contact;
     bool changes = false;
     for (std::size_t j = 0; j < parts.size(); ++j) {
       const Prescribed prescribed(parts[j][i].load);

@@ -138,7 +138,6 @@ class LoadHistory {
   Place place_of(double distance) const;
   Place place_before(double distance) const;
   Place place_in(std::size_t row, double distance) const;
-  bool stands_in(std::size_t row) const;
   Standing standing_in(std::size_t row) const;
   ContactScale contact_in(std::size_t row) const;
   template <class Value>

@@ -38,14 +38,14 @@ class PatchHistory {
   PatchLoad at(double distance) const;
 
   /// Distances at which the bodies turn or are shifted, ascending; steps end there  [mm]
-  std::vector<double> stops() const;
+  const std::vector<double>& stops() const { return stops_; }
 
   /// A shift without rolling: shifts [mm] and a rotation [rad] in the place of motions, or
   /// resultants at its end.
   struct Standing {
     PatchLoad load;
-    ContactScale contact;        ///< at the end
-    std::optional<double> time;  ///< at the end, if the rows have times  [s]
+    std::optional<ContactScale> contact;  ///< at the end, if the rows have it
+    std::optional<double> time;           ///< at the end, if the rows have times  [s]
   };
 
   /// The shifts at a distance, in turn.
@@ -55,7 +55,7 @@ class PatchHistory {
   /// \param from, to  distances from the first row, in [0, distance()], from < to  [mm]
   PatchLoad between(double from, double to) const;
 
-  /// As LoadHistory.
+  /// Direction and place along the way, as LoadHistory has them.
   int direction_to(double distance) const { return rows().direction_to(distance); }
   double position_at(double distance) const { return rows().position_at(distance); }
 
@@ -76,6 +76,7 @@ class PatchHistory {
 
  private:
   std::array<LoadHistory, 3> components_;
+  std::vector<double> stops_;
 };
 
 }  // namespace microslip

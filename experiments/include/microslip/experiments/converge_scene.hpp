@@ -24,14 +24,13 @@ struct ConvergeScene {
   bool under_force;                    ///< so that the creepage is the answer, else the force
   double memory;                       ///< that the reference takes  [bytes]
   std::string reference;               ///< best, chebyshev or fine
-  /// Of steps of an ellipse, which have the same lengths on all grids: dq over 2 a, so that N times
-  /// as much is step.ratio; empty if rows of load.file are the steps.
+  /// Steps of an ellipse have the same lengths on all grids: these are dq over 2 a, so that N times
+  /// as much is step.ratio. There are none if rows of load.file are the steps.
   std::vector<double> step_parts = {};
 };
 
-/// All keys of a steady or transient scene; converge.elements (15 31 63
-/// 127 255; of an ellipse six from 0.3 to 1.4 times its default, up to 66), converge.error
-/// (1e-3), converge.step_time and converge.reference best|chebyshev|fine (best).
+/// All keys of a steady or transient scene; converge.elements (15 31 63 127 255; of an ellipse six
+/// from 0.3 to 1.4 times its default, up to 66), converge.error (1e-3), converge.step_time and converge.reference best|chebyshev|fine (best).
 /// \throws std::invalid_argument for a cylinder, target_error, start.type state, the reference
 ///         chebyshev of a transient, and a reference of more than 1e13 operations
 ConvergeScene read_converge(Scene& scene);
