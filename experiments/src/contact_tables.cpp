@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/contact_tables.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -50,6 +52,14 @@ void add_evidence(Table& summary, const Evidence& evidence, const Judged& judged
   const auto doubt =
       judged.doubt ? judged.doubt : doubt_of(evidence, judged.accepted, judged.steady);
   summary.add({"warning", doubt.value_or("none"), "1"});
+}
+
+std::string second_solution(SlipBranch branch) {
+  const bool least = branch == SlipBranch::least;
+  return fmt::format(
+      "there is a second solution, of bodies that {}, as friction falls with slip "
+      "(contact.slip_branch {})",
+      least ? "slide faster" : "slide more slowly", least ? "most" : "least");
 }
 
 }  // namespace microslip::experiments

@@ -31,7 +31,8 @@ SteadyProblem contact_of(const TransientProblem& problem) {
           .grid = problem.grid,
           .load = PrescribedCreepage{0},
           .solver = problem.solver,
-          .accepted = problem.accepted};
+          .accepted = problem.accepted,
+          .friction = problem.friction};
 }
 
 SteadyProblem read_contact_of_curve(Scene& scene) {
@@ -76,9 +77,11 @@ SteadySolution solved_at(const SteadyProblem& problem, double creepage) {
   }
 }
 
-/// Returns a creepage at which the whole contact slides, with some margin.
-double beyond_sliding(const SteadyProblem& problem) {
+/// Returns a creepage at which the whole contact slides, with some margin. Friction that falls with
+/// slip lets it slide at less.
+double beyond_sliding(SteadyProblem problem) {
   constexpr double almost_all = 0.999, margin = 1.25;
+  problem.friction.reset();
   const double most = full_sliding_force(problem.contact.bound);
   return rounded_up(margin * solved(problem, PrescribedForce{-almost_all * most}).creepage);
 }
@@ -112,6 +115,9 @@ Table empty_curve(const CurveScene& scene) {
     columns.push_back({"fastsim_force", "N/mm", "F by FASTSIM"});
     columns.push_back(
         {"fastsim_error", "1", "size of the difference of the force, over full sliding", 1e-12});
+  }
+  if (scene.problem.friction) {
+    columns.push_back({"second_solution", "1", "1 if there is another one, with other slip"});
   }
   columns.push_back({"method", "1", "that made the solution"});
   return {"curve", "force of steady rolling against the creepage", columns};
@@ -160,7 +166,7 @@ std::vector<Table> curve_tables(const CurveScene& scene, const Progress& progres
   std::optional<Fastsim> fastsim;
   if (scene.with_fastsim) fastsim.emplace(half_width_of(problem.contact.bound), most, *slope);
 
-  const bool warns_of_fallback = !problem.contact.has_unlike_bodies() &&
+  const bool warns_of_fallback = !problem.contact.has_unlike_bodies() && !problem.friction &&
                                  !std::holds_alternative<TabulatedBound>(problem.contact.bound);
   Table table = empty_curve(scene);
   std::string fallback;
@@ -176,8 +182,13 @@ std::vector<Table> curve_tables(const CurveScene& scene, const Progress& progres
       row.emplace_back(force);
       row.emplace_back(error);
     }
+    if (problem.friction) row.emplace_back(point.has_second ? 1.0 : 0.0);
     row.emplace_back(name_of(point.scheme));
     table.add(row);
+    if (fallback.empty() && point.has_second) {
+      fallback = fmt::format("creepage = {}: {}", format_short(creepage),
+                             second_solution(problem.friction->branch));
+    }
     if (fallback.empty() && !point.fallback.empty() && warns_of_fallback) {
       fallback = fmt::format("creepage = {}: by {}, because {}", format_short(creepage),
                              name_of(point.scheme), point.fallback);

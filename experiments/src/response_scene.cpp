@@ -34,6 +34,7 @@ constexpr double default_longest = 300;
 struct ContactOf {
   SteadyContact operator()(const SteadyProblem& problem) const {
     if (problem.contact.has_unlike_bodies()) refuse("the bodies differ in material");
+    if (problem.friction) refuse("friction depends on slip");
     return {problem.contact, problem.load};
   }
   SteadyContact operator()(const SteadyTarget& target) const { return target.contact; }
@@ -45,6 +46,7 @@ struct ContactOf {
       throw std::invalid_argument("load.file: expected one load, of which there is a steady state");
     }
     if (scene.problem.contact.has_unlike_bodies()) refuse("the bodies differ in material");
+    if (scene.problem.friction) refuse("friction depends on slip");
     return {scene.problem.contact, scene.loads.at(0)};
   }
   SteadyContact operator()(const CylinderScene&) const {

@@ -20,13 +20,15 @@ std::string method_of(const SteadySolution& solution) {
                      solution.fallback.empty() ? "" : ", because " + solution.fallback);
 }
 
-/// Warns if another scheme ran than asked for. Tables do not count, whose elements have evidence of
-/// their own, nor other bounds than Hertz's for bodies of different material: elements are the
-/// regular way to solve them.
+/// Warns if there is another solution, or if another scheme ran than asked for. Tables do not count, whose elements have evidence of
+/// their own, nor other bounds than Hertz's for bodies of different material, nor friction that
+/// depends on slip: elements are the regular way to solve them.
 std::optional<std::string> doubt_of(const SteadySolution& solution, const SteadyProblem& problem) {
+  if (solution.has_second) return second_solution(problem.friction->branch);
   const bool table = std::holds_alternative<TabulatedBound>(problem.contact.bound);
-  const bool elements = problem.contact.has_unlike_bodies() &&
-                        !std::holds_alternative<HertzBound>(problem.contact.bound);
+  const bool elements =
+      problem.friction || (problem.contact.has_unlike_bodies() &&
+                           !std::holds_alternative<HertzBound>(problem.contact.bound));
   if (solution.fallback.empty() || table || elements) return std::nullopt;
   return method_of(solution);
 }
@@ -50,6 +52,7 @@ Table summary_of(const std::string& description, const SteadySolution& solution,
   summary.add({"slip_elements", solution.slip_elements(), "1"});
   summary.add({"iterations", solution.iterations, "1"});
   summary.add({"dissipation", solution.dissipation, "N/mm"});
+  if (problem.friction) summary.add({"second_solution", solution.has_second ? 1 : 0, "1"});
   summary.add({"method", name_of(solution.scheme), "1"});
   if (error) summary.add({"estimated_error", *error, "1"});
   add_evidence(summary, solution.evidence,
@@ -66,7 +69,7 @@ Table summary_of(const std::string& description, const SteadySolution& solution,
 SteadySolution solve_with_change(const SteadyProblem& problem) {
   constexpr Eigen::Index fewest = 8;
   SteadySolution solution = solve_steady(problem);
-  const bool by_elements = std::holds_alternative<Calibrated>(problem.method) ||
+  const bool by_elements = problem.friction || std::holds_alternative<Calibrated>(problem.method) ||
                            std::holds_alternative<Differences>(problem.method);
   const Eigen::Index elements = problem.grid.size();
   if (!by_elements || elements < fewest ||

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -126,6 +128,10 @@ std::optional<std::string> doubt_of(const ShiftRecord& shifts, const Acceptance&
   return doubt ? std::optional("in the shifts, " + *doubt) : std::nullopt;
 }
 
+std::string in_steps(std::size_t steps, const std::string& doubt) {
+  return fmt::format("in {} step{}, {}", steps, steps == 1 ? "" : "s", doubt);
+}
+
 }  // namespace
 
 std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress) {
@@ -147,6 +153,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   if (scene.from == 0) start.iterations = 0;  // the start is no step
   add(history, start, {.time = scene.loads.time_at(scene.from)}, scene);
   double cumulative_creep = 0;
+  std::size_t doubled = 0;
   LostEnergy lost;
   const double full = full_sliding_force(scene.problem.contact.bound);
   double distance_before = start.distance, force_before = start.force;
@@ -156,6 +163,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
     cumulative_creep += run.shift;
     distance_before = state.distance;
     force_before = state.force;
+    doubled += state.has_second ? 1 : 0;
     worst.include(state);
   };
   rolling.roll_to(
@@ -196,8 +204,11 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
     summary.add({"shift_sum", shifts.distance, "mm"});
     summary.add({"shift_dissipated_energy", shifts.dissipation, "N"});
   }
+  const std::optional<SlipFriction>& friction = scene.problem.friction;
+  if (friction) summary.add({"steps_with_second_solution", doubled, "1"});
   summary.add({"method", name_of(scene.problem.scheme), "1"});
   auto doubt = shift_doubt;
+  if (!doubt && doubled > 0) doubt = in_steps(doubled, second_solution(friction->branch));
   if (!doubt && !microslip::doubt_of(worst.evidence, scene.problem.accepted, false)) {
     doubt = lost.doubt();
   }

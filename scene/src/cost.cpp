@@ -106,9 +106,12 @@ struct StepsOf {
 
 /// Constants are of the runs of the study speed_accuracy.
 struct WorkOf {
+  static constexpr double rounds_of_friction = 25;  ///< that depends on slip, in each step
+
   double operator()(const SteadyProblem& problem) const {
     const auto n = static_cast<double>(problem.grid.size());
     const bool strip = std::isfinite(problem.contact.kernel.clear_distance());
+    if (problem.friction) return (0.4 * n + 600) * n * n;
     if (std::holds_alternative<Inversion>(problem.method) &&
         problem.contact.kernel.is_half_space()) {
       const auto* table = std::get_if<TabulatedBound>(&problem.contact.bound);
@@ -142,7 +145,8 @@ struct WorkOf {
   double operator()(const TransientScene& scene) const {
     const double steps = steps_needed(scene);
     const double elements = (scene.distance - scene.from) / scene.problem.grid.spacing() / steps;
-    return steps * solves_of_step(scene.problem.scheme, elements) *
+    const double rounds = scene.problem.friction ? rounds_of_friction : 1;
+    return steps * rounds * solves_of_step(scene.problem.scheme, elements) *
                (of_step(scene.problem, std::ranges::all_of(scene.step_ratios, is_whole)) +
                 (scene.loads.changes_contact() ? of_change(scene.problem) : 0)) +
            steps_of_shift * static_cast<double>(scene.shifts.size()) * of_step(scene.problem, true);

@@ -47,8 +47,8 @@ std::string method_of(const SteadyProblem& problem) {
   }
   const auto* differences = std::get_if<Differences>(&problem.method);
   const double c = differences == nullptr ? 1 : differences->step_ratio;
-  const bool by_elements =
-      std::holds_alternative<Inversion>(problem.method) && !problem.contact.kernel.is_half_space();
+  const bool by_elements = std::holds_alternative<Inversion>(problem.method) &&
+                           (problem.friction || !problem.contact.kernel.is_half_space());
   const SteadyEntry& entry = by_elements ? steady_scheme("calibrated") : entry_of(problem);
   return fmt::format(fmt::runtime(entry.text),
                      fmt::arg("functions", problem.basis.name() + " functions"),
@@ -127,11 +127,24 @@ const std::string normal_changes =
 const std::string normal =
     "the normal contact: bound and edges are given, or by Hertz from the load, and stay as they "
     "are";
+/// How friction falls with slip.
+std::vector<std::string> falling(const std::optional<SlipFriction>& friction) {
+  if (!friction) return {};
+  const std::string memory =
+      friction->remembers()
+          ? fmt::format("over a length of slip of {:.5g} mm", friction->memory_length)
+          : "at once; a short step then has two solutions or more (docs/theory.md)";
+  return {fmt::format("friction falls with slip to {:.5g} of that at rest, {}",
+                      friction->law(std::numeric_limits<double>::infinity()), memory)};
+}
+
 const std::string how_steady = "the start of rolling, and the inertia of the bodies";
 const std::string details =
     "creepage in the other direction, spin, bodies of different material, friction that depends on "
     "slip, heat, "
     "wear";
+const std::string details_of_falling =
+    "creepage in the other direction, spin, bodies of different material, heat, wear";
 const std::string details_of_unlike =
     "creepage in the other direction, spin, friction that depends on slip, heat, wear";
 
@@ -362,11 +375,13 @@ struct Explain {
     std::ranges::copy(tabulated(problem.contact.bound, problem.grid),
                       std::back_inserter(consequences));
     std::ranges::copy(stretched(problem), std::back_inserter(consequences));
+    std::ranges::copy(falling(problem.friction), std::back_inserter(consequences));
     Explanation found = steady(kind_of(problem.load), consequences);
     if (problem.contact.has_unlike_bodies()) {
       found.not_modelled = {normal, goodman(problem.contact.coupling), how_steady,
                             details_of_unlike};
     }
+    if (problem.friction) found.not_modelled.back() = details_of_falling;
     return with_kernel(problem.contact, found);
   }
   Explanation operator()(const SteadyTarget& target) const {
@@ -401,6 +416,7 @@ struct Explain {
     consequences.push_back(rolled(scene, scene.distance, scene.problem.grid));
     consequences.push_back(method_of(scene.problem.scheme));
     std::ranges::copy(stretched(scene.problem), std::back_inserter(consequences));
+    std::ranges::copy(falling(scene.problem.friction), std::back_inserter(consequences));
     std::vector<std::string> not_modelled = {
         scene.loads.changes_contact() ? normal_changes : normal,
         "inertia of the bodies (problem cylinder has it)", details};
@@ -409,6 +425,7 @@ struct Explain {
                       "tractions of bodies that are pressed together: they start without any",
                       not_modelled[1], details_of_unlike};
     }
+    if (scene.problem.friction) not_modelled.back() = details_of_falling;
     return with_kernel(scene.problem.contact,
                        {fmt::format("transient rolling under {}{}", kind_of(scene.loads.at(0)),
                                     scene.loads.distances().empty() ? "" : " that changes"),

@@ -28,6 +28,10 @@ constexpr std::string_view whole_contact =
 constexpr std::string_view elements = "scenes without method chebyshev and target_error";
 constexpr std::string_view with_load = "scenes with contact.normal_load";
 constexpr std::string_view with_roughness = "scenes with contact.roughness";
+constexpr std::string_view with_friction_law = "scenes with contact.friction_law";
+constexpr std::string_view line_by_elements =
+    "line contacts of problem steady or transient, of bodies of one material, without target_error "
+    "and method chebyshev, with step.scheme remembered or direct";
 constexpr std::string_view half_spaces = "kernel.type strip or plane, or contact.normal_load";
 constexpr std::string_view unlike =
     "problem steady or transient with kernel.type plane, without target_error";
@@ -114,6 +118,46 @@ constexpr auto keys = std::to_array<Key>({
      .role = lateral_radii},
     {"contact.friction", number, "1", "friction coefficient mu", range_above(0, 10), "",
      "scenes with contact.normal_load, or bodies of different material"},
+    {.name = "contact.friction_law",
+     .type = word,
+     .meaning = "fall of friction with the speed of slip s V, from the bound at rest",
+     .note = "none: Coulomb's friction",
+     .role = line_by_elements,
+     .words = {"linear", "exponential", "rational", "table"}},
+    {.name = "contact.kinetic_ratio",
+     .meaning = "friction at a high speed of slip over that at rest, mu_k/mu_s",
+     .range = fraction,
+     .role = "scenes with contact.friction_law, but for a table"},
+    {.name = "contact.half_speed",
+     .unit = "mm/s",
+     .meaning = "speed of slip at which half of the fall is done",
+     .range = above_zero,
+     .role = "scenes with contact.friction_law, but for a table"},
+    {.name = "contact.friction_file",
+     .type = file,
+     .meaning = "table with columns speed, of slip, and ratio, friction over that at rest; linear "
+                "between its rows, constant behind the last one",
+     .note = "a file; the first row has speed 0 and ratio 1",
+     .role = "contact.friction_law table"},
+    {.name = "contact.friction_memory",
+     .unit = "mm",
+     .meaning = "length of slip over which friction comes to that of the law, but for 1/e",
+     .range = range_from(0),
+     .note = "none: friction is that of the law at once",
+     .role = with_friction_law},
+    {.name = "contact.memory_speed",
+     .unit = "mm/s",
+     .meaning = "least speed with which that length is used up, also where the bodies stick",
+     .range = range_from(0),
+     .role = "scenes with contact.friction_memory",
+     .fallback = 0},
+    {.name = "contact.slip_branch",
+     .type = word,
+     .meaning = "of several solutions, the one that is found from sticking bodies, or from bodies "
+                "that slide fast",
+     .role = with_friction_law,
+     .words = {"least", "most"},
+     .first_is_default = true},
     {.name = "contact.bound_polynomial",
      .type = list,
      .meaning =
@@ -276,6 +320,11 @@ constexpr auto keys = std::to_array<Key>({
      .note = "NAME = NAME IN THE FILE, with commas between them; the names of load.file without it",
      .role = "load.file",
      .patch_role = "load.file"},
+    {.name = "load.speed",
+     .unit = "mm/s",
+     .meaning = "speed of rolling V",
+     .range = above_zero,
+     .role = "scenes with contact.friction_law, but for a load.file with times"},
     {.name = "load.radius",
      .unit = "mm",
      .meaning = "R of the creepage (v - omega R)/v",

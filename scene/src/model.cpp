@@ -19,6 +19,7 @@
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 #include "run_file.hpp"
+#include "slip_friction.hpp"
 #include "start_file.hpp"
 
 namespace microslip {
@@ -168,6 +169,17 @@ const SteadyEntry& read_steady_scheme(Scene& scene) {
   return steady_scheme(chebyshev ? "chebyshev" : scene.word("leading_edge"));
 }
 
+bool takes_slip_friction(const SteadyProblem& problem) {
+  return !problem.contact.has_unlike_bodies() &&
+         !std::holds_alternative<ChebyshevCollocation>(problem.method);
+}
+
+bool takes_slip_friction(const TransientProblem& problem) {
+  return !problem.contact.has_unlike_bodies() &&
+         (std::holds_alternative<Remembered>(problem.scheme) ||
+          std::holds_alternative<Direct>(problem.scheme));
+}
+
 /// Takes notice of a load that has no part in the model.
 Load read_no_load(Scene& scene) {
   for (const std::string& key : load_keys) {
@@ -210,6 +222,7 @@ SteadyProblem read_steady(Scene& scene, bool with_load) {
   SteadyProblem problem = solved_by(
       entry, read_steady(scene, entry.method(step_ratio), bodies.combined, with_load), step_ratio);
   press(scene, bodies, problem);
+  if (takes_slip_friction(problem)) problem.friction = read_slip_friction(scene);
   const std::string instead = "leading_edge inversion";
   if (entry.safe_steps) warn_outside(scene, *entry.safe_steps, "step.ratio", step_ratio, instead);
   if (entry.by_elements) {
@@ -267,8 +280,10 @@ TransientProblem read_transient_problem(Scene& scene) {
 }
 
 TransientScene read_transient(Scene& scene) {
-  const TransientProblem problem = read_transient_problem(scene);
+  TransientProblem problem = read_transient_problem(scene);
   const LoadHistory loads = read_loads(scene, problem);
+  if (takes_slip_friction(problem)) problem.friction = read_slip_friction(scene, loads);
+  validate(problem);
   const std::vector<double> step_ratios = read_steps(scene, problem, loads);
   const std::vector<double> judged = judged_steps(scene, step_ratios);
   for (const double ratio : judged) {

@@ -23,11 +23,13 @@ ContactGrid::ContactGrid(const TransientProblem& problem)
                   weights_, problem.solver),
       traction_bound_(problem.contact.bound),
       advection_(problem.contact.kernel, problem.basis, spacing_, problem.grid.size(),
-                 problem.scheme, problem.solver) {
+                 problem.scheme, problem.solver),
+      friction_(problem.friction) {
   x_ = problem.grid.nodes();
   bound_ = bound_at(problem.contact.bound, x_);
   mean_bound_ = element_means(problem.contact.bound, x_, weights_);
   conditions_.bound = bound_;
+  if (friction_) search_.emplace(friction_->branch);
 }
 
 std::unique_ptr<RollingGrid> ContactGrid::clone() const {
@@ -48,12 +50,35 @@ void ContactGrid::start_from(const VectorXd& traction, TransientState& state) {
 
 Shift ContactGrid::solve_shift(const TransientState& before, const ShiftLoad& load,
                                TransientState& after) {
+  conditions_.bound = bound_;
   conditions_.offset.setZero(x_.size());
   conditions_.reference = before.traction;
   contact_.zones = before.zones;
   active_set_.solve(conditions_, load, contact_);
   return fill_shift(before.distance, before.traction, contact_, contact_.slip, bound_, mean_bound_,
                     after);
+}
+
+/// Solves the conditions of a step.
+/// \param length  of the step, over which its slip is  [mm]
+void ContactGrid::solve_slip(const ShiftLoad& load, double length) {
+  if (!friction_) return active_set_.solve(conditions_, load, contact_);
+  conditions_.bound = bound_;
+  const double time = length / friction_->speed;
+  const auto ratio_of = [&](const VectorXd& slip, VectorXd& ratio) {
+    for (Index i = 0; i < slip.size(); ++i) {
+      ratio[i] = friction_->law(std::abs(slip[i]) / time);
+    }
+  };
+  search_->solve(active_set_, conditions_, load, ratio_of, contact_);
+}
+
+void ContactGrid::accept_step() {
+  if (search_) ratio_ = search_->ratio();
+}
+
+void ContactGrid::set_speed(double speed) {
+  if (friction_) friction_->speed = speed;
 }
 
 void ContactGrid::solve_step(const TransientState& before, double length, const Load& load,
@@ -70,10 +95,12 @@ void ContactGrid::solve_step(const TransientState& before, double length, const 
                           mean_bound_around(traction_bound_, centres, solved_length);
   }
   contact_.zones = before.zones;
-  active_set_.solve(conditions_, over_length(load, solved_length), contact_);
+  solve_slip(over_length(load, solved_length), solved_length);
   const double fraction = advection_.fraction(step_ratio);
   contact_.traction = (1 - fraction) * before.traction + fraction * contact_.traction;
-  fill_state(before.distance + length, contact_, solved_length, bound_, mean_bound_, after);
+  fill_state(before.distance + length, contact_, solved_length, conditions_.bound,
+             search_ ? mean_bound_.cwiseProduct(search_->ratio()) : mean_bound_, after);
+  after.has_second = search_ && search_->has_second();
   after.dissipation = dissipation(before, after, length);
   after.mean_force = (before.force + after.force) / 2;
 }

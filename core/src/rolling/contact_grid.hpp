@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <optional>
 
+#include "../friction/slip_friction_search.hpp"
 #include "microslip/friction/active_set.hpp"
 #include "microslip/rolling/advection.hpp"
 #include "rolling_grid.hpp"
@@ -27,8 +29,12 @@ class ContactGrid final : public RollingGrid {
                     TransientState& after) override;
   void solve_step(const TransientState& before, double length, const Load& load,
                   TransientState& after, StepJacobian* jacobian) override;
+  void accept_step() override;
+  void set_speed(double speed) override;
 
  private:
+  void solve_slip(const ShiftLoad& load, double length);
+
   double dissipation(const TransientState& before, const TransientState& after,
                      double length) const;
 
@@ -38,6 +44,8 @@ class ContactGrid final : public RollingGrid {
   TractionBound traction_bound_;
   Eigen::VectorXd mean_bound_;
   Advection advection_;
+  std::optional<SlipFriction> friction_;
+  std::optional<SlipFrictionSearch> search_;  ///< if friction depends on slip
 
   // Conditions and state of the step that was solved last.
   SlipConditions conditions_;

@@ -25,6 +25,12 @@ class RollingGrid {
 
   const Eigen::VectorXd& x() const { return x_; }          ///< in the contact's frame  [mm]
   const Eigen::VectorXd& bound() const { return bound_; }  ///< that tractions keep  [N/mm^2]
+  /// mu/mu_s at the nodes; empty if friction does not depend on slip.
+  const Eigen::VectorXd& friction_ratio() const { return ratio_; }
+
+  /// The speed of the next steps, where friction depends on slip  [mm/s]
+  virtual void set_speed(double) {}
+
   Eigen::VectorXd weights() const {
     return placed_.half_width * weights_;
   }  ///< of tractions, in a force  [mm]
@@ -111,6 +117,7 @@ class RollingGrid {
                    const Eigen::VectorXd& mean_bound, TransientState& state) const;
 
   Eigen::VectorXd x_, bound_;
+  Eigen::VectorXd ratio_;    ///< mu/mu_s at the nodes
   Eigen::VectorXd weights_;  ///< of the problem's contact  [mm]
   ContactScale placed_;      ///< the contact of x_ and bound_
   ContactScale target_;      ///< that at the end of the next step

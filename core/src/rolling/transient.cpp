@@ -8,6 +8,7 @@
 #include <numeric>
 #include <utility>
 
+#include "microslip/rolling/schemes.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 #include "rolling_grid.hpp"
@@ -107,6 +108,23 @@ class Schedule {
 
 }  // namespace
 
+void validate(const TransientProblem& problem) {
+  validate(problem.contact);
+  if (!problem.friction) return;
+  validate(*problem.friction);
+  if (problem.contact.has_unlike_bodies()) {
+    throw std::invalid_argument("friction_law: expected none where bodies differ in material");
+  }
+  if (std::holds_alternative<Remembered>(problem.scheme)) return;
+  if (!std::holds_alternative<Direct>(problem.scheme)) {
+    reject("scheme", name_of(problem.scheme),
+           "remembered or direct where friction depends on slip");
+  }
+  if (problem.friction->remembers()) {
+    reject("scheme", name_of(problem.scheme), "remembered where friction has a memory");
+  }
+}
+
 void require_definite(const TransientProblem& problem) {
   require_definite(problem.contact.kernel, problem.grid.half_width() + problem.grid.spacing());
 }
@@ -175,7 +193,9 @@ VectorXd TransientRolling::traction_at_nodes() const { return grid_->traction_at
 VectorXd TransientRolling::bound_at_nodes() const {
   const auto& [half_width, bound] = state_.scale;
   if (half_width == 0) return VectorXd::Zero(grid_->x().size());
-  return bound * bound_at(problem_.contact.bound, grid_->x() / half_width);
+  VectorXd values = bound * bound_at(problem_.contact.bound, grid_->x() / half_width);
+  const VectorXd& ratio = grid_->friction_ratio();
+  return ratio.size() > 0 ? VectorXd(values.cwiseProduct(ratio)) : values;
 }
 VectorXd TransientRolling::displacement() const { return grid_->displacement(state_.traction); }
 
@@ -216,6 +236,12 @@ Shift TransientRolling::shift(const ShiftLoad& load) {
   std::swap(state_, next_);
   grid_->accept_step();
   return result;
+}
+
+void TransientRolling::set_speed(double speed) {
+  require_positive("speed", speed);
+  solved_.reset();
+  grid_->set_speed(speed);
 }
 
 void TransientRolling::set_contact(const ContactScale& scale) {
@@ -310,6 +336,9 @@ void TransientRolling::roll_on(double origin, double start, double distance,
   for_steps(distance, lengths, start, loads.ends_of_steps(),
             [&](double from, double to, double length) {
               if (loads.changes_contact()) set_contact(loads.contact_at(to));
+              if (problem_.friction && loads.time_at(to)) {
+                set_speed(length / (*loads.time_at(to) - *loads.time_at(from)));
+              }
               step(loads.direction_to(to) * length, loads.between(from, to));
               // The same place, with fewer rounding errors.
               state_.distance = origin + loads.position_at(to);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -26,6 +27,18 @@ void archive_kernel(Archive& archive, const Kernel& kernel) {
   kernel.each_parameter([&](const char* name, const auto& value) { archive.same(name, value); });
 }
 
+/// The law by its values: at the speed of rolling, a half of it, and so on.
+void archive_friction(Archive& archive, const SlipFriction& friction) {
+  constexpr Index values = 30;
+  VectorXd law(values);
+  for (Index i = 0; i < values; ++i) {
+    law[i] = friction.law(friction.speed * std::exp2(-static_cast<double>(i)));
+  }
+  archive.same("friction_law", law);
+  archive.same("friction_memory", friction.memory_length);
+  archive.same("memory_speed", friction.memory_speed);
+}
+
 /// The problem that a state belongs to.
 void archive_problem(Archive& archive, const TransientProblem& problem) {
   const Index n = problem.grid.size();
@@ -43,6 +56,7 @@ void archive_problem(Archive& archive, const TransientProblem& problem) {
   archive.same("bound", bound_at(problem.contact.bound, nodes));
   const VectorXd lengths = VectorXd::Constant(n, problem.grid.spacing());
   archive.same("mean_bound", element_means(problem.contact.bound, nodes, lengths));
+  if (problem.friction) archive_friction(archive, *problem.friction);
 }
 
 void archive_count(Archive& archive, std::string_view name, int& count) {

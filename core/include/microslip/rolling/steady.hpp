@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
+#include "microslip/friction/friction_law.hpp"
 #include "microslip/halfspace/basis.hpp"
 #include "microslip/halfspace/grid.hpp"
 #include "microslip/rolling/contact.hpp"
@@ -60,10 +61,13 @@ struct SteadyProblem {
   Load load;
   Solver solver = {};
   Acceptance accepted = {};  ///< for require_evidence
+  /// Friction that depends on slip: the contact's bound is that at rest. Inversion is replaced by
+  /// Calibrated elements, on which forces are of second order with a memory and without one.
+  std::optional<SlipFriction> friction = std::nullopt;
 };
 
-/// \throws std::invalid_argument for a contact that is not valid, and for bodies of different
-///         material if the method does not take them
+/// \throws std::invalid_argument for a contact that is not valid, for bodies of different material
+///         if the method does not take them, and for friction that depends on slip likewise
 void validate(const SteadyProblem& problem);
 
 /// Differences over one element, with mean bounds, and with the edges where the scheme feels them:
@@ -104,6 +108,9 @@ struct SteadySolution {
   std::optional<double> stick_edge = std::nullopt;
   SteadyScheme scheme = SteadyScheme::differences;
   std::string fallback = "";  ///< why it is not the scheme asked for; empty if it is
+  /// Whether a search from fast slip found another solution than one from adhesion, where friction
+  /// depends on slip.
+  bool has_second = false;
 
   Eigen::Index adhesion_elements() const;
   Eigen::Index slip_elements() const;

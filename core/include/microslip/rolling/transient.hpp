@@ -89,6 +89,11 @@ class TransientRolling {
   /// \throws as ActiveSet::solve
   double start_from_shift(const PrescribedForce& force);
 
+  /// Sets the speed of the next steps, where friction depends on slip; at first it is that of the
+  /// problem. Runs whose loads have times set it to the mean of each step.
+  /// \param speed  V, (0, inf)  [mm/s]
+  void set_speed(double speed);
+
   /// Sets the contact at the end of the next step or shift. The contact changes linearly on the way
   /// there, and stays unchanged afterwards. The functions start_from...() use this contact, too.
   /// Only with the scheme Remembered; other schemes keep the contact of the problem. If the bodies

@@ -2,11 +2,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
+#include "microslip/friction/friction_law.hpp"
 #include "microslip/halfspace/basis.hpp"
 #include "microslip/halfspace/grid.hpp"
 #include "microslip/linalg/solver.hpp"
@@ -27,10 +29,14 @@ struct TransientProblem {
   AdvectionScheme scheme;
   Solver solver = {};
   Acceptance accepted = {};  ///< for require_evidence
+  /// Friction that depends on slip: the contact's bound is that at rest. Shifts have no speed, so
+  /// that they keep the bound at rest.
+  std::optional<SlipFriction> friction = std::nullopt;
 };
 
-/// \throws std::invalid_argument for a contact that is not valid
-inline void validate(const TransientProblem& problem) { validate(problem.contact); }
+/// \throws std::invalid_argument for a contact that is not valid; and for friction that depends on
+///         slip, but with the schemes Remembered and, without a memory of friction, Direct
+void validate(const TransientProblem& problem);
 
 /// A transient is about displacements, and so wants a contact that resists them: with an L0 of
 /// plane strain up to (a + dx)/2, half the half-length of elements that reach beyond the edges by
@@ -88,6 +94,9 @@ struct TransientState {
   Evidence evidence;               ///< at its end; the residual is the worst of its parts
   Eigen::Index adhesion_elements;  ///< of those with a bound above zero
   Eigen::Index slip_elements;      ///< likewise
+  /// Whether a part of the step has another solution with faster or slower slip, where friction
+  /// depends on slip.
+  bool has_second = false;
 };
 
 }  // namespace microslip

@@ -36,6 +36,11 @@ void ShiftMemory::archive(Archive& archive, Index size) {
   archive.whole("leading_kept", leading_kept, 0, size + 1);
 }
 
+void RememberedFriction::archive(Archive& archive, Index size) {
+  archive.numbers("friction_of_points", points, size + 1);
+  archive.numbers("friction_at_nodes", nodes, size);
+}
+
 void RowMemory::archive(Archive& archive) {
   const Index size = row.size;
   archive.flag("backward", backward);
@@ -93,7 +98,13 @@ void RememberedGrid::archive(Archive& archive, bool with_solved) {
   if (shifted) standing().archive(archive, x_.size());
   memory_.archive(archive);
   if (with_solved) row_.step().memory.archive(archive);
-  if (archive.reads()) place_nodes();
+  if (row_.friction()) {
+    memory_.friction.archive(archive, x_.size());
+    if (with_solved) row_.step().memory.friction.archive(archive, x_.size());
+  }
+  if (!archive.reads()) return;
+  place_nodes();
+  ratio_ = memory_.friction.nodes;
 }
 
 }  // namespace microslip

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "remembered_grid.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -94,7 +97,8 @@ StandingRow& RememberedGrid::standing() {
 VectorXd RememberedGrid::traction_at_nodes(const TransientState& state) const {
   const Index n = x_.size();
   const VectorXd x = memory_.backward ? mirrored(problem_x_) : problem_x_;
-  const VectorXd at_nodes = state.scale.bound * bound_at(traction_bound_, x);
+  VectorXd at_nodes = state.scale.bound * bound_at(traction_bound_, x);
+  if (ratio_.size() > 0) at_nodes = at_nodes.cwiseProduct(ratio_);
   const LeadingEdgeConstants& edge = row_.edges().constants();
   VectorXd values(n);
   for (Index i = 0; i < n; ++i) {
@@ -113,6 +117,10 @@ VectorXd RememberedGrid::displacement(const VectorXd& traction) {
   const VectorXd scaled = memory_.scale.half_width * traction;
   return memory_.backward ? mirrored(row_.response().displaced_by(mirrored(scaled)))
                           : row_.response().displaced_by(scaled);
+}
+
+void RememberedGrid::set_speed(double speed) {
+  if (row_.friction()) row_.friction()->set_speed(speed);
 }
 
 void RememberedGrid::set_contact(const ContactScale& scale) {
@@ -196,11 +204,20 @@ void RememberedGrid::require_carried_back(const Prescribed& load) const {
   require_carried(load.value, target_, full_sliding_force(traction_bound_), "force");
 }
 
+/// Friction that depends on slip is solved for bodies that roll on, and without derivatives.
+void RememberedGrid::require_forward(bool backward, const StepJacobian* jacobian) {
+  if (!row_.friction() || (!backward && jacobian == nullptr)) return;
+  throw std::invalid_argument(
+      fmt::format("friction_law: expected none where {}",
+                  backward ? "bodies roll back" : "derivatives of steps are asked for"));
+}
+
 /// Rolls the row, or the mirrored row if the length is negative.
 void RememberedGrid::solve_step(const TransientState&, double signed_length, const Load& given,
                                 TransientState& after, StepJacobian* jacobian) {
   const bool backward = signed_length < 0;
   const double length = std::abs(signed_length);
+  require_forward(backward, jacobian);
   if (backward) require_carried_back(given);
   const Load load = backward ? mirrored(given) : given;
   if (length > 0 && std::holds_alternative<PrescribedCreepage>(load)) begin_lost_contact();
@@ -217,6 +234,7 @@ void RememberedGrid::solve_step(const TransientState&, double signed_length, con
   result.slip = (result.slip.array().abs() > memory.rounding()).select(result.slip, 0);
   fill_state(memory.distance, result, length, row_.bound(), row_.bound(), after);
   give_tractions(memory, after);
+  after.has_second = row_.friction() && row_.friction()->has_second();
   after.mean_force = step.mean_force / length;
   after.dissipation = -(step.work + memory.stored - from.stored) / length;
   if (jacobian != nullptr) {
@@ -235,6 +253,9 @@ void RememberedGrid::solve_step(const TransientState&, double signed_length, con
 /// Solves a shift of a contact that stays, or else a step of no length.
 Shift RememberedGrid::solve_shift(const TransientState&, const ShiftLoad& given,
                                   TransientState& after) {
+  if (row_.friction() && memory_.distance != 0) {
+    throw std::invalid_argument("friction_law: expected none where bodies that rolled stand");
+  }
   const bool stays = target_ == memory_.scale && target_.carries();
   const bool backward = memory_.backward;
   if (backward) require_carried_back(given);
@@ -277,6 +298,7 @@ Shift RememberedGrid::solve_shift(const TransientState&, const ShiftLoad& given,
 
 void RememberedGrid::accept_step() {
   std::swap(memory_, row_.step().memory);
+  ratio_ = memory_.friction.nodes;
   place_nodes();
 }
 

@@ -46,6 +46,7 @@ class RememberedGrid final : public RollingGrid {
     memory_.move_to(memory_.backward ? -distance : distance);
   }
   void set_contact(const ContactScale& scale) override;
+  void set_speed(double speed) override;
   void archive(Archive& archive, bool with_solved) override;
 
  private:
@@ -57,6 +58,7 @@ class RememberedGrid final : public RollingGrid {
   void go(const Way& way, const RowMemory& from);
   void give_tractions(const RowMemory& now, TransientState& state) const;
   void place_nodes();
+  void require_forward(bool backward, const StepJacobian* jacobian);
   void require_carried_back(const Prescribed& load) const;
 
   TractionBound traction_bound_;

@@ -33,6 +33,7 @@ RollingRow::RollingRow(const TransientProblem& problem)
       stick_slip_point_(edges_.trailing_point()),
       step_(response_, response_.pressed()),
       tangent_(response_) {
+  if (problem.friction) friction_.emplace(*problem.friction);
   set_bound({});
 }
 
@@ -54,6 +55,7 @@ RowMemory RollingRow::started(const VectorXd& traction, const ContactScale& scal
   memory.counted_by = scale.half_width;
   memory.traction = traction;
   memory.zones = zones_at(traction, bound());
+  if (friction_) memory.friction = {VectorXd::Ones(n + 1), VectorXd::Ones(n)};
   memory.nodes.at.resize(n + 1);
   memory.nodes.at.head(n) = response_.displaced_by(traction);
   response_.displace_ends(memory.nodes, traction, 0);
@@ -119,6 +121,7 @@ void RollingRow::begin(const RowMemory& from, bool with_slopes) {
   face(from.backward);
   step_.begin(from);
   tangent_.begin(from, with_slopes);
+  if (friction_) friction_->begin();
   result_.slip.setZero(grid_.size());
   result_.iterations = 0;
   result_.residuals = {};
@@ -172,7 +175,11 @@ void RollingRow::settle_lead(const ShiftLoad& load) {
 void RollingRow::search_partition(const Substep& substep) {
   step_.recall(response_, substep);
   step_.contact.zones = step_.memory.zones;
-  response_.active_set().solve(step_.conditions, step_.of_partition(substep.load), step_.contact);
+  if (friction_) {
+    friction_->solve(response_.active_set(), step_, substep);
+  } else {
+    response_.active_set().solve(step_.conditions, step_.of_partition(substep.load), step_.contact);
+  }
   result_.iterations += step_.contact.iterations;
 }
 
@@ -235,6 +242,7 @@ void RollingRow::roll_substep(const Substep& substep) {
   set_bound(substep.scale);
   const bool is_relieved = memory.relief.size() > 0;
   fade_shift(substep);
+  if (friction_) friction_->take_bound(step_.conditions.bound);
   search_partition(substep);
   if (step_.entry != 0 && !is_relieved && !sticks(contact.zones, memory.row.size - 1)) {
     end_entry();
@@ -257,6 +265,7 @@ void RollingRow::roll_substep(const Substep& substep) {
   const auto slopes = tangent_.contacts();
   stick_slip_point_.average(response_.active_set(), step_.conditions, substep.load, step_,
                             std::span(slopes).first(tangent_.count()));
+  if (friction_) friction_->remember(memory, substep, edges_.constants().offset);
   step_.finish(response_, substep, stuck_again);
   if (step_.entry != 0) step_.displacement = response_.displaced_by(memory.traction);
   memory.stored = memory.row.spacing * memory.traction.dot(step_.displacement) / 2;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "row_edges.hpp"
+#include "row_friction.hpp"
 #include "row_response.hpp"
 #include "row_step.hpp"
 #include "step_tangent.hpp"
@@ -27,6 +29,9 @@ class RollingRow {
   const RowEdges& edges() const { return edges_; }
   RowResponse& response() { return response_; }
   const RowResponse& response() const { return response_; }
+
+  /// The friction that depends on slip; none if it does not.
+  std::optional<RowFriction>& friction() { return friction_; }
 
   /// Bound of the tractions that were solved last  [N/mm^2]
   const Eigen::VectorXd& bound() const { return step_.conditions.bound; }
@@ -84,6 +89,7 @@ class RollingRow {
   RowEdges edges_;
   Grid grid_;
   RowResponse response_;
+  std::optional<RowFriction> friction_;
   StickSlipPoint stick_slip_point_;
   RowStep step_;
   StepTangent tangent_;

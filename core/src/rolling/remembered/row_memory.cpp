@@ -26,8 +26,8 @@ Index node_ahead(Index point, const NodeShift& shift) {
   return shift.of(point) < 0 ? point + 1 : point;
 }
 
-/// Interpolates present values to a remembered point, linearly between the nodes on either side.
-/// \param values  at the nodes; constant behind the first and ahead of the last
+}  // namespace
+
 double between_nodes(const VectorXd& values, Index point, const NodeShift& shift) {
   const Index ahead = node_ahead(point, shift);
   if (ahead == 0) return values[0];
@@ -37,8 +37,6 @@ double between_nodes(const VectorXd& values, Index point, const NodeShift& shift
   const double of_ahead = -(from_point(ahead - 1) + shift.of(ahead - 1)) / (1 + shift.stretch);
   return of_behind * values[ahead - 1] + of_ahead * values[ahead];
 }
-
-}  // namespace
 
 NodeShift RowMemory::among_points() const {
   const double travelled = std::max(0.0, phase(row.spacing * counted_by));

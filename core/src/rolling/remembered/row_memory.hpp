@@ -16,6 +16,20 @@ namespace microslip {
 
 class Archive;
 
+/// Interpolates present values to a remembered point, linearly between the nodes on either side.
+/// \param values  at the nodes; constant behind the first and ahead of the last
+/// \param shift   of the nodes among the points
+double between_nodes(const Eigen::VectorXd& values, Eigen::Index point, const NodeShift& shift);
+
+/// mu/mu_s of the material, where it depends on slip; otherwise empty.
+struct RememberedFriction {
+  Eigen::VectorXd points;  ///< N + 1, at the remembered points and at the entry
+  Eigen::VectorXd nodes;   ///< N, at the nodes now
+
+  /// Writes or reads the ratios of N nodes.
+  void archive(Archive& archive, Eigen::Index size);
+};
+
 /// Points that slipped at most so many elements behind the stick-slip point are kept as if they had
 /// not slipped, because the averaged partitions include their nodes in adhesion.
 inline constexpr Eigen::Index kept_behind = 3;
@@ -58,6 +72,8 @@ struct RowMemory : ElementTravel {
   double stored = 0;         ///< energy of the bodies  [N]
   Eigen::Index kept = 0;     ///< points from this index on count as not slipped
   double lead = 0;           ///< shift of the mean over partitions minus the shift by `zones`  [mm]
+
+  RememberedFriction friction;
 
   std::optional<ShiftMemory> shifts;  ///< since the contact has stopped; none while it rolls
 
@@ -112,7 +128,7 @@ struct RowMemory : ElementTravel {
   /// of a substep, and the derivative of this fraction by the length of the substep [1/mm].
   std::pair<double, double> left_of_shift(const SubstepEnd& end) const;
 
-  /// Writes or reads all members but `row`.
+  /// Writes or reads all members but `row` and `friction`.
   void archive(Archive& archive);
 
  private:

@@ -54,4 +54,7 @@ struct Judged {
 /// \throws as require_evidence
 void add_evidence(Table& summary, const Evidence& evidence, const Judged& judged);
 
+/// Warns of a solution beside the one that is given, where friction depends on slip.
+std::string second_solution(SlipBranch branch);
+
 }  // namespace microslip::experiments
