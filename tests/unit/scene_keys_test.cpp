@@ -51,6 +51,9 @@ const Settings steps =
 const Settings without_material =
     with(steady, {"kernel.width=", "material.shear_modulus=", "material.poisson_ratio="});
 
+const Settings falling = with(steady, {"contact.friction_law=linear", "contact.kinetic_ratio=0.6",
+                                       "contact.half_speed=1e-3", "load.speed=1"});
+
 /// In each, all that has to be there, and the choices that its name says.
 const std::map<std::string, Settings> scenes = {
     {"calibrated", steady},
@@ -87,6 +90,12 @@ const std::map<std::string, Settings> scenes = {
     {"creepage", with(transient, {"load.force=", "load.creepage=0.1", "start.force=-1"})},
     {"run", with(transient, {"load.force=", "start.type=rest", "load.file=run", "load.radius=460",
                              "step.ratio=", "motion.distance="})},
+    {"falling", falling},
+    {"falling_table", with(falling, {"contact.friction_law=table", "contact.kinetic_ratio=",
+                                     "contact.half_speed=", "contact.friction_file=law"})},
+    {"falling_memory", with(transient, {"start.type=rest", "contact.friction_law=rational",
+                                        "contact.kinetic_ratio=0.6", "contact.half_speed=1e-3",
+                                        "load.speed=1", "contact.friction_memory=1"})},
     {"ellipse", ellipse},
     {"ellipse_target", with(ellipse, {"grid.rows=", "grid.elements=", "target_error=1e-3"})},
     {"loaded_ellipse",
@@ -115,6 +124,7 @@ Scene scene_with(const Settings& settings) {
   scene.read_files_by([](const std::string& path) {
     return path == "bound"    ? "x bound\n0 1\n"
            : path == "run"    ? "t v omega\n0 1 0.002\n1 1 0.002\n"
+           : path == "law"    ? "speed ratio\n0 1\n1 0.5\n"
            : path == "state"  ? saved_state()
            : path == "symbol" ? "wave_number symbol\n0.1 10\n10 0.2\n"
            : path == "edges"  ? "y trailing leading\n-1 0 0\n0 -1 1\n1 0 0\n"
@@ -146,16 +156,18 @@ struct Role {
 const std::string unlike = "unlike youngs_2 dundurs ";
 const std::string by_elements = unlike +
                                 "layer winkler symbol calibrated plane polynomial table rough "
-                                "youngs hertz force_ratio standard known_edge trimmed ";
+                                "youngs hertz force_ratio standard known_edge trimmed falling "
+                                "falling_table ";
 const std::string steady_scenes = by_elements + "chebyshev ";
 const std::string with_target = steady_scenes + "target_error ";
 const std::string differences = "standard known_edge trimmed ";
 const std::string transients =
-    "remembered direct relaxed relaxed_traction fractional rest file state creepage run ";
+    "remembered direct relaxed relaxed_traction fractional rest file state creepage run "
+    "falling_memory ";
 const std::string cylinders = "cylinder cylinder_relaxed ";
 const std::string strips =
     "calibrated polynomial table rough youngs hertz force_ratio chebyshev target_error standard "
-    "known_edge trimmed " +
+    "known_edge trimmed falling falling_table " +
     transients + cylinders;
 const std::string half_spaces = unlike + "plane layer " + strips;
 const std::string lines = half_spaces + "winkler symbol ";
@@ -167,8 +179,10 @@ const std::string shifted = "remembered direct relaxed relaxed_traction fraction
 const std::string all = lines + ellipses;
 const std::string hertzian = unlike +
                              "layer winkler symbol plane calibrated rough youngs force_ratio "
-                             "chebyshev target_error standard known_edge trimmed " +
+                             "chebyshev target_error standard known_edge trimmed falling "
+                             "falling_table " +
                              transients + cylinders;
+const std::string with_friction_law = "falling falling_table falling_memory";
 
 /// In a choice between keys, the key that is not in a scene is refused with the others' names.
 const std::vector<Role> roles = {
@@ -183,7 +197,7 @@ const std::vector<Role> roles = {
     {"direction", "longitudinal",
      unlike +
          "plane layer chebyshev target_error calibrated polynomial table rough youngs hertz "
-         "force_ratio standard known_edge trimmed " +
+         "force_ratio standard known_edge trimmed falling falling_table " +
          transients},
     {"contact.half_width", "1", all},
     {"contact.lateral_half_width", "0.7", ellipses},
@@ -194,6 +208,16 @@ const std::vector<Role> roles = {
     {"contact.radius_1", "100", "hertz loaded_ellipse"},
     {"contact.radius_2", "100", "hertz loaded_ellipse"},
     {"contact.friction", "0.3", "hertz loaded_ellipse " + unlike},
+    {"contact.friction_law", "linear",
+     "layer winkler symbol calibrated plane polynomial table rough youngs hertz force_ratio "
+     "standard known_edge trimmed remembered direct rest file state creepage run " +
+         with_friction_law},
+    {"contact.kinetic_ratio", "0.6", "falling falling_memory"},
+    {"contact.half_speed", "1e-3", "falling falling_memory"},
+    {"contact.friction_file", "law", "falling_table"},
+    {"contact.friction_memory", "1", with_friction_law},
+    {"contact.memory_speed", "0", "falling_memory"},
+    {"contact.slip_branch", "least", with_friction_law},
     {"contact.bound_polynomial", "1", lines},
     {"contact.patch_file", "edges", "patch patch_table"},
     {"contact.bound_file", "bound", "table ellipse_table patch_table"},
@@ -227,6 +251,7 @@ const std::vector<Role> roles = {
     {"load.stick_ratio", "0.6", with_target + transients},
     {"load.file", "run", transients + patch_steps},
     {"load.columns", "t = t", "run steps_run"},
+    {"load.speed", "1", with_friction_law},
     {"load.radius", "460", "run steps_run"},
     {"start.type", "rest", transients + patch_steps},
     {"start.force", "-1", shifted},
@@ -307,9 +332,10 @@ TEST(KeysOfScenes, HaveARoleOrAreRefused) {
       // Bodies of different material want several keys, and a method and kernel that take them.
       const bool is_of_bodies =
           key.starts_with("material.") && (key.ends_with("_2") || key.ends_with("beta"));
-      const bool takes_more = (is_of_bodies || accepting.contains("unlike")) &&
-                              (said.starts_with("missing key") ||
-                               said.find(" for bodies of different") != std::string::npos);
+      const bool takes_more =
+          (is_of_bodies || key == "contact.friction_law" || accepting.contains("unlike")) &&
+          (said.starts_with("missing key") ||
+           said.find(" for bodies of different") != std::string::npos);
       if (has_role || by_choice || takes_more) {
         EXPECT_TRUE(said.empty() || by_choice || does_not_fit || takes_more) << said;
       } else {
