@@ -26,6 +26,7 @@ Keys of scenes: ms.keys(), and docs/scenes.md. Errors are ms.InputError, a Value
 from ._creep_table import CreepForces, CreepTable, CreepTableErrors
 from ._errors import Error, InputError, LoadWarning, NoSolution
 from ._hertz import Hertz, hertz
+from ._instants import plot_instants
 from ._keys import Key, Keys, keys
 from ._library import text_of as _text_of
 from ._patch import Patch, PatchFactors
@@ -41,5 +42,5 @@ __version__ = _text_of("version")
 
 __all__ = ["Column", "CreepForces", "CreepTable", "CreepTableErrors", "Error", "Hertz", "InputError", "Key", "Keys",
            "Load", "LoadWarning", "NoSolution", "Patch", "PatchCurve", "PatchCurves", "PatchFactors", "PatchSteady",
-           "Result", "Rolling", "Steady", "Sweep", "Table", "creep_curve", "hertz", "keys", "read_table", "solve",
-           "steady", "sweep"]
+           "Result", "Rolling", "Steady", "Sweep", "Table", "creep_curve", "hertz", "keys", "plot_instants", "read_table",
+           "solve", "steady", "sweep"]

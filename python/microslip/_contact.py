@@ -76,6 +76,14 @@ class Contact:
         """Returns what it is, and its state, for a line that shows it."""
         raise NotImplementedError
 
+    def _drawn(self) -> Tuple[Any, ...]:
+        """Returns what is drawn of its tractions, as the functions of _plot take it."""
+        raise NotImplementedError
+
+    def _title(self) -> str:
+        """Returns what stands above or beside its tractions in a picture of several."""
+        raise NotImplementedError
+
     def _own(self, handle: int) -> None:
         vars(self).setdefault("_turns", _Turns())
         self._handle = handle

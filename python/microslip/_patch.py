@@ -438,8 +438,17 @@ class Patch(Contact):
         -------
         The axes that were drawn into.
         """
-        return _plot.plot_patch(_plot.PatchFields(self.x, self.y, self.traction, self.slips),
-                                _plot.scaled(self._read.edges, np.sqrt(self.area.sum() / self._area)), axes)
+        fields, edges = self._drawn()
+        return _plot.plot_patch(fields, edges, axes)
+
+    @in_turn
+    def _drawn(self) -> Tuple[_plot.PatchFields, np.ndarray]:
+        return (_plot.PatchFields(self.x, self.y, self.traction, self.slips),
+                _plot.scaled(self._read.edges, np.sqrt(self.area.sum() / self._area)))
+
+    def _title(self) -> str:
+        state = self.state
+        return f"q = {state.distance:.4g} mm, {100 * state.slip_share:.0f} % slips"
 
     def _words(self) -> str:
         state = self.state

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import sys
-from typing import Any, Iterator, NamedTuple, Tuple
+from typing import Any, Iterator, NamedTuple, Sequence, Tuple
 
 import numpy as np
 
@@ -15,14 +15,18 @@ def print_progress(done: int, total: int) -> None:
     print(f"\rmicroslip: {done}" + (f" of {total}" if total else ""), end=end, file=sys.stderr, flush=True)
 
 
-def _new_axes(columns: int = 1) -> Any:
+def _subplots(rows: int, columns: int, size: Tuple[float, float], **options: Any) -> Any:
     try:
         from matplotlib import pyplot  # pylint: disable=import-outside-toplevel
     except ImportError:
         raise ImportError("plot wants matplotlib, which is not installed: python3-matplotlib of Debian, "
                           "or pip install matplotlib") from None
-    _, axes = pyplot.subplots(1, columns, figsize=(5.5 * columns, 3.6), layout="constrained")
+    _, axes = pyplot.subplots(rows, columns, figsize=size, layout="constrained", **options)
     return axes
+
+
+def _new_axes(columns: int = 1) -> Any:
+    return _subplots(1, columns, (5.5 * columns, 3.6))
 
 
 def plot_traction(x: np.ndarray, bound: np.ndarray, traction: np.ndarray, axes: Any = None) -> Any:
@@ -66,14 +70,16 @@ def _elements_in_strips(edges: np.ndarray, values: np.ndarray) -> Iterator[Tuple
                values[sides["row"][:-1].astype(int) - 1])
 
 
-def plot_patch(fields: PatchFields, edges: np.ndarray, axes: Any = None) -> Any:
-    """Draws the size of tractions in colour, their direction as arrows, and a line about what slips.
+def _most(fields: PatchFields) -> float:
+    return float(np.nanmax(np.hypot(fields.traction[..., 0], fields.traction[..., 1])))
 
-    edges  the table of the edges, in whose rows the elements of the fields are; rectangles leave gaps in the fields
+
+def _draw_patch(fields: PatchFields, edges: np.ndarray, axes: Any, most: float) -> Any:
+    """Draws what plot_patch() does into axes that have a scale already, and returns the coloured part.
+
+    most  the traction of the darkest colour and the longest arrow  [N/mm^2]
     """
-    axes = _new_axes() if axes is None else axes
     size = np.hypot(fields.traction[..., 0], fields.traction[..., 1])
-    most = float(np.nanmax(size)) or 1.0
     look = {"cmap": "Blues", "vmin": 0, "vmax": 1.1 * most}
     if np.isnan(size).any():
         drawn = axes.pcolormesh(fields.x[0], fields.y[:, 0], size, **look)
@@ -89,15 +95,74 @@ def plot_patch(fields: PatchFields, edges: np.ndarray, axes: Any = None) -> Any:
         inside = ~np.isnan(size[rows])
         if min(part.shape) >= 2 and 0 < np.sum(part[inside]) < np.sum(inside):
             axes.contour(fields.x[rows], fields.y[rows], np.where(inside, part, np.nan), [0.5], colors="tab:orange")
-    axes.plot([], [], color="tab:orange", label="edge of slip")
     thin = tuple(slice(count % step // 2, None, step) for count, step in (
         (count, -(-count // 12)) for count in size.shape))
     axes.quiver(fields.x[thin], fields.y[thin], *np.moveaxis(fields.traction[thin], -1, 0), angles="xy", pivot="mid",
                 scale=10 * most, width=0.004)
+    axes.set_aspect("equal")
+    return drawn
+
+
+def plot_patch(fields: PatchFields, edges: np.ndarray, axes: Any = None) -> Any:
+    """Draws the size of tractions in colour, their direction as arrows, and a line about what slips.
+
+    edges  the table of the edges, in whose rows the elements of the fields are; rectangles leave gaps in the fields
+    """
+    axes = _new_axes() if axes is None else axes
+    drawn = _draw_patch(fields, edges, axes, _most(fields) or 1.0)
+    axes.plot([], [], color="tab:orange", label="edge of slip")
     axes.figure.colorbar(drawn, ax=axes, label="traction [N/mm²]")
-    axes.set(xlabel="x [mm], rolling to the right", ylabel="y [mm]", aspect="equal")
-    if np.any(fields.slips == 1) and not np.all(fields.slips[~np.isnan(size)]):
+    axes.set(xlabel="x [mm], rolling to the right", ylabel="y [mm]")
+    if np.any(fields.slips == 1) and not np.all(fields.slips[~np.isnan(fields.traction[..., 0])]):
         axes.legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False)
+    return axes
+
+
+def plot_patches(patches: Sequence[Tuple[PatchFields, np.ndarray]], titles: Sequence[str]) -> Any:
+    """Draws patches side by side, with one scale of places, colours and arrows; returns an array of axes.
+
+    patches  of each the fields and the edges, as for plot_patch()
+    """
+    columns = 2 if len(patches) == 4 else min(len(patches), 3)
+    rows = -(-len(patches) // columns)
+    edges = patches[0][1]
+    height = np.ptp(edges["y"]) / (edges["leading"].max() - edges["trailing"].min())  # over the width
+    panels = _subplots(rows, columns, (3.1 * columns + 0.9, rows * (0.7 + 2.6 * min(max(height, 0.3), 2))),
+                       sharex=True, sharey=True, squeeze=False)
+    most = max(_most(fields) for fields, _ in patches) or 1.0
+    for (fields, sides), title, axes in zip(patches, titles, panels.flat):
+        drawn = _draw_patch(fields, sides, axes, most)
+        axes.set_title(title, fontsize="medium")
+    for axes in panels.flat[len(patches):]:
+        axes.set_axis_off()
+    for k, axes in enumerate(panels.flat[:len(patches)]):
+        if k + columns >= len(patches):
+            axes.set_xlabel("x [mm]")
+            axes.tick_params(labelbottom=True)
+        if k % columns == 0:
+            axes.set_ylabel("y [mm]")
+    figure = panels[0, 0].figure
+    figure.colorbar(drawn, ax=panels[:, -1].tolist(), label="traction [N/mm²]")
+    figure.suptitle("traction in colour and arrows; orange: edge of slip; rolling to the right", fontsize="medium")
+    return panels.flat[:len(patches)]
+
+
+def plot_lines(lines: Sequence[Tuple[np.ndarray, np.ndarray, np.ndarray]], titles: Sequence[str],
+               axes: Any = None) -> Any:
+    """Draws tractions of line contacts over one another, from the first, which is pale, to the last.
+
+    lines  of each x, bound and traction
+    """
+    axes = _new_axes() if axes is None else axes
+    pale, dark = np.array([0.65, 0.8, 0.92]), np.array([0.03, 0.19, 0.42])
+    for k, ((x, bound, traction), title) in enumerate(zip(lines, titles)):
+        color = tuple(pale + (dark - pale) * k / max(len(lines) - 1, 1))
+        for sign in (-1, 1):
+            axes.plot(x, sign * bound, color=color, linewidth=0.6, linestyle=":")
+        axes.plot(x, traction, color=color, label=title)
+    axes.axhline(0, color="0.6", linewidth=0.6)
+    axes.set(xlabel="x [mm], rolling to the right", ylabel="traction [N/mm²]")
+    axes.legend(fontsize="small", title="bound dotted", loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
     return axes
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import contextlib
 import ctypes as c
-from typing import Any, Dict, Iterator, Mapping, NamedTuple, Optional
+from typing import Any, Dict, Iterator, Mapping, NamedTuple, Optional, Tuple
 
 import numpy as np
 
@@ -348,7 +348,15 @@ class Rolling(Contact):
     @in_turn
     def plot(self, axes: Any = None) -> Any:
         """Draws tractions within their bound; returns the axes of matplotlib."""
-        return _plot.plot_traction(self.x, self.bound, self.traction, axes)
+        x, bound, traction = self._drawn()
+        return _plot.plot_traction(x, bound, traction, axes)
+
+    @in_turn
+    def _drawn(self) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+        return self.x, self.bound, self.traction
+
+    def _title(self) -> str:
+        return f"q = {self.state.distance:.4g} mm"
 
     def _words(self) -> str:
         state = self.state

@@ -86,6 +86,46 @@ def test_figures_are_drawn_or_refused_in_a_line(scene, source, monkeypatch):
     transient = ms.solve(source / "examples/ellipse_transient.info", grid={"rows": 6, "elements": 8}, step_scheme="direct")
     assert transient.plot()[1].get_ylabel() == "force [N]"
     matplotlib.pyplot.close("all")
+
+
+def test_instants_of_a_run_are_drawn_to_one_scale_or_refused_in_a_line(scene, source):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    patch = ms.Patch(source / "examples/ellipse.info", grid={"rows": 6, "elements": 8})
+    patches, sizes = [], []
+    for creepage, size in ((1e-4, 1), (5e-4, 1.1), (-1e-3, 1.2), (1e-2, 0.9)):
+        patch.roll(2, creepage=creepage, size_factor=size)
+        patches.append(patch.copy())
+        sizes.append(np.hypot(*np.moveaxis(patch.traction, -1, 0)))
+    panels = ms.plot_instants(patches)
+    assert [axes.get_title().split(",")[0] for axes in panels] == [f"q = {q} mm" for q in (2, 4, 6, 8)]
+    meshes = [next(one for one in axes.collections if type(one).__name__ == "QuadMesh") for axes in panels]
+    assert all(mesh.get_clim() == (0, pytest.approx(1.1 * np.max(sizes))) for mesh in meshes)
+    for mesh, size in zip(meshes, sizes):
+        assert np.array_equal(mesh.get_array().reshape(-1, 8)[::4], size)
+    arrows = [next(one for one in axes.collections if type(one).__name__ == "Quiver") for axes in panels]
+    assert len({arrow.scale for arrow in arrows}) == 1
+    assert np.array_equal(arrows[2].U, patches[2].traction[..., 0].ravel())
+    assert len({axes.get_xlim() for axes in panels}) == 1 and len(panels[0].figure.axes) == 5  # and the scale of colours
+    rolling = ms.Rolling(scene)
+    lines = []
+    for creepage in (1e-3, -1e-3):
+        rolling.roll(1, creepage=creepage)
+        lines.append(rolling.copy())
+    axes = ms.plot_instants(lines, ["forth", "back"])
+    drawn = {line.get_label(): line for line in axes.lines}
+    assert np.array_equal(drawn["forth"].get_ydata(), lines[0].traction)
+    assert np.array_equal(drawn["back"].get_ydata(), rolling.traction)
+    matplotlib.pyplot.close("all")
+    for bad, of in (([], "none"), ([patch, rolling], "Patch, Rolling"), ([1], "int")):
+        with pytest.raises(ms.InputError, match=f"^contacts = {of}: expected patches or line contacts"):
+            ms.plot_instants(bad)
+    with pytest.raises(ms.InputError, match="^titles = 1: expected 4, one for each contact"):
+        ms.plot_instants(patches, ["one"])
+
+
+def test_figures_want_matplotlib(scene, monkeypatch):
+    curve = ms.creep_curve(scene, points=9)
     monkeypatch.setitem(__import__("sys").modules, "matplotlib", None)
     with pytest.raises(ImportError, match="^plot wants matplotlib"):
         curve.plot()
