@@ -16,8 +16,7 @@
  * Newton's method finds with the derivative of the contact's step. The wheel stops at the end of a
  * step. So energy is balanced to rounding, but for shifts and turns. The way dq of the contact is
  * extrapolated, and the next step makes up for what it misses. Where |dq| is too small to roll, the
- * bodies are shifted on the spot. Below the speed `slow` the ellipse keeps the size that it has, and
- * its bound alone follows the load.
+ * bodies are shifted on the spot; then the ellipse keeps its size, and its bound alone follows the load.
  *
  *   cc quarter_vehicle.c $(pkg-config --cflags --libs microslip) -lm -o quarter_vehicle
  *   ./quarter_vehicle [tractions.tsv [REFINEMENT]] >quarter_vehicle.tsv */
@@ -226,7 +225,7 @@ static struct motion solve_step(struct vehicle* of, int held, double most, doubl
       const double diving = 2 * found.mean[DIVE] - of->velocity[DIVE];
       const double part = 1 + length * (stiffness * dive + damping * diving) / bodies.normal_load;
       found.load = part * bodies.normal_load;
-      found.size = of->velocity[X] > slow ? cbrt(part) : of->size;
+      found.size = found.dq != 0 ? cbrt(part) : of->size;
       check(
           microslip_ellipse_set_contact(of->ellipse, found.size, part / (found.size * found.size)),
           of->ellipse);

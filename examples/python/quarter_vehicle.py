@@ -13,8 +13,8 @@ and rocks on the stiffness of the contact.
 The midpoint rule has the mean velocity w over a step, with the mean of F at both ends, which Newton's method finds with the
 derivative of the contact's step. The wheel stops at the end of a step. So energy is balanced to rounding, but for
 shifts and turns. The way dq of the contact is extrapolated, and the next step makes up for what it misses. Where |dq|
-is too small to roll, the bodies are shifted on the spot. Below the speed `slow` the ellipse keeps the size that it has, and
-its bound alone follows the load. examples/c/quarter_vehicle.c does the same in C.
+is too small to roll, the bodies are shifted on the spot; then the ellipse keeps its size, and its bound alone follows the
+load. examples/c/quarter_vehicle.c does the same in C.
 
   pip install . && python3 examples/python/quarter_vehicle.py [tractions.tsv [REFINEMENT]] >quarter_vehicle.tsv
 """
@@ -126,7 +126,7 @@ class Vehicle:
         part = 1 + length * (stiffness * dive + damping * diving) / load
         if abs(dq) < least:
             dq = 0
-        size = part ** (1 / 3) if self.velocity[0] > slow else self.size
+        size = self.size if dq == 0 else part ** (1 / 3)
         self.patch.set_contact(size, part / size**2)
         for _ in range(30):
             mean, brake = motion((self.force + force) / 2)

@@ -9,6 +9,13 @@ namespace microslip {
 using Eigen::Index;
 using Eigen::Vector2d;
 
+namespace {
+
+/// The last record is too close to the one before for a polynomial, by this part of their spacing.
+constexpr double too_close = 0.2;
+
+}  // namespace
+
 MaterialRecords::MaterialRecords(double trailing, double leading, double least_spacing)
     : least_spacing_(least_spacing) {
   const auto count = static_cast<std::size_t>((leading - trailing) / least_spacing) + 4;
@@ -19,12 +26,19 @@ MaterialRecords::MaterialRecords(double trailing, double leading, double least_s
 }
 
 Vector2d MaterialRecords::at(double place) const {
+  const Record &edge = records_.back(), &before = records_[records_.size() - 2];
+  const double width = edge.place - before.place;
+  const bool leaves_edge = records_.size() > 2 && width < too_close * least_spacing_;
+  if (leaves_edge && place > before.place) {
+    const double part = std::min(1.0, (place - before.place) / width);
+    return (1 - part) * before.value + part * edge.value;
+  }
+  const auto size = static_cast<std::ptrdiff_t>(records_.size()) - (leaves_edge ? 1 : 0);
   const auto after = std::ranges::upper_bound(records_, place, {}, &Record::place);
-  const auto last = static_cast<std::ptrdiff_t>(records_.size()) - 4;
+  const auto last = size - 4;
   const auto first = std::clamp<std::ptrdiff_t>(after - records_.begin() - 2, 0,
                                                 std::max<std::ptrdiff_t>(last, 0));
-  const auto end =
-      std::min<std::ptrdiff_t>(first + 4, static_cast<std::ptrdiff_t>(records_.size()));
+  const auto end = std::min<std::ptrdiff_t>(first + 4, size);
   Vector2d value = Vector2d::Zero();
   for (auto i = first; i < end; ++i) {
     const Record& one = records_[static_cast<std::size_t>(i)];
@@ -40,9 +54,10 @@ Vector2d MaterialRecords::at(double place) const {
 }
 
 void MaterialRecords::enter(double place, const Vector2d& value) {
-  while (records_.size() > 2 && records_.back().place >= place) records_.pop_back();
   const std::size_t size = records_.size();
-  if (records_[size - 1].place - records_[size - 2].place < least_spacing_ * (1 - 1e-9)) {
+  if (records_[size - 1].place >= place) {  // the edge has gone back in the material
+    while (records_.size() > 2 && records_.back().place >= place) records_.pop_back();
+  } else if (records_[size - 1].place - records_[size - 2].place < least_spacing_ * (1 - 1e-9)) {
     records_.pop_back();
   }
   records_.push_back({place, value});

@@ -38,10 +38,14 @@ class MaterialRecords {
   /// \param least_spacing  of records of material that has entered
   MaterialRecords(double trailing, double leading, double least_spacing);
 
-  /// The value at a place, by the cubic polynomial through the four records around it.
+  /// The value at a place, by the cubic polynomial through the four records around it. Where the
+  /// bodies were shifted as they hardly rolled, what has entered since then differs by a finite amount
+  /// over next to no distance: the record at the edge has a part in the last interval alone then,
+  /// which is linear.
   Vector2d at(double place) const;
 
-  /// Records what enters at the leading edge, and forgets what is ahead of it.
+  /// Records what enters at the leading edge, and forgets what is ahead of it. The edge of a contact
+  /// that shrinks may go back.
   void enter(double place, const Vector2d& value);
 
   /// Forgets what has left, behind a place.
