@@ -109,8 +109,12 @@ MICROSLIP_API const char* microslip_ellipse_message(microslip_ellipse* ellipse);
  * changes linearly; it stays so until it is set again. Under another normal load P both factors are
  * (P/P0)^(1/3) by Hertz's theory; another friction coefficient changes the bound alone.
  *
- * size_factor   of both half-widths over those of the creation, 0.01 ... 100  [1]
- * bound_factor  of the bound, 1e-6 ... 1e6  [1] */
+ * size_factor   of both half-widths over those of the creation, 1e-4 ... 100  [1]
+ * bound_factor  of the bound, 1e-6 ... 1e6  [1]
+ *
+ * 0 of one or both: the contact is lost at the end of the next step or shift. It has no tractions
+ * then, resultants must be 0, and the bodies forget. A contact that returns begins at the start of
+ * its step, or at the end of its shift. Steady rolling takes no 0. */
 MICROSLIP_API enum microslip_status microslip_ellipse_set_contact(microslip_ellipse* ellipse,
                                                                   double size_factor,
                                                                   double bound_factor);

@@ -35,9 +35,9 @@ double curvature_of(const char* first, double radius_1, const char* second, doub
   return sum;
 }
 
-void require_factor(const char* name, double factor, double largest) {
-  microslip::require(factor >= 1 / largest && factor <= largest, name, factor, [&] {
-    return fmt::format("a number from {} to {}", microslip::format_short(1 / largest),
+void require_factor(const char* name, double factor, double least, double largest) {
+  microslip::require(factor == 0 || (factor >= least && factor <= largest), name, factor, [&] {
+    return fmt::format("a number from {} to {}, or 0", microslip::format_short(least),
                        microslip::format_short(largest));
   });
 }
@@ -115,8 +115,9 @@ const char* microslip_ellipse_message(microslip_ellipse* ellipse) {
 microslip_status microslip_ellipse_set_contact(microslip_ellipse* ellipse, double size_factor,
                                                double bound_factor) {
   return with_ellipse(ellipse, [&](microslip_ellipse& of) {
-    require_factor("size_factor", size_factor, microslip::PatchStepRanges::largest_size);
-    require_factor("bound_factor", bound_factor, microslip::PatchStepRanges::largest_bound);
+    using Ranges = microslip::PatchStepRanges;
+    require_factor("size_factor", size_factor, Ranges::least_size, Ranges::largest_size);
+    require_factor("bound_factor", bound_factor, Ranges::least_bound, Ranges::largest_bound);
     of.rolling.set_contact({.half_width = size_factor, .bound = bound_factor});
   });
 }

@@ -112,13 +112,17 @@ microslip_ellipse_state state_of(const PatchRolling& rolling) {
   state.dissipation = without_sign_of_zero(rolling.dissipation());
   state.full_sliding = rolling.full_sliding();
   const Eigen::VectorXd areas = rolling.areas();
-  state.slip_share = slip_area_of(areas, rolling.slips()) / areas.sum();
+  const double area = areas.sum();
+  state.slip_share = area > 0 ? slip_area_of(areas, rolling.slips()) / area : 0;
   state.residual = rolling.residual();
   state.iterations = rolling.iterations();
   return state;
 }
 
 microslip_ellipse_state solve_steady(microslip_ellipse& ellipse, const PatchLoad& load) {
+  const auto& [size, bound] = ellipse.rolling.contact();
+  const auto* const factor = size > 0 ? "bound_factor" : "size_factor";
+  require(size > 0 && bound > 0, factor, 0, "a number > 0 for steady rolling");
   if (!ellipse.solver) ellipse.solver.emplace(ellipse.problem, false);
   const bool is_hertz = ellipse.problem.bound.is_hertz();
   if (is_hertz) ellipse.solver->set_bound(bound_of(ellipse));

@@ -93,9 +93,9 @@ void add_patch_load(Table& summary, const Eigen::Vector3d& resultants,
 }
 
 void add_patch_shares(Table& summary, double full_sliding, double force, double slip_share) {
-  summary.add({"force_ratio", force / full_sliding, "1"});
+  summary.add({"force_ratio", full_sliding > 0 ? force / full_sliding : 0, "1"});
   summary.add({"full_sliding_force", full_sliding, "N"});
-  summary.add({"adhesion_share", std::max(0.0, 1 - slip_share), "1"});
+  summary.add({"adhesion_share", full_sliding > 0 ? std::max(0.0, 1 - slip_share) : 0, "1"});
   summary.add({"slip_share", slip_share, "1"});
 }
 

@@ -158,8 +158,8 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
                                 const std::function<void(const PatchRolling&)>& at_end) {
   const std::vector<double> lengths = scene.step_lengths();
   const PatchHistory& loads = scene.loads;
-  const std::vector<double>& stops = loads.stops();
-  const std::size_t steps = number_of_steps(scene.distance, lengths, scene.from, stops);
+  const std::vector<double> ends = loads.ends_of_steps();
+  const std::size_t steps = number_of_steps(scene.distance, lengths, scene.from, ends);
   std::size_t done = 0;
   progress(done, scene.shifts.size() + steps);
   RolledPatch rolled(scene.patch, scene.scheme, loads.contact_at(0));
@@ -215,7 +215,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
     }
   };
   if (scene.from == 0) stand(0);
-  for_steps(scene.distance, lengths, scene.from, stops, [&](double from, double to, double length) {
+  for_steps(scene.distance, lengths, scene.from, ends, [&](double from, double to, double length) {
     const double dq = loads.direction_to(to) * length;
     end = take(dq, [&](RolledPatch& patch) { return patch.roll(loads, from, to, length); });
     record({loads.position_at(to), dq * end.motion, length * end.dissipation, loads.time_at(to)});
@@ -227,7 +227,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
 
   Table summary = empty_summary("transient rolling of a patch, the whole contact at the end");
   summary.add({"distance", scene.distance, "mm"});
-  if (!stops.empty()) summary.add({"position", loads.position_at(scene.distance), "mm"});
+  if (!loads.stops().empty()) summary.add({"position", loads.position_at(scene.distance), "mm"});
   summary.add({"steps", steps, "1"});
   add_patch_load(summary, end.resultants, end.motion, scene.patch.bound);
   summary.add({"cumulative_creep", sums.path[0], "mm"});

@@ -21,8 +21,10 @@ VectorXd areas_of(const RectangleRolling& rolling) {
   return VectorXd::Constant(rolling.size(), rolling.area());
 }
 
+/// \param areas  0 where the bodies do not touch
 double slip_share_of(const VectorXd& areas, const std::vector<bool>& slips) {
-  return slip_area_of(areas, slips) / areas.sum();
+  const double area = areas.sum();
+  return area > 0 ? slip_area_of(areas, slips) / area : 0;
 }
 
 Evidence evidence_of(const PatchRolling& rolling, const PatchBound&) { return rolling.evidence(); }
@@ -182,9 +184,11 @@ CoarsePatch::CoarsePatch(const SteadyPatch& patch, const AdvectionScheme& scheme
 }
 
 void CoarsePatch::compare(const PatchStepEnd& fine, const PatchStepEnd& coarse, double length) {
-  const Vector3d of_resultants =
-      (coarse.resultants - fine.resultants).cwiseQuotient(largest_resultants(bound_, fine.contact));
-  of_resultants_ = std::max(of_resultants_, of_resultants.lpNorm<Eigen::Infinity>());
+  if (fine.contact.carries()) {
+    const Vector3d largest = largest_resultants(bound_, fine.contact);
+    const Vector3d of_resultants = (coarse.resultants - fine.resultants).cwiseQuotient(largest);
+    of_resultants_ = std::max(of_resultants_, of_resultants.lpNorm<Eigen::Infinity>());
+  }
   path_ += length * fine.motion;
   coarse_path_ += length * coarse.motion;
   of_path_.include(coarse_path_, path_);

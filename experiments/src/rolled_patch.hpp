@@ -42,7 +42,7 @@ class RolledPatch {
   /// \param load  with which the next step begins
   PatchStepEnd restore(const SavedState& state, const PatchLoad& load);
 
-  /// \param contact  of the same size, at the end of the shift; none if it stays
+  /// \param contact  at the end of the shift, of the same size, or lost or begun; none if it stays
   PatchStepEnd shift(const PatchLoad& load, const std::optional<ContactScale>& contact = {});
 
   /// Rolls over a step of a run.

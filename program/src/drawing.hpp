@@ -59,6 +59,9 @@ std::string color_of(std::size_t i, std::size_t count);
 /// The colour of exact solutions.
 inline constexpr const char* black = "#000000";
 
+/// Whether a result ends in a contact that carries nothing, because it is lost or has no friction.
+bool ends_without_contact(const Result& result);
+
 /// Whether the bodies roll back at the end of a result with a history.
 bool ends_backward(const Result& result);
 

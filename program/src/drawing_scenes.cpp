@@ -175,6 +175,15 @@ void add_histories(Drawing& drawing, const std::vector<Result>& results) {
 }  // namespace
 
 /// The summary, which is short, says whether there is anything to look for.
+bool ends_without_contact(const Result& result) {
+  const Table summary = table_in(result.folder, "summary").table;
+  for (std::size_t i = 0; i < summary.rows(); ++i) {
+    if (summary.at(i, "quantity") != Cell("full_sliding_force")) continue;
+    return number_of(summary.at(i, "value")) == 0;
+  }
+  return false;
+}
+
 bool ends_backward(const Result& result) {
   if (!std::filesystem::exists(result.folder / "history.tsv")) return false;
   const Table summary = table_in(result.folder, "summary").table;

@@ -287,7 +287,9 @@ void draw_scenes(const std::string& name, std::vector<Result> results, const Giv
   const bool is_shifts = text_of(given, "figure") == "shifts";
   const bool is_map = text_of(given, "figure") == "ellipse";
   if (results.size() == 1 && all.front().name == "history" && (is_map || !shows_history)) {
-    all.push_back({"ellipse", "", "_ellipse"});
+    const bool is_lost = ends_without_contact(results.front());
+    if (is_lost && is_map) reject(first, "it ends without contact, and has no map");
+    if (!is_lost) all.push_back({"ellipse", "", "_ellipse"});
   }
   if (results.size() == 1 && all.front().name == "transient" && has_loop(first) &&
       (is_shifts || !shows_history)) {

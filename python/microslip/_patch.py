@@ -344,10 +344,11 @@ class Patch(Contact):
         Parameters
         ----------
         size_factor : float
-            Of both half-widths over those of the scene, 0.01 ... 100; only an ellipse changes its size  [1].
+            Of both half-widths over those of the scene, 1e-4 ... 100; only an ellipse changes its size  [1].
         bound_factor : float
             Of the bound, 1e-6 ... 1e6  [1]. Both factors are (P/P0)^(1/3) under another normal load by Hertz's
-            theory; another friction coefficient changes the bound alone.
+            theory; another friction coefficient changes the bound alone. With 0 of one or both the contact is
+            lost at the end of the step: it has no tractions, resultants must be 0, and the bodies forget.
         """
         self._call("set_contact", number("size_factor", size_factor), number("bound_factor", bound_factor))
 

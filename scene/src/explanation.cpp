@@ -95,18 +95,20 @@ std::vector<std::string> shifted(const TransientScene& scene) {
 std::vector<std::string> changed(const LoadHistory& loads, double a) {
   if (!loads.changes_contact()) return {};
   double least = std::numeric_limits<double>::infinity(), most = 0;
-  int lost = 0;
-  for (const ContactScale& contact : loads.contacts()) {
-    least = std::min(least, contact.half_width);
-    most = std::max(most, contact.half_width);
-    lost += contact.carries() ? 0 : 1;
+  std::vector<double> lost;
+  const std::vector<ContactScale> contacts = loads.contacts();
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    least = std::min(least, contacts[i].half_width);
+    most = std::max(most, contacts[i].half_width);
+    if (!contacts[i].carries()) lost.push_back(loads.position_at(loads.distances()[i]));
   }
   const std::string loses =
-      lost == 0 ? ""
-                : fmt::format(
-                      "; in {} row{} of load.file contact or friction is lost, and the "
-                      "bodies forget",
-                      lost, lost == 1 ? "" : "s");
+      lost.empty() ? ""
+                   : fmt::format(
+                         "; in {} row{} of load.file contact or friction is lost, {}at q = {:.5g} "
+                         "mm, and the bodies forget",
+                         lost.size(), lost.size() == 1 ? "" : "s", lost.size() == 1 ? "" : "first ",
+                         lost.front());
   return {fmt::format("the contact changes: its half-width is from {:.5g} to {:.5g} mm{}",
                       least * a, most * a, loses)};
 }

@@ -66,19 +66,6 @@ std::string in_row(std::size_t row, std::string_view name) {
   return fmt::format("row {}: {}", row + 1, name);
 }
 
-/// Refuses a contact that is lost.
-void require_touching(const NamedColumns& columns) {
-  for (const char* name : {"normal_load", "half_width", "peak_traction", "friction"}) {
-    if (!columns[name]) continue;
-    const VectorXd& column = *columns[name];
-    for (Eigen::Index i = 0; i < column.size(); ++i) {
-      if (column[i] > 0) continue;
-      require(false, in_row(static_cast<std::size_t>(i), name), column[i],
-              "a number > 0: a contact of three dimensions is not lost in runs");
-    }
-  }
-}
-
 /// Takes the columns of the contact.
 void take_contact(Scene& scene, const NamedColumns& columns, RunRows& rows) {
   if (columns["half_width"] && scene.has(patch_file)) {
@@ -87,7 +74,6 @@ void take_contact(Scene& scene, const NamedColumns& columns, RunRows& rows) {
                     "friction or peak_traction may change",
                     patch_file));
   }
-  require_touching(columns);
   rows.point_contact = true;
   rows.normal_load = columns["normal_load"];
   rows.half_width = columns["half_width"];
@@ -99,8 +85,7 @@ void take_contact(Scene& scene, const NamedColumns& columns, RunRows& rows) {
 /// Requires contacts that PatchRolling takes.
 void require_patch_contacts(const NamedColumns& columns, const PatchHistory& loads,
                             const SteadyPatch& patch) {
-  constexpr double largest_size = PatchStepRanges::largest_size;
-  constexpr double largest_bound = PatchStepRanges::largest_bound;
+  using Ranges = PatchStepRanges;
   const char* sizes = columns["normal_load"] ? "normal_load" : "half_width";
   const char* bounds = columns["friction"]        ? "friction"
                        : columns["peak_traction"] ? "peak_traction"
@@ -110,11 +95,14 @@ void require_patch_contacts(const NamedColumns& columns, const PatchHistory& loa
   };
   const std::vector<double> rows = loads.row_distances();
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto [size, bound] = loads.contact_of_row(i);
-    if (i > 0 && rows[i] == rows[i - 1] && size != loads.contact_of_row(i - 1).half_width) {
+    const ContactScale contact = loads.contact_of_row(i);
+    const auto [size, bound] = contact;
+    const ContactScale before = loads.contact_of_row(i > 0 ? i - 1 : 0);
+    const bool keeps_contact = contact.carries() && before.carries();
+    if (i > 0 && rows[i] == rows[i - 1] && keeps_contact && size != before.half_width) {
       require(false, in_row(i, sizes), value_of(sizes, i),
               fmt::format("{:.9g} of the row before, as nothing is rolled between them: an ellipse "
-                          "keeps its size there",
+                          "keeps its size there, or loses its contact",
                           value_of(sizes, i - 1)));
     }
     if (size != 1 && !patch.bound.shape().is_ellipse()) {
@@ -123,13 +111,14 @@ void require_patch_contacts(const NamedColumns& columns, const PatchHistory& loa
                           "peak_traction may change",
                           patch_file));
     }
-    if (size < 1 / largest_size || size > largest_size) {
-      require(false, in_row(i, sizes), value_of(sizes, i),
-              fmt::format("half-widths 0.01 ... 100 times those of the scene, not {:.3g}", size));
+    if (size != 0 && (size < Ranges::least_size || size > Ranges::largest_size)) {
+      require(
+          false, in_row(i, sizes), value_of(sizes, i),
+          fmt::format("half-widths 1e-4 ... 100 times those of the scene, or 0, not {:.3g}", size));
     }
-    if (bound < 1 / largest_bound || bound > largest_bound) {
+    if (bound != 0 && (bound < Ranges::least_bound || bound > Ranges::largest_bound)) {
       require(false, in_row(i, bounds), value_of(bounds, i),
-              fmt::format("a bound 1e-6 ... 1e6 times that of the scene, not {:.3g}", bound));
+              fmt::format("a bound 1e-6 ... 1e6 times that of the scene, or 0, not {:.3g}", bound));
     }
   }
 }
@@ -162,7 +151,7 @@ void require_rows_carried(const NamedColumns& columns, const PatchHistory& loads
     with_names_of(
         load,
         [&] {
-          require_patch_carried(load, patch.bound, loads.contact_of_row(i));
+          require_carried(load, patch.bound, loads.contact_of_row(i));
           require_motions(load, patch);
         },
         [&](std::size_t j) {
@@ -204,12 +193,6 @@ void require_motions(const PatchLoad& load, const SteadyPatch& patch, bool are_s
     require(false, name_of(load, j), value,
             fmt::format("at most {:.3g} in size, 1e8 times what the bound's strain makes", most));
   }
-}
-
-void require_patch_carried(const PatchLoad& load, const PatchBound& bound,
-                           const ContactScale& contact) {
-  const Eigen::Vector3d largest = largest_resultants(bound, contact);
-  validate(load, largest[0], largest[2]);
 }
 
 PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch, const AdvectionScheme& scheme) {

@@ -15,13 +15,6 @@ namespace microslip {
 /// \throws std::invalid_argument with a message that names the file, and the line or row and column
 PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch, const AdvectionScheme& scheme);
 
-/// Refuses resultants that friction does not carry in a contact.
-/// \param bound    of the problem
-/// \param contact  over the problem's
-/// \throws BadParameter with the name of the component, see name_of()
-void require_patch_carried(const PatchLoad& load, const PatchBound& bound,
-                           const ContactScale& contact);
-
 /// Refuses motions, or shifts, of more than 1e8 times those by the bound's strain, beside which
 /// displacements would be lost.
 /// \throws BadParameter with the name of the component, see name_of()

@@ -90,7 +90,7 @@ std::vector<PatchLoad> read_patch_shifts(Scene& scene, const SteadyPatch& patch,
     with_names_of(
         shift,
         [&] {
-          require_patch_carried(shift, patch.bound, contact);
+          require_carried(shift, patch.bound, contact);
           require_motions(shift, patch, true);
         },
         [&](std::size_t j) { return given[j]; });
@@ -186,7 +186,7 @@ std::vector<double> read_patch_steps(Scene& scene, const PatchTransient& read) {
 void warn_of_long_steps(Scene& scene, const PatchTransient& read) {
   double size = 1;
   for (const ContactScale& contact : read.loads.rows().contacts()) {
-    size = std::min(size, contact.half_width);
+    if (contact.carries()) size = std::min(size, contact.half_width);
   }
   const double most = 0.5 * size * read.patch.bound.half_width();
   const double longest = std::min(std::ranges::max(read.step_lengths()), read.distance);
@@ -198,6 +198,21 @@ void warn_of_long_steps(Scene& scene, const PatchTransient& read) {
                          "forces may have errors of more than 1 % of full sliding{}",
                          format_roughly(longest), size < 1 ? "least " : "", format_roughly(most),
                          by_rows ? "; step.ratio 1 has steps of an element" : ""));
+}
+
+/// Refuses a step that ends so close to a place without contact that PatchRolling does not take it.
+void require_contact_at(const PatchTransient& read, double distance) {
+  using Ranges = PatchStepRanges;
+  const ContactScale contact = read.loads.contact_at(distance);
+  const double size = contact.half_width, bound = contact.bound;
+  const bool is_small = size > 0 && size < Ranges::least_size;
+  if (!is_small && !(bound > 0 && bound < Ranges::least_bound)) return;
+  require(false, "step.ratio", read.step_ratios.front(), [&] {
+    return fmt::format(
+        "another one: a step would end at q = {} mm, next to where contact is lost, with {} of {}",
+        format_roughly(read.loads.position_at(distance)), format_roughly(is_small ? size : bound),
+        is_small ? "the half-widths of the scene" : "its bound");
+  });
 }
 
 /// Refuses steps that PatchRolling does not take.
@@ -219,8 +234,10 @@ void require_step_lengths(const Scene& scene, const PatchTransient& read) {
     });
   }
   double first = 0, last = 0, shortest = std::numeric_limits<double>::infinity();
-  for_steps(read.distance, read.step_lengths(), read.from, read.loads.stops(),
-            [&](double, double, double length) {
+  const bool changes = read.loads.changes_contact();
+  for_steps(read.distance, read.step_lengths(), read.from, read.loads.ends_of_steps(),
+            [&](double, double to, double length) {
+              if (changes) require_contact_at(read, to);
               if (first == 0) first = length;
               last = length;
               shortest = std::min(shortest, length);
@@ -235,7 +252,7 @@ void require_step_lengths(const Scene& scene, const PatchTransient& read) {
   });
   require(shortest >= least, "step.ratio", read.step_ratios.front(), [&] {
     return fmt::format(
-        "another one: a step that ends where the bodies turn or are shifted would be "
+        "another one: a step that ends where the bodies turn, are shifted or part would be "
         "{} mm long, shorter than {} mm",
         format_roughly(shortest), format_roughly(least));
   });

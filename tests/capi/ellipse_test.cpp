@@ -252,6 +252,34 @@ TEST(CEllipse, ContactThatGrowsIsThatOfALargerEllipse) {
   EXPECT_NEAR(one.full_sliding / other.full_sliding, 1, 1e-12);
 }
 
+TEST(CEllipse, LosesItsContactAndTouchesAnew) {
+  const Ellipse ellipse = created(), fresh = created();
+  const Load load = motion(6e-4, 3e-4, 5e-5);
+  advanced(ellipse, 2, load);
+  ASSERT_EQ(microslip_ellipse_set_contact(ellipse.get(), 0, 0), MICROSLIP_OK);
+  const State lost = advanced(ellipse, 2, load);
+  for (const double resultant : lost.resultants) EXPECT_EQ(resultant, 0);
+  EXPECT_EQ(lost.full_sliding, 0);
+  EXPECT_EQ(lost.slip_share, 0);
+  State state{};
+  EXPECT_EQ(microslip_ellipse_solve_steady(ellipse.get(), &load, &state, nullptr),
+            MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(microslip_ellipse_message(ellipse.get()),
+               "size_factor = 0: expected a number > 0 for steady rolling");
+  const Load held{{1, 0, 0}, {1, 0, 0}};
+  EXPECT_EQ(microslip_ellipse_advance(ellipse.get(), 1, &held, &state), MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(microslip_ellipse_message(ellipse.get()),
+               "force = 1: expected 0 where bodies do not touch, or have no friction");
+  ASSERT_EQ(microslip_ellipse_set_contact(ellipse.get(), 1, 1), MICROSLIP_OK);
+  const Load still = motion(0, 0, 0);
+  ASSERT_EQ(microslip_ellipse_shift(ellipse.get(), &still, nullptr), MICROSLIP_OK);
+  const State one = advanced(ellipse, 3, load), other = advanced(fresh, 3, load);
+  for (int j = 0; j < 3; ++j) {
+    EXPECT_NEAR(one.resultants[j], other.resultants[j], 1e-9 * other.full_sliding);
+  }
+  EXPECT_NEAR(one.distance, 7, 1e-12);
+}
+
 TEST(CEllipse, ManyRollAsOneByOne) {
   constexpr std::size_t count = 7;
   std::mt19937 random(4);
@@ -345,9 +373,9 @@ TEST(CEllipse, RefusesBadInput) {
   expect_refused(1, {{0, 0, 2}, {0, 0, 0}}, "prescribed[2] = 2: expected MICROSLIP_MOTION or");
   EXPECT_EQ(microslip_ellipse_advance(ellipse.get(), 1, nullptr, nullptr), MICROSLIP_BAD_INPUT);
   EXPECT_STREQ(microslip_ellipse_message(ellipse.get()), "load = null: expected a pointer");
-  EXPECT_EQ(microslip_ellipse_set_contact(ellipse.get(), 0, 1), MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(microslip_ellipse_set_contact(ellipse.get(), 1e-5, 1), MICROSLIP_BAD_INPUT);
   EXPECT_STREQ(microslip_ellipse_message(ellipse.get()),
-               "size_factor = 0: expected a number from 0.01 to 100");
+               "size_factor = 1e-05: expected a number from 0.0001 to 100, or 0");
   EXPECT_EQ(microslip_ellipse_restore_from_memory(ellipse.get(), "no state"), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_ellipse_restore(ellipse.get(), "/nowhere/state"), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_ellipse_assign(ellipse.get(), nullptr), MICROSLIP_BAD_INPUT);

@@ -138,6 +138,44 @@ TEST_F(PatchSteps, AreRefusedInOneLineThatNamesTheKey) {
             2);
 }
 
+TEST_F(PatchSteps, LoseTheirContactAndAreDrawn) {
+  const std::string contact =
+      "--set load.force= --set load.spin= --set load.file=run.csv --set motion.distance= --set "
+      "start.type=rest --set step.ratio=1 ";
+  const auto run = [&](const std::string& rows) {
+    std::ofstream(folder_ / "run.csv") << "q;creepage [%];lateral_force [kN];normal_load [kN]\n"
+                                       << rows;
+    return solve("--set load.lateral_force= " + contact);
+  };
+  const Outcome solved = run("0;0.1;0;80\n8;0.1;0;0\n12;0.1;0;0\n20;0.1;1;80\n");
+  EXPECT_EQ(solved.status, 0) << solved.error;
+  EXPECT_EQ(run_in_folder("plot out").status, 0);
+  const Outcome lost = run("0;0.1;0;80\n8;0.1;0;0\n12;0.1;0;0\n");
+  EXPECT_EQ(lost.status, 0) << lost.error;
+  const std::string tables = text_of(folder_ / "out" / "summary.tsv") +
+                             text_of(folder_ / "out" / "history.tsv") +
+                             text_of(folder_ / "out" / "traction.tsv");
+  EXPECT_EQ(tables.find("nan"), std::string::npos);
+  EXPECT_EQ(run_in_folder("plot out --figure ellipse --to map.svg").error,
+            "microslip: 'out': expected a result: it ends without contact, and has no map\n");
+  EXPECT_EQ(run_in_folder("plot out").status, 0);
+  fs::remove_all(folder_ / "out");
+  const Outcome held = run("0;0.1;0;80\n8;0.1;1;0\n12;0.1;1;80\n");
+  EXPECT_EQ(held.status, 1);
+  EXPECT_NE(held.error.find("row 2: lateral_force = 1000: expected 0 where bodies do not touch, or "
+                            "have no friction\n"),
+            std::string::npos)
+      << held.error;
+  EXPECT_EQ(std::count(held.error.begin(), held.error.end(), '\n'), 1) << held.error;
+  run("0;0.1;0;80\n8;0.1;0;0\n12;0.1;0;0\n");
+  const Outcome told =
+      run_in_folder("explain ellipse_transient.info --set load.lateral_force= " + contact);
+  EXPECT_NE(
+      told.output.find("in 2 rows of load.file contact or friction is lost, first at q = 8 mm"),
+      std::string::npos)
+      << told.output;
+}
+
 TEST_F(PatchSteps, ConvergeOnRowsThatFit) {
   const std::string few = " --elements '5 8' --set motion.distance='5 mm'";
   const Outcome outcome =

@@ -183,6 +183,66 @@ TEST(PatchTransientTables, AreTheSameWithAContactThatStays) {
   EXPECT_EQ(history.columns().size(), constant.named("history").columns().size() + 3);
 }
 
+// The contact is lost at 3 mm and returns from 6 mm on: there a run begins anew that starts at rest.
+// A step ends in each of these rows.
+TEST(PatchTransientTables, StartAtRestWhereAContactReturns) {
+  const Settings all = transient(loaded(
+      {"load.file=run", "load.lateral_creepage=-0.001", "load.spin=0.2 1/m", "step.ratio=0.7"}));
+  const std::string behind = "0,0.002,0\n4,0.002,70\n12,0.001,35\n";
+  const std::string columns = "q,creepage,normal_load [kN]\n";
+  const PatchTables lost(all,
+                         columns + "0,0.002,70\n3,0.002,0\n6,0.002,0\n10,0.002,70\n18,0.001,35\n");
+  const PatchTables fresh(all, columns + behind);
+  EXPECT_GT(std::abs(fresh.of("force")), 1e3);
+  EXPECT_EQ(lost.of("distance"), 18);
+  const Table& history = lost.named("history");
+  int rows = 0;
+  for (std::size_t i = 0; i < history.rows(); ++i) {
+    const double q = history.number(i, "q");
+    if (q < 3 || q > 6) {
+      EXPECT_GT(history.number(i, "full_sliding"), 0) << q;
+      continue;
+    }
+    ++rows;
+    for (const char* none : {"force", "lateral_force", "spin_moment", "half_width", "slip_share"}) {
+      EXPECT_EQ(history.number(i, none), 0) << q << ' ' << none;
+    }
+    EXPECT_NEAR(history.number(i, "creepage"), 0.002, 1e-15);
+  }
+  EXPECT_GE(rows, 5);
+  for (const char* quantity : {"force", "lateral_force", "spin_moment"}) {
+    const double scale = fresh.of("full_sliding_force") * (quantity[0] == 's' ? 5 : 1);
+    EXPECT_NEAR(lost.of(quantity), fresh.of(quantity), 0.01 * scale) << quantity;
+  }
+  EXPECT_EQ(lost.of("half_width"), fresh.of("half_width"));
+}
+
+// Both parts of a run that is divided while the contact is lost.
+TEST(PatchTransientTables, ContinueWhereTheContactIsLost) {
+  const std::string rows =
+      "q,creepage,normal_load [kN]\n0,0.002,70\n3,0.002,0\n6,0.002,0\n12,0.002,70\n";
+  const auto settings = [](const Settings& more) {
+    Settings all = transient(loaded({"load.file=run", "step.ratio=0.6"}));
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  const PatchTables whole(settings({}), rows), first(settings({"motion.distance=4.5"}), rows);
+  EXPECT_EQ(first.of("full_sliding_force"), 0);
+  EXPECT_EQ(first.of("force_ratio"), 0);
+  const PatchTables second(settings({"start.type=state", "start.state=state"}), rows,
+                           first.state());
+  EXPECT_NEAR(second.of("force"), whole.of("force"), 1e-9 * full);
+}
+
+TEST(PatchTransientTables, LoseTheContactWhileTheBodiesStand) {
+  const PatchTables jumped(transient(loaded({"load.file=run", "step.ratio=0.7"})),
+                           "q,creepage,normal_load [kN]\n0,0.002,70\n3,0.002,70\n3,0.002,0\n"
+                           "3,0.002,70\n9,0.002,70\n");
+  const PatchTables fresh(transient(loaded({"load.file=run", "step.ratio=0.7"})),
+                          "q,creepage,normal_load [kN]\n0,0.002,70\n6,0.002,70\n");
+  EXPECT_NEAR(jumped.of("force"), fresh.of("force"), 5e-3 * full);
+}
+
 // The normal load rises to twice and stays; steady rolling of that contact is another solution.
 TEST(PatchTransientTables, EndInTheSteadyStateOfTheLoadThatStays) {
   const PatchTables rolled(

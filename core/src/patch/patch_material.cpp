@@ -41,9 +41,13 @@ void archive_edge(Archive& archive, const char* name, Eigen::MatrixX2d& edge) {
 
 }  // namespace
 
-PatchMaterial::PatchMaterial(const JoinedRows& rows, double size)
-    : size_(size), edge_before_(Eigen::MatrixX2d::Zero(rows.rows(), 2)), edge_(edge_before_) {
-  for (Index k = 0; k < rows.rows(); ++k) memory_.push_back(row_at_rest(rows, k, size, 0));
+PatchMaterial::PatchMaterial(const JoinedRows& rows, double size, double distance)
+    : distance_(distance),
+      size_(size),
+      edge_before_(Eigen::MatrixX2d::Zero(rows.rows(), 2)),
+      edge_(edge_before_) {
+  const double placed = size > 0 ? size : 1;
+  for (Index k = 0; k < rows.rows(); ++k) memory_.push_back(row_at_rest(rows, k, placed, 0));
 }
 
 double PatchMaterial::ratio_before(double dq) const {
@@ -87,8 +91,7 @@ Vector2d PatchMaterial::imposed_by(const StepWays& ways, const MaterialWay& way,
   return -at_entry / way.length;
 }
 
-void PatchMaterial::begin(PointDisplacements& u, double distance) {
-  distance_ = distance;
+void PatchMaterial::begin(PointDisplacements& u) {
   for (Index k = 0; k < u.rows().rows(); ++k) {
     edge_.row(k) = u.at(0, k);
     touch_anew(k, u);
@@ -106,12 +109,11 @@ void PatchMaterial::take(const PatchStep& step, PointDisplacements& u,
   distance_ += step.dq;
   step_before_ = step.dq;
   motion_ = motion;
-  const double b = rows.shape().lateral_half_width();
   for (Index k = 0; k < rows.rows(); ++k) {
     MaterialRecords& row = memory_[static_cast<std::size_t>(k)];
     const double y = size_ * rows.y(k);
     const double front = size_ * rows.x(0, k), exit = size_ * rows.x(2 * rows.elements(), k);
-    if (grows && std::abs(y) >= step.from * b) {
+    if (grows && is_mostly_new(rows, k, step)) {
       touch_anew(k, u);
       continue;
     }
@@ -123,6 +125,15 @@ void PatchMaterial::take(const PatchStep& step, PointDisplacements& u,
     replace_where_slips(k, u, slips);
   }
   if (travelled_ > farthest_origin * size_) renew_origin(rows);
+}
+
+/// Tells whether a row takes in material at its trailing edge, or rolls over more than half of its
+/// length. Records at the leading edge are too few then.
+bool PatchMaterial::is_mostly_new(const JoinedRows& rows, Index k, const PatchStep& step) const {
+  const double a = rows.shape().half_width(), b = rows.shape().lateral_half_width();
+  const double y = step.to * rows.y(k) / b;
+  const double before = a * std::sqrt(std::max(0.0, step.from * step.from - y * y));
+  return step.dq >= before || step.to * rows.half_length(k) - before > step.dq;
 }
 
 /// Measures places and the path from here, with the same sums of displacement and rigid slip.
@@ -173,6 +184,7 @@ void PatchMaterial::touch_anew(Index k, PointDisplacements& u) {
 }
 
 PatchMaterial PatchMaterial::resized(const JoinedRows& rows, double size) const {
+  if (size_ == 0) return {rows, size, distance_};
   PatchMaterial there = *this;
   for (Index k = 0; k < rows.rows(); ++k) {
     there.memory_[static_cast<std::size_t>(k)] = moved_row(rows, k, size);

@@ -21,8 +21,9 @@ class PatchMaterial {
   using Vector2d = Eigen::Vector2d;
 
   /// Remembers nothing: no displacement, no slip.
-  /// \param size  of the contact
-  PatchMaterial(const JoinedRows& rows, double size);
+  /// \param size      of the contact; 0 of bodies that do not touch
+  /// \param distance  rolled so far
+  PatchMaterial(const JoinedRows& rows, double size, double distance = 0);
 
   double distance() const { return distance_; }  ///< rolled so far, since the beginning
   double size() const { return size_; }          ///< of the contact now
@@ -32,7 +33,8 @@ class PatchMaterial {
   double ratio_before(double dq) const;
 
   /// The same material, by rows that lie where those of a contact of another size do. Rows outside
-  /// the present contact remember what the outermost ones do, until they touch.
+  /// the present contact remember what the outermost ones do, until they touch; where the bodies do
+  /// not touch, nothing.
   PatchMaterial resized(const JoinedRows& rows, double size) const;
 
   /// The part of the slip in a step that comes from what was before it.
@@ -42,8 +44,7 @@ class PatchMaterial {
   void impose(const PatchStep& step, PointDisplacements& u, ImposedSlip& found) const;
 
   /// Remembers displacements that no slip has led to, before the first step.
-  /// \param distance  rolled so far
-  void begin(PointDisplacements& u, double distance);
+  void begin(PointDisplacements& u);
 
   /// Takes over a step.
   /// \param step    to the present size
@@ -60,6 +61,7 @@ class PatchMaterial {
   Vector2d imposed_by(const StepWays& ways, const MaterialWay& way, Index k) const;
   MaterialRecords moved_row(const JoinedRows& rows, Index k, double size) const;
   void replace_where_slips(Index k, PointDisplacements& u, const std::vector<bool>& slips);
+  bool is_mostly_new(const JoinedRows& rows, Index k, const PatchStep& step) const;
   void touch_anew(Index k, PointDisplacements& u);
   void renew_origin(const JoinedRows& rows);
 

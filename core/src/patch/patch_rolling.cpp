@@ -32,6 +32,16 @@ Vector3d signed_by(const Vector3d& signs, const Vector3d& values) {
 
 }  // namespace
 
+void require_carried(const PatchLoad& load, const PatchBound& bound, const ContactScale& contact) {
+  const Vector3d largest = largest_resultants(bound, contact);
+  if (contact.carries()) return validate(load, largest[0], largest[2]);
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    const auto& [by_resultant, value] = load[j];
+    require(!by_resultant || value == 0, name_of(load, j), value,
+            by_resultant ? "0 where bodies do not touch, or have no friction" : "a finite number");
+  }
+}
+
 Vector3d largest_resultants(const PatchBound& bound, const ContactScale& contact) {
   const auto& [size, height] = contact;
   const double force = size * size * height;
@@ -73,10 +83,11 @@ void PatchRolling::start_from(const MatrixX2d& tractions) {
 
 void PatchRolling::shift(const PatchLoad& load) {
   const double size = parts_->next.half_width;
-  require(size == parts_->now.half_width, "half_width", size,
-          "that of the contact before a shift, which changes no lengths");
+  const bool keeps_contact = parts_->next.carries() && parts_->now.carries();
+  require(!keeps_contact || size == parts_->now.half_width, "half_width", size,
+          "that of the contact before a shift, which changes no lengths but to and from 0");
   if (parts_->backward) parts_->require_load(load, false);
-  parts_->take(0, parts_->in_frame(load, false));
+  parts_->shift(parts_->in_frame(load, false));
 }
 
 void PatchRolling::roll(double dq, const PatchLoad& load) {
@@ -162,6 +173,7 @@ double PatchRolling::dissipation() const {
 Matrix3d PatchRolling::jacobian() const {
   Parts& p = *parts_;
   if (!p.moved) throw std::logic_error("a Jacobian is that of a step");
+  if (!p.now.carries()) return Matrix3d::Zero();
   const PatchResponse& of = p.last_response();
   const Matrix3d scaled = stick_slip_jacobian(of, p.last_limits(), p.state);
   const Vector3d by_size = PatchConstants::by_size(p.now.half_width);

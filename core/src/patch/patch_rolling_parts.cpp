@@ -24,13 +24,12 @@ constexpr int many_corrections = 6;
 }  // namespace
 
 void require_contact(const ContactScale& scale, const PatchShape& shape) {
-  constexpr double largest_size = PatchStepRanges::largest_size;
-  constexpr double largest_bound = PatchStepRanges::largest_bound;
+  using Ranges = PatchStepRanges;
   const auto& [size, bound] = scale;
-  require(size >= 1 / largest_size && size <= largest_size, "half_width", size,
-          "0.01 ... 100 times that of the problem");
-  require(bound >= 1 / largest_bound && bound <= largest_bound, "bound", bound,
-          "1e-6 ... 1e6 times that of the problem");
+  require(size == 0 || (size >= Ranges::least_size && size <= Ranges::largest_size), "half_width",
+          size, "1e-4 ... 100 times that of the problem, or 0 of bodies that do not touch");
+  require(bound == 0 || (bound >= Ranges::least_bound && bound <= Ranges::largest_bound), "bound",
+          bound, "1e-6 ... 1e6 times that of the problem, or 0 of bodies without friction");
   require(size == 1 || shape.is_ellipse(), "half_width", size,
           "1 of a contact that is no ellipse: it has one size");
 }
@@ -59,7 +58,8 @@ PatchRolling::Parts::Parts(std::shared_ptr<const PatchConstants> given, const Co
 
 VectorXd PatchRolling::Parts::bound() const {
   const PatchConstants& of = forward();
-  return now.bound * tractions_of(of.rows, of.limits.replicate(2, 1), 1).col(0);
+  const double bound = now.carries() ? now.bound : 0;
+  return bound * tractions_of(of.rows, of.limits.replicate(2, 1), 1).col(0);
 }
 
 PatchRolling::Parts PatchRolling::Parts::at_rest() const {
@@ -78,8 +78,10 @@ void PatchRolling::Parts::start_from(const Eigen::MatrixX2d& tractions) {
 void PatchRolling::Parts::begin(const VectorXd& unknowns, double distance) {
   state.unknowns = unknowns;
   before = state;
+  material = PatchMaterial(constants->rows, now.half_width, distance);
+  if (!now.carries()) return;
   displacements.set(state.unknowns, now.half_width);
-  material.begin(displacements, distance);
+  material.begin(displacements);
 }
 
 /// The cells of each row in the reversed order, if the patch rolls backward.
@@ -199,12 +201,11 @@ const VectorXd& PatchRolling::Parts::limits_of_bound(double bound) {
 /// The load of the next step, over the units of a contact of its size.
 PatchLoad PatchRolling::Parts::scaled(const PatchLoad& load, bool rolls) const {
   const Vector3d by_size = PatchConstants::by_size(next.half_width);
-  const Vector3d largest = largest_resultants(constants->problem.bound, next);
-  validate(load, largest[0], largest[2]);
+  require_carried(load, constants->problem.bound, next);
   PatchLoad scaled = units().scaled(load, rolls ? units().motion : units().shift);
   for (std::size_t j = 0; j < scaled.size(); ++j) {
     if (scaled[j].by_resultant) {
-      scaled[j].value /= by_size[static_cast<Index>(j)];
+      if (next.carries()) scaled[j].value /= by_size[static_cast<Index>(j)];
       continue;
     }
     require(std::abs(scaled[j].value) <= PatchStepRanges::largest_motion, name_of(load, j),
@@ -259,21 +260,72 @@ void PatchRolling::Parts::take(double dq, const PatchLoad& load) {
   material.take(step, displacements, state.motion, state.slips);
 }
 
+/// Parts the bodies, or takes their friction, until the end of a step. All tractions end, and the
+/// material forgets. What follows from a resultant does not move.
+void PatchRolling::Parts::lose(double dq, const PatchLoad& load) {
+  const PatchLoad wanted = scaled(load, dq > 0);
+  const Vector3d mean = resultants() / 2;
+  const double stored = elastic_energy();
+  std::swap(before, state);
+  state = at_rest().state;
+  for (std::size_t j = 0; j < wanted.size(); ++j) {
+    if (!wanted[j].by_resultant) state.motion[static_cast<Index>(j)] = wanted[j].value;
+  }
+  step = {.dq = dq, .from = now.half_width, .to = next.half_width};
+  moved = true;
+  follows = false;
+  now = next;
+  dissipation = -mean.dot(state.motion) + stored / (dq > 0 ? dq : 1);
+  material = PatchMaterial(constants->rows, now.half_width, material.distance() + dq);
+}
+
+/// Motions before the bodies touch are no slip.
+void PatchRolling::Parts::shift(const PatchLoad& load) {
+  if (!next.carries()) return lose(0, load);
+  if (now.carries()) return take(0, load);
+  const PatchLoad wanted = scaled(load, false);
+  Parts touching = *this;
+  touching.now = next;
+  touching.begin(state.unknowns, material.distance());
+  PatchLoad carried = load;
+  for (PatchComponent& component : carried) {
+    if (!component.by_resultant) component.value = 0;
+  }
+  touching.take(0, carried);
+  for (std::size_t j = 0; j < wanted.size(); ++j) {
+    if (!wanted[j].by_resultant) touching.state.motion[static_cast<Index>(j)] = wanted[j].value;
+  }
+  *this = std::move(touching);
+}
+
+/// The load in the middle of a step to the next contact. Resultants are the mean part of the largest
+/// ones; in a contact that begins, the part that they are at its end.
+PatchLoad PatchRolling::Parts::middle_of(const PatchLoad& load, const ContactScale& middle) const {
+  const auto largest_in = [&](const ContactScale& contact) {
+    return largest_resultants(constants->problem.bound, contact).eval();
+  };
+  const Vector3d largest = largest_in(middle), at_end = largest_in(next), before = largest_in(now);
+  const Vector3d from = resultants().cwiseProduct(units().resultant);
+  PatchLoad found = load;
+  for (std::size_t j = 0; j < found.size(); ++j) {
+    if (!found[j].by_resultant) continue;
+    const auto i = static_cast<Index>(j);
+    const double end = load[j].value / at_end[i];
+    found[j].value = largest[i] * (now.carries() ? (from[i] / before[i] + end) / 2 : end);
+  }
+  return found;
+}
+
 void PatchRolling::Parts::roll(double dq, const PatchLoad& load, int divisions) {
+  if (!next.carries()) return lose(dq, load);
   try {
     return take(dq, load);
   } catch (const NotConverged&) {
     if (divisions == 0) throw;
   }
   Parts halves = *this;
-  const Vector3d from = resultants().cwiseProduct(units().resultant);
-  PatchLoad middle = load;
-  for (std::size_t j = 0; j < middle.size(); ++j) {
-    if (!middle[j].by_resultant) continue;
-    middle[j].value = (load[j].value + from[static_cast<Index>(j)]) / 2;
-  }
   halves.next = between(now, next, 0.5);
-  halves.roll(dq / 2, middle, divisions - 1);
+  halves.roll(dq / 2, middle_of(load, halves.next), divisions - 1);
   const Vector3d motion = halves.state.motion;
   const double lost = halves.lost();
   const int iterations = halves.state.iterations;

@@ -85,7 +85,7 @@ struct PatchRolling::Parts {
   /// The response and the limits of the last step.
   const PatchResponse& last_response() { return response_of(step); }
   const Eigen::VectorXd& last_limits() { return limits_of_bound(now.bound); }
-  double condition() const { return response ? response->of.condition() : 0; }
+  double condition() const { return response && now.carries() ? response->of.condition() : 0; }
 
   /// The constants of the patch that rolls forward.
   const PatchConstants& forward() const { return backward ? *turned_constants : *constants; }
@@ -118,6 +118,9 @@ struct PatchRolling::Parts {
   /// Takes a step; one that is not solved is divided into halves, and these again.
   void roll(double dq, const PatchLoad& load, int divisions);
 
+  /// Shifts the bodies without rolling. Those that touch anew are at rest then, or carry resultants.
+  void shift(const PatchLoad& load);
+
   void archive(Archive& archive);
 
  private:
@@ -127,6 +130,8 @@ struct PatchRolling::Parts {
   const PatchResponse& response_of(const PatchStep& wanted);
   const Eigen::VectorXd& limits_of_bound(double bound);
   PatchLoad scaled(const PatchLoad& load, bool rolls) const;
+  void lose(double dq, const PatchLoad& load);
+  PatchLoad middle_of(const PatchLoad& load, const ContactScale& middle) const;
   void solve(const PatchResponse& of, const Eigen::VectorXd& limits, const PatchLoad& load);
   void archive_follower(Archive& archive);
   void prepare_follower(const PatchResponse& of, const Eigen::VectorXd& limits_now,

@@ -33,7 +33,9 @@ MaterialWay StepWays::way_to(double x, Index k) const {
 }
 
 MaterialWay StepWays::about_centre(Index i, Index k) const {
-  return way_to(std::max(x(2 * i + 1, k) - step_.dq / 2, x(2 * i + 2, k)), k);
+  const MaterialWay way = way_to(std::max(x(2 * i + 1, k) - step_.dq / 2, x(2 * i + 2, k)), k);
+  const MaterialWay centre = to_centre(i, k);
+  return way.entered > centre.entered ? centre : way;
 }
 
 double StepWays::by_change_of_motion(const MaterialWay& way) const {

@@ -57,7 +57,8 @@ class StepWays {
   MaterialWay to_centre(Index i, Index k) const { return way_to(x(2 * i + 1, k), k); }
 
   /// The way of the material that passes the centre in the middle of the step; or, in long steps,
-  /// that is at the trailing side of the cell at the end.
+  /// that is at the trailing side of the cell at the end. Material that a growing contact takes in
+  /// there, later than at the centre, has no slip yet: it is that at the centre then.
   MaterialWay about_centre(Index i, Index k) const;
 
   /// The length by which the change of the rigid slip from the step before to this one adds to the

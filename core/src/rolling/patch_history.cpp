@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 
 namespace microslip {
 
@@ -36,6 +37,12 @@ PatchHistory::PatchHistory(const std::array<LoadHistory, 3>& components) : compo
   }
   std::ranges::sort(stops_);
   stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
+}
+
+std::vector<double> PatchHistory::ends_of_steps() const {
+  std::vector<double> ends;
+  std::ranges::set_union(stops_, rows().ends_of_steps(), std::back_inserter(ends));
+  return ends;
 }
 
 bool PatchHistory::changes_size() const {

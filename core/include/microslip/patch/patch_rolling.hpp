@@ -21,14 +21,19 @@ struct PatchStepRanges {
   /// Motions over the strain mu p0/G, beside which displacements keep their digits.
   static constexpr double largest_motion = 1e8;
 
-  /// Half-widths and bound of a contact over the problem's, or the problem's over these.
-  static constexpr double largest_size = 100, largest_bound = 1e6;
+  /// Half-widths and bound of a contact over the problem's, if they are not 0.
+  static constexpr double least_size = 1e-4, largest_size = 100;
+  static constexpr double least_bound = 1e-6, largest_bound = 1e6;
 };
 
 /// The largest forces along and across, and the largest moment about x = y = 0, that friction
 /// carries, each on its own  [N, N, N mm]
 /// \param contact  over the problem's; of both half-widths, and of the bound
 Eigen::Vector3d largest_resultants(const PatchBound& bound, const ContactScale& contact);
+
+/// \throws std::invalid_argument unless friction carries the resultants of a load, which are 0 in a
+///         contact that carries nothing, and for motions that are not finite
+void require_carried(const PatchLoad& load, const PatchBound& bound, const ContactScale& contact);
 
 /// A patch rolls by steps of any length. The material of each row remembers the sum of its
 /// displacement and of all rigid slip so far, which does not change while it sticks. So tractions
@@ -49,6 +54,12 @@ Eigen::Vector3d largest_resultants(const PatchBound& bound, const ContactScale& 
 /// that is no ellipse, or has a bound of its own, prepares it from the other side, which costs what
 /// the patch did.
 /// tests/unit/turning_patch_test.cpp
+///
+/// Contact or friction may be lost at the end of a step or a shift, and return at that of another. In
+/// between there are no tractions, resultants are 0, and the material forgets. What follows from a
+/// resultant does not move in a step that ends so. A contact that returns in a step begins at its
+/// start, from nothing; one that returns in a shift begins at its end, with the resultants.
+/// tests/unit/lost_patch_test.cpp
 ///
 /// Motions are at most 1e8 times the strain mu p0/G, beside which displacements keep their digits.
 ///
@@ -75,8 +86,8 @@ class PatchRolling {
   PatchRolling& operator=(PatchRolling&&) noexcept;
 
   /// Sets the contact at the end of the next step, and of those after it. In that step its lengths
-  /// change linearly; in a shift they cannot. Only an ellipse changes its lengths.
-  /// \param scale  half_width on both half-widths; 0.01 ... 100, and the bound 1e-6 ... 1e6
+  /// change linearly; in a shift they cannot, but to and from 0. Only an ellipse changes its lengths.
+  /// \param scale  half_width on both half-widths; 1e-4 ... 100, and the bound 1e-6 ... 1e6; or 0
   /// \throws std::invalid_argument outside the ranges, and for another shape
   void set_contact(const ContactScale& scale);
 
@@ -96,7 +107,7 @@ class PatchRolling {
   void shift(const PatchLoad& load);
 
   /// Rolls over a step. A step in which stick and slip are not found is divided into halves, up to
-  /// six times, on the way of which resultants go linearly to those prescribed.
+  /// six times, on the way of which resultants over the largest go linearly to those prescribed.
   /// \param dq  from 1e-6 to 1e6 of the size, or less than 0 by as much to roll back  [mm]
   /// \throws std::invalid_argument if a number is out of its range; NotConverged
   void roll(double dq, const PatchLoad& load);

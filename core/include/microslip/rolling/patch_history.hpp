@@ -40,6 +40,9 @@ class PatchHistory {
   /// Distances at which the bodies turn or are shifted, ascending; steps end there  [mm]
   const std::vector<double>& stops() const { return stops_; }
 
+  /// Distances at which a step has to end, as LoadHistory has them.
+  std::vector<double> ends_of_steps() const;
+
   /// A shift without rolling: shifts [mm] and a rotation [rad] in the place of motions, or
   /// resultants at its end.
   struct Standing {
