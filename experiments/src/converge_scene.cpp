@@ -275,6 +275,9 @@ ConvergeScene read_converge(Scene& scene) {
   if (stops) {
     reject("load.file", scene.text("load.file"), "rows that neither turn nor shift the bodies");
   }
+  if (rolling != nullptr && !rolling->loads.ends_of_steps().empty()) {
+    reject("load.file", scene.text("load.file"), "rows in which an ellipse keeps its contact");
+  }
   const auto* patch = rolling != nullptr ? &rolling->patch : std::get_if<SteadyPatch>(&model);
   const auto* steady = std::get_if<SteadyProblem>(&model);
   ConvergeScene read{.scene = scene,

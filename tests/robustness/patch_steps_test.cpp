@@ -156,8 +156,10 @@ TEST_F(PatchSteps, LoseTheirContactAndAreDrawn) {
                              text_of(folder_ / "out" / "history.tsv") +
                              text_of(folder_ / "out" / "traction.tsv");
   EXPECT_EQ(tables.find("nan"), std::string::npos);
-  EXPECT_EQ(run_in_folder("plot out --figure ellipse --to map.svg").error,
-            "microslip: 'out': expected a result: it ends without contact, and has no map\n");
+  EXPECT_EQ(
+      run_in_folder("plot out --figure ellipse --to map.svg").error,
+      "microslip: 'out': expected the folder of a result; it ends without contact, and has no "
+      "map\n");
   EXPECT_EQ(run_in_folder("plot out").status, 0);
   fs::remove_all(folder_ / "out");
   const Outcome held = run("0;0.1;0;80\n8;0.1;1;0\n12;0.1;1;80\n");
@@ -170,6 +172,14 @@ TEST_F(PatchSteps, LoseTheirContactAndAreDrawn) {
   run("0;0.1;0;80\n8;0.1;0;0\n12;0.1;0;0\n");
   const Outcome told =
       run_in_folder("explain ellipse_transient.info --set load.lateral_force= " + contact);
+  const Outcome converge =
+      run_in_folder("converge ellipse_transient.info --set load.lateral_force= " + contact);
+  EXPECT_EQ(converge.status, 1);
+  EXPECT_NE(
+      converge.error.find("load.file = 'run.csv': expected rows in which an ellipse keeps its "
+                          "contact"),
+      std::string::npos)
+      << converge.error;
   EXPECT_NE(
       told.output.find("in 2 rows of load.file contact or friction is lost, first at q = 8 mm"),
       std::string::npos)

