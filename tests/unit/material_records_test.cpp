@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Records of the material of a row: whatever the edge does, they have the values that entered.
-#include "patch/material_records.hpp"
+#include "../../core/src/patch/material_records.hpp"
 
 #include <gtest/gtest.h>
 
