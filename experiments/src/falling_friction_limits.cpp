@@ -42,15 +42,18 @@ double limit_of_unique_steps(const SteadyProblem& problem, const SteadySolution&
   if (slips.empty()) return 0;
   const MatrixXd influence = influence_matrix(problem.contact.kernel, constant_basis(),
                                               problem.grid.spacing(), solution.x.size());
+  const VectorXd lengths = VectorXd::Constant(solution.x.size(), problem.grid.spacing());
+  const VectorXd at_rest = std::get<Differences>(problem.method).mean_bounds
+                               ? element_means(problem.contact.bound, solution.x, lengths)
+                               : bound_at(problem.contact.bound, solution.x);
   VectorXd follows(static_cast<Index>(slips.size()));
   for (std::size_t k = 0; k < slips.size(); ++k) {
     const Index i = slips[k];
     const double speed = std::abs(solution.slip[i]) * friction.speed;
-    const double at_rest = bound_at(problem.contact.bound, solution.x.segment<1>(i))[0];
     const double slope = slope_of(friction.law, speed);
-    const double lag = solution.bound[i] / at_rest - friction.law(speed);
+    const double lag = solution.bound[i] / at_rest[i] - friction.law(speed);
     follows[static_cast<Index>(k)] =
-        at_rest * (friction.remembers() ? speed * slope + lag : friction.speed * slope);
+        at_rest[i] * (friction.remembers() ? speed * slope + lag : friction.speed * slope);
   }
   const MatrixXd followed = response_of_slip(influence, slips, sticks) * follows.asDiagonal();
   return followed.eigenvalues().cwiseAbs().maxCoeff();

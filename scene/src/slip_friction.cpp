@@ -28,9 +28,10 @@ FrictionLaw read_law(Scene& scene) {
           kinetic, half};
 }
 
-/// \param speed  V  [mm/s]
-SlipFriction read_with_speed(Scene& scene, double speed) {
-  SlipFriction friction{.law = read_law(scene), .speed = speed};
+/// \param speed  V of the rows of a run, if they have times  [mm/s]
+SlipFriction read_friction_of(Scene& scene, const std::optional<double>& speed) {
+  const FrictionLaw law = read_law(scene);
+  SlipFriction friction{.law = law, .speed = speed ? *speed : scene.positive("load.speed")};
   if (scene.has("contact.friction_memory")) {
     friction.memory_length = scene.number("contact.friction_memory");
     friction.memory_speed = scene.number("contact.memory_speed");
@@ -45,7 +46,7 @@ SlipFriction read_with_speed(Scene& scene, double speed) {
 
 std::optional<SlipFriction> read_slip_friction(Scene& scene) {
   if (!scene.has(law_key)) return std::nullopt;
-  return read_with_speed(scene, scene.positive("load.speed"));
+  return read_friction_of(scene, std::nullopt);
 }
 
 std::optional<SlipFriction> read_slip_friction(Scene& scene, const LoadHistory& loads) {
@@ -56,7 +57,7 @@ std::optional<SlipFriction> read_slip_friction(Scene& scene, const LoadHistory& 
   }
   if (!loads.time_at(0)) return read_slip_friction(scene);
   const double time = *loads.time_at(loads.distance()) - *loads.time_at(0);
-  return read_with_speed(scene, loads.distance() / time);
+  return read_friction_of(scene, loads.distance() / time);
 }
 
 }  // namespace microslip

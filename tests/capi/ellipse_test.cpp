@@ -375,7 +375,7 @@ TEST(CEllipse, RefusesBadInput) {
   EXPECT_STREQ(microslip_ellipse_message(ellipse.get()), "load = null: expected a pointer");
   EXPECT_EQ(microslip_ellipse_set_contact(ellipse.get(), 1e-5, 1), MICROSLIP_BAD_INPUT);
   EXPECT_STREQ(microslip_ellipse_message(ellipse.get()),
-               "size_factor = 1e-05: expected a number from 0.0001 to 100, or 0");
+               "size_factor = 1e-05: expected a number from 1e-04 to 100, or 0");
   EXPECT_EQ(microslip_ellipse_restore_from_memory(ellipse.get(), "no state"), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_ellipse_restore(ellipse.get(), "/nowhere/state"), MICROSLIP_BAD_INPUT);
   EXPECT_EQ(microslip_ellipse_assign(ellipse.get(), nullptr), MICROSLIP_BAD_INPUT);

@@ -70,7 +70,7 @@ expect 'microslip plot o' 'out'
 : >case.inp
 expect 'microslip import ca' 'case.inp'
 expect 'microslip import case.inp --scheme d' 'direct'
-expect 'microslip steady.info --set contact.ha' 'contact.half_width='
+expect 'microslip steady.info --set contact.half_w' 'contact.half_width='
 expect 'microslip sweep steady.info --th' '--threads'
 expect 'microslip steady.info --set step.scheme=rel' 'relaxed relaxed_traction'
 expect 'microslip steady.info --set=solver.type=' 'auto dense fft'

@@ -46,7 +46,7 @@ const std::string also_known =
     "target_error, material.youngs_modulus, material.dundurs_beta, material.shear_modulus_2, "
     "material.youngs_modulus_2, material.poisson_ratio_2, contact.normal_load, contact.roughness, "
     "contact.bound_polynomial, contact.bound_file, kernel.compliance, load.force, "
-    "load.force_ratio, load.stick_ratio";
+    "load.force_ratio, load.stick_ratio, contact.friction_law";
 
 class BadInputs : public Executables {
  protected:

@@ -209,7 +209,8 @@ TEST_F(Commands, ConvergeAdvisesAndIsDrawn) {
       "solver.violation, solver.condition, target_error, material.youngs_modulus, "
       "material.dundurs_beta, material.shear_modulus_2, material.youngs_modulus_2, "
       "material.poisson_ratio_2, contact.normal_load, contact.roughness, contact.bound_polynomial, "
-      "contact.bound_file, kernel.compliance, load.creepage, load.force_ratio, load.stick_ratio");
+      "contact.bound_file, kernel.compliance, load.creepage, load.force_ratio, load.stick_ratio, "
+      "contact.friction_law");
 }
 
 // Without a load all sticks that carries a traction, and a small load changes little.

@@ -186,8 +186,9 @@ TEST(PatchTransientTables, AreTheSameWithAContactThatStays) {
 // The contact is lost at 3 mm and returns from 6 mm on: there a run begins anew that starts at rest.
 // A step ends in each of these rows.
 TEST(PatchTransientTables, StartAtRestWhereAContactReturns) {
-  const Settings all = transient(loaded(
-      {"load.file=run", "load.lateral_creepage=-0.001", "load.spin=0.2 1/m", "step.ratio=0.7"}));
+  const Settings all =
+      transient(loaded({"load.file=run", "load.lateral_creepage=-0.001", "load.spin=0.2 1/m",
+                        "step.ratio=0.7", "motion.distance="}));
   const std::string behind = "0,0.002,0\n4,0.002,70\n12,0.001,35\n";
   const std::string columns = "q,creepage,normal_load [kN]\n";
   const PatchTables lost(all,
@@ -222,7 +223,7 @@ TEST(PatchTransientTables, ContinueWhereTheContactIsLost) {
   const std::string rows =
       "q,creepage,normal_load [kN]\n0,0.002,70\n3,0.002,0\n6,0.002,0\n12,0.002,70\n";
   const auto settings = [](const Settings& more) {
-    Settings all = transient(loaded({"load.file=run", "step.ratio=0.6"}));
+    Settings all = transient(loaded({"load.file=run", "step.ratio=0.6", "motion.distance="}));
     all.insert(all.end(), more.begin(), more.end());
     return all;
   };
@@ -235,11 +236,13 @@ TEST(PatchTransientTables, ContinueWhereTheContactIsLost) {
 }
 
 TEST(PatchTransientTables, LoseTheContactWhileTheBodiesStand) {
-  const PatchTables jumped(transient(loaded({"load.file=run", "step.ratio=0.7"})),
-                           "q,creepage,normal_load [kN]\n0,0.002,70\n3,0.002,70\n3,0.002,0\n"
-                           "3,0.002,70\n9,0.002,70\n");
-  const PatchTables fresh(transient(loaded({"load.file=run", "step.ratio=0.7"})),
-                          "q,creepage,normal_load [kN]\n0,0.002,70\n6,0.002,70\n");
+  const PatchTables jumped(
+      transient(loaded({"load.file=run", "step.ratio=0.7", "motion.distance="})),
+      "q,creepage,normal_load [kN]\n0,0.002,70\n3,0.002,70\n3,0.002,0\n"
+      "3,0.002,70\n9,0.002,70\n");
+  const PatchTables fresh(
+      transient(loaded({"load.file=run", "step.ratio=0.7", "motion.distance="})),
+      "q,creepage,normal_load [kN]\n0,0.002,70\n6,0.002,70\n");
   EXPECT_NEAR(jumped.of("force"), fresh.of("force"), 5e-3 * full);
 }
 

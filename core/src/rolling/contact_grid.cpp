@@ -98,9 +98,14 @@ void ContactGrid::solve_step(const TransientState& before, double length, const 
   solve_slip(over_length(load, solved_length), solved_length);
   const double fraction = advection_.fraction(step_ratio);
   contact_.traction = (1 - fraction) * before.traction + fraction * contact_.traction;
-  fill_state(before.distance + length, contact_, solved_length, conditions_.bound,
-             search_ ? mean_bound_.cwiseProduct(search_->ratio()) : mean_bound_, after);
-  after.has_second = search_ && search_->has_second();
+  const double end = before.distance + length;
+  if (search_) {
+    const VectorXd means = mean_bound_.cwiseProduct(search_->ratio());
+    fill_state(end, contact_, solved_length, conditions_.bound, means, after);
+    after.has_second = search_->has_second();
+  } else {
+    fill_state(end, contact_, solved_length, bound_, mean_bound_, after);
+  }
   after.dissipation = dissipation(before, after, length);
   after.mean_force = (before.force + after.force) / 2;
 }
