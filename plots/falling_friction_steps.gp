@@ -13,8 +13,8 @@ set xlabel "length of the step, dq [mm]"
 set xrange [0.008:2.5]
 set arrow 1 from limit, graph 0 to limit, graph 1 nohead linecolor "gray50"
 set title "force over full sliding at rest [1]"
-set key left center
-set yrange [0.55:0.61]
+set key bottom right
+set yrange [0.54:0.61]
 plot steps using (of("least")):"force_ratio" with linespoints linetype 1 title "from bodies that stick", \
      steps using (of("most")):"force_ratio" with linespoints linetype 2 title "from bodies that slide"
 set logscale y

@@ -188,7 +188,7 @@ def test_fields_belong_together(ellipse):
     ({"dq": 1, "spin": np.inf}, r"^spin = inf: expected a finite number"),
     ({"dq": np.ones((2, 2)), "creepage": 1}, r"^dq: expected a number or an array of one dimension"),
     ({"dq": 1, "creepage": 0, "size_factor": 1e3}, r"^size_factor = 1000: expected a number from 1e-04 to 100, or 0"),
-    ({"dq": [1, 1], "creepage": 0, "bound_factor": [1, 0]}, r"^step 1: bound_factor = 0: expected a number from 1e-06")])
+    ({"dq": [1, 1], "creepage": 0, "bound_factor": [1, -1]}, r"^step 1: bound_factor = -1: expected a number from 1e-06")])
 def test_a_call_that_fails_changes_nothing(ellipse, given, message):
     patch = started(ellipse)
     before = everything(patch)
