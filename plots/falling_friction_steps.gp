@@ -11,7 +11,7 @@ set datafile missing NaN
 set logscale x
 set xlabel "length of the step, dq [mm]"
 set xrange [0.008:2.5]
-set arrow 1 from limit, graph 0 to limit, graph 1 nohead linecolor "gray50"
+set arrow 1 from limit, graph 0.17 to limit, graph 1 nohead linecolor "gray50"
 set title "force over full sliding at rest [1]"
 set key bottom right
 set yrange [0.54:0.61]

@@ -185,7 +185,8 @@ void validate(const SlipFriction& friction, const Contact& contact, const Steady
     throw std::invalid_argument("friction_law: expected none where bodies differ in material");
   }
   if (std::holds_alternative<ChebyshevCollocation>(method)) {
-    reject("method", "chebyshev", "collocation, the method by elements, where friction depends on slip");
+    reject("method", "chebyshev",
+           "collocation, the method by elements, where friction depends on slip");
   }
 }
 
