@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Friction that falls with slip as it is typed: results, warnings of a second solution, and what is
+// refused.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+#include "robustness/executables.hpp"
+
+namespace microslip::falling_friction_scenes_test {
+
+constexpr const char* steady = R"(problem steady
+material { shear_modulus 82 GPa
+           poisson_ratio 0.28 }
+contact  { half_width 4 mm
+           peak_traction 148.6 MPa
+           friction_law exponential
+           kinetic_ratio 0.6
+           half_speed 100 mm/s }
+kernel   { type plane
+           length 200 }
+grid     { elements 41 }
+load     { creepage -0.001
+           speed 45 m/s }
+)";
+
+const std::string steps =
+    "--set problem=transient --set step.ratio=0.2 --set motion.distance=6 --set "
+    "start.type=cattaneo "
+    "--set start.force=540 ";
+
+class FallingFrictionScenes : public Executables {
+ protected:
+  void SetUp() override {
+    Executables::SetUp();
+    std::ofstream(folder_ / "scene.info") << steady;
+  }
+
+  Outcome run_in_folder(const std::string& words) const {
+    return run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip " + words);
+  }
+
+  Outcome solve(const std::string& words) const {
+    return run_in_folder("scene.info --quiet " + words);
+  }
+
+  /// \param error  behind the program's name
+  void expect_refused(const std::string& words, const std::string& error, int status = 1) const {
+    const Outcome outcome = solve(words);
+    EXPECT_EQ(outcome.status, status) << words;
+    EXPECT_EQ(outcome.error.find("microslip: " + error), 0U) << outcome.error;
+    EXPECT_EQ(outcome.error.find('\n'), outcome.error.size() - 1) << outcome.error;
+    EXPECT_FALSE(fs::exists(folder_ / "out")) << words;
+  }
+
+  std::string summary() const { return text_of(folder_ / "out" / "summary.tsv"); }
+};
+
+TEST_F(FallingFrictionScenes, HaveOneSteadySolution) {
+  const Outcome solved = solve("");
+  EXPECT_EQ(solved.status, 0);
+  EXPECT_EQ(solved.error, "");
+  EXPECT_NE(summary().find("\nsecond_solution\t0\t1\nmethod\tcalibrated\t1\n"), std::string::npos);
+}
+
+TEST_F(FallingFrictionScenes, WarnOfSecondSolutionsInShortStepsWithoutAMemory) {
+  const Outcome at_once = solve(steps);
+  EXPECT_EQ(at_once.status, 0);
+  EXPECT_NE(at_once.error.find("there is a second solution, of bodies that slide faster"),
+            std::string::npos)
+      << at_once.error;
+  EXPECT_EQ(summary().find("\nsteps_with_second_solution\t0\t"), std::string::npos);
+  const Outcome remembers = solve(steps + "--set 'contact.friction_memory=3 um' --out out");
+  EXPECT_EQ(remembers.status, 0);
+  EXPECT_EQ(remembers.error, "");
+  EXPECT_NE(summary().find("\nsteps_with_second_solution\t0\t"), std::string::npos);
+}
+
+TEST_F(FallingFrictionScenes, TakeTheSpeedOfARun) {
+  std::ofstream(folder_ / "run.tsv")
+      << "t [s]\tv [m/s]\tcreepage\n0\t45\t-0.001\n0.0002\t45\t-0.001\n0.0004\t30\t-0.0015\n";
+  const std::string run =
+      "--set problem=transient --set load.creepage= --set load.file=run.tsv --set start.type=rest "
+      "--set 'contact.friction_memory=3 um' ";
+  expect_refused(run,
+                 "scene.info:14: key 'load.speed' has no role here: it is for scenes with "
+                 "contact.friction_law, but for a load.file with times");
+  EXPECT_EQ(solve(run + "--set load.speed=").status, 0);
+}
+
+TEST_F(FallingFrictionScenes, HaveACurveWithAMaximum) {
+  ASSERT_EQ(run_in_folder("curve scene.info --points 9 --out out").status, 0);
+  const std::string curve = text_of(folder_ / "out" / "curve.tsv");
+  EXPECT_NE(curve.find("\ncreepage\tforce\tforce_ratio\tsecond_solution\tmethod\n"),
+            std::string::npos);
+  EXPECT_EQ(run_in_folder("plot out").status, 0);
+}
+
+TEST_F(FallingFrictionScenes, SayWhatIsRefused) {
+  expect_refused("--set load.speed=", "missing key 'load.speed'");
+  expect_refused("--set contact.kinetic_ratio=1.2",
+                 "contact.kinetic_ratio = 1.2: expected a number in [0, 1]");
+  expect_refused("--set contact.friction_law=falls",
+                 "contact.friction_law = 'falls': expected linear or exponential or rational or "
+                 "table");
+  expect_refused("--set method=chebyshev", "scene.info:6: key 'contact.friction_law' has no role");
+  expect_refused(steps + "--set step.scheme=direct --set contact.friction_memory=1",
+                 "step.scheme = 'direct': expected remembered where friction has a memory");
+  expect_refused("--set load.creepage= --set load.force=-900",
+                 "friction that depends on slip: the force is more than it carries", 2);
+  const Outcome response = run_in_folder("response scene.info --out out");
+  EXPECT_EQ(response.status, 1);
+  EXPECT_NE(response.error.find("but friction depends on slip"), std::string::npos);
+  EXPECT_FALSE(fs::exists(folder_ / "out"));
+  const std::string explained = run_in_folder("explain scene.info").output;
+  EXPECT_NE(explained.find("friction falls with slip to 0.6 of that at rest, at once"),
+            std::string::npos);
+  EXPECT_EQ(explained.find("friction that depends on slip"), std::string::npos);
+}
+
+}  // namespace microslip::falling_friction_scenes_test
