@@ -5,7 +5,7 @@ runs = tables."/runs.tsv"
 limits = tables."/limits.tsv"
 ratios = by_awk(runs, "!($at[\"step_ratio\"] in seen) { seen[$at[\"step_ratio\"]] = 1; printf(\"%s \", $at[\"step_ratio\"]) }'")
 of(c) = strcol("branch") eq "least" && same(column("step_ratio"), real(c)) ? 1000*column("memory") : NaN
-critical = by_awk(limits, "$at[\"memory\"] > 0 { if ($at[\"load\"] < 1 && before > 1) { print 1000 * (last + (before - 1) / (before - $at[\"load\"]) * ($at[\"memory\"] - last)) } before = $at[\"load\"]; last = $at[\"memory\"] }'")
+critical = by_awk(limits, "$at[\"memory\"] > 0 { if ($at[\"load\"] < 1 && before > 1) { slope = ($at[\"limit\"] - limit) / ($at[\"memory\"] - last); print 1000 * (limit - slope * last) / (1 - slope) } before = $at[\"load\"]; last = $at[\"memory\"]; limit = $at[\"limit\"] }'")
 
 set datafile missing NaN
 set xlabel "length of the memory of friction [{/Symbol m}m]"
