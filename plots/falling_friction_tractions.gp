@@ -10,7 +10,7 @@ of(memory, branch, c) = same(column("memory"), real(memory)) && strcol("branch")
 eval page(800, 420)
 set multiplot layout 1,2 margins 0.09,0.98,0.155,0.9 spacing 0.09,0.1
 set xlabel "position over the half-width, x/a [1]"
-set ylabel "traction over the peak of the bound [1]"
+set ylabel "traction over {/Symbol m}p_0 [1]"
 set xrange [-1:1]
 set yrange [0:1.05]
 set samples 400
@@ -19,6 +19,7 @@ set key bottom left
 plot sqrt(1 - x**2) with lines linecolor "gray50" title "bound at rest", \
      for [k=1:words(ratios)] tractions using (of("0", "most", word(ratios, k))):"traction" with lines linetype k \
        title sprintf("c = %g", real(word(ratios, k)))
+unset ylabel
 set title sprintf("over %g {/Symbol m}m of slip", 1000*real(longest))
 plot sqrt(1 - x**2) with lines linecolor "gray50" notitle, \
      for [k=1:words(ratios)] tractions using (of(longest, "least", word(ratios, k))):"traction" with lines linetype k dashtype k \
