@@ -8,7 +8,7 @@ longest = word(memories, words(memories))
 of(memory, branch, c) = same(column("memory"), real(memory)) && strcol("branch") eq branch && same(column("step_ratio"), real(c)) ? column("x") : NaN
 
 eval page(800, 420)
-set multiplot layout 1,2 margins 0.09,0.98,0.155,0.9 spacing 0.09,0.1
+set multiplot layout 1,2 margins 0.105,0.98,0.155,0.9 spacing 0.115,0.1
 set xlabel "position over the half-width, x/a [1]"
 set ylabel "traction over {/Symbol m}p_0 [1]"
 set xrange [-1:1]

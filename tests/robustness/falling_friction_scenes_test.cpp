@@ -84,7 +84,7 @@ TEST_F(FallingFrictionScenes, TakeTheSpeedOfARun) {
       "--set problem=transient --set load.creepage= --set load.file=run.tsv --set start.type=rest "
       "--set 'contact.friction_memory=3 um' ";
   expect_refused(run,
-                 "scene.info:14: key 'load.speed' has no role here: it is for scenes with "
+                 "scene.info:13: key 'load.speed' has no role here: it is for scenes with "
                  "contact.friction_law, but for a load.file with times");
   EXPECT_EQ(solve(run + "--set load.speed=").status, 0);
 }
