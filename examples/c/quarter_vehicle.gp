@@ -1,5 +1,5 @@
 # The quarter of a wagon of quarter_vehicle.c: gnuplot -c quarter_vehicle.gp quarter_vehicle.tsv tractions.tsv quarter_vehicle.svg
-set terminal svg size 640,800 font ",12" background "white"
+set terminal svg size 640,820 font ",12" background "white"
 set output ARG3
 set datafile separator tab
 set encoding utf8

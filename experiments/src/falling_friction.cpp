@@ -10,6 +10,7 @@
 #include "microslip/halfspace/material.hpp"
 #include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/transient.hpp"
+#include "microslip/support/interpolation.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
 #include "study_keys.hpp"
@@ -136,19 +137,6 @@ class Study {
     return TransientRolling(problem, Start{traction});
   }
 
-  /// Tractions of elements over the whole contact at the nodes of a grid.
-  static VectorXd at_nodes(const SteadySolution& from, const Grid& grid) {
-    const VectorXd x = grid.nodes();
-    VectorXd traction(x.size());
-    for (Index i = 0; i < x.size(); ++i) {
-      const auto above = std::upper_bound(from.x.begin(), from.x.end(), x[i]) - from.x.begin();
-      const Index k = std::clamp<Index>(above, 1, from.x.size() - 1);
-      const double part = (x[i] - from.x[k - 1]) / (from.x[k] - from.x[k - 1]);
-      traction[i] = std::lerp(from.traction[k - 1], from.traction[k], std::clamp(part, 0.0, 1.0));
-    }
-    return traction;
-  }
-
   static std::string name_of(SlipBranch branch) {
     return branch == SlipBranch::least ? "least" : "most";
   }
@@ -170,8 +158,10 @@ class Study {
   /// Rolls from steady tractions, with friction at rest at first.
   void add_run(double memory, SlipBranch branch, double step_ratio) {
     const SteadyProblem of_steady = steady(p_.run_elements, p_.creepage, friction(memory));
-    TransientRolling rolling = rolling_from(of_steady, Remembered{}, friction(memory, branch),
-                                            at_nodes(solve_steady(of_steady), of_steady.grid));
+    const SteadySolution from = solve_steady(of_steady);  // by elements over the whole contact
+    TransientRolling rolling =
+        rolling_from(of_steady, Remembered{}, friction(memory, branch),
+                     interpolated(from.x, from.traction, of_steady.grid.nodes()));
     const double step = step_ratio * of_steady.grid.spacing();
     const auto steps = static_cast<int>(std::lround(p_.run_distance / step));
     const auto shown = static_cast<int>(std::lround(p_.shown / step));

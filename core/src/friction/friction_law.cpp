@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "microslip/support/format.hpp"
+#include "microslip/support/interpolation.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip {
@@ -49,11 +50,7 @@ double FrictionLaw::operator()(double speed) const {
     default:
       break;
   }
-  const auto behind = std::upper_bound(speeds_.begin(), speeds_.end(), speed);
-  if (behind == speeds_.end()) return kinetic_;
-  const Index i = behind - speeds_.begin();
-  const double part = (speed - speeds_[i - 1]) / (speeds_[i] - speeds_[i - 1]);
-  return std::lerp(ratios_[i - 1], ratios_[i], part);
+  return interpolated(speeds_, ratios_, speed);
 }
 
 double FrictionLaw::steepest() const {

@@ -10,16 +10,15 @@
 namespace microslip {
 
 /// Computes mu/mu_s at n nodes from their slip, in [-inf, inf] and in the unit of the slip. The ratio
-/// has n places.
+/// has n places. The last call of a search is for the slip of its solution.
 using RatioOfSlip = std::function<void(const Eigen::VectorXd& slip, Eigen::VectorXd& ratio)>;
 
 /// Solves slip conditions whose bound depends on the slip: with each slip the bound follows, and
 /// with the bound the slip. This is done from bodies that stick and from bodies that slide fast. If
 /// both come to the same end, the solution is unique as far as this search can tell.
 ///
-/// The change from round to round falls by the factor kappa/(k dq), with the wave number k of the
-/// slip zone and kappa = steepest V g (1 - nu)/(G/2) (docs/theory.md); where this is above 1,
-/// there may be several solutions.
+/// The change falls from round to round by a factor for which docs/theory.md has formulas, "Friction
+/// that falls with slip". Where the factor is above 1, there may be several solutions.
 ///
 /// Cost: two to some hundred solves of ActiveSet, most of them with the same partition.
 class SlipFrictionSearch {

@@ -46,23 +46,17 @@ void RowFriction::solve(ActiveSet& active_set, RowStep& step, const Substep& sub
     return;
   }
   find_earlier_slip(step.memory, substep);
-  const auto find_distance = [&](const VectorXd& slip) {
-    distance_.resize(slip.size());
+  distance_.resize(earlier_.size());
+  const double time = time_of(substep);
+  const auto ratio_of = [&](const VectorXd& slip, VectorXd& ratio) {
     for (Index i = 0; i < slip.size(); ++i) {
       const double by = slip[i] > 0 ? slip[i] - earlier_[i] : earlier_[i] - slip[i];
       distance_[i] = slip[i] == 0 ? 0 : std::max(0.0, by);
-    }
-  };
-  const double time = time_of(substep);
-  const auto ratio_of = [&](const VectorXd& slip, VectorXd& ratio) {
-    find_distance(slip);
-    for (Index i = 0; i < slip.size(); ++i) {
       ratio[i] = friction_.ratio_after(before_[i], distance_[i], time);
     }
   };
   search_.solve(active_set, conditions, load, ratio_of, step.contact);
   has_second_ = has_second_ || search_.has_second();
-  find_distance(step.contact.slip);
 }
 
 void RowFriction::remember(RowMemory& memory, const Substep& substep, double offset) const {

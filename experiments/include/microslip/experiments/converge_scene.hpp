@@ -30,7 +30,8 @@ struct ConvergeScene {
 };
 
 /// All keys of a steady or transient scene; converge.elements (15 31 63 127 255; of an ellipse six
-/// from 0.3 to 1.4 times its default, up to 66), converge.error (1e-3), converge.step_time and converge.reference best|chebyshev|fine (best).
+/// from 0.3 to 1.4 times its default, up to 66), converge.error (1e-3), converge.step_time and
+/// converge.reference best|chebyshev|fine (best).
 /// \throws std::invalid_argument for a cylinder, target_error, start.type state, the reference
 ///         chebyshev of a transient, and a reference of more than 1e13 operations
 ConvergeScene read_converge(Scene& scene);
