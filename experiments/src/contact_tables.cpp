@@ -62,4 +62,12 @@ std::string second_solution(SlipBranch branch) {
       least ? "slide faster" : "slide more slowly", least ? "most" : "least");
 }
 
+std::string in_steps(std::size_t steps, const std::string& doubt) {
+  return fmt::format("in {} step{}, {}", steps, steps == 1 ? "" : "s", doubt);
+}
+
+Column second_solution_column() {
+  return {"second_solution", "1", "1 if there is another one, with other slip"};
+}
+
 }  // namespace microslip::experiments

@@ -117,7 +117,7 @@ Table empty_curve(const CurveScene& scene) {
         {"fastsim_error", "1", "size of the difference of the force, over full sliding", 1e-12});
   }
   if (scene.problem.friction) {
-    columns.push_back({"second_solution", "1", "1 if there is another one, with other slip"});
+    columns.push_back(second_solution_column());
   }
   columns.push_back({"method", "1", "that made the solution"});
   return {"curve", "force of steady rolling against the creepage", columns};

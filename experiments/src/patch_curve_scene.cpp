@@ -143,6 +143,7 @@ std::vector<Column> columns_of(const PatchCurveScene& scene) {
     columns.push_back({"traction_coefficient", "1", "size of the force over the normal load"});
   }
   columns.push_back({"slip_share", "1", "share of the area that slips"});
+  if (scene.patch.friction) columns.push_back(second_solution_column());
   columns.push_back({"change", "1", "of the result from rows and elements that are a third fewer"});
   for (const std::string& name : scene.laws) {
     const Law& law = law_named(name);
@@ -185,6 +186,7 @@ std::vector<Table> curve_tables(const PatchCurveScene& scene, const Progress& pr
   const std::vector<double> motions = motions_of(scene, coefficients);
   std::vector<double> largest_errors(scene.laws.size(), 0);
   Evidence worst;
+  std::string doubt;
   PatchLoad load = patch.load;
   std::size_t done = 0;
   for (const double motion : motions) {
@@ -204,7 +206,12 @@ std::vector<Table> curve_tables(const PatchCurveScene& scene, const Progress& pr
     row.emplace_back(point.force() / full);
     if (scene.friction) row.emplace_back(*scene.friction * point.force() / full);
     row.emplace_back(point.slip_area() / point.area.sum());
+    if (patch.friction) row.emplace_back(point.has_second ? 1.0 : 0.0);
     row.emplace_back(point.evidence.change);
+    if (doubt.empty() && point.has_second) {
+      doubt = fmt::format("{} = {}: {}", name, format_short(motion),
+                          second_solution(patch.friction->branch));
+    }
     for (std::size_t l = 0; l < scene.laws.size(); ++l) {
       const Law& law = law_named(scene.laws[l]);
       const Vector3d by_law = law.at(*scene.contact, point.motion);
@@ -228,7 +235,8 @@ std::vector<Table> curve_tables(const PatchCurveScene& scene, const Progress& pr
     summary.add({scene.laws[l] + "_error", largest_errors[l], "1"});
   }
   summary.add({"change", worst.change, "1"});
-  summary.add({"warning", doubt_of_patch(worst).value_or("none"), "1"});
+  if (doubt.empty()) doubt = doubt_of_patch(worst).value_or("none");
+  summary.add({"warning", doubt, "1"});
   return {table, summary};
 }
 

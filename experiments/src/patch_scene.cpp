@@ -19,15 +19,19 @@ std::vector<Table> tables_of(const SteadyPatch& patch, const SteadyPatchSolution
   add_patch_shares(summary, patch.bound.total(), solution.force(),
                    solution.slip_area() / solution.area.sum());
   summary.add({"dissipation", solution.dissipation, "N"});
+  if (patch.friction) summary.add({"second_solution", solution.has_second ? 1 : 0, "1"});
   add_patch_sizes(summary, patch);
   summary.add({"iterations", solution.iterations, "1"});
   if (error) summary.add({"estimated_error", *error, "1"});
+  const std::optional<std::string> doubt = solution.has_second
+                                               ? second_solution(patch.friction->branch)
+                                               : doubt_of_patch(solution.evidence);
   add_evidence(summary, solution.evidence,
                {.condition = solution.condition,
                 .iterations = solution.iterations,
                 .accepted = patch.accepted,
                 .steady = true,
-                .doubt = doubt_of_patch(solution.evidence)});
+                .doubt = doubt});
   return {patch_traction_table(std::string("steady rolling") + at_cells,
                                {solution.x, solution.y, solution.area, solution.bound,
                                 solution.traction, solution.slip, solution.slips}),

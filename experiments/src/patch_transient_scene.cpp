@@ -179,6 +179,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   PatchRecord shifts(scene.patch.bound.size()), history = shifts;
   shifts.add(end);
   PatchSums of_shifts, sums;
+  std::size_t doubled = 0;
   for (const PatchLoad& load : scene.shifts) {
     end = take(1, [&](RolledPatch& patch) { return patch.shift(load); });
     of_shifts.include(end, 1);
@@ -220,6 +221,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
     end = take(dq, [&](RolledPatch& patch) { return patch.roll(loads, from, to, length); });
     record({loads.position_at(to), dq * end.motion, length * end.dissipation, loads.time_at(to)});
     sums.include(end, dq);
+    doubled += end.has_second ? 1 : 0;
     stand(to);
   });
   if (rolled.remembered()) at_end(*rolled.remembered());
@@ -241,9 +243,12 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
     summary.add({"shifts", scene.shifts.size(), "1"});
     summary.add({"shift_dissipated_energy", of_shifts.lost.sum(), "N mm"});
   }
+  const std::optional<SlipFriction>& friction = scene.patch.friction;
+  if (friction) summary.add({"steps_with_second_solution", doubled, "1"});
   summary.add({"method", name_of(scene.scheme), "1"});
   summary.add({"iterations", worst.iterations, "1"});
-  const auto doubt = doubt_of_patch(worst.evidence);
+  auto doubt = doubt_of_patch(worst.evidence);
+  if (doubled > 0) doubt = in_steps(doubled, second_solution(friction->branch));
   add_evidence(summary, worst.evidence,
                {.condition = rolled.condition(),
                 .iterations = worst.iterations,

@@ -51,6 +51,9 @@ Evidence evidence_of(const RectangleRolling& rolling, const PatchBound& whole) {
   return evidence;
 }
 
+bool has_second(const PatchRolling& rolling) { return rolling.has_second(); }
+bool has_second(const RectangleRolling&) { return false; }
+
 ContactScale present_contact(const PatchRolling& rolling) { return rolling.contact(); }
 ContactScale present_contact(const RectangleRolling&) { return {}; }
 
@@ -114,6 +117,10 @@ PatchStepEnd RolledPatch::roll(const PatchHistory& loads, double from, double to
   if (loads.changes_contact()) {
     std::get<PatchRolling>(rolling_).set_contact(loads.contact_at(to));
   }
+  if (patch_.friction && loads.time_at(from)) {
+    std::get<PatchRolling>(rolling_).set_speed(length /
+                                               (*loads.time_at(to) - *loads.time_at(from)));
+  }
   std::visit([&](auto& of) { of.roll(loads.direction_to(to) * length, load); }, rolling_);
   return end(load);
 }
@@ -127,6 +134,7 @@ PatchStepEnd RolledPatch::end() const {
                             .dissipation = of.dissipation(),
                             .iterations = of.iterations(),
                             .contact = present_contact(of),
+                            .has_second = has_second(of),
                             .evidence = evidence_of(of, patch_.bound)};
       },
       rolling_);

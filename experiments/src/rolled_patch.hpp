@@ -24,6 +24,7 @@ struct PatchStepEnd {
   double dissipation = 0;  ///< energy lost per mm rolled [N]; in a shift [N mm]
   int iterations = 0;
   ContactScale contact = {};  ///< over the problem's
+  bool has_second = false;    ///< of a friction that depends on slip
   Evidence evidence = {};
 };
 

@@ -128,10 +128,6 @@ std::optional<std::string> doubt_of(const ShiftRecord& shifts, const Acceptance&
   return doubt ? std::optional("in the shifts, " + *doubt) : std::nullopt;
 }
 
-std::string in_steps(std::size_t steps, const std::string& doubt) {
-  return fmt::format("in {} step{}, {}", steps, steps == 1 ? "" : "s", doubt);
-}
-
 }  // namespace
 
 std::vector<Table> scene_tables(const TransientScene& scene, const Progress& progress) {

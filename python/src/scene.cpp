@@ -34,7 +34,8 @@ void assign(Scene& scene, const std::string& assignment) {
 void leave_out(Scene& scene, std::initializer_list<std::string_view> names) {
   for (const std::string& key : scene.keys()) {
     const bool goes = std::any_of(names.begin(), names.end(), [&](std::string_view name) {
-      return name.ends_with('.') ? key.starts_with(name) : key == name;
+      const bool is_of_friction = key == "load.speed" && scene.has("contact.friction_law");
+      return name.ends_with('.') ? key.starts_with(name) && !is_of_friction : key == name;
     });
     if (goes) scene.set(key + '=');
   }

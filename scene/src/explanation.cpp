@@ -305,6 +305,7 @@ Explanation of_patch(const SteadyPatch& patch, const std::optional<std::string>&
                     sizes_of(patch),
                     {normal, how_steady, unlike_patch, shape_by_spin}};
   if (how) found.consequences.back() = *how;
+  std::ranges::copy(falling(patch.friction), std::back_inserter(found.consequences));
   found.consequences.emplace_back(
       how ? "stick and slip are found by Newton's method"
           : "stick and slip are found by Newton's method; where nothing slips, forces are right to "
@@ -349,6 +350,7 @@ Explanation of_patch(const PatchTransient& scene) {
                     std::back_inserter(lines));
   std::ranges::move(stopped(scene.loads.stops()), std::back_inserter(lines));
   std::ranges::move(shifted(scene), std::back_inserter(lines));
+  std::ranges::copy(falling(scene.patch.friction), std::back_inserter(lines));
   lines.push_back(fmt::format(
       "rolls {} mm, {} contact lengths, in {} steps", five_digits(scene.distance - scene.from),
       five_digits((scene.distance - scene.from) / (2 * scene.patch.bound.half_width())),

@@ -29,9 +29,9 @@ constexpr std::string_view elements = "scenes without method chebyshev and targe
 constexpr std::string_view with_load = "scenes with contact.normal_load";
 constexpr std::string_view with_roughness = "scenes with contact.roughness";
 constexpr std::string_view with_friction_law = "scenes with contact.friction_law";
-constexpr std::string_view line_by_elements =
-    "line contacts of problem steady or transient, of bodies of one material, without target_error "
-    "and method chebyshev, with step.scheme remembered or direct";
+constexpr std::string_view takes_friction_law =
+    "problem steady or transient of bodies of one material, without target_error and method "
+    "chebyshev, with step.scheme remembered, or direct of a line contact";
 constexpr std::string_view half_spaces = "kernel.type strip or plane, or contact.normal_load";
 constexpr std::string_view unlike =
     "problem steady or transient with kernel.type plane, without target_error";
@@ -122,7 +122,7 @@ constexpr auto keys = std::to_array<Key>({
      .type = word,
      .meaning = "fall of friction with the speed of slip s V, from the bound at rest",
      .note = "none: Coulomb's friction",
-     .role = line_by_elements,
+     .role = takes_friction_law,
      .words = {"linear", "exponential", "rational", "table"}},
     {.name = "contact.kinetic_ratio",
      .meaning = "friction at a high speed of slip over that at rest, mu_k/mu_s",

@@ -18,6 +18,7 @@
 #include "microslip/support/require.hpp"
 #include "patch_files.hpp"
 #include "patch_parts.hpp"
+#include "slip_friction.hpp"
 
 namespace microslip {
 
@@ -302,6 +303,7 @@ SteadyPatch read_steady_patch(Scene& scene, std::size_t varied) {
     reject("problem", scene.text("problem"), "steady for a curve of an ellipse");
   }
   SteadyPatch patch = read_unloaded_patch(scene);
+  patch.friction = read_slip_friction(scene);
   patch.load = read_patch_load(scene, patch.bound);
   patch.load[varied] = {};
   validate(patch);
@@ -311,6 +313,7 @@ SteadyPatch read_steady_patch(Scene& scene, std::size_t varied) {
 
 SteadyPatch read_steady_patch(Scene& scene) {
   SteadyPatch patch = read_unloaded_patch(scene);
+  patch.friction = read_slip_friction(scene);
   read_load_of(scene, patch);
   return patch;
 }

@@ -22,6 +22,7 @@
 #include "patch_parts.hpp"
 #include "patch_run.hpp"
 #include "run_file.hpp"
+#include "slip_friction.hpp"
 
 namespace microslip {
 
@@ -321,6 +322,9 @@ PatchTransient read_patch_transient(Scene& scene) {
   } else {
     validate(patch);
     require_motions(patch.load, patch);
+  }
+  if (std::holds_alternative<Remembered>(scheme)) {
+    read.patch.friction = read_slip_friction(scene, read.loads);
   }
   read.step_ratios = read_patch_steps(scene, read);
   warn_of_missed_rows(scene, read.loads.rows(), read.step_ratios, read.spacing());

@@ -42,6 +42,19 @@ SlipFriction read_friction_of(Scene& scene, const std::optional<double>& speed) 
   return friction;
 }
 
+/// \param stops  whether the bodies turn or are shifted
+std::optional<SlipFriction> read_friction_of_run(Scene& scene, const LoadHistory& loads,
+                                                 bool stops) {
+  if (!scene.has(law_key)) return std::nullopt;
+  if (stops) {
+    reject(law_key, scene.word(law_key),
+           "none where the rows of load.file turn or shift the bodies");
+  }
+  if (!loads.time_at(0)) return read_friction_of(scene, std::nullopt);
+  const double time = *loads.time_at(loads.distance()) - *loads.time_at(0);
+  return read_friction_of(scene, loads.distance() / time);
+}
+
 }  // namespace
 
 std::optional<SlipFriction> read_slip_friction(Scene& scene) {
@@ -50,14 +63,11 @@ std::optional<SlipFriction> read_slip_friction(Scene& scene) {
 }
 
 std::optional<SlipFriction> read_slip_friction(Scene& scene, const LoadHistory& loads) {
-  if (!scene.has(law_key)) return std::nullopt;
-  if (!loads.stops().empty()) {
-    reject(law_key, scene.word(law_key),
-           "none where the rows of load.file turn or shift the bodies");
-  }
-  if (!loads.time_at(0)) return read_slip_friction(scene);
-  const double time = *loads.time_at(loads.distance()) - *loads.time_at(0);
-  return read_friction_of(scene, loads.distance() / time);
+  return read_friction_of_run(scene, loads, !loads.stops().empty());
+}
+
+std::optional<SlipFriction> read_slip_friction(Scene& scene, const PatchHistory& loads) {
+  return read_friction_of_run(scene, loads.rows(), !loads.stops().empty());
 }
 
 }  // namespace microslip

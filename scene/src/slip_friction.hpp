@@ -5,6 +5,7 @@
 
 #include "microslip/friction/friction_law.hpp"
 #include "microslip/rolling/load_history.hpp"
+#include "microslip/rolling/patch_history.hpp"
 #include "microslip/scene/scene.hpp"
 
 namespace microslip {
@@ -15,5 +16,6 @@ std::optional<SlipFriction> read_slip_friction(Scene& scene);
 
 /// The same of a run. Where its rows have times, the speed is theirs.
 std::optional<SlipFriction> read_slip_friction(Scene& scene, const LoadHistory& loads);
+std::optional<SlipFriction> read_slip_friction(Scene& scene, const PatchHistory& loads);
 
 }  // namespace microslip

@@ -59,60 +59,100 @@ class FixedPoint {
   VectorXd before_;
 };
 
+/// The slip conditions of a line contact.
+class SlippingLine : public SlipContact {
+ public:
+  SlippingLine(ActiveSet& active_set, SlipConditions& conditions, const Prescribed& load,
+               const RatioOfSlip& ratio_of, ContactState& state)
+      : active_set_(active_set),
+        conditions_(conditions),
+        load_(load),
+        ratio_of_(ratio_of),
+        state_(state),
+        at_rest_(conditions.bound),
+        start_(state) {}
+
+  void begin(double slip, VectorXd& ratios) override {
+    state_ = start_;
+    ratios.resize(at_rest_.size());
+    ratio_of_(VectorXd::Constant(at_rest_.size(), slip), ratios);
+  }
+
+  bool solve(const VectorXd& ratios) override {
+    conditions_.bound = ratios.cwiseProduct(at_rest_);
+    if (load_.by_force && std::abs(load_.value) >= carried_by(conditions_.bound)) return false;
+    active_set_.solve(conditions_, load_, state_);
+    partitions_ += state_.iterations;
+    return true;
+  }
+
+  void find_ratios(VectorXd& ratios) override {
+    ratios.resize(at_rest_.size());
+    ratio_of_(state_.slip, ratios);
+  }
+
+  VectorXd tractions() const override { return state_.traction / at_rest_.maxCoeff(); }
+
+  /// The force over that which friction carries at rest.
+  double share() const { return std::abs(load_.value) / carried_by(at_rest_); }
+
+  int partitions() const { return partitions_; }
+
+ private:
+  double carried_by(const VectorXd& bound) const { return active_set_.weights().dot(bound); }
+
+  ActiveSet& active_set_;
+  SlipConditions& conditions_;
+  const Prescribed& load_;
+  const RatioOfSlip& ratio_of_;
+  ContactState& state_;
+  VectorXd at_rest_;  ///< the bound
+  ContactState start_;
+  int partitions_ = 0;
+};
+
 }  // namespace
 
 /// Goes on from a slip of all nodes alike until nothing changes.
-/// \param at_rest  the bound at rest
-/// \return whether a force is carried all the way
-bool SlipFrictionSearch::come_to_an_end(ActiveSet& active_set, SlipConditions& conditions,
-                                        const Prescribed& load, const RatioOfSlip& ratio_of,
-                                        const VectorXd& at_rest, double slip, ContactState& state) {
-  VectorXd next(at_rest.size());
-  ratio_.resize(at_rest.size());
-  ratio_of(VectorXd::Constant(at_rest.size(), slip), ratio_);
+/// \return whether the resultants are carried all the way
+bool SlipFrictionSearch::come_to_an_end(SlipContact& contact, double slip) {
+  VectorXd next;
+  contact.begin(slip, ratio_);
   FixedPoint way;
   double change = 0;
-  int partitions = 0;
   for (int round = 0; round < most_rounds; ++round) {
-    conditions.bound = ratio_.cwiseProduct(at_rest);
-    if (load.by_force && std::abs(load.value) >= active_set.weights().dot(conditions.bound)) {
-      return false;
-    }
-    active_set.solve(conditions, load, state);
-    partitions += state.iterations;
-    ratio_of(state.slip, next);
+    if (!contact.solve(ratio_)) return false;
+    contact.find_ratios(next);
     next -= ratio_;
     change = next.cwiseAbs().maxCoeff();
-    if (change <= settled) {
-      state.iterations = partitions;
-      return true;
-    }
+    if (change <= settled) return true;
     ratio_ = (ratio_ + way.next(next)).cwiseMax(0).cwiseMin(1);
   }
   throw NotConverged("friction that depends on slip: tractions and slip do not settle", most_rounds,
                      change);
 }
 
+bool SlipFrictionSearch::solve(SlipContact& contact) {
+  constexpr double fast = std::numeric_limits<double>::infinity();
+  constexpr double same = 1e-6;
+  const bool least = branch_ == SlipBranch::least;
+  const bool ends_elsewhere = come_to_an_end(contact, least ? fast : 0);
+  const VectorXd other = ends_elsewhere ? contact.tractions() : VectorXd();
+  if (!come_to_an_end(contact, least ? 0 : fast)) return false;
+  has_second_ = ends_elsewhere && (other - contact.tractions()).cwiseAbs().maxCoeff() > same;
+  return true;
+}
+
 void SlipFrictionSearch::solve(ActiveSet& active_set, SlipConditions& conditions,
                                const Prescribed& load, const RatioOfSlip& ratio_of,
                                ContactState& state) {
-  constexpr double fast = std::numeric_limits<double>::infinity();
-  constexpr double same = 1e-6;
-  const VectorXd at_rest = conditions.bound;
-  const bool least = branch_ == SlipBranch::least;
-  ContactState other = state;
-  const auto from = [&](double slip, ContactState& to) {
-    return come_to_an_end(active_set, conditions, load, ratio_of, at_rest, slip, to);
-  };
-  const bool ends_elsewhere = from(least ? fast : 0, other);
-  if (!from(least ? 0 : fast, state)) {
+  SlippingLine line(active_set, conditions, load, ratio_of, state);
+  if (!solve(line)) {
     throw NotConverged(
         "friction that depends on slip: the force is more than it carries where the bodies slip", 0,
-        std::abs(load.value) / active_set.weights().dot(at_rest));
+        line.share());
   }
-  const double largest = same * at_rest.maxCoeff();
-  has_second_ = ends_elsewhere && (other.traction - state.traction).cwiseAbs().maxCoeff() > largest;
-  state.iterations += other.iterations;
+  state.iterations = line.partitions();
 }
 
 }  // namespace microslip

@@ -26,7 +26,7 @@ Evidence friction_of(const PatchState& state, const VectorXd& shares, const Vect
 }
 
 Evidence evidence_of_cells(const PatchState& state, const VectorXd& shares, const VectorXd& limits,
-                           const EvidenceScale& scale) {
+                           const EvidenceScale& scale, const VectorXd& at_rest) {
   Evidence evidence = friction_of(state, shares, limits);
   evidence.excess *= scale.force;
   evidence.backward *= scale.power;
@@ -35,7 +35,7 @@ Evidence evidence_of_cells(const PatchState& state, const VectorXd& shares, cons
   evidence.full_sliding = scale.full_sliding;
   // Where all slides, rows of three cells or more have the bound's force but for rounding.
   evidence.unresolved =
-      std::abs(scale.force * shares.dot(limits) - scale.full_sliding) * scale.slip_share;
+      std::abs(scale.force * shares.dot(at_rest) - scale.full_sliding) * scale.slip_share;
   return evidence;
 }
 

@@ -23,7 +23,9 @@ struct EvidenceScale {
 
 /// The same in units, with the residual and what cells do not resolve of the bound; `load`, `power`
 /// and `change` are 0.
+/// \param at_rest  limits whose bound has the force of full sliding: n
 Evidence evidence_of_cells(const PatchState& state, const Eigen::VectorXd& shares,
-                           const Eigen::VectorXd& limits, const EvidenceScale& scale);
+                           const Eigen::VectorXd& limits, const EvidenceScale& scale,
+                           const Eigen::VectorXd& at_rest);
 
 }  // namespace microslip

@@ -73,6 +73,13 @@ void PatchRolling::set_contact(const ContactScale& scale) {
   parts_->next = scale;
 }
 
+void PatchRolling::set_speed(double speed) {
+  require_positive("speed", speed);
+  if (parts_->friction) parts_->friction->set_speed(speed);
+}
+
+bool PatchRolling::has_second() const { return parts_->has_second; }
+
 const ContactScale& PatchRolling::contact() const { return parts_->next; }
 
 void PatchRolling::start_from(const MatrixX2d& tractions) {
@@ -82,6 +89,9 @@ void PatchRolling::start_from(const MatrixX2d& tractions) {
 }
 
 void PatchRolling::shift(const PatchLoad& load) {
+  if (parts_->friction && parts_->material.distance() > 0) {
+    throw std::invalid_argument("friction_law: expected none where bodies that rolled stand");
+  }
   const double size = parts_->next.half_width;
   const bool keeps_contact = parts_->next.carries() && parts_->now.carries();
   require(!keeps_contact || size == parts_->now.half_width, "half_width", size,
@@ -100,6 +110,9 @@ void PatchRolling::roll(double dq, const PatchLoad& load) {
                        longest);
   });
   const bool backward = dq < 0;
+  if (backward && parts_->friction) {
+    throw std::invalid_argument("friction_law: expected none where the bodies roll back");
+  }
   if (backward) parts_->require_load(load, true);
   if (backward == parts_->backward) {
     return parts_->roll(length / c, parts_->in_frame(load, true), most_divisions);
@@ -127,7 +140,10 @@ VectorXd PatchRolling::areas() const {
   return size * size * parts_->forward().rows.areas();
 }
 
-VectorXd PatchRolling::bound() const { return parts_->units().peak * parts_->bound(); }
+VectorXd PatchRolling::bound() const {
+  const VectorXd at_rest = parts_->units().peak * parts_->bound();
+  return parts_->friction ? at_rest.cwiseProduct(parts_->friction->ratios()) : at_rest;
+}
 
 MatrixX2d PatchRolling::tractions() const {
   return parts_->vectors_in_frame(
@@ -173,6 +189,10 @@ double PatchRolling::dissipation() const {
 Matrix3d PatchRolling::jacobian() const {
   Parts& p = *parts_;
   if (!p.moved) throw std::logic_error("a Jacobian is that of a step");
+  if (p.friction) {
+    throw std::invalid_argument(
+        "friction_law: expected none where derivatives of steps are asked for");
+  }
   if (!p.now.carries()) return Matrix3d::Zero();
   const PatchResponse& of = p.last_response();
   const Matrix3d scaled = stick_slip_jacobian(of, p.last_limits(), p.state);
@@ -196,7 +216,8 @@ Evidence PatchRolling::evidence() const {
                         {.force = force,
                          .power = p.motion_unit()[0] * force,
                          .full_sliding = full_sliding(),
-                         .slip_share = slip_area_of(areas, p.state.slips) / areas.sum()});
+                         .slip_share = slip_area_of(areas, p.state.slips) / areas.sum()},
+                        p.friction ? p.limits_at_rest() : p.last_limits());
   evidence.load = resultants().head<2>().norm();
   evidence.power = std::max(std::abs(motion().dot(resultants())), std::abs(dissipation()));
   return evidence;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "../friction/friction_archive.hpp"
 #include "microslip/support/sealed_text.hpp"
 #include "patch_rolling_parts.hpp"
 
@@ -28,6 +29,7 @@ void archive_problem(Archive& archive, const SteadyPatch& problem, const JoinedR
   archive.same("x", VectorXd(centres.col(0)));
   archive.same("y", VectorXd(centres.col(1)));
   archive.same("bound", limits);
+  if (problem.friction) archive_friction(archive, *problem.friction);
 }
 
 void archive_state(Archive& archive, PatchState& state, Index cells) {
@@ -75,6 +77,10 @@ void PatchRolling::Parts::archive(Archive& archive) {
   double lost_energy = archive.reads() ? 0 : lost();
   archive.number("dissipation", lost_energy);
   dissipation = lost_energy;
+  if (friction) {
+    friction->archive(archive);
+    archive.numbers("friction_limits", slipping_limits, n);
+  }
   archive_state(archive, state, n);
   archive_follower(archive);
 }

@@ -8,6 +8,7 @@
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
 #include "patch_evidence.hpp"
+#include "patch_friction.hpp"
 #include "slip_maps.hpp"
 
 namespace microslip {
@@ -54,6 +55,17 @@ PatchRolling::Parts::Parts(std::shared_ptr<const PatchConstants> given, const Co
   state.motion.setZero();
   state.slips.assign(static_cast<std::size_t>(n), false);
   before = state;
+  begin_friction();
+}
+
+/// Lets the material begin with the friction at rest, and the speed as it is.
+void PatchRolling::Parts::begin_friction() {
+  const std::optional<SlipFriction>& law = constants->problem.friction;
+  if (!law) return;
+  const double speed = friction ? friction->friction().speed : law->speed;
+  friction.emplace(constants->rows, *law, units().size, now.carries() ? now.half_width : 1);
+  friction->set_speed(speed);
+  slipping_limits = now.bound * constants->limits;
 }
 
 VectorXd PatchRolling::Parts::bound() const {
@@ -65,6 +77,7 @@ VectorXd PatchRolling::Parts::bound() const {
 PatchRolling::Parts PatchRolling::Parts::at_rest() const {
   Parts rest(backward ? turned_constants : constants, next);
   rest.turned_constants = backward ? constants : turned_constants;
+  if (friction) rest.friction->set_speed(friction->friction().speed);
   return rest;
 }
 
@@ -79,6 +92,7 @@ void PatchRolling::Parts::begin(const VectorXd& unknowns, double distance) {
   state.unknowns = unknowns;
   before = state;
   material = PatchMaterial(constants->rows, now.half_width, distance);
+  begin_friction();
   if (!now.carries()) return;
   displacements.set(state.unknowns, now.half_width);
   material.begin(displacements);
@@ -237,6 +251,26 @@ void PatchRolling::Parts::solve(const PatchResponse& of, const VectorXd& limits_
   }
 }
 
+/// The same where friction depends on slip. A shift has no speed: friction stays as it is.
+/// \param rows  in: before the step; out: after it
+void PatchRolling::Parts::solve_slipping(const PatchStep& taken, const PatchResponse& of,
+                                         const PatchLoad& load, FrictionRows& rows) {
+  const VectorXd& at_rest = limits_of_bound(next.bound);
+  if (taken.dq == 0) {
+    const VectorXd kept = rows.ratios().cwiseProduct(at_rest);
+    trial = solve_stick_slip(of, kept, load, &state, &imposed);
+    slipping_limits = kept;
+    return;
+  }
+  SlippingPatch patch(
+      {.response = of, .at_rest = at_rest, .load = load, .start = &state, .imposed = &imposed},
+      rows, taken.dq, units().motion[0] * rows.friction().speed);
+  has_second = solve_by_friction(patch, rows.friction().branch);
+  trial = patch.state();
+  rows.take(taken.dq, patch.speeds());
+  slipping_limits = patch.limits();
+}
+
 void PatchRolling::Parts::take(double dq, const PatchLoad& load) {
   const PatchLoad wanted = scaled(load, dq > 0);
   const PatchStep taken{.dq = dq,
@@ -248,7 +282,17 @@ void PatchRolling::Parts::take(double dq, const PatchLoad& load) {
   std::optional<PatchMaterial> moved_rows;
   if (taken.to != taken.from) moved_rows = material.resized(constants->rows, taken.to);
   (moved_rows ? *moved_rows : material).impose(taken, displacements, imposed);
-  solve(of, limits_of_bound(next.bound), wanted);
+  has_second = false;
+  if (friction) {
+    FrictionRows rows = *friction;
+    if (!now.carries())
+      rows = FrictionRows(constants->rows, rows.friction(), units().size, taken.to);
+    if (taken.to != rows.size()) rows.resize(taken.to);
+    solve_slipping(taken, of, wanted, rows);
+    friction = std::move(rows);
+  } else {
+    solve(of, limits_of_bound(next.bound), wanted);
+  }
   std::swap(before, state);
   std::swap(state, trial);
   step = taken;
@@ -277,6 +321,8 @@ void PatchRolling::Parts::lose(double dq, const PatchLoad& load) {
   now = next;
   dissipation = -mean.dot(state.motion) + stored / (dq > 0 ? dq : 1);
   material = PatchMaterial(constants->rows, now.half_width, material.distance() + dq);
+  has_second = false;
+  begin_friction();
 }
 
 /// Motions before the bodies touch are no slip.
@@ -329,11 +375,13 @@ void PatchRolling::Parts::roll(double dq, const PatchLoad& load, int divisions) 
   const Vector3d motion = halves.state.motion;
   const double lost = halves.lost();
   const int iterations = halves.state.iterations;
+  const bool first_has_second = halves.has_second;
   halves.next = next;
   halves.roll(dq / 2, load, divisions - 1);
   halves.dissipation = (lost + halves.lost()) / 2;
   halves.state.motion = (motion + halves.state.motion) / 2;
   halves.state.iterations += iterations;
+  halves.has_second = halves.has_second || first_has_second;
   *this = std::move(halves);
 }
 

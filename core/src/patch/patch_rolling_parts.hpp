@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "friction_rows.hpp"
 #include "microslip/patch/patch_rolling.hpp"
 #include "microslip/support/archive.hpp"
 #include "patch_material.hpp"
@@ -57,6 +58,8 @@ struct PatchRolling::Parts {
   std::shared_ptr<const PatchConstants> turned_constants;
   bool backward = false;
   PatchMaterial material;
+  std::optional<FrictionRows> friction = std::nullopt;  ///< if it depends on slip
+  bool has_second = false;                ///< whether the last step has a second solution
   ContactScale now, next;                 ///< at the end of the last step, and of the next one
   PatchState state, before;               ///< at the end of the last step, and before it
   PatchStep step = {0};                   ///< the last one
@@ -84,7 +87,10 @@ struct PatchRolling::Parts {
 
   /// The response and the limits of the last step.
   const PatchResponse& last_response() { return response_of(step); }
-  const Eigen::VectorXd& last_limits() { return limits_of_bound(now.bound); }
+  const Eigen::VectorXd& last_limits() { return friction ? slipping_limits : limits_at_rest(); }
+
+  /// Those of the present contact, by the friction at rest.
+  const Eigen::VectorXd& limits_at_rest() { return limits_of_bound(now.bound); }
   double condition() const { return response && now.carries() ? response->of.condition() : 0; }
 
   /// The constants of the patch that rolls forward.
@@ -133,6 +139,9 @@ struct PatchRolling::Parts {
   void lose(double dq, const PatchLoad& load);
   PatchLoad middle_of(const PatchLoad& load, const ContactScale& middle) const;
   void solve(const PatchResponse& of, const Eigen::VectorXd& limits, const PatchLoad& load);
+  void solve_slipping(const PatchStep& taken, const PatchResponse& of, const PatchLoad& load,
+                      FrictionRows& rows);
+  void begin_friction();
   void archive_follower(Archive& archive);
   void prepare_follower(const PatchResponse& of, const Eigen::VectorXd& limits_now,
                         const PatchState& with, const PatchLoad& load);
@@ -145,7 +154,8 @@ struct PatchRolling::Parts {
   bool follows = false;  ///< whether the follower may be used
   PointDisplacements displacements;
   ImposedSlip imposed;
-  PatchState trial;  ///< of a step until it is solved
+  PatchState trial;                 ///< of a step until it is solved
+  Eigen::VectorXd slipping_limits;  ///< of the last step, if friction depends on slip
 };
 
 }  // namespace microslip

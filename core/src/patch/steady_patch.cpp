@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
 #include "patch_evidence.hpp"
+#include "patch_friction.hpp"
 #include "patch_scale.hpp"
 
 namespace microslip {
@@ -41,15 +43,40 @@ struct ScaledLoad {
   }
 };
 
-Evidence evidence_of(const SteadyPatch& problem, const SteadyPatchSolution& solution,
-                     const PatchResponse& response, const VectorXd& limits, double divisor) {
+/// Limits of cells: by the bound at rest, and those of the solution.
+struct Limits {
+  VectorXd at_rest, solved;
+};
+
+/// Finds stick and slip where friction depends on slip. The solution gets its state, and the limits.
+void solve_slipping(const SteadyPatch& problem, const PatchResponse& response,
+                    const ScaledLoad& scaled, const PatchState* start, Limits& limits,
+                    SteadyPatchSolution& solution) {
   const PatchUnits units(problem.material, problem.bound.peak(), problem.bound.size());
-  Evidence evidence =
-      evidence_of_cells(solution.state, response.resultants().row(0).head(limits.size()), limits,
-                        {.force = units.resultant[0],
-                         .power = divisor * units.motion[0] * units.resultant[0],
-                         .full_sliding = problem.bound.total(),
-                         .slip_share = solution.slip_area() / solution.area.sum()});
+  const SlipFriction& friction = *problem.friction;
+  const FrictionRows rows(response.rows(), friction, units.size);
+  SlippingPatch patch({.response = response,
+                       .at_rest = limits.at_rest,
+                       .load = scaled.load,
+                       .start = start,
+                       .imposed = nullptr},
+                      rows, std::numeric_limits<double>::infinity(),
+                      scaled.divisor * units.motion[0] * friction.speed);
+  solution.has_second = solve_by_friction(patch, friction.branch);
+  solution.state = patch.state();
+  limits.solved = patch.limits();
+}
+
+Evidence evidence_of(const SteadyPatch& problem, const SteadyPatchSolution& solution,
+                     const PatchResponse& response, const Limits& limits, double divisor) {
+  const PatchUnits units(problem.material, problem.bound.peak(), problem.bound.size());
+  const VectorXd shares = response.resultants().row(0).head(limits.at_rest.size());
+  Evidence evidence = evidence_of_cells(solution.state, shares, limits.solved,
+                                        {.force = units.resultant[0],
+                                         .power = divisor * units.motion[0] * units.resultant[0],
+                                         .full_sliding = problem.bound.total(),
+                                         .slip_share = solution.slip_area() / solution.area.sum()},
+                                        limits.at_rest);
   evidence.load = solution.force();
   evidence.power = std::abs(solution.dissipation);
   return evidence;
@@ -62,6 +89,7 @@ void validate(const SteadyPatch& problem) {
   validate(problem.accepted);
   require(problem.elements >= least_elements, "elements", static_cast<double>(problem.elements),
           "a whole number >= 2");
+  if (problem.friction) validate(*problem.friction);
   validate(problem.load, problem.bound.total(), problem.bound.turning_moment());
 }
 
@@ -102,10 +130,15 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse
   validate(problem);
   const JoinedRows& rows = response.rows();
   const PatchUnits units(problem.material, problem.bound.peak(), problem.bound.size());
-  const VectorXd limits = limits_of(rows, problem.bound);
+  Limits limits{.at_rest = limits_of(rows, problem.bound), .solved = {}};
   SteadyPatchSolution solution;
   const ScaledLoad scaled(problem.load, units);
-  solution.state = solve_stick_slip(response, limits, scaled.load, start);
+  if (problem.friction) {
+    solve_slipping(problem, response, scaled, start, limits, solution);
+  } else {
+    limits.solved = limits.at_rest;
+    solution.state = solve_stick_slip(response, limits.solved, scaled.load, start);
+  }
   const PatchState& state = solution.state;
   const double c = problem.bound.size();
   solution.slips = state.slips;
@@ -128,6 +161,7 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse
       solution.bound[rows.cell(i, k)] = problem.bound(rows.lobe(k), rows.psi(k), rows.theta(i));
     }
   }
+  solution.bound.array() *= limits.solved.array() / limits.at_rest.array();
   solution.traction = tractions_of(rows, state.unknowns, problem.bound.peak());
   solution.slip = scaled.divisor * units.motion[0] * slip_of(state);
   solution.evidence = evidence_of(problem, solution, response, limits, scaled.divisor);
@@ -210,6 +244,9 @@ CreepCoefficients SteadyPatchSolver::coefficients() const {
 Eigen::Matrix3d SteadyPatchSolver::jacobian() const {
   if (!fine_.state) throw std::logic_error("a Jacobian is that of a solution");
   const SteadyPatch& of = fine_.problem;
+  if (of.friction) {
+    throw std::invalid_argument("friction_law: expected none where derivatives are asked for");
+  }
   const PatchUnits units(of.material, of.bound.peak(), of.bound.size());
   const Eigen::Matrix3d scaled =
       stick_slip_jacobian(fine_.response, limits_of(fine_.response.rows(), of.bound), *fine_.state);

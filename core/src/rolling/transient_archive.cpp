@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "../friction/friction_archive.hpp"
 #include "contact_archive.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/schemes.hpp"
@@ -25,18 +26,6 @@ constexpr SealedText format{.mark = "microslip state ", .version = "4"};
 void archive_kernel(Archive& archive, const Kernel& kernel) {
   archive.same("kernel.type", kernel.name());
   kernel.each_parameter([&](const char* name, const auto& value) { archive.same(name, value); });
-}
-
-/// The law by its values: at the speed of rolling, a half of it, and so on.
-void archive_friction(Archive& archive, const SlipFriction& friction) {
-  constexpr Index values = 30;
-  VectorXd law(values);
-  for (Index i = 0; i < values; ++i) {
-    law[i] = friction.law(friction.speed * std::exp2(-static_cast<double>(i)));
-  }
-  archive.same("friction_law", law);
-  archive.same("friction_memory", friction.memory_length);
-  archive.same("memory_speed", friction.memory_speed);
 }
 
 /// The problem that a state belongs to.

@@ -91,6 +91,15 @@ class PatchRolling {
   /// \throws std::invalid_argument outside the ranges, and for another shape
   void set_contact(const ContactScale& scale);
 
+  /// Sets the speed of the next steps, by which friction falls that depends on slip.
+  /// \param speed  V, > 0  [mm/s]
+  /// \throws std::invalid_argument outside the range
+  void set_speed(double speed);
+
+  /// Whether the last step has a second solution, with other slip. Its search is that of
+  /// SlipFriction::branch.
+  bool has_second() const;
+
   /// The contact that was set last.
   const ContactScale& contact() const;
 
@@ -103,13 +112,15 @@ class PatchRolling {
   /// Shifts the bodies without rolling.
   /// \param load  shifts of the first body [mm] and its rotation [rad] in the place of motions, or
   ///              resultants
-  /// \throws std::invalid_argument as validate(SteadyPatch); NotConverged
+  /// \throws std::invalid_argument as validate(SteadyPatch), and of bodies that rolled, where friction
+  ///         depends on slip: a shift has no speed; NotConverged
   void shift(const PatchLoad& load);
 
   /// Rolls over a step. A step in which stick and slip are not found is divided into halves, up to
   /// six times, on the way of which resultants over the largest go linearly to those prescribed.
   /// \param dq  from 1e-6 to 1e6 of the size, or less than 0 by as much to roll back  [mm]
-  /// \throws std::invalid_argument if a number is out of its range; NotConverged
+  /// \throws std::invalid_argument if a number is out of its range, and for a step back where friction
+  ///         depends on slip; NotConverged
   void roll(double dq, const PatchLoad& load);
 
   double distance() const;             ///< rolled so far, less what was rolled back  [mm]
@@ -141,6 +152,7 @@ class PatchRolling {
   /// between stick and slip, and one-sided elsewhere. Of a divided step they are those of its last
   /// part. Cost: that of a system.
   /// \throws std::logic_error before the first step
+  /// \throws std::invalid_argument where friction depends on slip
   Eigen::Matrix3d jacobian() const;
 
   int iterations() const;     ///< systems that the last step took

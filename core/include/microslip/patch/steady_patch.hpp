@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "microslip/friction/friction_law.hpp"
 #include "microslip/halfspace/material.hpp"
 #include "microslip/patch/patch_bound.hpp"
 #include "microslip/patch/patch_load.hpp"
@@ -27,6 +28,8 @@ struct SteadyPatch {
   Eigen::Index elements;  ///< N of each row, >= 2
   PatchLoad load = {};
   Acceptance accepted = {};
+  /// If it depends on slip; the bound is that at rest then.
+  std::optional<SlipFriction> friction = std::nullopt;
 };
 
 /// \throws std::invalid_argument if a number is out of its range; as validate() of the load
@@ -46,7 +49,7 @@ double slip_area_of(const Eigen::VectorXd& areas, const std::vector<bool>& slips
 struct SteadyPatchSolution {
   Eigen::VectorXd x, y;       ///< [mm]
   Eigen::VectorXd area;       ///< [mm^2]
-  Eigen::VectorXd bound;      ///< g  [N/mm^2]
+  Eigen::VectorXd bound;      ///< g by the friction at the cell  [N/mm^2]
   Eigen::MatrixX2d traction;  ///< along and across  [N/mm^2]
   Eigen::MatrixX2d slip;      ///< relative slip, zero where a cell sticks  [1]
   std::vector<bool> slips;
@@ -58,6 +61,8 @@ struct SteadyPatchSolution {
   /// Forces and powers are integrals over the patch [N]; `load` is the length of the force.
   Evidence evidence;
   PatchState state;  ///< a start for the next load
+  /// Whether the search for a friction that depends on slip found a second solution.
+  bool has_second = false;
 
   double force() const { return resultants.head<2>().norm(); }    ///< [N]
   double slip_area() const { return slip_area_of(area, slips); }  ///< [mm^2]
@@ -110,6 +115,7 @@ class SteadyPatchSolver {
   /// The derivatives of Fx, Fy [N] and Mz [N mm] by xi, eta [1] and phi [1/mm] at the last solution;
   /// exact where no cell changes between stick and slip, and one-sided elsewhere.
   /// \throws std::logic_error before the first solution
+  /// \throws std::invalid_argument where friction depends on slip
   Eigen::Matrix3d jacobian() const;
 
  private:

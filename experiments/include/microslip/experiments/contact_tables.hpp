@@ -57,4 +57,10 @@ void add_evidence(Table& summary, const Evidence& evidence, const Judged& judged
 /// Warns of a solution beside the one that is given, where friction depends on slip.
 std::string second_solution(SlipBranch branch);
 
+/// The same doubt in so many steps.
+std::string in_steps(std::size_t steps, const std::string& doubt);
+
+/// The column of a table that says whether there is one.
+Column second_solution_column();
+
 }  // namespace microslip::experiments
