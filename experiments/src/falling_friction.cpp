@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "falling_friction_ellipse.hpp"
 #include "falling_friction_limits.hpp"
 #include "falling_friction_tables.hpp"
 #include "microslip/halfspace/material.hpp"
@@ -40,7 +41,8 @@ class Study {
         kernel_(PlaneKernel(material_, p_.length)),
         bound_(p_.half_width, p_.peak_traction),
         total_(p_.elements.size() * p_.steady_memories.size() + p_.curve_speeds.size() +
-               p_.step_lengths.size() + (p_.memories.size() + 1) * p_.step_ratios.size() + 1) {}
+               p_.step_lengths.size() +
+               (p_.memories.size() + 1 + p_.ellipse_memories.size()) * p_.step_ratios.size() + 1) {}
 
   std::vector<Table> tables() {
     add_steady();
@@ -48,8 +50,11 @@ class Study {
     add_steps();
     add_runs();
     add_contact();
-    return {tables_.steady, tables_.curve,     tables_.steps,   tables_.runs,
-            tables_.limits, tables_.tractions, tables_.contact, claims_of(p_, tables_)};
+    falling_friction_study::add_ellipse(
+        p_, [&](double memory) { return friction(memory); }, [&] { count(); }, tables_.ellipse);
+    return {tables_.steady,  tables_.curve,   tables_.steps,
+            tables_.runs,    tables_.limits,  tables_.tractions,
+            tables_.contact, tables_.ellipse, claims_of(p_, tables_)};
   }
 
  private:
@@ -267,7 +272,15 @@ FallingFrictionParameters read_falling_friction(Scene& scene) {
        {&P::memories, "run.memories", "mm", "lengths of the memory of friction; 0: none",
         range(0, 1), rising},
        {&P::shown, "run.shown", "mm", "distance of the tractions in figures", above_zero,
-        "at most run.distance"}});
+        "at most run.distance"},
+       {&P::lateral_half_width, "ellipse.lateral_half_width", "mm",
+        "of the ellipse, across the rolling", above_zero},
+       {&P::ellipse_rows, "ellipse.rows", "1", "rows of the ellipse", range(1, 40)},
+       {&P::ellipse_elements, "ellipse.elements", "1", "elements of each row", range(2, 40)},
+       {&P::ellipse_distance, "ellipse.distance", "mm", "distance of the runs of the ellipse",
+        above_zero},
+       {&P::ellipse_memories, "ellipse.memories", "mm",
+        "lengths of the memory of friction of the ellipse; 0: none", range(0, 1), rising}});
   const P p = keys.read({});
   require(p.creepage < 0, "load.creepage", p.creepage, "a number < 0");
   scene.demand("run.shown", p.shown, p.shown <= p.run_distance);

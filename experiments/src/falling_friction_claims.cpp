@@ -16,6 +16,11 @@ double spread(const Table& runs, const char* column, double memory, const char* 
   return most(runs, column, of_run) - least(runs, column, of_run);
 }
 
+/// The same of an ellipse.
+double spread_of_ellipse(const Table& ellipse, const char* column, double memory) {
+  return most(ellipse, column, {{"memory", memory}}) - least(ellipse, column, {{"memory", memory}});
+}
+
 /// Local maxima of the tractions of a run, in size, that rise by more than a hundredth of the peak.
 double peaks(const Table& tractions, double memory, const char* branch, double step_ratio) {
   constexpr double flat = 0.01;
@@ -117,7 +122,17 @@ Table claims_of(const FallingFrictionParameters& p, const Tables& tables) {
         "none", not_given, left, "1", ours_if({below(1e-4)}),
         "largest difference at the end of runs, over full sliding at rest", in_runs},
        {"and no step has a second solution", "none", not_given, doubled, "1",
-        ours_if({below(1e-3)}), "largest part of steps", in_runs}});
+        ours_if({below(1e-3)}), "largest part of steps", in_runs},
+       {"without a memory, forces of an ellipse depend on the step, too", "none", not_given,
+        spread_of_ellipse(tables.ellipse, "mean_ratio", 0), "1", ours_if({above(5e-3)}),
+        "largest difference of mean forces, over full sliding at rest", no_figure},
+       {"with a memory they do so no more than without falling friction", "none", not_given,
+        spread_of_ellipse(tables.ellipse, "mean_ratio", p.ellipse_memories.back()), "1",
+        ours_if({below(2e-3)}), "largest difference of mean forces, over full sliding at rest",
+        no_figure},
+       {"and no step of it has a second solution", "none", not_given,
+        most(tables.ellipse, "doubled", {{"memory", p.ellipse_memories.back()}}), "1",
+        ours_if({below(1e-3)}), "largest part of steps", no_figure}});
 }
 
 }  // namespace microslip::experiments::falling_friction_study

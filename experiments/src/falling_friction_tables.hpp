@@ -61,6 +61,16 @@ struct Tables {
                  {"force_ratio", "1", "force over full sliding at rest"},
                  {"contact_ratio", "1", "the same, as CONTACT prints it"},
                  {"adhesion_elements", "1", "elements in adhesion"}}};
+  Table ellipse{"ellipse",
+                "runs of an ellipse from rest, by steps of several lengths; forces are over full "
+                "sliding at rest",
+                {{"memory", "mm", "length of the memory of friction; 0 for none"},
+                 {"step_ratio", "1", "c = dq/dx"},
+                 {"settled", "1", "1 if all steps have a solution"},
+                 {"steady_ratio", "1", "force of steady rolling"},
+                 {"mean_ratio", "1", "mean force over the second half"},
+                 {"swing", "1", "largest less least force in the second half"},
+                 {"doubled", "1", "part of the steps with a second solution"}}};
 };
 
 Table claims_of(const FallingFrictionParameters& parameters, const Tables& tables);

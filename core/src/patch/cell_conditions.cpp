@@ -68,11 +68,15 @@ bool CellConditions::slips_next(const PatchState& state, Index i) const {
   return (quotient(state, i) - length * pair_of(state.own_slip, i)).norm() > 1;
 }
 
-double CellConditions::error(const PatchState& state, Index i) const {
+Vector2d CellConditions::slip(const PatchState& state, Index i) const {
   const Vector2d q = quotient(state, i), own = pair_of(state.own_slip, i);
-  const MixedSlip slip(own, pair_of(state.centre_slip, i), (q - lengths_[i] * own).norm() - 1,
-                       width_);
-  return (q - onto_disc(q - lengths_[i] * slip.value)).norm();
+  const double beyond = (q - lengths_[i] * own).norm() - 1;
+  return MixedSlip(own, pair_of(state.centre_slip, i), beyond, width_).value;
+}
+
+double CellConditions::error(const PatchState& state, Index i) const {
+  const Vector2d q = quotient(state, i);
+  return (q - onto_disc(q - lengths_[i] * slip(state, i))).norm();
 }
 
 double CellConditions::residual(const PatchState& state) const {

@@ -35,6 +35,9 @@ class CellConditions {
   /// Whether a cell slips in the next system, |q - r t| > 1.
   bool slips_next(const PatchState& state, Index i) const;
 
+  /// s, which begins at the own slip and becomes that at the centre.
+  Vector2d slip(const PatchState& state, Index i) const;
+
   /// |q - P(q - r0 s)|
   double error(const PatchState& state, Index i) const;
 

@@ -44,7 +44,10 @@ FrictionRows::FrictionRows(const JoinedRows& rows, const SlipFriction& friction,
 }
 
 FrictionRows::Points FrictionRows::new_row(Index k) const {
-  return {{size_ * rows_->x(2 * rows_->elements(), k), 1}, {edge(k), 1}};
+  Points points{{size_ * rows_->x(2 * rows_->elements(), k), 1}};
+  for (Index i = rows_->elements() - 1; i >= 0; --i) points.push_back({centre(i, k), 1});
+  points.push_back({edge(k), 1});
+  return points;
 }
 
 /// Linear between the centres, and constant beyond them.
@@ -107,8 +110,9 @@ void FrictionRows::take(double dq, const VectorXd& speeds) {
   }
 }
 
-/// The points of a row at the end of a step. Points behind the trailing edge go, but for the first;
-/// so do those ahead of the leading edge of a contact that became shorter.
+/// The points of a row at the end of a step. Points behind the trailing edge go, but for the first,
+/// which follows the law as if it were within; so do those ahead of the leading edge of a contact
+/// that became shorter.
 FrictionRows::Points FrictionRows::moved(const Points& points, Index k, double dq,
                                          const VectorXd& speeds) const {
   const double trailing = size_ * rows_->x(2 * rows_->elements(), k), leading = edge(k);
@@ -121,7 +125,7 @@ FrictionRows::Points FrictionRows::moved(const Points& points, Index k, double d
     const double x = point.x - dq, from = std::min(point.x, leading);
     if (x >= leading) break;
     if (found.empty() && x > trailing) add(trailing, 1);  // has come in from behind
-    add(x, after_way(from, std::max(x, trailing), k, speeds, point.ratio));
+    add(x, after_way(from, x, k, speeds, point.ratio));
   }
   const double spacing =
       spacing_of_points * size_ * rows_->half_length(k) / static_cast<double>(rows_->elements());

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "cell_conditions.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "patch_scale.hpp"
 
@@ -61,7 +62,16 @@ bool SlippingPatch::solve(const VectorXd& ratios) {
   return true;
 }
 
-VectorXd SlippingPatch::speeds() const { return speed_ * slip_of(state_).rowwise().norm(); }
+VectorXd SlippingPatch::speeds() const {
+  CellConditions conditions(given_.response, limits_);
+  conditions.set(1, state_.transition);
+  VectorXd speeds = VectorXd::Zero(limits_.size());
+  for (Index i = 0; i < speeds.size(); ++i) {
+    if (!state_.slips[static_cast<std::size_t>(i)]) continue;
+    speeds[i] = speed_ * conditions.slip(state_, i).norm();
+  }
+  return speeds;
+}
 
 void SlippingPatch::find_ratios(VectorXd& ratios) { rows_.follow(dq_, speeds(), ratios); }
 

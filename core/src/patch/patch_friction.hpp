@@ -42,7 +42,8 @@ class SlippingPatch : public SlipContact {
   /// Limits of cells in the solution: n.
   const Eigen::VectorXd& limits() const { return limits_; }
 
-  /// Speeds of slip at the centres in the solution: n  [mm/s]
+  /// Speeds of slip in the solution: n. A cell that begins to slip has its own slip, and not yet that
+  /// at its centre, so that speeds begin at 0  [mm/s]
   Eigen::VectorXd speeds() const;
 
  private:
