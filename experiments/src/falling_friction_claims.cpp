@@ -126,7 +126,7 @@ Table claims_of(const FallingFrictionParameters& p, const Tables& tables) {
        {"without a memory, forces of an ellipse depend on the step, too", "none", not_given,
         spread_of_ellipse(tables.ellipse, "mean_ratio", 0), "1", ours_if({above(5e-3)}),
         "largest difference of mean forces, over full sliding at rest", no_figure},
-       {"with a memory they do so no more than without falling friction", "none", not_given,
+       {"with a memory they are the same to two thousandths", "none", not_given,
         spread_of_ellipse(tables.ellipse, "mean_ratio", p.ellipse_memories.back()), "1",
         ours_if({below(2e-3)}), "largest difference of mean forces, over full sliding at rest",
         no_figure},

@@ -11,14 +11,16 @@ namespace microslip::experiments::falling_friction_study {
 
 namespace {
 
-/// A run from rest, of which the second half counts.
+/// A run from steady tractions, with friction at rest at first. Its second half counts.
 struct EllipseRun {
   double least = 2, most = 0, sum = 0;
   int steps = 0, counted = 0, doubled = 0;
   bool settles = true;
 
-  EllipseRun(const SteadyPatch& patch, double step, double distance) {
+  EllipseRun(const SteadyPatch& patch, const SteadyPatchSolution& from, double step,
+             double distance) {
     PatchRolling rolling(patch);
+    rolling.start_from(from.traction);
     const double full = patch.bound.total();
     try {
       while (rolling.distance() < distance - step / 2) {
@@ -49,11 +51,11 @@ void add_ellipse(const FallingFrictionParameters& p, const FrictionOfMemory& fri
                     .load = {{{.by_resultant = false, .value = p.creepage}, {}, {}}}};
   for (const double memory : p.ellipse_memories) {
     patch.friction = friction(memory);
-    const double steady = solve_steady(patch).force() / patch.bound.total();
+    const SteadyPatchSolution steady = solve_steady(patch);
     for (const double c : p.step_ratios) {
       const double dx = 2 * p.half_width / static_cast<double>(p.ellipse_elements);
-      const EllipseRun run(patch, c * dx, p.ellipse_distance);
-      table.add({memory, c, run.settles ? 1.0 : 0.0, steady,
+      const EllipseRun run(patch, steady, c * dx, p.ellipse_distance);
+      table.add({memory, c, run.settles ? 1.0 : 0.0, steady.force() / patch.bound.total(),
                  run.settles ? run.sum / run.counted : not_given,
                  run.settles ? run.most - run.least : not_given,
                  static_cast<double>(run.doubled) / std::max(run.steps, 1)});

@@ -62,8 +62,8 @@ struct Tables {
                  {"contact_ratio", "1", "the same, as CONTACT prints it"},
                  {"adhesion_elements", "1", "elements in adhesion"}}};
   Table ellipse{"ellipse",
-                "runs of an ellipse from rest, by steps of several lengths; forces are over full "
-                "sliding at rest",
+                "runs of an ellipse after steady rolling, by steps of several lengths; forces are "
+                "over full sliding at rest",
                 {{"memory", "mm", "length of the memory of friction; 0 for none"},
                  {"step_ratio", "1", "c = dq/dx"},
                  {"settled", "1", "1 if all steps have a solution"},
