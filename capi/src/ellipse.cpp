@@ -103,6 +103,7 @@ microslip_status microslip_ellipse_assign(microslip_ellipse* ellipse, microslip_
     ellipse->rolling = from->rolling;
     ellipse->problem = from->problem;
     ellipse->solver = from->solver;
+    ellipse->has_second = from->has_second;
   });
 }
 

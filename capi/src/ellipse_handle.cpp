@@ -101,6 +101,7 @@ void advance(microslip_ellipse& ellipse, double dq, const PatchLoad& load) {
   } else {
     ellipse.rolling.roll(dq, load);
   }
+  ellipse.has_second = ellipse.rolling.has_second();
   ellipse.attempt.reset();
 }
 
@@ -129,11 +130,14 @@ microslip_ellipse_state solve_steady(microslip_ellipse& ellipse, const PatchLoad
   // Another bound that is g times as large has the same solution with g times the load, motions
   // included.
   const double g = is_hertz ? 1 : ellipse.rolling.contact().bound;
+  require(g == 1 || !ellipse.problem.friction, "bound_factor", g,
+          "1 where friction depends on slip, and the bound is not an ellipse's");
   PatchLoad over_bound = load;
   for (PatchComponent& component : over_bound) component.value /= g;
   SteadyPatchSolution solution = ellipse.solver->solve(over_bound);
   require_evidence(solution.evidence, solution.condition, solution.iterations,
                    ellipse.problem.accepted);
+  ellipse.has_second = solution.has_second;
   solution.resultants *= g;
   solution.motion *= g;
   solution.dissipation *= g * g;

@@ -27,12 +27,14 @@ struct microslip_ellipse {
       : problem(other.problem),
         rolling(other.rolling),
         trial(other.rolling),
-        solver(other.solver) {}
+        solver(other.solver),
+        has_second(other.has_second) {}
 
   microslip::SteadyPatch problem;
   microslip::PatchRolling rolling, trial;
   std::optional<Attempt> attempt = {};  ///< that `trial` has made
   std::optional<microslip::SteadyPatchSolver> solver = {};
+  bool has_second = false;   ///< of the last step or steady solution, see SlipFriction
   char message[512] = "";    ///< of the last call that failed
   mutable std::mutex mutex;  ///< held by each call
 };

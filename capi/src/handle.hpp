@@ -14,21 +14,24 @@
 
 /// The contact behind a handle of the C interface.
 struct microslip_rolling {
-  explicit microslip_rolling(const microslip::TransientProblem& problem)
-      : contact(std::make_unique<microslip::TransientRolling>(problem)),
+  explicit microslip_rolling(const microslip::TransientProblem& given)
+      : problem(given),
+        contact(std::make_unique<microslip::TransientRolling>(problem)),
         method(microslip::name_of(problem.scheme)),
         spacing(problem.grid.spacing()),
         full_sliding(spacing * contact->bound().sum()),
         strain(microslip::bound_strain(problem.contact.bound, problem.contact.kernel)) {}
 
   microslip_rolling(const microslip_rolling& other)
-      : contact(std::make_unique<microslip::TransientRolling>(*other.contact)),
+      : problem(other.problem),
+        contact(std::make_unique<microslip::TransientRolling>(*other.contact)),
         method(other.method),
         spacing(other.spacing),
         full_sliding(other.full_sliding),
         strain(other.strain),
         load(other.load) {}
 
+  microslip::TransientProblem problem;
   std::unique_ptr<microslip::TransientRolling> contact;  ///< null if it was lost
   std::string method;                                    ///< name of its scheme
   double spacing;                                        ///< dx  [mm]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The shared library of this package: microslip.h, microslip_ellipse.h, microslip_creep_table.h, and the functions of
-python/src/interface.hpp.
+"""The shared library of this package: microslip.h, microslip_ellipse.h, microslip_creep_table.h, microslip_friction.h,
+and the functions of python/src/interface.hpp.
 
 Calls release the interpreter's lock, so that other threads run meanwhile.
 """
@@ -93,13 +93,13 @@ FUNCTIONS = {
     "tp": "message ellipse_message method warning py_patch_edges py_patch_warnings py_save py_steady_warnings py_swept",
     "sp": "size py_patch_elements py_patch_rows py_table_count py_steady_size",
     "dp": "py_full_sliding py_patch_full_sliding",
-    "ip": "py_has_patch",
+    "ip": "py_has_patch has_second_solution ellipse_has_second_solution",
     "pp": "py_patch_ellipse py_patch_read py_rolling py_steady_read",
     "tt": "py_writable_target",
     "ipt": "save restore ellipse_save ellipse_restore ellipse_restore_from_memory py_restore",
     "ipp": "copy ellipse_copy ellipse_get_cells ellipse_get_elastic_energy ellipse_get_state get_state "
            "get_elastic_energy get_full_sliding py_ellipse_contact",
-    "ipd": "set_creepage set_force advance",
+    "ipd": "set_creepage set_force advance set_speed ellipse_set_speed",
     "ppii": "py_read",
     "tps": "py_warnings py_table_name py_table_text",
     "ppsp": "py_solve",

@@ -338,6 +338,11 @@ class Patch(Contact):
         return _shown(state)
 
     @alone
+    def set_speed(self, speed: float) -> None:
+        """Sets the speed of rolling V for the next steps, > 0 [mm/s]; friction that falls with slip depends on it."""
+        self._call("set_speed", number("speed", speed))
+
+    @alone
     def set_contact(self, size_factor: float, bound_factor: float) -> None:
         """Sets the contact of steady solutions, and at the end of the next step; on the way there it changes linearly.
 
@@ -381,6 +386,12 @@ class Patch(Contact):
     def state(self) -> Any:
         """The present state, and the step that led to it; after a shift, motions are in mm and rad."""
         return self._filled("get_state", into=(PATCH_STATE,))[0]
+
+    @property
+    @in_turn
+    def second_solution(self) -> bool:
+        """Whether the last step, or the last steady solution of this object, has a second solution, as friction falls with slip."""
+        return bool(call("ellipse_has_second_solution", self._open()))
 
     @property
     def elastic_energy(self) -> float:

@@ -239,6 +239,11 @@ class Rolling(Contact):
         return self._load
 
     @alone
+    def set_speed(self, speed: float) -> None:
+        """Sets the speed of rolling V for the next steps, > 0 [mm/s]; friction that falls with slip depends on it."""
+        self._call("set_speed", number("speed", speed))
+
+    @alone
     def set_contact(self, half_width_factor: float, bound_factor: float) -> None:
         """Sets the contact at the end of the next step or shift; it changes linearly on the way.
 
@@ -293,6 +298,12 @@ class Rolling(Contact):
     def state(self) -> Any:
         """The present state, and the step that led to it: a numpy.record, see ``Rolling.units``."""
         return self._filled("get_state", into=(STATE,))[0]
+
+    @property
+    @in_turn
+    def second_solution(self) -> bool:
+        """Whether the last step has a second solution, as friction falls with slip."""
+        return bool(call("has_second_solution", self._open()))
 
     @property
     def elastic_energy(self) -> float:

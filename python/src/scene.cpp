@@ -7,9 +7,13 @@
 #include <initializer_list>
 #include <map>
 #include <memory>
+#include <numbers>
+#include <optional>
 #include <sstream>
 #include <string_view>
 
+#include "microslip/friction/friction_law.hpp"
+#include "microslip/rolling/large_creepage.hpp"
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/scene/unloaded.hpp"
@@ -39,6 +43,16 @@ void leave_out(Scene& scene, std::initializer_list<std::string_view> names) {
     });
     if (goes) scene.set(key + '=');
   }
+}
+
+/// Warns of several steady solutions. Steady rolling has one where 2 (1 - nu) V |dmu/ds| times the
+/// pressure over G is below 1: docs/theory.md, "Friction that falls with slip".
+/// \param strain  of the largest bound at rest, bound over G  [1]
+void warn_of_fast_fall(Scene& scene, const std::optional<SlipFriction>& friction, double strain) {
+  if (!friction || 2 * strain * friction->speed * friction->law.steepest() < 1) return;
+  scene.warn("contact.friction_law", scene.text("contact.friction_law"),
+             "friction falls so fast with slip that steady rolling may have a second solution; "
+             "microslip.solve tells");
 }
 
 template <class Read>
@@ -85,7 +99,12 @@ SteadyProblem steady_of(Scene& scene) {
                     "step.relaxation", "step.tolerance"});
   if (!is_steady) leave_out(scene, {"step."});
   scene.set("load.creepage=0");
-  return read_all(scene, [&] { return read_steady(scene); });
+  const SteadyProblem problem = read_all(scene, [&] { return read_steady(scene); });
+  const double largest_over_mean = 4 / std::numbers::pi;  // of Hertz's bound
+  warn_of_fast_fall(
+      scene, problem.friction,
+      largest_over_mean * bound_strain(problem.contact.bound, problem.contact.kernel));
+  return problem;
 }
 
 PatchOfScene patch_of(Scene& scene) {
@@ -99,7 +118,9 @@ PatchOfScene patch_of(Scene& scene) {
   const std::string scheme = scene.has("step.scheme") ? scene.word("step.scheme") : "remembered";
   leave_out_steps(scene);
   leave_out(scene, {"load.", "curve."});
-  return {read_all(scene, [&] { return read_steady_patch(scene, 0); }), scheme};
+  const SteadyPatch patch = read_all(scene, [&] { return read_steady_patch(scene, 0); });
+  warn_of_fast_fall(scene, patch.friction, patch.bound.peak() / patch.material.shear_modulus);
+  return {patch, scheme};
 }
 
 void leave_out_steps(Scene& scene) {

@@ -264,7 +264,9 @@ std::vector<double> TransientScene::step_lengths() const {
   return lengths;
 }
 
-TransientProblem read_transient_problem(Scene& scene) {
+namespace {
+
+TransientProblem read_contact_of_transient(Scene& scene) {
   const Bodies bodies = read_bodies(scene);
   const Material& material = bodies.combined;
   const ContactModel model = read_contact(scene, material, read_tangential(scene, material));
@@ -279,8 +281,17 @@ TransientProblem read_transient_problem(Scene& scene) {
   return problem;
 }
 
+}  // namespace
+
+TransientProblem read_transient_problem(Scene& scene) {
+  TransientProblem problem = read_contact_of_transient(scene);
+  if (takes_slip_friction(problem)) problem.friction = read_slip_friction(scene);
+  validate(problem);
+  return problem;
+}
+
 TransientScene read_transient(Scene& scene) {
-  TransientProblem problem = read_transient_problem(scene);
+  TransientProblem problem = read_contact_of_transient(scene);
   const LoadHistory loads = read_loads(scene, problem);
   if (takes_slip_friction(problem)) problem.friction = read_slip_friction(scene, loads);
   validate(problem);

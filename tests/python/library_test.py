@@ -13,7 +13,7 @@ from microslip import _library
 
 KINDS = {"double": np.dtype(float), "int": np.dtype(np.intc), "struct microslip_slopes": _library.SLOPES}
 HEADERS = ("capi/include/microslip.h", "capi/include/microslip_ellipse.h", "capi/include/microslip_creep_table.h",
-           "python/src/interface.hpp")
+           "capi/include/microslip_friction.h", "python/src/interface.hpp")
 
 
 def struct(header, name):

@@ -232,6 +232,12 @@ void SteadyPatchSolver::set_bound(const PatchBound& bound) {
   if (coarse_) coarse_->problem.bound = bound;
 }
 
+void SteadyPatchSolver::set_speed(double speed) {
+  require_positive("speed", speed);
+  if (fine_.problem.friction) fine_.problem.friction->speed = speed;
+  if (coarse_ && coarse_->problem.friction) coarse_->problem.friction->speed = speed;
+}
+
 CreepCoefficients SteadyPatchSolver::coefficients() const {
   const Eigen::Matrix3d& linear = fine_.response.linear();
   return {.c11 = -linear(0, 0),

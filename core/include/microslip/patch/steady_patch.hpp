@@ -106,6 +106,10 @@ class SteadyPatchSolver {
   /// \throws std::invalid_argument for another ratio a/b
   void set_bound(const PatchBound& bound);
 
+  /// Sets the speed V of rolling, > 0, by which friction falls that depends on slip  [mm/s].
+  /// \throws std::invalid_argument outside the range
+  void set_speed(double speed);
+
   /// \throws as solve_steady
   SteadyPatchSolution solve(const PatchLoad& load);
 

@@ -157,7 +157,7 @@ struct TransientScene {
 };
 
 /// Reads the contact of a transient: the keys of a steady scene except for leading_edge and load.*,
-/// and step.scheme with step.relaxation.
+/// and step.scheme with step.relaxation. Friction that falls with slip has load.speed.
 TransientProblem read_transient_problem(Scene& scene);
 
 /// Reads a transient: the contact as read_transient_problem(), a load or load.file, step.ratio (one
