@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Draws one figure. Usage: plots/draw.sh FIGURE.gp TABLES_FOLDER OUTPUT.svg|OUTPUT.png|OUTPUT.pdf [COMMANDS]
+# Draws one figure. Usage: plots/draw.sh FIGURE.gp TABLES_FOLDER OUTPUT.svg|OUTPUT.png|OUTPUT.pdf|OUTPUT.gif [COMMANDS]
 # The last word has commands of gnuplot that come first.
 # A gnuplot warning is a failure, as is a table without content, and a failure leaves no figure.
 # The comment that the script begins with says what the figure shows, and becomes the title of an SVG.
@@ -13,11 +13,14 @@ fail() {
 
 format=${output##*.}
 case "$format" in
-  svg | png | pdf) ;;
-  *) fail "$output: expected a name that ends in .svg, .png or .pdf" ;;
+  svg | png | pdf | gif) ;;
+  *) fail "$output: expected a name that ends in .svg, .png, .pdf or .gif" ;;
 esac
 rm -f "$output"
 command -v gnuplot >/dev/null || fail "gnuplot is not installed"
+if [ "$format" = gif ]; then
+  gnuplot -e 'set terminal gif animate' 2>/dev/null || fail "gnuplot has no terminal gif here; .svg, .png and .pdf do without"
+fi
 
 # All that the figure names, itself or in what it loads. gnuplot would say neither which table is
 # empty nor that one is cut off between two rows.
@@ -56,8 +59,11 @@ case "$format" in
   svg) last="</svg>" ;;
   png) last=IEND ;;
   pdf) last="%%EOF" ;;
+  gif) last=";$" ;;
 esac
 tail -c 10 "$partial" | grep -aq "$last" || status=1
+# What gnuplot says of every animation is no warning.
+[ "$format" != gif ] || sed -i '/^[0-9]* frames in animation sequence$/d' "$partial.log"
 if [ $status -ne 0 ] || [ -s "$partial.log" ]; then
   cat "$partial.log" >&2
   fail "gnuplot failed"

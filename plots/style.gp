@@ -1,12 +1,15 @@
 # Style of every figure: half a page wide, colour-blind safe (Okabe and Ito), columns by name.
 # draw.sh defines `tables`, the folder of the study's tables, `scripts`, the folder of this file, and `format`.
-# The command that sets the size of a figure, in pixels of 1/96 inch; pixels of a PNG are a third. A phone shows a figure,
+# The command that sets the size of a figure, in pixels of 1/96 inch; pixels of a PNG are a third, and those of
+# a GIF four fifths. A phone shows a figure,
 # or each of its panels side by side, 390 pixels wide: a panel wider than 640 pixels has texts of less than 8 there.
 page(width, height) = format eq "png" ? \
     sprintf("set terminal pngcairo size %d,%d enhanced font 'Helvetica,10.5' background 'white' ", 3 * width, 3 * height) . \
     "fontscale 3 linewidth 3.9 pointscale 3" : format eq "pdf" ? \
     sprintf("set terminal pdfcairo size %.4fin,%.4fin enhanced font 'Helvetica,7.9' background 'white' ", \
-            width / 96., height / 96.) . "fontscale 1 linewidth 2" : \
+            width / 96., height / 96.) . "fontscale 1 linewidth 2" : format eq "gif" ? \
+    sprintf("set terminal gif animate delay %d loop 0 size %d,%d enhanced font 'Sans,13' background 'white' ", \
+            exists("delay") ? delay : 50, 1.25 * width, 1.25 * height) . "linewidth 1.6" : \
     sprintf("set terminal svg size %d,%d enhanced font 'Helvetica,14' background 'white' linewidth 1.3", width, height)
 eval page(640, 420)
 set datafile separator tab

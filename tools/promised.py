@@ -73,6 +73,12 @@ def tables(program):
                 folder)
         for file in sorted(pathlib.Path(folder).glob("*.tsv")):
             yield from columns_of(file, f"curve/{file.name}")
+    for name in ("transient", "ellipse_transient"):  # tables of a key that no example has
+        with tempfile.TemporaryDirectory() as folder:
+            printed(program, ROOT / f"examples/{name}.info", "--set", "motion.distance=3", "--set", "motion.instants=1", "--quiet",
+                    "--out", folder)
+            for file in sorted(pathlib.Path(folder).glob("instants*.tsv")):
+                yield from columns_of(file, f"{name}/{file.name}")
 
 
 def declarations(_program):

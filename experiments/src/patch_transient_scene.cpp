@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "instants.hpp"
 #include "lost_energy.hpp"
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/scene_tables.hpp"
@@ -201,6 +202,14 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
     end.evidence.power = 0;
   }
   record({.q = scene.from, .time = loads.time_at(scene.from)});
+  InstantTables instants(scene.instants, !loads.stops().empty());
+  std::size_t steps_done = 0;
+  const auto keep = [&](double distance, std::optional<double> time) {
+    if (!instants.wants(steps_done)) return;
+    instants.take(steps_done, {distance, loads.position_at(distance), time},
+                  {rolled.tractions(), rolled.edges()});
+  };
+  keep(scene.from, loads.time_at(scene.from));
   const auto stand = [&](double distance) {
     for (const PatchHistory::Standing& standing : loads.standing_at(distance)) {
       end =
@@ -213,6 +222,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
       end.dissipation = 0;
       end.evidence.power = 0;
       record(run);
+      keep(distance, standing.time);
     }
   };
   if (scene.from == 0) stand(0);
@@ -222,6 +232,8 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
     record({loads.position_at(to), dq * end.motion, length * end.dissipation, loads.time_at(to)});
     sums.include(end, dq);
     doubled += end.has_second ? 1 : 0;
+    ++steps_done;
+    keep(to, loads.time_at(to));
     stand(to);
   });
   if (rolled.remembered()) at_end(*rolled.remembered());
@@ -257,6 +269,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   std::vector<Table> tables{rolled.tractions(), rolled.edges(), history_of(history, loads),
                             summary};
   if (!scene.shifts.empty()) tables.push_back(shifts_of(shifts));
+  instants.add_to(tables);
   return tables;
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 
+#include "instants.hpp"
 #include "lost_energy.hpp"
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/scene_tables.hpp"
@@ -18,6 +19,13 @@ namespace {
 
 double full_sliding_of(const TransientScene& scene, const TransientState& state) {
   return full_sliding_force(scene.problem.contact.bound) * state.scale.full_sliding();
+}
+
+Table tractions_of(const TransientRolling& rolling) {
+  const TransientState& state = rolling.state();
+  return traction_table("transient rolling, values at the nodes at the end",
+                        {rolling.x(), rolling.bound_at_nodes(), rolling.traction_at_nodes(),
+                         state.slip, rolling.displacement(), state.zones});
 }
 
 /// A step, or a shift where the bodies stand.
@@ -154,6 +162,14 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   const double full = full_sliding_force(scene.problem.contact.bound);
   double distance_before = start.distance, force_before = start.force;
   WorstOfSteps worst;
+  InstantTables instants(scene.instants, !scene.loads.stops().empty());
+  std::size_t step = 0;
+  double way = scene.from;
+  const auto keep = [&](std::optional<double> time) {
+    if (!instants.wants(step)) return;
+    instants.take(step, {way, rolling.state().distance, time}, {tractions_of(rolling)});
+  };
+  keep(scene.loads.time_at(scene.from));
   const auto take = [&](const TransientState& state, const RunRow& run) {
     add(history, state, run, scene);
     cumulative_creep += run.shift;
@@ -171,12 +187,16 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
              take(state, {.shift = state.creepage * length,
                           .loss = state.dissipation * std::abs(length),
                           .time = time});
+             ++step;
+             way += std::abs(length);
+             keep(time);
              count();
            },
        .after_shift =
            [&](const TransientState& state, const Shift& shift, std::optional<double> time) {
              lost.add_shift(shift.dissipation);
              take(state, {.shift = shift.distance, .loss = shift.dissipation, .time = time});
+             keep(time);
            }});
   at_end(rolling);  // before the estimate of the condition, which refactorises
 
@@ -213,12 +233,9 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
                 .iterations = worst.iterations,
                 .accepted = scene.problem.accepted,
                 .doubt = doubt});
-  std::vector<Table> tables{
-      traction_table("transient rolling, values at the nodes at the end",
-                     {rolling.x(), rolling.bound_at_nodes(), rolling.traction_at_nodes(), last.slip,
-                      rolling.displacement(), last.zones}),
-      history, summary};
+  std::vector<Table> tables{tractions_of(rolling), history, summary};
   if (!scene.shifts.empty()) tables.push_back(shifts_table(shifts));
+  instants.add_to(tables);
   return tables;
 }
 

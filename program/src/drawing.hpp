@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "microslip/scene/table.hpp"
+#include "outputs.hpp"
 
 namespace microslip::program {
 
@@ -16,8 +17,8 @@ namespace microslip::program {
 struct Result {
   std::filesystem::path folder;
   std::string name;  ///< as it was typed
-  std::string kind;  ///< steady, ellipse, transient, history (of an ellipse), cylinder, response,
-                     ///< converge, sweep or curve
+  std::string kind;  ///< steady, ellipse, transient, history (of an ellipse), instants, cylinder,
+                     ///< response, converge, sweep or curve
 };
 
 /// That two results are not drawn over one another. \throws std::invalid_argument
@@ -101,6 +102,19 @@ struct SweepView {
 /// A quantity over a key, with a line for each combination of the other ones.
 /// \throws std::invalid_argument for columns that are not there, and too many lines
 Drawing drawing_of_sweeps(const std::vector<Result>& results, const SweepView& view);
+
+/// Files of the script of instants: the table `panels`, and of each panel its line, or of a map its
+/// cells, outline and arrows.
+/// \param over_time  whether titles have times in the place of distances
+/// \param animated   whether all instants are drawn; otherwise as many as have room
+/// \throws std::invalid_argument for a run without times, or without contact at any instant
+std::vector<OutputFile> files_of_instants(const Result& result, bool over_time, bool animated);
+
+/// Refuses an axis of a run that is neither empty nor q or t. \throws std::invalid_argument
+void require_axis_of_run(const std::string& over);
+
+/// That a run has no times. \throws std::invalid_argument
+[[noreturn]] void throw_no_times(const Result& result);
 
 /// Files of a drawing, as output_of makes them, into a folder.
 void write_drawing(const Drawing& drawing, const std::filesystem::path& folder);

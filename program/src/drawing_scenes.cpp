@@ -135,18 +135,9 @@ Names quantities_of(const std::string& kind) {
 /// The column of a history that has the distance rolled.
 std::string distance_column(const std::string& kind) { return kind == "cylinder" ? "X" : "q"; }
 
-void require_times(const Result& result, const Table& history) {
-  if (history.has("t")) return;
-  throw std::invalid_argument(
-      fmt::format("--over t: '{}' has no times: expected a run whose load.file has columns t and v",
-                  shown(result.name)));
-}
-
 /// Adds the histories of all results, over distance or time.
 void add_histories(Drawing& drawing, const std::vector<Result>& results) {
-  if (drawing.over != "q" && drawing.over != "t") {
-    throw std::invalid_argument(fmt::format("--over '{}': expected q or t", shown(drawing.over)));
-  }
+  require_axis_of_run(drawing.over);
   const std::string distance = distance_column(drawing.kind);
   const bool over_time = drawing.over == "t";
   const Names quantities = quantities_of(drawing.kind);
@@ -160,7 +151,7 @@ void add_histories(Drawing& drawing, const std::vector<Result>& results) {
   for (std::size_t i = 0; i < results.size(); ++i) {
     Table history = table_in(results[i].folder, "history").table;
     if (drawing.kind == "history") history = without_rounding(history, quantities);
-    if (over_time) require_times(results[i], history);
+    if (over_time && !history.has("t")) throw_no_times(results[i]);
     turns = turns || history.has("shift");
     const std::size_t begin = all.rows();
     append(all, i + 1, history, taken, drawing.history);
@@ -173,6 +164,17 @@ void add_histories(Drawing& drawing, const std::vector<Result>& results) {
 }
 
 }  // namespace
+
+void require_axis_of_run(const std::string& over) {
+  if (over.empty() || over == "q" || over == "t") return;
+  throw std::invalid_argument(fmt::format("--over '{}': expected q or t", shown(over)));
+}
+
+void throw_no_times(const Result& result) {
+  throw std::invalid_argument(
+      fmt::format("--over t: '{}' has no times: expected a run whose load.file has columns t and v",
+                  shown(result.name)));
+}
 
 /// The summary, which is short, says whether there is anything to look for.
 bool ends_without_contact(const Result& result) {

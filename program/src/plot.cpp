@@ -159,13 +159,22 @@ fs::path folder_of(const fs::path& result) {
   return relative.string().starts_with('.') ? whole : relative;
 }
 
-/// Where --to wants a figure; draw.sh knows three formats.
-fs::path target_of(const Given& given) {
+/// Whether --to wants an animation.
+bool wants_gif(const Given& given) {
+  return given.count("to") != 0 && fs::path(given["to"].as<std::string>()).extension() == ".gif";
+}
+
+/// Where --to wants a figure.
+/// \param can_move  whether the figure has an animation, too
+fs::path target_of(const Given& given, bool can_move = false) {
   const std::string name = given["to"].as<std::string>();
   const std::string ending = fs::path(name).extension();
   if (ending == ".svg" || ending == ".png" || ending == ".pdf") return name;
+  if (can_move && ending == ".gif") return name;
   throw std::invalid_argument(
-      fmt::format("--to '{}': expected a name that ends in .svg, .png or .pdf", shown(name)));
+      fmt::format("--to '{}': expected a name that ends in .svg, .png or .pdf, or in .gif of the "
+                  "figure instants",
+                  shown(name)));
 }
 
 fs::path folder_of_scripts() {
@@ -269,6 +278,23 @@ void draw_results(const std::string& name, const std::vector<Result>& results, c
   draw(script, scratch.path(), figure, settings);
 }
 
+/// Draws the instants of a run, as small multiples or as an animation of 8 s.
+void draw_instants(const std::string& name, const Result& result, const Given& given,
+                   const fs::path& figure) {
+  reject_options_of(given, {"x", "q", "time", "value", "by", "only"},
+                    "a figure other than instants");
+  const std::string over = text_of(given, "over");
+  require_axis_of_run(over);
+  constexpr int length = 800, least = 8, most = 100;  // [s/100]
+  const bool animated = figure.extension() == ".gif";
+  const std::vector<OutputFile> files = files_of_instants(result, over == "t", animated);
+  const ScratchFolder scratch;
+  write_files(scratch.path(), files);
+  const int panels = static_cast<int>(table_in(scratch.path(), "panels").table.rows());
+  draw(folder_of_scripts() / fmt::format("{}_instants.gp", name), scratch.path(), figure,
+       fmt::format("delay={};", std::clamp(length / panels, least, most)));
+}
+
 /// Behind the folder of the first result.
 fs::path name_of_comparison(const std::vector<Result>& results) {
   fs::path name = results.front().folder;
@@ -281,6 +307,19 @@ fs::path name_of_comparison(const std::vector<Result>& results) {
 void draw_scenes(const std::string& name, std::vector<Result> results, const Given& given) {
   const fs::path first = results.front().folder;
   std::vector<Figure> all{{results.front().kind, "", ""}};
+  const bool has_instants = results.size() == 1 && fs::exists(first / "instants.tsv");
+  const bool is_instants =
+      text_of(given, "figure") == "instants" || (wants_gif(given) && given.count("figure") == 0);
+  if (is_instants) {
+    results.front().kind = "instants";
+    require_one(results);
+    if (!has_instants) {
+      reject(first, "it has no instants.tsv, which motion.instants of a transient makes");
+    }
+    return draw_instants(name, results.front(), given,
+                         given.count("to") != 0 ? target_of(given, true)
+                                                : fs::path(first.string() + "_instants.svg"));
+  }
   const bool shows_history =
       std::ranges::any_of(std::vector{"q", "time", "over"},
                           [&](const char* option) { return given.count(option) != 0; });
@@ -295,16 +334,22 @@ void draw_scenes(const std::string& name, std::vector<Result> results, const Giv
       (is_shifts || !shows_history)) {
     all.push_back({"shifts", "", "_shifts"});
   }
+  if (has_instants && !shows_history) all.push_back({"instants", "", "_instants"});
   const std::vector<Figure> figures = chosen(all, given);
   if (given.count("to") != 0 && figures.size() > 1) {
     throw std::invalid_argument("--to: expected --figure with it here");
   }
   for (const Figure& figure : figures) {
     results.front().kind = figure.name;
-    draw_results(name, results, given,
-                 given.count("to") != 0
-                     ? target_of(given)
-                     : fs::path(name_of_comparison(results).string() + figure.ending + ".svg"));
+    const fs::path target =
+        given.count("to") != 0
+            ? target_of(given)
+            : fs::path(name_of_comparison(results).string() + figure.ending + ".svg");
+    if (figure.name == "instants") {
+      draw_instants(name, results.front(), given, target);
+    } else {
+      draw_results(name, results, given, target);
+    }
   }
 }
 
@@ -335,7 +380,8 @@ int plot(const std::string& name, int argc, const char* const* argv) {
                                                               "name of the only figure to draw")(
         "to", word(),
         "file that ends in .svg, .png or .pdf (default: RESULT.svg, or RESULT_FIGURE.svg of one "
-        "figure of several)")("x", word(), "a:b, range of the horizontal axis")(
+        "figure of several); .gif is an animation of instants")(
+        "x", word(), "a:b, range of the horizontal axis")(
         "q", word(), "a:b, range of the distance rolled")("time", word(),
                                                           "a:b, range of the time, with --over t")(
         "over", word(),

@@ -90,6 +90,8 @@ class Result(Tables):
         One row per step; None for steady rolling.
     shifts : numpy.ndarray or None
         One row per shift before rolling, if there are several.
+    instants : numpy.ndarray or None
+        Rows as of traction at each instant of motion.instants, behind its number ``instant`` and its place ``q``.
     tables : dict of Table
         The same tables with descriptions, units and parameters.
     units : dict of str
@@ -107,6 +109,7 @@ class Result(Tables):
         self.traction = tables["traction"].data
         self.history = tables["history"].data if "history" in tables else None
         self.shifts = tables["shifts"].data if "shifts" in tables else None
+        self.instants = tables["instants"].data if "instants" in tables else None
         self.evidence: Dict[str, float] = {name: float(self.summary[name]) for name in _EVIDENCE
                                            if name in fields_of(self.summary.dtype)}
 

@@ -14,6 +14,7 @@ namespace microslip {
 namespace {
 
 constexpr double row_of_history = 1000;
+constexpr double row_of_instant = 1200;
 
 /// Memory of a patch that rolls by steps, over that of steady rolling.
 constexpr double memory_of_steps = 2;
@@ -48,6 +49,12 @@ bool by_fft(const TransientProblem& problem) {
 
 double log2_of(double n) { return std::log2(std::max(n, 2.0)); }
 
+template <class Steps>
+double of_instants(const Steps& scene, Eigen::Index elements) {
+  return row_of_instant * static_cast<double>(scene.instants.size()) *
+         static_cast<double>(elements);
+}
+
 struct MemoryOf {
   double operator()(const SteadyProblem& problem) const {
     const Eigen::Index n = problem.grid.size();
@@ -69,7 +76,8 @@ struct MemoryOf {
     return memory_by(twice ? Memory{.element = 2400, .matrices = 5.2}
                            : Memory{.element = 1600, .matrices = 4.1},
                      by_fft(scene.problem), scene.problem.grid.size()) +
-           row_of_history * (steps_needed(scene) + static_cast<double>(scene.shifts.size()));
+           row_of_history * (steps_needed(scene) + static_cast<double>(scene.shifts.size())) +
+           of_instants(scene, scene.problem.grid.size());
   }
   double operator()(const PatchTransient& scene) const {
     constexpr double of_rectangle = 4000;
@@ -78,7 +86,8 @@ struct MemoryOf {
         !std::holds_alternative<Remembered>(scene.scheme)
             ? of_rectangle * static_cast<double>(scene.patch.rows * scene.patch.elements)
             : memory_of_steps * (*this)(scene.patch);
-    return of_contact + row_of_history * rows;
+    return of_contact + row_of_history * rows +
+           of_instants(scene, scene.patch.rows * scene.patch.elements);
   }
   double operator()(const CylinderScene& scene) const {
     return memory_by({.element = 1600, .matrices = 5}, by_fft(scene.problem),

@@ -10,6 +10,7 @@
 
 #include "doubts.hpp"
 #include "few_steps.hpp"
+#include "instants.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/straight_steps.hpp"
@@ -326,6 +327,8 @@ TransientScene read_transient(Scene& scene) {
                       .step_ratios = step_ratios,
                       .loads = loads,
                       .from = beginning.distance};
+  const std::vector<double> lengths = read.step_lengths(), ends = loads.ends_of_steps();
+  read.instants = read_instants(scene, {distance, lengths, read.from, ends});
   if (Prescribed(load).by_force) {
     warn_of_short_end(scene, read);
     for (const double ratio : judged) warn_of_noise(scene, problem.grid.size(), ratio);

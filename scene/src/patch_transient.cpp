@@ -10,6 +10,7 @@
 
 #include "doubts.hpp"
 #include "few_steps.hpp"
+#include "instants.hpp"
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/patch/patch_rolling.hpp"
 #include "microslip/patch/standard_patch.hpp"
@@ -343,6 +344,8 @@ PatchTransient read_patch_transient(Scene& scene) {
                    "step.scheme remembered");
     }
   }
+  const std::vector<double> lengths = read.step_lengths(), ends = read.loads.ends_of_steps();
+  read.instants = read_instants(scene, {read.distance, lengths, read.from, ends});
   warn_of_long_steps(scene, read);
   warn_of_sudden_resultants(scene, read);
   return read;

@@ -68,6 +68,16 @@ def test_fields_units_and_evidence(scene):
         assert all(table.units.get(name, unit) == unit for table in result.tables.values())
 
 
+def test_instants_end_with_the_traction(scene):
+    rolling = {**scene, "problem": "transient", "load": {"creepage": 0.002}, "start": {"type": "rest"}, "step": {"ratio": 0.5}}
+    result = ms.solve(rolling, motion={"distance": 5, "instants": 3})
+    last = result.instants[result.instants["instant"] == 3]
+    assert (last["q"] == 5).all() and np.unique(result.instants["instant"]).size == 3
+    for name in result.traction.dtype.names:
+        assert (last[name] == result.traction[name]).all()
+    assert ms.solve(rolling, motion={"distance": 5}).instants is None
+
+
 def test_arrays_take_the_place_of_files(scene, tmp_path):
     x, bound = np.array([-4.5, -1, 2, 4]), np.array([20, 250, 200, 30.5])
     np.savetxt(tmp_path / "bound.tsv", np.c_[x, bound], header="x\tbound", comments="", delimiter="\t")

@@ -39,7 +39,11 @@ ellipse_transient.info --out steps
 ellipse_transient.info --set step.scheme=direct --out rectangles
 ellipse_transient.info --set load.spin=0 --set load.lateral_force= --out along
 transient.info --set start.force="-100 100 -100 100" --out shifts
-run.info --out run
+transient.info --set motion.instants=6 --out instants
+transient.info --set motion.instants=1 --out instant
+ellipse_transient.info --set motion.instants=20 --out map_instants
+ellipse_transient.info --set step.scheme=direct --set motion.instants=2 --out two_maps
+run.info --set motion.instants=4 --out run
 cylinder.info --set grid.elements=20 --out cylinder
 sweep sweep.info --quiet --out sweep
 SWEEP words --set sweep.load.creepage=1e-4:log4:1e-2 --set sweep.leading_edge="calibrated standard inversion known_edge"
@@ -57,7 +61,10 @@ response steady.info --set load.force=-100 --out response_of_little
 # These figures are drawn of them.
 PLOTS = {"steady": "steady", "little": "little", "plane": "plane", "line": "line", "ellipse": "ellipse", "long_ellipse": "long_ellipse",
          "wide_ellipse": "wide_ellipse", "steps": "steps --figure history", "both_steps": "steps rectangles",
-         "along": "along --figure history", "rectangles": "rectangles --figure ellipse", "transient": "transient", "run": "run",
+         "along": "along --figure history", "rectangles": "rectangles --figure ellipse", "transient": "transient", "run": "run --figure transient",
+         "instants": "instants --figure instants", "instant": "instant --figure instants",
+         "map_instants": "map_instants --figure instants", "two_maps": "two_maps --figure instants",
+         "times_of_instants": "run --figure instants --over t",
          "cylinder": "cylinder", "sweep": "sweep", "curve": "curve", "laws": "laws", "families": "families", "converge": "converge",
          "converge_transient": "converge_transient", "response": "response", "shifts": "shifts --figure shifts",
          "three": "steady little plane", "long": "DEEP/steady DEEP/little DEEP/plane", "tractions": "steady run cylinder",

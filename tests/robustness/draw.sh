@@ -38,7 +38,7 @@ for format in png pdf; do "$plots/draw.sh" "$figure" "$work/tables" "$work/figur
 rm "$work/figures"/traction.p*
 status=0
 message=$("$plots/draw.sh" "$figure" "$work/tables" "$work/figures/traction.jpg" 2>&1) || status=$?
-[[ $status = 1 && $message = *'traction.jpg: expected a name that ends in .svg, .png or .pdf' ]]
+[[ $status = 1 && $message = *'traction.jpg: expected a name that ends in .svg, .png, .pdf or .gif' ]]
 
 grep -v '^#' "$plots/carter_traction.gp" >"$work/silent.gp"
 figure=$work/silent.gp expect_refused 'no caption' 'does not begin with a comment'

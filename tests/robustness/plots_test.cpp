@@ -72,7 +72,9 @@ TEST_F(Plots, FiguresAreWhatTheirNamesSay) {
   }
   for (const std::string name : {"a.jpg", "a", "a.PNG", "svg"}) {
     expect_error("plot --to " + name,
-                 "--to '" + name + "': expected a name that ends in .svg, .png or .pdf");
+                 "--to '" + name +
+                     "': expected a name that ends in .svg, .png or .pdf, or in "
+                     ".gif of the figure instants");
     EXPECT_FALSE(fs::exists(folder_ / name));
   }
 }

@@ -173,6 +173,21 @@ TEST(ChangingContact, ThatIsLostCarriesNothingAndReturnsUnstrained) {
   EXPECT_NEAR(rolling.state().force, -0.2, 1e-13);
 }
 
+// Whatever it is that is lost: nodes have no tractions then, and no bound.
+TEST(ChangingContact, ThatIsLostHasNoTractionsAtItsNodes) {
+  for (const ContactScale& lost :
+       {ContactScale{0, 0}, ContactScale{0, 1}, ContactScale{0, 0.7}, ContactScale{0.7, 0}}) {
+    TransientRolling rolling(problem_with(strip, 30));
+    rolling.roll(1, {0.1}, PrescribedCreepage{0.3}, [](const TransientState&) {});
+    EXPECT_GT(rolling.traction_at_nodes().norm(), 1);
+    rolling.set_contact(lost);
+    rolling.step(0.1, PrescribedCreepage{0.3});
+    EXPECT_EQ(rolling.traction_at_nodes().norm(), 0);
+    EXPECT_EQ(rolling.bound_at_nodes().norm(), 0);
+    EXPECT_EQ(rolling.displacement().norm(), 0);
+  }
+}
+
 // Work and stored energy balance whatever the contact does, by the state itself.
 TEST(ChangingContact, KeepsTheBalanceOfEnergyAndTheBound) {
   for (const Kernel& kernel : {Kernel(plane), Kernel(strip)}) {

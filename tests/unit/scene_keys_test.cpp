@@ -272,6 +272,8 @@ const std::vector<Role> roles = {
     {"cylinder.slope_force", "0.3", cylinders},
     {"cylinder.velocity", "0", cylinders},
     {"motion.distance", "0.3", transients + cylinders + patch_steps},
+    {"motion.instants", "2", transients + patch_steps},
+    {"motion.instants_at", "0.1 0.3", transients + patch_steps},
     {"motion.integrator", "midpoint", cylinders},
     {"motion.tolerance", "1e-4", "cylinder"},
     {"solver.type", "auto", by_elements + transients + cylinders},

@@ -96,6 +96,7 @@ StandingRow& RememberedGrid::standing() {
 
 VectorXd RememberedGrid::traction_at_nodes(const TransientState& state) const {
   const Index n = x_.size();
+  if (!state.scale.carries()) return VectorXd::Zero(n);
   const VectorXd x = memory_.backward ? mirrored(problem_x_) : problem_x_;
   VectorXd at_nodes = state.scale.bound * bound_at(traction_bound_, x);
   if (ratio_.size() > 0) at_nodes = at_nodes.cwiseProduct(ratio_);

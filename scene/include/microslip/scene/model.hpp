@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -127,6 +128,8 @@ struct PatchTransient {
   std::optional<SavedState> state = {};     ///< the start, if it is one
   std::optional<TractionTable> start = {};  ///< tractions of the start, on the patch's own size
   double from = 0;                          ///< distance at the start, that of the state  [mm]
+  /// Steps at whose ends tractions are wanted, rising; 0 is the start.
+  std::vector<std::size_t> instants = {};
 
   double spacing() const;                    ///< the mean length of cells, 2 a/N  [mm]
   std::vector<double> step_lengths() const;  ///< dq, taken in turn  [mm]
@@ -137,7 +140,7 @@ struct PatchTransient {
 /// numbers; the rows of load.file by default), motion.distance, and start.type `rest`, `cattaneo`
 /// or `state`. `cattaneo` has start.force or start.shift, and the same of the other components, of
 /// which all have as many numbers; without them, the bodies are shifted to the resultants of the
-/// load. `state` has start.state.
+/// load. `state` has start.state. Also reads motion.instants or motion.instants_at.
 PatchTransient read_patch_transient(Scene& scene);
 
 /// Refuses an ellipse where only a line contact can be.
@@ -152,6 +155,8 @@ struct TransientScene {
   std::vector<double> step_ratios;  ///< dq/dx, taken in turn, each (0, inf)  [1]
   LoadHistory loads;
   double from = 0;  ///< distance at the start, 0 except for a saved state  [mm]
+  /// Steps at whose ends tractions are wanted, rising; 0 is the start.
+  std::vector<std::size_t> instants = {};
 
   std::vector<double> step_lengths() const;  ///< dq, taken in turn  [mm]
 };
@@ -165,7 +170,8 @@ TransientProblem read_transient_problem(Scene& scene);
 /// load.file by default). The start is by start.type: `cattaneo` has start.force (load.force by
 /// default) or start.shift; one start.force makes a CattaneoShift; several, or any start.shift, are
 /// shifts from rest. `file` has start.file with columns x and traction, at the nodes, or at any
-/// positions for the scheme remembered. `state` has start.state.
+/// positions for the scheme remembered. `state` has start.state. Also reads motion.instants or
+/// motion.instants_at.
 TransientScene read_transient(Scene& scene);
 
 /// A cylinder that rolls down a slope, from rest or from free rolling.
