@@ -15,7 +15,9 @@ stats panels_table using (k = int($0) + 1, titles[k] = strcol("title"), touches[
 if (turns) { x_label = "x [mm]" }
 
 # Sizes in pixels. A map has room for its contact in both directions, with equal scales.
-columns = animated || panels == 1 ? 1 : panels == 2 || panels == 4 ? 2 : 3
+longest_title = 0
+do for [k=1:panels] { longest_title = strlen(titles[k]) > longest_title ? strlen(titles[k]) : longest_title }
+columns = animated || panels == 1 ? 1 : panels == 2 || panels == 4 || longest_title > 19 ? 2 : 3
 rows = animated ? 1 : (panels + columns - 1) / columns
 left_margin = 84.
 right_margin = 16.

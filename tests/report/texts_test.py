@@ -44,6 +44,7 @@ transient.info --set motion.instants=1 --out instant
 ellipse_transient.info --set motion.instants=20 --out map_instants
 ellipse_transient.info --set step.scheme=direct --set motion.instants=2 --out two_maps
 run.info --set motion.instants=4 --out run
+transient.info --set load.force= --set load.file=turns.tsv --set start.type=rest --set motion.distance= --set motion.instants=5 --out turns
 cylinder.info --set grid.elements=20 --out cylinder
 sweep sweep.info --quiet --out sweep
 SWEEP words --set sweep.load.creepage=1e-4:log4:1e-2 --set sweep.leading_edge="calibrated standard inversion known_edge"
@@ -64,7 +65,7 @@ PLOTS = {"steady": "steady", "little": "little", "plane": "plane", "line": "line
          "along": "along --figure history", "rectangles": "rectangles --figure ellipse", "transient": "transient", "run": "run --figure transient",
          "instants": "instants --figure instants", "instant": "instant --figure instants",
          "map_instants": "map_instants --figure instants", "two_maps": "two_maps --figure instants",
-         "times_of_instants": "run --figure instants --over t",
+         "times_of_instants": "run --figure instants --over t", "turning_instants": "turns --figure instants",
          "cylinder": "cylinder", "sweep": "sweep", "curve": "curve", "laws": "laws", "families": "families", "converge": "converge",
          "converge_transient": "converge_transient", "response": "response", "shifts": "shifts --figure shifts",
          "three": "steady little plane", "long": "DEEP/steady DEEP/little DEEP/plane", "tractions": "steady run cylinder",
@@ -98,6 +99,7 @@ class Texts(unittest.TestCase):
         cls.addClassCleanup(cls.browser.close)
         for number, bound in enumerate(BOUNDS):
             (WORK / bound).write_text(f"x\tbound\n-5\t0\n{number - 2}\t300\n5\t0\n", encoding="utf-8")
+        (WORK / "turns.tsv").write_text("q\tcreepage\n0\t0.001\n20.123\t0.001\n-5.678\t0.001\n", encoding="utf-8")
         for kind in ("steady", "line", "ellipse", "transient", "ellipse_transient", "run", "cylinder", "sweep"):
             run(f"init {kind}")
         results = RESULTS.replace("\\\n", "").replace("SWEEP", SWEEP).replace("BOUNDS", " ".join(BOUNDS))
