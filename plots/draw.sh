@@ -62,7 +62,7 @@ case "$format" in
   gif) last=";$" ;;
 esac
 tail -c 10 "$partial" | grep -aq "$last" || status=1
-# What gnuplot says of every animation is no warning.
+# A line that gnuplot writes for every animation is no warning.
 [ "$format" != gif ] || sed -i '/^[0-9]* frames in animation sequence$/d' "$partial.log"
 if [ $status -ne 0 ] || [ -s "$partial.log" ]; then
   cat "$partial.log" >&2

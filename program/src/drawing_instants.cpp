@@ -60,7 +60,7 @@ std::vector<std::string> told_apart(const Numbers& values) {
   return texts;
 }
 
-/// What stands above the panels: place or time.
+/// The title of a panel: place or time.
 std::vector<std::string> titles_of(const std::vector<int>& instants,
                                    const std::map<int, Columns>& rows, bool over_time) {
   std::map<std::string, Numbers> at;
@@ -128,7 +128,7 @@ struct Map {
     return rows;
   }
 
-  /// What the colour means: tractions over their bound, or beyond 1 where it slips.
+  /// Colours are tractions over their bound, or beyond 1 where it slips.
   double colour(std::size_t cell) const {
     constexpr double slips = 1.2;
     const double size = std::hypot(cells.at("traction_x")[cell], cells.at("traction_y")[cell]);

@@ -205,6 +205,33 @@ TEST(FallingPatch, FallsFromTheStartInClosedFormInStepsOfAnyLength) {
   }
 }
 
+// A contact that shrinks at once keeps the material in its middle, which has the ratios by its way
+// through the larger contact.
+TEST(FallingPatch, KeepsTheFrictionOfMaterialInAContactThatShrinks) {
+  const double ratio = 1.6, creepage = 0.01, kinetic = 0.35, memory = 0.01, size = 0.6;
+  const SteadyPatch patch = sliding_ellipse(ratio, creepage, kinetic, memory);
+  PatchRolling rolling(patch);
+  for (int i = 0; i < 60; ++i) rolling.roll(0.1, patch.load);
+  rolling.set_contact({.half_width = size, .bound = size});
+  rolling.roll(1e-3, patch.load);
+  constexpr int parts = 400;
+  const double a = std::sqrt(ratio), b = 1 / a;
+  double force = 0, full = 0;
+  for (int i = 0; i < parts; ++i) {
+    const double y = b * size * (2 * (i + 0.5) / parts - 1);
+    const double larger = a * std::sqrt(1 - y * y / (b * b));
+    for (int j = 0; j < parts; ++j) {
+      const double x = a * size * (2 * (j + 0.5) / parts - 1);
+      const double square = 1 - (x * x / (a * a) + y * y / (b * b)) / (size * size);
+      if (square <= 0) continue;
+      full += std::sqrt(square);
+      force += std::sqrt(square) *
+               (kinetic + (1 - kinetic) * std::exp(-creepage / memory * (larger - x)));
+    }
+  }
+  EXPECT_NEAR(-rolling.resultants()[0] / rolling.full_sliding(), force / full, 5e-3);
+}
+
 // Each row of an ellipse that is narrow along the rolling is a line contact.
 SteadyPatch wide_ellipse(const SlipFriction& friction) {
   SteadyPatch patch{
