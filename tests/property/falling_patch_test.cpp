@@ -143,6 +143,21 @@ TEST(FallingPatch, ForcesAndCreepagesLeadToEachOther) {
   }
 }
 
+// Errors are those of twice as many rows and elements, which are a quarter of them or less.
+TEST(FallingPatch, HasErrorsBelowTheirEstimates) {
+  for (Case& of : generated_cases(9, samples(30))) {
+    of.patch.rows = 8;
+    of.patch.elements = 10;
+    const SteadyPatchSolution found = solve_steady_with_change(of.patch);
+    SteadyPatch fine = of.patch;
+    fine.rows *= 2;
+    fine.elements *= 2;
+    const double error = difference(found.resultants, solve_steady(fine).resultants, of.patch);
+    EXPECT_LT(error, 2e-3 + 1.5 * found.evidence.change);
+    EXPECT_LT(error, 1e-2);
+  }
+}
+
 // At a slip that is much larger than elastic strains, all of it is the creepage. With a memory d, the
 // ratio of material that came in s before is k + (1 - k) exp(-s xi/d), with the law's k; at the start
 // of rolling the material that is in the contact has slipped over the way q only.
