@@ -62,8 +62,9 @@ std::string second_solution(SlipBranch branch) {
       least ? "slide faster" : "slide more slowly", least ? "most" : "least");
 }
 
-std::string in_steps(std::size_t steps, const std::string& doubt) {
-  return fmt::format("in {} step{}, {}", steps, steps == 1 ? "" : "s", doubt);
+std::string second_solution_in_steps(std::size_t steps, SlipBranch branch) {
+  return fmt::format("in {} step{}, {}; with a longer contact.friction_memory there is none", steps,
+                     steps == 1 ? "" : "s", second_solution(branch));
 }
 
 Column second_solution_column() {

@@ -260,7 +260,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   summary.add({"method", name_of(scene.scheme), "1"});
   summary.add({"iterations", worst.iterations, "1"});
   auto doubt = doubt_of_patch(worst.evidence);
-  if (doubled > 0) doubt = in_steps(doubled, second_solution(friction->branch));
+  if (doubled > 0) doubt = second_solution_in_steps(doubled, friction->branch);
   add_evidence(summary, worst.evidence,
                {.condition = rolled.condition(),
                 .iterations = worst.iterations,

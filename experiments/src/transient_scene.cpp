@@ -224,7 +224,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   if (friction) summary.add({"steps_with_second_solution", doubled, "1"});
   summary.add({"method", name_of(scene.problem.scheme), "1"});
   auto doubt = shift_doubt;
-  if (!doubt && doubled > 0) doubt = in_steps(doubled, second_solution(friction->branch));
+  if (!doubt && doubled > 0) doubt = second_solution_in_steps(doubled, friction->branch);
   if (!doubt && !microslip::doubt_of(worst.evidence, scene.problem.accepted, false)) {
     doubt = lost.doubt();
   }

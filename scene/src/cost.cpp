@@ -116,6 +116,8 @@ struct StepsOf {
 /// Constants are of the runs of the study speed_accuracy.
 struct WorkOf {
   static constexpr double rounds_of_friction = 25;  ///< that depends on slip, in each step
+  /// The same of ellipses, in systems over those of a solution, or over a step that is followed.
+  static constexpr double systems_of_friction = 8, systems_of_friction_in_step = 60;
 
   double operator()(const SteadyProblem& problem) const {
     const auto n = static_cast<double>(problem.grid.size());
@@ -137,7 +139,8 @@ struct WorkOf {
   /// Integrals of the kernels, then some seven systems of all cells, and the same for fewer cells.
   double operator()(const SteadyPatch& patch) const {
     const auto n = static_cast<double>(patch.rows * patch.elements);
-    return 5e6 * static_cast<double>(patch.rows) + (15e3 + 60 * n) * n * n / 4;
+    const double rounds = patch.friction ? systems_of_friction : 1;
+    return 5e6 * static_cast<double>(patch.rows) + rounds * (15e3 + 60 * n) * n * n / 4;
   }
   /// Integrals and matrices as in steady rolling, a system for each step, and a response for each
   /// length of step, and for the first one; and for each step if the contact changes its size.
@@ -146,7 +149,8 @@ struct WorkOf {
     const auto n = static_cast<double>(scene.patch.rows * scene.patch.elements);
     const double steps = steps_needed(scene) + static_cast<double>(scene.shifts.size());
     if (!std::holds_alternative<Remembered>(scene.scheme)) return 60 * steps * n * n;
-    const double response = 22 * n * n * n, step = 300 * n * n;
+    const double rounds = scene.patch.friction ? systems_of_friction_in_step : 1;
+    const double response = 22 * n * n * n, step = rounds * 300 * n * n;
     const bool is_same = scene.step_ratios.size() == 1 && !scene.loads.changes_size();
     const double responses = is_same ? std::min(steps, 3.0) : steps;
     return (*this)(scene.patch) + steps * step + responses * response;

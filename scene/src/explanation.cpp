@@ -13,6 +13,7 @@
 
 #include "microslip/patch/patch_rolling.hpp"
 #include "microslip/reference/kalker.hpp"
+#include "microslip/rolling/large_creepage.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/scene/cost.hpp"
 
@@ -129,15 +130,33 @@ const std::string normal_changes =
 const std::string normal =
     "the normal contact: bound and edges are given, or by Hertz from the load, and stay as they "
     "are";
-/// How friction falls with slip.
-std::vector<std::string> falling(const std::optional<SlipFriction>& friction) {
+/// The largest bound at rest over G.
+double strain_of(const SteadyPatch& patch) {
+  return patch.bound.peak() / patch.material.shear_modulus;
+}
+
+/// The same, as if the bound were Hertz's.
+double strain_of(const Contact& contact) {
+  return 4 / std::numbers::pi * bound_strain(contact.bound, contact.kernel);
+}
+
+/// How friction falls with slip, and with which memory short steps have one solution: the factor of
+/// docs/theory.md, "Friction that falls with slip", is below 1 then for all waves in the contact.
+/// \param strain      of the largest bound at rest, bound over G  [1]
+/// \param half_width  a, along the rolling  [mm]
+std::vector<std::string> falling(const std::optional<SlipFriction>& friction, double strain,
+                                 double half_width) {
   if (!friction) return {};
+  const double kinetic = friction->law(std::numeric_limits<double>::infinity());
   const std::string memory =
       friction->remembers()
           ? fmt::format("over a length of slip of {:.5g} mm", friction->memory_length)
           : "at once; a short step then has two solutions or more (docs/theory.md)";
-  return {fmt::format("friction falls with slip to {:.5g} of that at rest, {}",
-                      friction->law(std::numeric_limits<double>::infinity()), memory)};
+  return {
+      fmt::format("friction falls with slip to {:.5g} of that at rest, {}", kinetic, memory),
+      fmt::format("a contact.friction_memory of 2 (1 - mu_k/mu_s) a g/G = {:.2g} mm is enough for "
+                  "one solution in each step",
+                  2 * (1 - kinetic) * half_width * strain)};
 }
 
 const std::string how_steady = "the start of rolling, and the inertia of the bodies";
@@ -305,7 +324,8 @@ Explanation of_patch(const SteadyPatch& patch, const std::optional<std::string>&
                     sizes_of(patch),
                     {normal, how_steady, unlike_patch, shape_by_spin}};
   if (how) found.consequences.back() = *how;
-  std::ranges::copy(falling(patch.friction), std::back_inserter(found.consequences));
+  std::ranges::copy(falling(patch.friction, strain_of(patch), patch.bound.half_width()),
+                    std::back_inserter(found.consequences));
   found.consequences.emplace_back(
       how ? "stick and slip are found by Newton's method"
           : "stick and slip are found by Newton's method; where nothing slips, forces are right to "
@@ -350,7 +370,9 @@ Explanation of_patch(const PatchTransient& scene) {
                     std::back_inserter(lines));
   std::ranges::move(stopped(scene.loads.stops()), std::back_inserter(lines));
   std::ranges::move(shifted(scene), std::back_inserter(lines));
-  std::ranges::copy(falling(scene.patch.friction), std::back_inserter(lines));
+  std::ranges::copy(
+      falling(scene.patch.friction, strain_of(scene.patch), scene.patch.bound.half_width()),
+      std::back_inserter(lines));
   lines.push_back(fmt::format(
       "rolls {} mm, {} contact lengths, in {} steps", five_digits(scene.distance - scene.from),
       five_digits((scene.distance - scene.from) / (2 * scene.patch.bound.half_width())),
@@ -379,7 +401,9 @@ struct Explain {
     std::ranges::copy(tabulated(problem.contact.bound, problem.grid),
                       std::back_inserter(consequences));
     std::ranges::copy(stretched(problem), std::back_inserter(consequences));
-    std::ranges::copy(falling(problem.friction), std::back_inserter(consequences));
+    std::ranges::copy(
+        falling(problem.friction, strain_of(problem.contact), problem.grid.half_width()),
+        std::back_inserter(consequences));
     Explanation found = steady(kind_of(problem.load), consequences);
     if (problem.contact.has_unlike_bodies()) {
       found.not_modelled = {normal, goodman(problem.contact.coupling), how_steady,
@@ -420,7 +444,9 @@ struct Explain {
     consequences.push_back(rolled(scene, scene.distance, scene.problem.grid));
     consequences.push_back(method_of(scene.problem.scheme));
     std::ranges::copy(stretched(scene.problem), std::back_inserter(consequences));
-    std::ranges::copy(falling(scene.problem.friction), std::back_inserter(consequences));
+    std::ranges::copy(falling(scene.problem.friction, strain_of(scene.problem.contact),
+                              scene.problem.grid.half_width()),
+                      std::back_inserter(consequences));
     std::vector<std::string> not_modelled = {
         scene.loads.changes_contact() ? normal_changes : normal,
         "inertia of the bodies (problem cylinder has it)", details};

@@ -108,7 +108,7 @@ TEST_F(FallingFrictionScenes, SayWhatIsRefused) {
   expect_refused(steps + "--set step.scheme=direct --set contact.friction_memory=1",
                  "step.scheme = 'direct': expected remembered where friction has a memory");
   expect_refused("--set load.creepage= --set load.force=-900",
-                 "friction that depends on slip: the force is more than it carries", 2);
+                 "friction that depends on slip: no creepage is found for the force", 2);
   const Outcome response = run_in_folder("response scene.info --out out");
   EXPECT_EQ(response.status, 1);
   EXPECT_NE(response.error.find("but friction depends on slip"), std::string::npos);
@@ -191,7 +191,7 @@ TEST_F(FallingPatchScenes, AreRefusedWhereTheyAreNotSolved) {
   expect_refused(rolls + "--set step.scheme=direct", no_role);
   expect_refused("--set target_error=0.01 --set grid.rows= --set grid.elements=", no_role);
   expect_refused("--set load.creepage= --set load.force_ratio=0.97 --set contact.half_speed=10",
-                 "friction that depends on slip: the resultants are more than it carries", 2);
+                 "friction that depends on slip: no motion is found for the resultants", 2);
   std::ofstream(folder_ / "run.tsv") << "q\tcreepage\n0\t-0.001\n2\t-0.001\n1\t-0.001\n";
   expect_refused(
       "--set problem=transient --set step.ratio=0.2 --set start.type=rest "

@@ -149,8 +149,10 @@ void SlipFrictionSearch::solve(ActiveSet& active_set, SlipConditions& conditions
   SlippingLine line(active_set, conditions, load, ratio_of, state);
   if (!solve(line)) {
     throw NotConverged(
-        "friction that depends on slip: the force is more than it carries where the bodies slip", 0,
-        line.share());
+        "friction that depends on slip: no creepage is found for the force, as friction may carry "
+        "less "
+        "where the bodies slip",
+        0, line.share());
   }
   state.iterations = line.partitions();
 }

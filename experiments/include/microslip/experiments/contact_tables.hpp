@@ -58,7 +58,7 @@ void add_evidence(Table& summary, const Evidence& evidence, const Judged& judged
 std::string second_solution(SlipBranch branch);
 
 /// The same doubt in so many steps.
-std::string in_steps(std::size_t steps, const std::string& doubt);
+std::string second_solution_in_steps(std::size_t steps, SlipBranch branch);
 
 /// The column of a table that says whether there is one.
 Column second_solution_column();
