@@ -309,6 +309,27 @@ TEST(FallingPatch, TurnsToSteadyRollingInStepsOfAnyLength) {
   }
 }
 
+// A memory of 2 (1 - k) a g/G is enough, whatever the speed; a much shorter one is not.
+TEST(FallingPatch, HasOneSolutionOfShortStepsWithALongMemory) {
+  int doubled = 0, doubled_with_less = 0;
+  for (Case& of : generated_cases(10, samples(9))) {
+    SlipFriction& friction = *of.patch.friction;
+    friction.speed *= 10;
+    const double kinetic = friction.law(std::numeric_limits<double>::infinity());
+    const double a = of.patch.bound.half_width(), enough = 2 * (1 - kinetic) * a;
+    for (const double memory : {enough, enough / 50}) {
+      friction.memory_length = memory;
+      PatchRolling rolling(of.patch);
+      for (int i = 0; i < 40; ++i) {
+        rolling.roll(0.05 * a, of.patch.load);
+        (memory == enough ? doubled : doubled_with_less) += rolling.has_second() ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_EQ(doubled, 0);
+  EXPECT_GT(doubled_with_less, 3);
+}
+
 TEST(FallingPatch, FollowsAContactThatGrowsAndShrinks) {
   for (Case& of : generated_cases(6, samples(6))) {
     of.patch.friction->memory_length = 1;

@@ -169,6 +169,17 @@ TEST_F(FallingPatchScenes, AreSolvedSteadilyAndInSteps) {
             std::string::npos);
 }
 
+TEST_F(FallingPatchScenes, HaveOneSolutionWithTheMemoryThatIsSaidToBeEnough) {
+  const Outcome explained = run_in_folder("explain scene.info " + rolls);
+  EXPECT_NE(explained.output.find(" = 0.0058 mm is enough for one solution in each step"),
+            std::string::npos)
+      << explained.output;
+  const std::string short_steps = rolls + "--set step.ratio=0.1 --set contact.friction_memory=";
+  EXPECT_EQ(solve(short_steps + "0.0058").error, "");
+  EXPECT_NE(solve(short_steps + "0.0001").error.find("with a longer contact.friction_memory"),
+            std::string::npos);
+}
+
 // From 45 m/s the wheel slows down to 5 m/s. It rolls 9.5 mm, and slips more slowly at the end.
 TEST_F(FallingPatchScenes, TakeTheSpeedOfARun) {
   std::ofstream(folder_ / "run.tsv")
