@@ -21,10 +21,6 @@ namespace microslip::commands_test {
 
 class Commands : public Executables {
  protected:
-  Outcome run_in_folder(const std::string& words) const {
-    return run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip " + words);
-  }
-
   void expect_error(const std::string& words, const std::string& error) const {
     const Outcome outcome = run_in_folder(words);
     EXPECT_EQ(outcome.status, 1) << words;

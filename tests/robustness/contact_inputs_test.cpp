@@ -31,10 +31,6 @@ std::string case_of(const Words& words, const std::string& friction) {
 
 class ContactInputs : public Executables {
  protected:
-  Outcome run_in_folder(const std::string& words) const {
-    return run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip " + words);
-  }
-
   void write(const std::string& input) const { std::ofstream(folder_ / "case.inp") << input; }
 
   /// Imports and solves a case.

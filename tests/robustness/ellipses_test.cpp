@@ -21,10 +21,6 @@ class Ellipses : public Executables {
     run_in_folder("init ellipse");
   }
 
-  Outcome run_in_folder(const std::string& words) const {
-    return run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip " + words);
-  }
-
   Outcome solve(const std::string& settings) const {
     return run_in_folder("ellipse.info --quiet " + settings);
   }

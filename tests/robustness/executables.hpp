@@ -57,6 +57,20 @@ class Executables : public testing::Test {
     return {WEXITSTATUS(status), text_of(folder_ / "stderr"), text_of(folder_ / "stdout")};
   }
 
+  /// Runs `microslip` in the folder.
+  Outcome run_in_folder(const std::string& words) const {
+    return run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip " + words);
+  }
+
+  /// The figure that a plot draws, as a text; its name is what the plot says.
+  std::string drawn(const std::string& words, const std::string& name) const {
+    fs::remove(folder_ / name);
+    const Outcome outcome = run_in_folder("plot " + words);
+    EXPECT_EQ(outcome.output, "drew " + name + "\n") << words << outcome.error;
+    EXPECT_EQ(outcome.error, "") << words;
+    return text_of(folder_ / name);
+  }
+
   /// \param before  of the options, e.g. "sweep"
   Outcome run_program(const std::string& program, const std::string& before,
                       const std::string& scene, const std::string& options) const {

@@ -37,10 +37,6 @@ class FallingFrictionScenes : public Executables {
     std::ofstream(folder_ / "scene.info") << steady;
   }
 
-  Outcome run_in_folder(const std::string& words) const {
-    return run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip " + words);
-  }
-
   Outcome solve(const std::string& words) const {
     return run_in_folder("scene.info --quiet " + words);
   }
@@ -138,11 +134,6 @@ load     { creepage -0.001
            speed 45 m/s }
 )";
   }
-
-  double force() const {
-    const std::string table = summary();
-    return std::stod(table.substr(table.find("\nforce\t") + 7));
-  }
 };
 
 const std::string rolls =
@@ -186,13 +177,13 @@ TEST_F(FallingPatchScenes, TakeTheSpeedOfARun) {
       << "t\tv\tcreepage\n0\t45000\t-0.001\n1e-4\t45000\t-0.001\n3e-4\t5000\t-0.001\n";
   const std::string remembers = "--set contact.friction_memory=0.002 ";
   EXPECT_EQ(solve(rolls + remembers).error, "");
-  const double fast = force();
+  const double fast = summary_value("force");
   const Outcome slower = solve(
       "--set problem=transient --set step.ratio=0.2 --set start.type=rest "
       "--set load.file=run.tsv --set load.speed= --set load.creepage= " +
       remembers);
   EXPECT_EQ(slower.error, "");
-  EXPECT_GT(force(), 1.005 * fast);
+  EXPECT_GT(summary_value("force"), 1.005 * fast);
 }
 
 TEST_F(FallingPatchScenes, AreRefusedWhereTheyAreNotSolved) {

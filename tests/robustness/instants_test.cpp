@@ -32,10 +32,6 @@ class Instants : public Executables {
            "0.4\t-300\t50\n";
   }
 
-  Outcome run_in_folder(const std::string& words) const {
-    return run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip " + words);
-  }
-
   void solve(const std::string& words) const {
     const Outcome outcome = run_in_folder(words + " --quiet");
     ASSERT_EQ(outcome.status, 0) << words << outcome.error;
@@ -240,14 +236,6 @@ TEST_F(Instants, HaveARoleInTransientsAlone) {
 
 class InstantPlots : public Instants {
  protected:
-  std::string drawn(const std::string& words, const std::string& name) const {
-    fs::remove(folder_ / name);
-    const Outcome outcome = run_in_folder("plot " + words);
-    EXPECT_EQ(outcome.output, "drew " + name + "\n") << words << outcome.error;
-    EXPECT_EQ(outcome.error, "") << words;
-    return text_of(folder_ / name);
-  }
-
   static std::size_t count(const std::string& text, const std::string& part) {
     std::size_t found = 0;
     for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;

@@ -17,10 +17,6 @@ class PatchSteps : public Executables {
     run_in_folder("init ellipse_transient");
   }
 
-  Outcome run_in_folder(const std::string& words) const {
-    return run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip " + words);
-  }
-
   Outcome solve(const std::string& words) const {
     return run_in_folder("ellipse_transient.info --quiet --set grid.rows=6 --set grid.elements=8 " +
                          words);

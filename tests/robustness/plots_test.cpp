@@ -12,24 +12,11 @@ namespace microslip::plots_test {
 
 class Plots : public Executables {
  protected:
-  Outcome run_in_folder(const std::string& words) const {
-    return run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip " + words);
-  }
-
   void expect_error(const std::string& words, const std::string& error) const {
     const Outcome outcome = run_in_folder(words);
     EXPECT_EQ(outcome.status, 1) << words;
     EXPECT_EQ(outcome.error, "microslip: " + error + "\n") << words;
     EXPECT_EQ(outcome.output, "") << words;
-  }
-
-  /// The figure that a plot draws, as a text; its name is what the plot says.
-  std::string drawn(const std::string& words, const std::string& name) const {
-    fs::remove(folder_ / name);
-    const Outcome outcome = run_in_folder("plot " + words);
-    EXPECT_EQ(outcome.output, "drew " + name + "\n") << words << outcome.error;
-    EXPECT_EQ(outcome.error, "") << words;
-    return text_of(folder_ / name);
   }
 
   static bool has(const std::string& figure, const std::string& text) {

@@ -49,9 +49,7 @@ class Shifts : public Executables {
     return values;
   }
 
-  std::string drawn() const {
-    return run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip plot").output;
-  }
+  std::string drawn() const { return run_in_folder("plot").output; }
 };
 
 std::string list(const std::vector<double>& values) {

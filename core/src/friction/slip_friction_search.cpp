@@ -150,8 +150,7 @@ void SlipFrictionSearch::solve(ActiveSet& active_set, SlipConditions& conditions
   if (!solve(line)) {
     throw NotConverged(
         "friction that depends on slip: no creepage is found for the force, as friction may carry "
-        "less "
-        "where the bodies slip",
+        "less where the bodies slip",
         0, line.share());
   }
   state.iterations = line.partitions();

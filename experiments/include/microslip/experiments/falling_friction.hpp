@@ -10,8 +10,9 @@
 
 namespace microslip::experiments {
 
-/// Friction that falls with slip in a line contact and an ellipse of steel: what of several solutions, of peaks
-/// that travel, and of results that depend on the step is left where the step does not matter?
+/// Friction that falls with slip in a line contact and an ellipse of steel: what of several solutions,
+/// of peaks that travel, and of results that depend on the step is left where the step does not
+/// matter?
 struct FallingFrictionParameters {
   double shear_modulus = 0;               ///< [N/mm^2]
   double poisson_ratio = 0;               ///< [1]
