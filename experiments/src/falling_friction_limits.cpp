@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "falling_friction_limits.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
 #include <vector>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/linalg/spectra.hpp"
 
 namespace microslip::experiments {
 
@@ -56,7 +56,7 @@ double limit_of_unique_steps(const SteadyProblem& problem, const SteadySolution&
         at_rest[i] * (friction.remembers() ? speed * slope + lag : friction.speed * slope);
   }
   const MatrixXd followed = response_of_slip(influence, slips, sticks) * follows.asDiagonal();
-  return followed.eigenvalues().cwiseAbs().maxCoeff();
+  return eigenvalues(followed).cwiseAbs().maxCoeff();
 }
 
 /// Elements leave the contact until no pressure pulls. The cylinder's height is x^2/(2 R); its

@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,6 +11,7 @@
 #include "microslip/experiments/claims.hpp"
 #include "microslip/experiments/profile.hpp"
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/thesis/symbol.hpp"
 #include "rolled_tables.hpp"
@@ -38,7 +39,7 @@ class Transport {
   MatrixXd matrix(double step_ratio) const {
     const MatrixXd difference =
         influence_difference_matrix(kernel_, basis_, spacing_, size_, step_ratio);
-    return MatrixXd::Identity(size_, size_) - factors_.solve(difference);
+    return MatrixXd::Identity(size_, size_) - factors_.solve_columns(difference);
   }
 
   /// Moves a unit pulse from the middle over a distance in elements; the last step is shortened.
@@ -57,7 +58,7 @@ class Transport {
   Basis basis_;
   double spacing_;
   Index size_;
-  Eigen::PartialPivLU<MatrixXd> factors_;
+  LuFactors factors_;
 };
 
 struct Tables {

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/wiggle_spectrum.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 
 #include "microslip/experiments/claims.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/linalg/spectra.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
@@ -70,7 +71,7 @@ Table matrix_table(const Parameters& p) {
   for (const auto& [name, shape] : uniform_shapes()) {
     for (const double c : p.step_ratios) {
       const Eigen::MatrixXd b = difference(p, shape, p.elements, c);
-      const Eigen::MatrixXd inverse = b.partialPivLu().inverse();
+      const Eigen::MatrixXd inverse = LuFactors(b).inverse();
       for (Eigen::Index i = 0; i < p.elements; ++i) {
         for (Eigen::Index j = 0; j < p.elements; ++j) {
           table.add({name, c, i + 1, j + 1, b(i, j), inverse(i, j)});

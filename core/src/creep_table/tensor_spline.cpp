@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 
+#include "microslip/linalg/lu_factors.hpp"
+
 namespace microslip {
 
 using Eigen::Index;
@@ -19,7 +21,7 @@ MatrixXd spline_on_circle(Index nodes) {
     values(i, i) += 4.0 / 6;
     values(i, (i + 1) % nodes) += 1.0 / 6;
   }
-  return values.inverse();
+  return LuFactors(values).inverse();
 }
 
 }  // namespace
@@ -31,7 +33,7 @@ MatrixXd spline_between_ends(Index nodes) {
   const Eigen::Matrix<double, 1, 5> jump{1, -4, 6, -4, 1};  // of the third derivative
   values.row(0).head(5) = jump;
   values.row(n - 1).tail(5) = jump;
-  return values.inverse().middleCols(1, nodes);
+  return LuFactors(values).inverse().middleCols(1, nodes);
 }
 
 MatrixXd spline_between_mirrors(Index nodes, double parity) {

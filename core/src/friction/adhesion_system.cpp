@@ -228,7 +228,7 @@ void AdhesionSystem::border(const std::vector<Index>& arrivals) {
   } else if (after > before) {
     count_work(2 * static_cast<double>((after - before) * columns_.rows() * columns_.rows()));
     auto columns = columns_.middleCols(before, after - before);
-    columns = factors_.solve(columns).eval();
+    columns = factors_.solve_columns(columns);
   }
   for (Index k = 0; k < after; ++k) {
     for (Index l = k < before ? before : 0; l < after; ++l) {
@@ -254,8 +254,7 @@ void AdhesionSystem::factorise_schur() {
     const double own = k == l ? corner(element(k)) : 0;
     return (schur_(k, l) + own) / border_scale(element(l));
   }));
-  const auto pivots = schur_factors_.matrixLU().diagonal().cwiseAbs();
-  schur_rcond_ = pivots.minCoeff() / pivots.maxCoeff();
+  schur_rcond_ = schur_factors_.pivot_ratio();
 }
 
 void AdhesionSystem::forget_those_gone_back() {
@@ -277,7 +276,7 @@ void AdhesionSystem::solve_base(VectorXd& values) {
     solve_block(values);
   } else {
     count_work(2 * static_cast<double>(values.size() * values.size()));
-    solved_ = factors_.solve(values);
+    factors_.solve(values, solved_);
     values.swap(solved_);
   }
 }
@@ -318,7 +317,7 @@ void AdhesionSystem::solve_bordered(const VectorXd& rhs, VectorXd& all) {
       if (is_active(i) && !in_base(i)) border_[k] += rhs[i];
     }
     count_work(4 * static_cast<double>(changes * values_.size()));
-    border_solved_ = schur_factors_.solve(border_);
+    schur_factors_.solve(border_, border_solved_);
     for (Index k = 0; k < changes; ++k) border_solved_[k] /= border_scale(element(k));
     values_.noalias() -= columns_.leftCols(changes) * border_solved_;
   }

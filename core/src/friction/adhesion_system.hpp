@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <cmath>
 #include <optional>
 #include <vector>
 
 #include "microslip/friction/active_set.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 
 namespace microslip {
 
@@ -111,7 +112,7 @@ class AdhesionSystem {
   std::vector<char> stuck_;      ///< whether an element is in adhesion
   std::vector<Index> base_;      ///< elements of the factors
   std::vector<Index> position_;  ///< in base_, or -1
-  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
+  LuFactors factors_;
   double factors_rcond_ = 0;
 
   // The operator's solver replaces the LU factors if it has one and the base is large. A constant is
@@ -137,7 +138,7 @@ class AdhesionSystem {
   Eigen::MatrixXd rows_;     ///< of each change, at the elements of the base
   Eigen::MatrixXd columns_;  ///< factors^-1 times the column of each change
   Eigen::MatrixXd schur_;    ///< for all elements hard and none gone back
-  Eigen::PartialPivLU<Eigen::MatrixXd> schur_factors_;
+  LuFactors schur_factors_;
   double schur_rcond_ = 0;      ///< estimated from the pivots
   bool border_is_new_ = false;  ///< whether the border has changed since the Schur complement was
                                 ///< factorised

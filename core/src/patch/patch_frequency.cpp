@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/support/require.hpp"
 #include "slip_maps.hpp"
 
@@ -60,7 +61,7 @@ PatchFrequencyResponse::PatchFrequencyResponse(const JoinedRows& rows, double po
       }
     }
   }
-  inverse_ = centres.inverse();
+  inverse_ = LuFactors(centres).inverse();
   edges_.noalias() = edges * inverse_;
   resultants_.noalias() = resultants_by_traction(rows) * inverse_;
 }

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "component_pairs.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/work.hpp"
@@ -301,9 +302,9 @@ class RectangleNewton {
   Vector3d resultant_unit_;  ///< by which rows of the system have the size 1
   Vector3d full_resultant_;  ///< the largest ones that the limits allow
   std::vector<Index> free_;
-  std::vector<Eigen::PartialPivLU<MatrixXd>> blocks_;
+  std::vector<LuFactors> blocks_;
   MatrixXd by_motion_;
-  Eigen::PartialPivLU<MatrixXd> schur_;
+  LuFactors schur_;
   VectorXd slip_;
   Gmres gmres_{most_rectangle_iterations};
 };

@@ -24,7 +24,7 @@ constexpr double gmres_tolerance = 1e-6;
 
 VectorXd RowBlockSolver::solve(const PatchResponse::Matrix& system, const VectorXd& right,
                                const VectorXd& near, const std::vector<Index>& rows) {
-  if (right.size() < least_of_iterative) return system.partialPivLu().solve(right);
+  if (right.size() < least_of_iterative) return LuFactors(system).solve(right);
   const VectorXd missing = right - system * near;
   factor(system, rows);
   VectorXd correction;
@@ -32,7 +32,7 @@ VectorXd RowBlockSolver::solve(const PatchResponse::Matrix& system, const Vector
       gmres_.solve([&](const VectorXd& x, VectorXd& y) { y.noalias() = system * x; },
                    [&](const VectorXd& x, VectorXd& y) { precondition(x, y); }, missing,
                    gmres_tolerance, correction);
-  if (!(outcome.residual <= gmres_tolerance)) return system.partialPivLu().solve(right);
+  if (!(outcome.residual <= gmres_tolerance)) return LuFactors(system).solve(right);
   return near + correction;
 }
 
@@ -47,7 +47,7 @@ void RowBlockSolver::factor(const PatchResponse::Matrix& system, const std::vect
   std::erase_if(blocks_, [](const Block& block) { return block.places.empty(); });
   for (Block& block : blocks_) {
     const auto places = index_view(block.places);
-    block.factors.compute(MatrixXd(system(places, places)));
+    block.factors.compute(system(places, places));
   }
 }
 
@@ -55,7 +55,7 @@ void RowBlockSolver::precondition(const VectorXd& x, VectorXd& y) const {
   y = x;
   for (const Block& block : blocks_) {
     const auto places = index_view(block.places);
-    const VectorXd part = block.factors.solve(VectorXd(x(places)));
+    const VectorXd part = block.factors.solve(x(places));
     y(places) = part;
   }
 }

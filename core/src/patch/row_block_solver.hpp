@@ -2,10 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <vector>
 
 #include "microslip/linalg/gmres.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/patch/patch_response.hpp"
 
 namespace microslip {
@@ -24,7 +24,7 @@ class RowBlockSolver {
  private:
   struct Block {
     std::vector<Index> places;
-    Eigen::PartialPivLU<Eigen::MatrixXd> factors;
+    LuFactors factors;
   };
 
   void factor(const PatchResponse::Matrix& system, const std::vector<Index>& rows);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "row_parts.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "microslip/linalg/lu_factors.hpp"
 
 namespace microslip {
 
@@ -34,13 +36,12 @@ Stencil stencil(Index first, Index size, double angle, double step, const Means&
     const double part = ((by_cos ? mean.cos : mean.sin) - from) / (to - from);
     found.weights = {1 - part, part, 0};
   } else if (size == 3) {
-    Eigen::Matrix3d values;
+    Eigen::MatrixXd values(3, 3);
     for (int j = 0; j < 3; ++j) {
       const double at = angle + j * step;
       values.col(j) = Eigen::Vector3d(1, std::cos(at), std::sin(at));
     }
-    const Eigen::Vector3d weights =
-        values.partialPivLu().solve(Eigen::Vector3d(1, mean.cos, mean.sin));
+    const Eigen::VectorXd weights = LuFactors(values).solve(Eigen::Vector3d(1, mean.cos, mean.sin));
     found.weights = {weights[0], weights[1], weights[2]};
   }
   return found;

@@ -45,7 +45,7 @@ StepFollower::StepFollower(const PatchResponse& response, const VectorXd& limits
   made->load = load;
   made->columns = system.columns();
   made->free = system.free();
-  made->factors.compute(MatrixXd(system.matrix()));
+  made->factors.compute(system.matrix());
   const auto columns = index_view(made->columns);
   const auto count = static_cast<Index>(made->columns.size());
   const auto free = static_cast<Index>(made->free.size());
@@ -120,7 +120,7 @@ bool StepFollower::correct(const PatchLoad& load, PatchState& state) {
         load[static_cast<std::size_t>(prepared_->free[j])].value -
         response_->resultants().row(prepared_->free[j]).dot(state.unknowns);
   }
-  correction_ = prepared_->factors.solve(missing_);
+  prepared_->factors.solve(missing_, correction_);
   tractions_.noalias() = prepared_->tractions * correction_;
   state.unknowns += tractions_;
   slip_.noalias() = prepared_->centre_slip * correction_;

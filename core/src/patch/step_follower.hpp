@@ -2,11 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <memory>
 #include <vector>
 
 #include "cell_conditions.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/patch/patch_load.hpp"
 #include "microslip/patch/patch_response.hpp"
 #include "microslip/patch/stick_slip.hpp"
@@ -50,7 +50,7 @@ class StepFollower {
     PatchState state;
     PatchLoad load;
     std::vector<Index> columns, free;
-    Eigen::PartialPivLU<Eigen::MatrixXd> factors;
+    LuFactors factors;
     // By the unknowns: elastic own slip of cells that slip, and free components of the motion.
     Eigen::MatrixXd tractions, centre_slip;     ///< 2n x m, and only at columns
     Eigen::MatrixXd rigid;                      ///< own slip at columns by free components

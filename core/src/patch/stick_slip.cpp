@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +11,7 @@
 
 #include "cell_conditions.hpp"
 #include "component_pairs.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "raised_load.hpp"
@@ -109,9 +110,9 @@ class Newton {
     system_.assemble(conditions_, state, q_, by_resultants, imposed_);
     const auto& matrix = system_.matrix();
     const Index size = matrix.rows() - 3;
-    const MatrixXd slip = MatrixXd(matrix.topLeftCorner(size, size));
-    const MatrixXd by_motion = -slip.partialPivLu().solve(matrix.topRightCorner(size, 3));
-    return matrix.bottomLeftCorner(3, size) * by_motion + matrix.bottomRightCorner(3, 3);
+    const MatrixXd by_motion =
+        LuFactors(matrix.topLeftCorner(size, size)).solve_columns(matrix.topRightCorner(size, 3));
+    return matrix.bottomRightCorner(3, 3) - matrix.bottomLeftCorner(3, size) * by_motion;
   }
 
  private:

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/reference/kalker.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 #include <vector>
 
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/support/gauss_points.hpp"
 #include "microslip/support/require.hpp"
 
@@ -145,7 +146,7 @@ class MirroredRolling {
     VectorXd right(evens + odds);
     for (Index i = 0; i < evens; ++i) right[i] = displacement.even[e + 2 * i];
     for (Index i = 0; i < odds; ++i) right[evens + i] = displacement.odd[o + 2 * i];
-    const VectorXd solved = matrix.partialPivLu().solve(right);
+    const VectorXd solved = LuFactors(matrix).solve(right);
     EdgeValues found{VectorXd::Zero(order_ + 1), VectorXd::Zero(order_ + 1)};
     for (Index i = 0; i < evens; ++i) found.even[e + 2 * i] = solved[i];
     for (Index i = 0; i < odds; ++i) found.odd[o + 2 * i] = solved[evens + i];
@@ -216,7 +217,7 @@ class MirroredRolling {
   MatrixXd even_, odd_;  ///< N on the edge by the free displacements, a column for each degree
   MatrixXd cosines_, sines_, even_tests_, odd_tests_;
   VectorXd along_, across_, mixed_;
-  Eigen::PartialPivLU<MatrixXd> free_;
+  LuFactors free_;
 };
 
 CreepCoefficients coefficients_of_order(double ratio, double nu, Index order) {

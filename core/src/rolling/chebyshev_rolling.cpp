@@ -3,13 +3,14 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "microslip/friction/sliding_field.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/require.hpp"
@@ -164,7 +165,7 @@ ChebyshevRolling::Zone ChebyshevRolling::zone(double stick_edge) const {
   const VectorXd strain =
       x.unaryExpr([&](double xi) { return sliding_.continued_strain(xi) / compliance; });
   count_work(2.0 / 3 * std::pow(n + 1, 3));
-  const Eigen::PartialPivLU<MatrixXd> factors(matrix);
+  const LuFactors factors(matrix);
   const VectorXd unknowns = factors.solve(strain);
   const double residual = (strain - matrix * unknowns).norm() / strain.norm();
   return {unknowns.head(n), compliance * unknowns[n], residual, 1 / factors.rcond()};

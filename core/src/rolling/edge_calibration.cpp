@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/rolling/edge_calibration.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <cmath>
 #include <numbers>
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/halfspace/leading_edge.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/linalg/toeplitz_inverse.hpp"
 #include "microslip/support/work.hpp"
 
@@ -49,7 +50,7 @@ VectorXd elements_by_factors(const Basis& basis, const VectorXd& strain) {
   }
   matrix.rightCols(1).setOnes();
   count_work(2.0 / 3 * std::pow(n + 1, 3));
-  return matrix.partialPivLu().solve(strain).head(n);
+  return LuFactors(matrix).solve(strain).head(n);
 }
 
 }  // namespace

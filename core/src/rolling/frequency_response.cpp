@@ -96,8 +96,8 @@ Complex FrequencyResponse::Series::slope(double half_length, double wave_number)
   }
   const auto coefficients = [this](const VectorXcd& displacement) {
     VectorXcd solved(points.size());
-    solved.real() = factors.solve(to_coefficients * displacement.real());
-    solved.imag() = factors.solve(to_coefficients * displacement.imag());
+    solved.real() = factors.solve(VectorXd(to_coefficients * displacement.real()));
+    solved.imag() = factors.solve(VectorXd(to_coefficients * displacement.imag()));
     return solved;
   };
   const VectorXcd of_driven = coefficients(driven);

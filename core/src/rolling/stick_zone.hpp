@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "microslip/friction/sliding_field.hpp"
 #include "microslip/friction/traction_bound.hpp"
 #include "microslip/halfspace/kernel.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/support/chebyshev_series.hpp"
 #include "slip_side.hpp"
 
@@ -98,7 +98,7 @@ class StickZone {
   double creepage_, force_;
 
   // Contributions of the regular strain of a strip.
-  std::optional<Eigen::PartialPivLU<Eigen::MatrixXd>> factors_;
+  std::optional<LuFactors> factors_;
   double norm_ = 1;  ///< of the matrix
   double condition_ = 1;
   Eigen::VectorXd added_;      ///< coefficients of sqrt(1 - t^2) U_n(t)  [N/mm^2]

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stick_zones_search.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <utility>
 
+#include "microslip/linalg/lu_factors.hpp"
 #include "zoned_field.hpp"
 
 namespace microslip {
@@ -282,7 +283,7 @@ class Search {
         slopes.col(k) = (residuals(beside, free) - left) / difference;
       }
       if (!slopes.allFinite()) return false;
-      const VectorXd step = -slopes.colPivHouseholderQr().solve(left);
+      const VectorXd step = -least_squares(slopes, left);
       if (!step.allFinite()) return false;
       double part = 1;
       for (Index k = 0; k < n; ++k)

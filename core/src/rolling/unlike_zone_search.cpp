@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "unlike_zone_search.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
+
+#include "microslip/linalg/lu_factors.hpp"
 
 namespace microslip {
 
@@ -41,7 +43,7 @@ class ZoneSearch {
     VectorXd at = start();
     VectorXd left = residuals(at);
     for (int i = 0; i < most && left.size() > 0; ++i) {
-      const VectorXd step = -slopes(at, left).colPivHouseholderQr().solve(left);
+      const VectorXd step = -least_squares(slopes(at, left), left);
       if (!step.allFinite()) break;
       const double size = step.lpNorm<Eigen::Infinity>();
       double part = std::min(1.0, longest / size);

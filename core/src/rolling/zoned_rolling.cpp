@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "zoned_rolling.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "graded_elements.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/support/chebyshev_series.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "stick_zones_search.hpp"
@@ -92,7 +93,7 @@ class Anderson {
       changes.col(k) = left_changes_[static_cast<std::size_t>(k)];
       moves.col(k) = image_changes_[static_cast<std::size_t>(k)];
     }
-    return image - moves * changes.colPivHouseholderQr().solve(left);
+    return image - moves * least_squares(changes, left);
   }
 
  private:

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <complex>
 #include <vector>
 
 #include "microslip/halfspace/kernel.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 
 namespace microslip {
 
@@ -64,7 +64,7 @@ class FrequencyResponse {
     Eigen::ArrayXd points;  ///< xi, in (-1, 1)
     /// LU factors of the displacements due to unit coefficients alpha_n, over the zone's
     /// half-length and k.
-    Eigen::PartialPivLU<Eigen::MatrixXd> factors;
+    LuFactors factors;
     Eigen::MatrixXd to_coefficients;
 
     Series(const Kernel& kernel, double half_length, Eigen::Index terms);
