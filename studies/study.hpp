@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <sstream>
+#include <functional>
 #include <string>
-#include <utility>
-#include <vector>
 
-#include "microslip/experiments/claims.hpp"
 #include "microslip/program/run.hpp"
-#include "microslip/scene/changed_keys.hpp"
 
 namespace microslip::studies {
 
@@ -18,23 +14,23 @@ struct Scenes {
   const char* quick;
 };
 
+/// Reads all parameters of a study from a scene, and returns what measures with them.
+using Prepare = std::function<program::Work(Scene&)>;
+
 /// Runs a study with its two scenes. Its claims are judged if all parameters are equal to
 /// study.info, whatever the way in which they were given; a quick run has others.
+int run(const std::string& name, const std::string& question, const Scenes& scenes,
+        const Prepare& prepare, int argc, const char* const* argv);
+
+/// \param read     takes the study's parameters from a scene
+/// \param measure  makes its tables with them
 template <class Read, class Measure>
-int run(const std::string& name, const std::string& question, const Scenes& scenes, Read read,
-        Measure measure, int argc, const char* const* argv) {
-  const auto read_and_compare = [&](Scene& scene) {
-    auto parameters = read(scene);
-    std::istringstream text(scenes.study);
-    Scene own = Scene::parse(text, "built-in scene");
-    read(own);
-    return std::pair(std::move(parameters), changed_keys(own.parameters(), scene.parameters()));
+Prepare prepare_by(Read read, Measure measure) {
+  return [=](Scene& scene) -> program::Work {
+    return [parameters = read(scene), measure](const Progress& progress) {
+      return measure(parameters, progress);
+    };
   };
-  const auto measure_and_judge = [measure](const auto& from, const Progress& progress) {
-    return experiments::judged_unless_changed(measure(from.first, progress), from.second);
-  };
-  return program::run_study(name, question, scenes.study, scenes.quick, read_and_compare,
-                            measure_and_judge, argc, argv);
 }
 
 }  // namespace microslip::studies

@@ -43,23 +43,4 @@ struct Program {
 /// run stay whole.
 int run(const Program& program, int argc, const char* const* argv);
 
-/// The same for a study: `read` takes its parameters from a scene, `measure` makes the tables.
-template <class Read, class Measure>
-int run_study(const std::string& name, const std::string& question, const std::string& scene,
-              const std::string& quick, Read read, Measure measure, int argc,
-              const char* const* argv) {
-  const auto prepare = [&](Scene& from) {
-    return [parameters = read(from), measure](const Progress& progress) {
-      return measure(parameters, progress);
-    };
-  };
-  return run({.name = name,
-              .question = question,
-              .scene = scene,
-              .quick = quick,
-              .default_out = "results/" + name,
-              .prepare = prepare},
-             argc, argv);
-}
-
 }  // namespace microslip::program
