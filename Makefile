@@ -16,7 +16,7 @@ STUDIES := $(patsubst studies/%/study.info,%,$(wildcard studies/*/study.info))
 SOURCES = $(shell find core scene thesis capi python experiments program apps studies bench examples tests tools fuzz \
   -name '*.[ch]pp' -o -name '*.[ch]')
 
-.PHONY: help deps build install package wheels docs figures report article claim claims archive verify-archive quick bench test verify references accuracy coverage mutants sanitize fuzz keep-corpus \
+.PHONY: help deps build install package wheels docs figures report article claim claims archive verify-archive quick bench test thorough verify references accuracy coverage mutants sanitize fuzz keep-corpus \
   format check-format clean $(STUDIES)
 
 help:
@@ -30,8 +30,9 @@ help:
 	@echo 'make STUDY        one study with its figures: $(STUDIES)'
 	@echo 'make quick        every study, coarser, into results/quick'
 	@echo 'make bench        times against N into results/bench, with figures; about five minutes'
-	@echo 'make test         build and run all tests'
-	@echo 'make verify       two clean builds: the same bytes; these, and other instructions and compilers: agreement with tests/reference_tables; all samples of property tests'
+	@echo 'make test         build everything, and run the tests'
+	@echo 'make thorough     the tests that it leaves out: 50 digits, all generated cases, verdicts of the longest studies, browser, LaTeX, packages'
+	@echo 'make verify       make thorough; two clean builds: the same bytes; these, and other instructions and compilers: agreement with tests/reference_tables'
 	@echo 'make references   make the tables of this build those of tests/reference_tables'
 	@echo 'make accuracy     the orders that the tests measure, into docs/accuracy.md'
 	@echo 'make coverage     the lines of core and scene that the tests run; at least 95 %'
@@ -155,12 +156,14 @@ test: deps
 	@$(call cmake_build,release)
 	ctest --preset release -j $(JOBS)
 
-# Tests of properties take all samples here, and a third of them in `make test`.
-verify: deps
+# The tests that `make test` leaves out. Those of properties take all samples here, and a sixth of them there.
+thorough: deps
+	@tools/deps.sh report languages notebook docs browser package article
+	@$(call cmake_build,release,--target all digits_tests)
+	ctest --preset thorough -j $(JOBS)
+
+verify: thorough
 	@tools/verify.sh build/verify $(JOBS)
-	@$(call cmake_build,release,--target property_tests robustness_tests)
-	MICROSLIP_SAMPLES=all $(BUILD)/bin/property_tests --gtest_brief=1
-	MICROSLIP_SAMPLES=all $(BUILD)/bin/robustness_tests --gtest_brief=1 --gtest_filter='Ellipses.AreSolvedOnFineRows'
 
 references: deps
 	@$(call cmake_build,release,--target programs compare_tables)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what the project needs and this machine lacks. Usage: tools/deps.sh GROUP ...
-# Groups: build, figures, report, article, languages, wheels, docs, browser, package, bench, clang, coverage.
+# Groups: build, figures, report, article, languages, notebook, wheels, docs, browser, package, bench, clang, coverage.
 # Does nothing, and prints nothing, when all is there. DEPS=skip turns it off. DEPS_ARCHIVE is the address of a Debian
 # archive, as that of one date, from which alone packages are taken then; DEPS_SUITE is its suite, bookworm if not given.
 set -euo pipefail
@@ -49,10 +49,14 @@ python3-wheel /usr/lib/python3/dist-packages/wheel
 python3-pandas /usr/lib/python3/dist-packages/pandas
 mypy mypy
 python3-matplotlib /usr/lib/python3/dist-packages/matplotlib
-python3-nbconvert /usr/lib/python3/dist-packages/nbconvert
-python3-ipykernel /usr/lib/python3/dist-packages/ipykernel
 octave-dev mkoctfile
 pkg-config pkg-config
+LIST
+      ;;
+    notebook) cat <<'LIST'
+python3-matplotlib /usr/lib/python3/dist-packages/matplotlib
+python3-nbconvert /usr/lib/python3/dist-packages/nbconvert
+python3-ipykernel /usr/lib/python3/dist-packages/ipykernel
 LIST
       ;;
     wheels) cat <<'LIST'
