@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "falling_friction_limits.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <cmath>
 #include <vector>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/linalg/spectra.hpp"
 
 namespace microslip::experiments {
@@ -27,7 +28,8 @@ MatrixXd response_of_slip(const MatrixXd& influence, const std::vector<Index>& s
                           const std::vector<Index>& sticks) {
   if (sticks.empty()) return influence(slips, slips);
   const MatrixXd stuck = influence(sticks, sticks), beside = influence(sticks, slips);
-  return influence(slips, slips) - influence(slips, sticks) * stuck.partialPivLu().solve(beside);
+  return influence(slips, slips) -
+         influence(slips, sticks) * LuFactors(stuck).solve_columns(beside);
 }
 
 }  // namespace
@@ -77,7 +79,7 @@ TabulatedBound bound_by_elements(const Material& material, const Kernel& kernel,
     VectorXd right(n + 1);
     right.head(n) = -curvature * x.cwiseAbs2();
     right[n] = bound.total();
-    const VectorXd found = system.partialPivLu().solve(right);
+    const VectorXd found = LuFactors(system).solve(right);
     if (found.head(n).minCoeff() < 0) continue;
     const double edge = (static_cast<double>(each_side) + 0.5) * spacing;
     return {edge, x, found.head(n)};

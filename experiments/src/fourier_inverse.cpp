@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/experiments/fourier_inverse.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "microslip/experiments/claims.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/thesis/fourier_inverse.hpp"
@@ -34,7 +35,7 @@ MatrixXd exact_columns(const Toeplitz& b) {
   const Index n = b.size();
   MatrixXd units = MatrixXd::Zero(n, 3);
   units(0, 0) = units(middle_index(n), 1) = units(n - 1, 2) = 1;
-  return b.dense().partialPivLu().solve(units);
+  return LuFactors(b.dense()).solve_columns(units);
 }
 
 Table coefficients_table(const Parameters& p) {

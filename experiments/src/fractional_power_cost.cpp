@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fractional_power_cost.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 
 #include "least_time.hpp"
 #include "microslip/experiments/claims.hpp"
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/linalg/spectra.hpp"
 #include "microslip/rolling/fractional_shift.hpp"
 #include "microslip/thesis/schur_powers.hpp"
@@ -37,7 +38,7 @@ class Sized {
   /// Returns C for any number of elements.
   MatrixXd matrix() const {
     const MatrixXd a = influence_matrix(kernel_, basis_, spacing_, elements_);
-    return MatrixXd::Identity(elements_, elements_) - a.partialPivLu().solve(difference(1));
+    return MatrixXd::Identity(elements_, elements_) - LuFactors(a).solve_columns(difference(1));
   }
 
  private:

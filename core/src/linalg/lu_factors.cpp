@@ -22,7 +22,9 @@ void LuFactors::solve(const VectorXd& right, VectorXd& solution) const {
 
 VectorXd LuFactors::solve(const VectorXd& right) const { return factors_.solve(right); }
 
-MatrixXd LuFactors::solve_columns(const MatrixXd& right) const { return factors_.solve(right); }
+MatrixXd LuFactors::solve_columns(const Eigen::Ref<const MatrixXd>& right) const {
+  return factors_.solve(right);
+}
 
 MatrixXd LuFactors::inverse() const { return factors_.inverse(); }
 

@@ -84,8 +84,7 @@ bool solve_by_friction(SlippingPatch& patch, SlipBranch branch) {
   if (!search.solve(patch)) {
     throw NotConverged(
         "friction that depends on slip: no motion is found for the resultants, as friction may "
-        "carry "
-        "less where the bodies slip",
+        "carry less where the bodies slip",
         0, 0);
   }
   return search.has_second();

@@ -3,7 +3,6 @@
 
 #include <Eigen/LU>
 
-#include "microslip/linalg/lu_factors.hpp"
 #include "slip_maps.hpp"
 
 namespace microslip {
@@ -50,7 +49,7 @@ PatchResponse::PatchResponse(const JoinedRows& rows, const Matrix& displacement)
 PatchResponse::PatchResponse(const JoinedRows& rows, const PatchSlipMap& own,
                              const PatchSlipMap& centre)
     : rows_(rows) {
-  unknowns_ = LuFactors(own.by_traction).inverse();
+  unknowns_ = own.by_traction.inverse();  // by rows at once, which LuFactors would transpose
   const auto norm = [](const auto& map) { return map.cwiseAbs().colwise().sum().maxCoeff(); };
   condition_ = norm(own.by_traction) * norm(unknowns_);
   centre_slip_ = centre.by_traction * unknowns_;

@@ -5,36 +5,38 @@
 
 namespace microslip {
 
-/// LU factors of a square n x n matrix, with partial pivoting: O(n^3) operations to make, O(n^2) for
-/// each solve. They are Eigen's, compiled once: a source that calls Eigen's own takes some three
-/// seconds longer to compile. A singular matrix gives values that are not finite.
+/// Holds the LU factors of an n x n matrix A, with partial pivoting. They take O(n^3) operations,
+/// and each solve takes O(n^2). The factors are Eigen's, compiled once: a source that calls Eigen
+/// itself takes some three seconds longer to compile. A singular matrix gives values that are not
+/// finite.
 class LuFactors {
  public:
   LuFactors() = default;
   explicit LuFactors(const Eigen::MatrixXd& matrix) { compute(matrix); }
 
-  /// Takes another matrix; allocates if it is larger than the one before.
+  /// Takes another matrix, and allocates unless it is as large as the one before.
   /// \throws std::invalid_argument if it is not square
   void compute(const Eigen::MatrixXd& matrix);
 
-  /// Solves A x = `right`, and allocates nothing if the solution has n entries. They may be one vector.
+  /// Solves A x = `right`. The solution may be the same vector. Nothing is allocated if it has n
+  /// entries.
   void solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution) const;
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const;
   /// Solves for each column of `right`.
-  Eigen::MatrixXd solve_columns(const Eigen::MatrixXd& right) const;
+  Eigen::MatrixXd solve_columns(const Eigen::Ref<const Eigen::MatrixXd>& right) const;
   Eigen::MatrixXd inverse() const;
 
-  /// An estimate of the reciprocal condition number in the 1-norm.
+  /// Estimates the reciprocal of the condition number in the 1-norm.
   double rcond() const;
-  /// The ratio of the least pivot to the largest.
+  /// Returns the ratio of the least pivot to the largest.
   double pivot_ratio() const;
 
  private:
   Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
 };
 
-/// The x that makes |A x - `right`| least, by QR with column pivoting: that of A x = `right` if A is
-/// square and regular, and finite if it is not. O(n^3).
+/// Finds the x that makes |A x - `right`| least, by QR with column pivoting, in O(n^3) operations.
+/// If A is square and regular, x solves A x = `right`. If A is singular, x is finite.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 
 }  // namespace microslip
