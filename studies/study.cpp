@@ -11,7 +11,7 @@
 namespace microslip::studies {
 
 int run(const std::string& name, const std::string& question, const Scenes& scenes,
-        const Prepare& prepare, int argc, const char* const* argv) {
+        const std::function<program::Work(Scene&)>& prepare, int argc, const char* const* argv) {
   const auto prepare_and_judge = [&](Scene& scene) -> program::Work {
     program::Work work = prepare(scene);
     std::istringstream text(scenes.study);

@@ -43,4 +43,16 @@ struct Program {
 /// run stay whole.
 int run(const Program& program, int argc, const char* const* argv);
 
+/// Makes a Program's `prepare` of two functions.
+/// \param read     takes all parameters from a scene
+/// \param measure  makes the tables with them
+template <class Read, class Measure>
+std::function<Work(Scene&)> prepare_by(Read read, Measure measure) {
+  return [=](Scene& scene) -> Work {
+    return [parameters = read(scene), measure](const Progress& progress) {
+      return measure(parameters, progress);
+    };
+  };
+}
+
 }  // namespace microslip::program
