@@ -69,7 +69,11 @@ struct microslip_unlike {
 
 enum microslip_kernel_type {
   MICROSLIP_STRIP = 0, /**< half-space loaded over a strip, observed in its middle */
-  MICROSLIP_PLANE = 1  /**< plane strain */
+  MICROSLIP_PLANE = 1, /**< plane strain */
+  /** The same with creepages, tractions and forces across the rolling: the bodies yield more, in
+   * plane strain by 1/(1 - nu). Bodies of different material have none of these. */
+  MICROSLIP_STRIP_LATERAL = 2,
+  MICROSLIP_PLANE_LATERAL = 3
 };
 
 /** How the bodies yield. Under a prescribed creepage the length matters: it sets the stiffness of

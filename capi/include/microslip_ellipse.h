@@ -105,6 +105,11 @@ MICROSLIP_API void microslip_ellipse_destroy(microslip_ellipse* ellipse);
 /** Returns the message of the last call that failed, or an empty text. */
 MICROSLIP_API const char* microslip_ellipse_message(microslip_ellipse* ellipse);
 
+/** Returns in one line why a motion that the last steady solution, step or attempt prescribed is
+ * doubtful: creepages, or the slip by spin, are above 0.2 in size, while 0.2 % is 0.002 and 0.2 1/m is
+ * 2e-4. The text is empty if there is no doubt, and valid until the next call. */
+MICROSLIP_API const char* microslip_ellipse_warning(const microslip_ellipse* ellipse);
+
 /** Sets the contact of the next solutions, and at the end of the next step, on the way to which it
  * changes linearly; it stays so until it is set again. Under another normal load P both factors are
  * (P/P0)^(1/3) by Hertz's theory; another friction coefficient changes the bound alone.

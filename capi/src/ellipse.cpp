@@ -113,6 +113,10 @@ const char* microslip_ellipse_message(microslip_ellipse* ellipse) {
   return ellipse == nullptr ? "ellipse = null: expected a handle" : ellipse->message;
 }
 
+const char* microslip_ellipse_warning(const microslip_ellipse* ellipse) {
+  return ellipse == nullptr ? "" : ellipse->warning;
+}
+
 microslip_status microslip_ellipse_set_contact(microslip_ellipse* ellipse, double size_factor,
                                                double bound_factor) {
   return with_ellipse(ellipse, [&](microslip_ellipse& of) {
@@ -128,7 +132,7 @@ microslip_status microslip_ellipse_solve_steady(microslip_ellipse* ellipse,
                                                 microslip_ellipse_state* state, double* jacobian) {
   return with_ellipse(ellipse, [&](microslip_ellipse& of) {
     microslip_ellipse_state& out = require_pointer(state, "state");
-    out = solve_steady(of, load_of(require_pointer(load, "load")));
+    out = solve_steady(of, read_load(of, load));
     if (jacobian != nullptr) put_jacobian(jacobian, of.solver->jacobian());
   });
 }
@@ -137,7 +141,7 @@ microslip_status microslip_ellipse_advance(microslip_ellipse* ellipse, double dq
                                            const microslip_ellipse_load* load,
                                            microslip_ellipse_state* state) {
   return with_ellipse(ellipse, [&](microslip_ellipse& of) {
-    advance(of, dq, load_of(require_pointer(load, "load")));
+    advance(of, dq, read_load(of, load));
     if (state != nullptr) *state = state_of(of.rolling);
   });
 }
@@ -147,7 +151,7 @@ microslip_status microslip_ellipse_attempt(microslip_ellipse* ellipse, double dq
                                            microslip_ellipse_state* state, double* jacobian) {
   return with_ellipse(ellipse, [&](microslip_ellipse& of) {
     microslip_ellipse_state& out = require_pointer(state, "state");
-    attempt(of, dq, load_of(require_pointer(load, "load")));
+    attempt(of, dq, read_load(of, load));
     out = state_of(of.trial);
     if (jacobian != nullptr) put_jacobian(jacobian, of.trial.jacobian());
   });

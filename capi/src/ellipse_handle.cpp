@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "microslip/patch/large_motion.hpp"
 #include "microslip/patch/patch_grid.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
@@ -84,6 +85,19 @@ PatchLoad load_of(const microslip_ellipse_load& load) {
     require(true, name_of(found, j), load.value[j], "a finite number");
   }
   return found;
+}
+
+PatchLoad read_load(microslip_ellipse& ellipse, const microslip_ellipse_load* load) {
+  const PatchLoad read = load_of(require_pointer(load, "load"));
+  ellipse.warning[0] = '\0';
+  for (std::size_t j = read.size(); j-- > 0;) {
+    const auto& [by_resultant, value] = read[j];
+    const std::string doubt = by_resultant ? "" : doubt_of_large_motion(j, value, ellipse.problem);
+    if (doubt.empty()) continue;
+    Message{ellipse.warning, sizeof ellipse.warning}.say(
+        fmt::format("{} = {:.6g}: {}", name_of(read, j), value, doubt));
+  }
+  return read;
 }
 
 void attempt(microslip_ellipse& ellipse, double dq, const PatchLoad& load) {

@@ -36,6 +36,7 @@ struct microslip_ellipse {
   std::optional<microslip::SteadyPatchSolver> solver = {};
   bool has_second = false;   ///< of the last step or steady solution, see SlipFriction
   char message[512] = "";    ///< of the last call that failed
+  char warning[512] = "";    ///< of the last load that was solved
   mutable std::mutex mutex;  ///< held by each call
 };
 
@@ -55,6 +56,10 @@ SteadyPatch make_patch(const microslip_material& material, const microslip_ellip
 
 /// \throws std::invalid_argument for what is none of microslip_prescribed, and no number
 PatchLoad load_of(const microslip_ellipse_load& load);
+
+/// Reads a load that is to be solved, and warns of motions that are doubtful.
+/// \throws std::invalid_argument as load_of()
+PatchLoad read_load(microslip_ellipse& ellipse, const microslip_ellipse_load* load);
 
 /// Makes a step on the trial, unless it has made it.
 /// \throws std::invalid_argument likewise, and as PatchRolling::roll; NotConverged

@@ -36,12 +36,18 @@ TractionBound make_bound(const microslip_contact& contact) {
   }
 }
 
-Kernel make_kernel(const Material& material, const microslip_kernel& kernel) {
-  require(kernel.type == MICROSLIP_STRIP || kernel.type == MICROSLIP_PLANE, "kernel type",
-          kernel.type, "0 for a strip or 1 for plane strain");
+Kernel make_kernel(const Material& given, const microslip_kernel& kernel) {
+  require(kernel.type >= MICROSLIP_STRIP && kernel.type <= MICROSLIP_PLANE_LATERAL, "kernel type",
+          kernel.type,
+          "0 for a strip, 1 for plane strain, 2 or 3 for these with loads across the rolling");
   require_positive("length", kernel.length);
-  validate(material);
-  if (kernel.type == MICROSLIP_STRIP) return StripKernel(material, kernel.length);
+  validate(given);
+  const bool is_lateral =
+      kernel.type == MICROSLIP_STRIP_LATERAL || kernel.type == MICROSLIP_PLANE_LATERAL;
+  const Material material = is_lateral ? lateral(given) : given;
+  if (kernel.type == MICROSLIP_STRIP || kernel.type == MICROSLIP_STRIP_LATERAL) {
+    return StripKernel(material, kernel.length);
+  }
   return PlaneKernel(material, kernel.length);
 }
 

@@ -3,7 +3,9 @@
  *
  *   h = microslip_mex('create', problem)    a struct with shear_modulus, poisson_ratio,
  *                                           half_width, peak_traction or bound_x and bound_value,
- *                                           kernel 'strip' or 'plane', length, elements, scheme
+ *                                           kernel 'strip' or 'plane', with
+ *                                           _lateral behind it for loads across the rolling,
+ *                                           length, elements, scheme
  *                                           'remembered' if not given, or 'direct'; for bodies of
  *                                           different material dundurs_beta and friction, too
  *   microslip_mex('set_creepage', h, w)     likewise set_force, advance
@@ -86,16 +88,16 @@ struct problem {
 
 static struct problem read_problem(const mxArray* p) {
   const mxArray *x = field(p, "bound_x", 0), *value = field(p, "bound_value", 0);
-  char kernel_name[8] = "", scheme_name[16] = "remembered";
+  char kernel_name[16] = "", scheme_name[16] = "remembered";
   mxGetString(field(p, "kernel", 1), kernel_name, sizeof kernel_name);
   const struct microslip_material material = {number(p, "shear_modulus", 1),
                                               number(p, "poisson_ratio", 1)};
   const struct microslip_contact contact = {
       number(p, "half_width", 1), number(p, "peak_traction", 0), x ? mxGetPr(x) : NULL,
       value ? mxGetPr(value) : NULL, x ? mxGetNumberOfElements(x) : 0};
-  const int type = !strcmp(kernel_name, "strip")   ? MICROSLIP_STRIP
-                   : !strcmp(kernel_name, "plane") ? MICROSLIP_PLANE
-                                                   : -1;
+  static const char* const names[] = {"strip", "plane", "strip_lateral", "plane_lateral"};
+  int type = 3; /* of microslip_kernel_type; -1 if the name is none of these */
+  while (type >= 0 && strcmp(kernel_name, names[type])) --type;
   const struct microslip_kernel kernel = {type, number(p, "length", 1)};
   if (field(p, "scheme", 0)) mxGetString(field(p, "scheme", 0), scheme_name, sizeof scheme_name);
   const int scheme = !strcmp(scheme_name, "remembered") ? MICROSLIP_REMEMBERED

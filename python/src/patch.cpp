@@ -8,6 +8,7 @@
 #include "ellipse_handle.hpp"
 #include "error.hpp"
 #include "interface.hpp"
+#include "microslip/patch/large_motion.hpp"
 #include "microslip/program/memory.hpp"
 #include "microslip/scene/cost.hpp"
 #include "microslip/scene/unloaded.hpp"

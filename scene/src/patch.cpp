@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "hertz.hpp"
+#include "microslip/patch/large_motion.hpp"
 #include "microslip/patch/patch_grid.hpp"
 #include "microslip/reference/point_contact.hpp"
-#include "microslip/rolling/large_creepage.hpp"
 #include "microslip/scene/keys.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/scene/unloaded.hpp"
@@ -268,21 +268,6 @@ std::vector<std::string> keys_of_patch_loads() {
     all.insert(all.end(), {keys.motion, keys.resultant, keys.ratio});
   }
   return all;
-}
-
-double mean_strain(const SteadyPatch& patch) {
-  return patch.bound.total() / patch.bound.shape().area() / patch.material.shear_modulus;
-}
-
-std::string doubt_of_large_motion(std::size_t component, double motion, const SteadyPatch& patch) {
-  const bool is_spin = component == 2;
-  const double slip = is_spin ? patch.bound.size() * motion : motion;
-  const std::string doubt = doubt_of_creepage(slip, mean_strain(patch));
-  if (doubt.empty() || !is_spin) return doubt;
-  return fmt::format(
-      "the slip by this spin, up to {} at the sides of the contact, is not small against 1, as the "
-      "theory has it; 0.2 1/m is 2e-4",
-      format_roughly(std::abs(slip)));
 }
 
 void warn_of_large_motion(Scene& scene, const std::string& key, std::size_t component,

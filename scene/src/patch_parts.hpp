@@ -38,9 +38,6 @@ bool has_patch_load(const Scene& scene);
 /// Reads load.* of all components; the motion of one that is not given is 0.
 PatchLoad read_patch_load(Scene& scene, const PatchBound& bound);
 
-/// The mean of the bound over the shear modulus.
-double mean_strain(const SteadyPatch& patch);
-
 /// Warns of prescribed motions as warn_of_large_motion().
 void warn_of_large_motions(Scene& scene, const SteadyPatch& patch);
 

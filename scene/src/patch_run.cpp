@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "doubts.hpp"
+#include "microslip/patch/large_motion.hpp"
 #include "microslip/patch/patch_rolling.hpp"
-#include "microslip/rolling/large_creepage.hpp"
 #include "microslip/support/require.hpp"
 #include "patch_files.hpp"
 #include "patch_parts.hpp"
@@ -164,8 +164,8 @@ void require_rows_carried(const NamedColumns& columns, const PatchHistory& loads
   }
 }
 
-void warn_of_creepages_in_run(Scene& scene, const PatchHistory& loads, const SteadyPatch& patch) {
-  std::array<double, 2> largest{};
+void warn_of_motions_in_run(Scene& scene, const PatchHistory& loads, const SteadyPatch& patch) {
+  std::array<double, 3> largest{};
   for (const double distance : loads.distances()) {
     const PatchLoad load = loads.at(distance);
     for (std::size_t j = 0; j < largest.size(); ++j) {
@@ -174,7 +174,7 @@ void warn_of_creepages_in_run(Scene& scene, const PatchHistory& loads, const Ste
     }
   }
   for (std::size_t j = 0; j < largest.size(); ++j) {
-    const std::string doubt = doubt_of_creepage(largest[j], mean_strain(patch));
+    const std::string doubt = doubt_of_large_motion(j, largest[j], patch);
     if (doubt.empty()) continue;
     scene.warn(fmt::format("{} of load.file", run_components[j].motion), largest[j], doubt);
   }
@@ -222,7 +222,7 @@ PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch, const Advect
     }
     if (!loads.stops().empty()) require_scheme_of_stops(scene, scheme);
     require_rows_carried(columns, loads, patch);
-    warn_of_creepages_in_run(scene, loads, patch);
+    warn_of_motions_in_run(scene, loads, patch);
     return loads;
   });
 }

@@ -44,16 +44,19 @@ std::vector<Case> cases() {
   const Eigen::VectorXd x = Eigen::Map<const Eigen::Vector3d>(table_x);
   const Eigen::VectorXd values = Eigen::Map<const Eigen::Vector3d>(table_value);
   const microslip_kernel plane{MICROSLIP_PLANE, 200}, strip{MICROSLIP_STRIP, 3};
-  return {make_case("creepage", hertz, HertzBound(1, 2), plane, PlaneKernel(material, 200),
-                    {41, MICROSLIP_REMEMBERED}, PrescribedCreepage{-5}),
-          make_case("fft", hertz, HertzBound(1, 2), strip, StripKernel(material, 3),
-                    {150, MICROSLIP_REMEMBERED}, PrescribedForce{1.5}),
-          make_case("table", table, TabulatedBound(1, x, values), strip, StripKernel(material, 3),
-                    {60, MICROSLIP_REMEMBERED}, PrescribedForce{-1}),
-          make_case("direct", hertz, HertzBound(1, 2), strip, StripKernel(material, 3),
-                    {40, MICROSLIP_DIRECT}, PrescribedCreepage{0.4}),
-          make_case("plane", table, TabulatedBound(1, x, values), plane, PlaneKernel(material, 200),
-                    {50, MICROSLIP_REMEMBERED}, PrescribedForce{-1})};
+  return {
+      make_case("creepage", hertz, HertzBound(1, 2), plane, PlaneKernel(material, 200),
+                {41, MICROSLIP_REMEMBERED}, PrescribedCreepage{-5}),
+      make_case("fft", hertz, HertzBound(1, 2), strip, StripKernel(material, 3),
+                {150, MICROSLIP_REMEMBERED}, PrescribedForce{1.5}),
+      make_case("table", table, TabulatedBound(1, x, values), strip, StripKernel(material, 3),
+                {60, MICROSLIP_REMEMBERED}, PrescribedForce{-1}),
+      make_case("direct", hertz, HertzBound(1, 2), strip, StripKernel(material, 3),
+                {40, MICROSLIP_DIRECT}, PrescribedCreepage{0.4}),
+      make_case("lateral", hertz, HertzBound(1, 2), {MICROSLIP_STRIP_LATERAL, 3},
+                StripKernel(lateral(material), 3), {41, MICROSLIP_REMEMBERED}, PrescribedForce{1}),
+      make_case("plane", table, TabulatedBound(1, x, values), plane, PlaneKernel(material, 200),
+                {50, MICROSLIP_REMEMBERED}, PrescribedForce{-1})};
 }
 
 class EveryCase : public testing::TestWithParam<Case> {};

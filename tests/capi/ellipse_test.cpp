@@ -252,6 +252,27 @@ TEST(CEllipse, ContactThatGrowsIsThatOfALargerEllipse) {
   EXPECT_NEAR(one.full_sliding / other.full_sliding, 1, 1e-12);
 }
 
+TEST(CEllipse, WarnsOfCreepagesInPercentAndOfSpinInMetres) {
+  const Ellipse ellipse = created();
+  const auto warning = [&] { return std::string(microslip_ellipse_warning(ellipse.get())); };
+  EXPECT_STREQ(microslip_ellipse_warning(nullptr), "");
+  steady(ellipse, motion(0.199, -0.1, 1e-3));
+  EXPECT_EQ(warning(), "");
+  steady(ellipse, motion(0.1, -0.5, 0));
+  EXPECT_EQ(warning().find("lateral_creepage = -0.5: creepages above 0.2 are not small"), 0U)
+      << warning();
+  advanced(ellipse, 1, motion(0, 0, 0.2));
+  EXPECT_EQ(warning().find("spin = 0.2: the slip by this spin"), 0U) << warning();
+  const Load forces{{1, 1, 0}, {1, 1, 0}};  // they are no motions
+  steady(ellipse, forces);
+  EXPECT_EQ(warning(), "");
+  const Load wrong{{0, 0, 7}, {5, 0, 0}};
+  State state{};
+  EXPECT_EQ(microslip_ellipse_attempt(ellipse.get(), 1, &wrong, &state, nullptr),
+            MICROSLIP_BAD_INPUT);
+  EXPECT_EQ(warning(), "");
+}
+
 TEST(CEllipse, LosesItsContactAndTouchesAnew) {
   const Ellipse ellipse = created(), fresh = created();
   const Load load = motion(6e-4, 3e-4, 5e-5);

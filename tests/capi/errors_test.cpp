@@ -49,7 +49,8 @@ TEST(CErrors, OfCreateNameKeyValueAndRange) {
        [](Parts& p) {
          p.contact = {1, 0, falling, falling, 2};
        }},
-      {"kernel type = 7: expected 0 for a strip or 1 for plane strain",
+      {"kernel type = 7: expected 0 for a strip, 1 for plane strain, 2 or 3 for these with loads "
+       "across the rolling",
        [](Parts& p) { p.kernel.type = 7; }},
       {"length = inf: expected a number > 0", [](Parts& p) { p.kernel.length = infinity; }},
       {"length = 0.5: expected more than (half_width + dx)/2 = 0.524390243902439 mm, from "

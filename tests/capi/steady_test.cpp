@@ -98,6 +98,22 @@ TEST(CSteady, IsCartersAtGeneratedLoads) {
   }
 }
 
+// Antiplane shear yields 1/(1 - nu) times as much as plane strain, Johnson's Contact Mechanics 8.3.
+TEST(CSteady, YieldsMoreAcrossTheRolling) {
+  Parts parts{.material = {82000, 0.28},
+              .contact = {5, 300, nullptr, nullptr, 0},
+              .kernel = {MICROSLIP_PLANE, 100},
+              .grid = {50, 0}};
+  const std::vector<double> forces{-10, -1000, -2300};
+  const Solved along = solve(parts, MICROSLIP_FORCE, forces);
+  parts.kernel.type = MICROSLIP_PLANE_LATERAL;
+  const Solved across = solve(parts, MICROSLIP_FORCE, forces);
+  ASSERT_EQ(across.status, MICROSLIP_OK) << across.message;
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    EXPECT_NEAR(across.states[i].creepage / along.states[i].creepage, 1 / (1 - 0.28), 1e-9);
+  }
+}
+
 // Back and forth, the other direction, other units, and twice the bound under twice the load;
 // strips and tables, of which no closed form is known.
 TEST(CSteady, DoesNotDependOnWhatIsArbitrary) {

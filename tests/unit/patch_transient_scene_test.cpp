@@ -147,6 +147,16 @@ TEST(PatchTransientScene, HasNoShiftsBeyondFrictionOrOfOtherNumbers) {
   expect_refused({cattaneo, "load.force=", "load.creepage=0.001"}, "missing key 'start.force' or ");
 }
 
+TEST(PatchTransientScene, WarnsOfMotionsInARunThatAreNotSmall) {
+  const Settings run{"load.file=run", "load.force=", "load.spin="};
+  EXPECT_TRUE(warnings_of(run, "q,creepage,spin\n0,0,0\n20,0.01,0.002\n").empty());
+  const auto told = warnings_of(run, "q,creepage,spin\n0,0,0\n9,-0.3,0.2\n20,0.1,0\n");
+  ASSERT_EQ(told.size(), 2);
+  EXPECT_EQ(told[0].find("creepage of load.file = -0.3: creepages above 0.2"), 0U) << told[0];
+  EXPECT_EQ(told[1].find("spin of load.file = 0.2: the slip by this spin, up to 0.98"), 0U)
+      << told[1];
+}
+
 TEST(PatchTransientScene, HasNoRunsThatDoNotFit) {
   const Settings settings{"load.file=run", "load.force=", "load.spin="};
   const auto refused = [&](const std::string& rows, const std::string& error,

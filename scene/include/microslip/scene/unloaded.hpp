@@ -18,10 +18,6 @@ SteadyProblem read_unloaded_steady(Scene& scene);
 /// \return with that motion zero
 SteadyPatch read_steady_patch(Scene& scene, std::size_t varied);
 
-/// Why a motion is doubtful by which slip in the contact is above 0.2; empty if it is not.
-/// \param component  0, 1 or 2: along, across or spin
-std::string doubt_of_large_motion(std::size_t component, double motion, const SteadyPatch& patch);
-
 /// Warns of a motion by which slip in the contact is above 0.2, as warn_of_large_creepage() does.
 /// \param component  0, 1 or 2: along, across or spin
 void warn_of_large_motion(Scene& scene, const std::string& key, std::size_t component,
