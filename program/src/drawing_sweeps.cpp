@@ -211,13 +211,29 @@ struct Family {
   std::vector<std::size_t> rows;
 };
 
+/// The values of a key as a legend has them, by their texts: with six digits, unless two values are
+/// then the same.
+std::map<std::string, std::string> legend_values(const Cases& cases, const std::string& key) {
+  std::map<std::string, std::string> short_of, same;
+  std::set<std::string> different;
+  for (const std::size_t row : cases.rows()) {
+    const std::string& text = cases.text(row, key);
+    same[text] = text;
+    short_of[text] = cases.is_numeric(key) ? fmt::format("{:.6g}", cases.number(row, key)) : text;
+  }
+  for (const auto& [text, value] : short_of) different.insert(value);
+  return different.size() == same.size() ? short_of : same;
+}
+
 std::vector<Family> families_of(const Cases& cases, const Axes& axes) {
   std::vector<Family> families;
   std::map<std::string, std::size_t> known;
+  std::map<std::string, std::map<std::string, std::string>> shown;
+  for (const std::string& key : axes.families) shown[key] = legend_values(cases, key);
   for (const std::size_t row : cases.rows()) {
     Family family;
     for (const std::string& key : axes.families) {
-      const std::string value = cases.text(row, key);
+      const std::string value = shown[key][cases.text(row, key)];
       const std::string unit = cases.unit(key);
       family.label += fmt::format("{}{} = {}{}", family.label.empty() ? "" : ", ", key, value,
                                   unit == "1" ? "" : " " + unit);

@@ -150,6 +150,13 @@ std::vector<Figure> chosen(const std::vector<Figure>& figures, const Given& give
                                           joined(names, ", "), suggestion(nearest(wanted, names))));
 }
 
+/// A file has one figure.
+void require_one_figure(const std::vector<Figure>& figures) {
+  if (figures.size() == 1) return;
+  throw std::invalid_argument(fmt::format("--to: expected --figure with it here, one of {}",
+                                          joined(names_of(figures), ", ")));
+}
+
 /// The folder of a result, which may be named by one of its tables, too; with a name of its own,
 /// after which figures are named.
 fs::path folder_of(const fs::path& result) {
@@ -191,7 +198,7 @@ void draw_study(const std::string& study, const fs::path& folder, const Given& g
   if (all.empty()) reject(folder, fmt::format("the result of {} has no figures", shown(study)));
   const std::vector<Figure> figures = chosen(all, given);
   if (given.count("to") != 0) {
-    if (figures.size() > 1) throw std::invalid_argument("--to: expected --figure with it here");
+    require_one_figure(figures);
     return draw(figures.front().script, folder, target_of(given));
   }
   for (const Figure& figure : figures) {
@@ -336,9 +343,7 @@ void draw_scenes(const std::string& name, std::vector<Result> results, const Giv
   }
   if (has_instants && !shows_history) all.push_back({"instants", "", "_instants"});
   const std::vector<Figure> figures = chosen(all, given);
-  if (given.count("to") != 0 && figures.size() > 1) {
-    throw std::invalid_argument("--to: expected --figure with it here");
-  }
+  if (given.count("to") != 0) require_one_figure(figures);
   for (const Figure& figure : figures) {
     results.front().kind = figure.name;
     const fs::path target =

@@ -20,13 +20,14 @@ NAMES_KEY = "load.columns"
 
 # Columns of a table that is given as arrays without names.
 _IN_ORDER = {"contact.bound_file": ("x", "bound"), "contact.patch_file": ("y", "trailing", "leading"),
+             "contact.friction_file": ("speed", "ratio"), "kernel.table": ("wave_number", "symbol"),
              "start.file": ("x", "traction")}
 
 # The same where the contact has three dimensions.
 _IN_ORDER_OF_PATCHES = {"contact.bound_file": ("x", "y", "bound")}
 
 # Columns that are read. What is wrong in another column does not matter.
-_READ = {**_IN_ORDER, **_IN_ORDER_OF_PATCHES, "kernel.table": ("wave_number", "symbol"),
+_READ = {**_IN_ORDER, **_IN_ORDER_OF_PATCHES,
          "load.file": ("q", "t", "v", "creepage", "force", "omega", "normal_load", "half_width", "peak_traction",
                        "friction")}
 

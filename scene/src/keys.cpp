@@ -613,11 +613,12 @@ const Key* find_key(std::string_view name) {
 }
 
 std::string likely_key(const std::string& key, const std::vector<std::string>& known) {
-  const std::string near = nearest(key, known);
-  if (!near.empty()) return near;
   const auto last_name = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };
-  const auto found = std::ranges::find(known, last_name(key), last_name);
-  return found == known.end() ? "" : *found;
+  std::vector<std::string> elsewhere;
+  std::ranges::copy_if(known, std::back_inserter(elsewhere), [&](const std::string& name) {
+    return last_name(name) == last_name(key);
+  });
+  return elsewhere.empty() ? nearest(key, known) : nearest(key, elsewhere, key.size());
 }
 
 std::string likely_key(const std::string& key) {

@@ -54,10 +54,12 @@ void refuse_names_of_others(const Scene& scene) {
 }
 
 /// A key that nobody knows may be the missing one, misspelt.
-/// \param near  a given key of a similar name; may be empty
-[[noreturn]] void reject_missing(const Scene& scene, const std::vector<std::string>& names,
-                                 const std::string& near) {
+/// \param names  of the missing key; the first one is what may be misspelt
+[[noreturn]] void reject_missing(const Scene& scene, const std::vector<std::string>& names) {
   refuse_names_of_others(scene);
+  std::vector<std::string> unknown = scene.keys();
+  std::erase_if(unknown, [&](const std::string& key) { return scene.known(key) != nullptr; });
+  const std::string near = nearest(names.front(), unknown);
   if (!near.empty()) throw MissingKey(near, names, suggestion(near));
   const std::string misspelt = scene.misspelt();
   throw MissingKey(misspelt, names,
@@ -199,7 +201,7 @@ void Scene::remove(const std::string& key) {
 const Scene::Value& Scene::value(const std::string& key) const {
   const auto found = values_.find(key);
   if (found != values_.end()) return found->second;
-  reject_missing(*this, {key}, nearest(key, keys()));
+  reject_missing(*this, {key});
 }
 
 bool Scene::has(const std::string& key) {
@@ -228,7 +230,7 @@ std::string Scene::at_most_one_of(const std::vector<std::string>& keys) const {
 std::string Scene::one_of(const std::vector<std::string>& keys) {
   const std::string found = at_most_one_of(keys);
   if (!found.empty()) return found;
-  reject_missing(*this, keys, nearest(keys.front(), this->keys()));
+  reject_missing(*this, keys);
 }
 
 void Scene::declare(std::vector<Key> keys) {

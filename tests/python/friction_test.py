@@ -67,3 +67,19 @@ def test_steady_forces_are_those_of_the_program(scene):
     for creepage, force in zip(creepages, found.force):
         solved = ms.solve({**scene, "problem": "steady", "load": {"speed": "45 m/s", "creepage": creepage}})
         assert force == pytest.approx(solved.summary["force"], rel=1e-8)
+
+
+@pytest.mark.parametrize("kind, scene", KINDS)
+def test_a_law_of_arrays_is_that_of_a_file(kind, scene, tmp_path):
+    speed, ratio = np.array([0, 50.0, 400]), np.array([1, 0.8, 0.55])
+    file = tmp_path / "law.tsv"
+    np.savetxt(file, np.c_[speed, ratio], fmt="%.17g", delimiter="\t", header="speed\tratio", comments="")
+    bodies = {key: value for key, value in scene["contact"].items() if key not in LAW}
+
+    def forces(law):
+        contact = {**bodies, "friction_law": "table", "friction_file": law, "friction_memory": 0.002}
+        return kind({**scene, "contact": contact}).roll(np.full(5, 0.4), creepage=-0.004)["force"]
+
+    assert np.array_equal(forces((speed, ratio)), forces(str(file)))
+    with pytest.raises(ms.InputError, match="or the arrays .speed, ratio."):
+        forces(ratio)

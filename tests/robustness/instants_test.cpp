@@ -326,7 +326,8 @@ TEST_F(InstantPlots, WithoutThemAreRefused) {
   solve(line + "--set motion.instants=3");
   expect_refused("plot out --figure instants --x 0:1",
                  "--x: expected a figure other than instants with it");
-  expect_refused("plot out --to a.svg", "--to: expected --figure with it here");
+  expect_refused("plot out --to a.svg",
+                 "--to: expected --figure with it here, one of transient, instants");
   expect_refused("plot out out --to a.gif",
                  "'out': expected one result, as figures of instants take one");
   std::ofstream(folder_ / "gnuplot") << "#!/bin/sh\n"

@@ -92,7 +92,8 @@ TEST_F(Plots, StudiesAreDrawn) {
   EXPECT_EQ(text_of(folder_ / "one.svg"), text_of(folder_ / "mine_traction.svg"));
   expect_error("plot mine --figure tractions",
                "--figure 'tractions': expected accuracy, traction (did you mean 'traction'?)");
-  expect_error("plot mine --to one.svg", "--to: expected --figure with it here");
+  expect_error("plot mine --to one.svg",
+               "--to: expected --figure with it here, one of accuracy, traction");
 }
 
 // The key has the keys in which they differ; the exact solution is there where it is one.

@@ -121,6 +121,14 @@ TEST(ScenePlaces, OfAMisspeltKeyComeBeforeThoseOfOthers) {
             "'contact.lateral_radius_2'?)");
 }
 
+// What is there under its right name is not the one that is missing.
+TEST(ScenePlaces, OfAKeyInTheWrongSection) {
+  const Scene scene = scene_of("load { spin 0.1\n creepage 0 }\ncontact { speed 3 m/s }");
+  EXPECT_EQ(said(scene, [](Scene& s) { s.number("load.speed"); }),
+            "test:3: missing key 'load.speed'; 'contact.speed' is no key (did you mean "
+            "'load.speed'?)");
+}
+
 TEST(ScenePlaces, AreThoseOfTheSceneThatWins) {
   std::istringstream more("\nb x\nc x");
   Scene scene = scene_of("a x\nb 2\nd x");

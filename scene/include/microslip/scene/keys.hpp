@@ -64,8 +64,8 @@ std::span<const Key> keys_of_scenes();
 /// The key of that name; null if there is none.
 const Key* find_key(std::string_view name);
 
-/// The known key of the nearest name, or of the same name in another section; empty if there is
-/// none. Without `known`, among all keys of scenes.
+/// The known key of the same name in another section, or else of the nearest name; empty if there
+/// is none. Without `known`, among all keys of scenes.
 std::string likely_key(const std::string& key, const std::vector<std::string>& known);
 std::string likely_key(const std::string& key);
 
