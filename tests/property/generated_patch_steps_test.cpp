@@ -134,6 +134,36 @@ TEST(GeneratedPatchSteps, AreSolvedForAnyMotions) {
   EXPECT_LE(refused, 2);
 }
 
+// Constant creepages have the forces of steady rolling after some lengths of the contact, whatever
+// the lengths of the steps. Long steps are off by up to 1.1 % of full sliding themselves.
+TEST(GeneratedPatchSteps, OfAnyLengthsTendToSteadyRolling) {
+  std::mt19937 random(17);
+  const auto uniform = [&](double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(random);
+  };
+  for (int i = 0; i < samples(90); ++i) {
+    const double ratio = std::exp(uniform(-1.1, 1.1)), a = std::sqrt(ratio);
+    const auto cells = static_cast<Index>(uniform(7, 17));
+    SteadyPatch problem{.material = {1, uniform(0, 0.5)},
+                        .bound = EllipticBound(a, 1 / a, 1),
+                        .rows = cells,
+                        .elements = cells};
+    problem.load[0].value = uniform(-0.7, 0.7);
+    problem.load[1].value = uniform(-0.7, 0.7);
+    const Vector3d steady = solve_steady(problem).resultants;
+    PatchRolling rolling(problem);
+    while (rolling.distance() < 40 * a) {
+      const double dq = 4 * a * std::exp(uniform(-4, 0));
+      rolling.roll(dq, problem.load);
+      if (rolling.distance() < 12 * a) continue;
+      const Vector3d difference = (rolling.resultants() - steady) / rolling.full_sliding();
+      ASSERT_LT(difference.cwiseAbs().maxCoeff(), 0.015)
+          << i << ", a/b = " << ratio << ", " << cells << " cells, at " << rolling.distance() / a
+          << " a, step of " << dq / a << " a";
+    }
+  }
+}
+
 // Resultants may be more than friction carries together: these are refused, and leave all as it was.
 TEST(GeneratedPatchSteps, HaveTheirResultantsOrStayAsTheyWere) {
   Generator generator(12);

@@ -120,6 +120,7 @@ void PatchMaterial::take(const PatchStep& step, PointDisplacements& u,
     if (step.dq > 0) {
       const double place = front + travelled_;
       row.enter(place, u.at(0, k) + path_.at(place, y));
+      record_entered(k, u, step.dq);
       row.leave(exit + travelled_);
     }
     replace_where_slips(k, u, slips);
@@ -147,6 +148,20 @@ void PatchMaterial::renew_origin(const JoinedRows& rows) {
   }
   path_ = {};
   travelled_ = 0;
+}
+
+/// Material that entered within the step remembers where it is now, if it sticks: at points that are
+/// not closer than half a mean cell, so that only a step of more than a cell has any. Records at the
+/// leading edge alone would be too far from one another, and from those of cells that slip.
+void PatchMaterial::record_entered(Index k, PointDisplacements& u, double dq) {
+  const JoinedRows& rows = u.rows();
+  const double front = size_ * rows.x(0, k);
+  const double half_cell = size_ * rows.half_length(k) / static_cast<double>(rows.elements());
+  for (Index j = 1; j <= 2 * rows.elements() && size_ * rows.x(j, k) > front - dq; ++j) {
+    const double place = size_ * rows.x(j, k) + travelled_;
+    const Vector2d value = u.at(j, k) + path_.at(place, size_ * rows.y(k));
+    memory_[static_cast<std::size_t>(k)].add(place, value, half_cell);
+  }
 }
 
 /// Material that slips remembers where it is now: at the points of the cells, so that the next step

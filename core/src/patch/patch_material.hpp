@@ -60,6 +60,7 @@ class PatchMaterial {
   Vector2d remembered(const JoinedRows& rows, double x, Index k, double dq) const;
   Vector2d imposed_by(const StepWays& ways, const MaterialWay& way, Index k) const;
   MaterialRecords moved_row(const JoinedRows& rows, Index k, double size) const;
+  void record_entered(Index k, PointDisplacements& u, double dq);
   void replace_where_slips(Index k, PointDisplacements& u, const std::vector<bool>& slips);
   bool is_mostly_new(const JoinedRows& rows, Index k, const PatchStep& step) const;
   void touch_anew(Index k, PointDisplacements& u);
