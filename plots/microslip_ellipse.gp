@@ -1,7 +1,8 @@
 # A contact sticks where it is blue, the darker the nearer its tractions are to their bound, and slips where it is orange.
-# Arrows are tractions. Below: both components along the middle row and along a row halfway to the side; of several lobes
+# Arrows are tractions, and the grey line is the edge of the contact. Below: both components along the middle row and along a row halfway to the side; of several lobes
 # along the middle rows of the first two. The name of the axis says where it rolls.
 load scripts."/microslip_margins.gpi"
+outline = "linecolor rgb '#777777' linewidth 1"
 traction = tables."/traction.tsv"
 edges = tables."/edges.tsv"
 summary = tables."/summary.tsv"
@@ -103,31 +104,38 @@ do for [pass=1:2] {
   set ytics scale 0
   set label 1 "sticks, |p|/g" at screen 0.12, screen 1 - 9. / height left
   set label 2 "slips" at screen 0.60, screen 1 - 9. / height left
+  set label 4 "arrows: tractions" at screen 0.98, screen 1 - 9. / height right
   set palette defined (0 "#ffffff", 0.8333 "#3b82b8", 0.8334 "#e69f00", 1 "#e69f00")
   set cbrange [0:1.2]
   set colorbox user horizontal origin screen 0.30, screen 1 - 14. / height size screen 0.28, screen 10. / height
   set cbtics ("0" 0, "0.5" 0.5, "1" 1) offset 0, 0.4 scale 0
   set view map
   set pm3d corners2color c1
+  of_lobe(l, side) = column("lobe") == l ? column(side) : NaN
   arrow_along(n) = is_drawn(n) ? longest * column("traction_x") / peak : NaN
   if (is_direct) {
     plot traction using "x":"y":(dx / 2):(dy / 2):(part[int($0) + 1]) with boxxyerror palette fillstyle solid noborder, \
          traction using "x":"y":(arrow_along($0)):(longest * column("traction_y") / peak) \
          with vectors head filled size screen 0.008, 20 linecolor rgb "black" linewidth 1
   } else {
+    set border 10  # left and below, in a map
     splot $sides using 1:2:(0):3 with pm3d, \
+          for [l=1:lobes] edges using (of_lobe(l, "trailing")):"y":(0) with lines @outline, \
+          for [l=1:lobes] edges using (of_lobe(l, "leading")):"y":(0) with lines @outline, \
           traction using "x":"y":(0):(arrow_along($0)):(longest * column("traction_y") / peak):(0) \
           with vectors head filled size screen 0.008, 20 linecolor rgb "black" linewidth 1
   }
   unset label
   unset colorbox
+  set border 3
   set xtics scale 0.6 autofreq
   set ytics scale 0.6 autofreq
   set xlabel x_label
   set size noratio
   eval area(top + map_height + 154, height - 55)
   set autoscale
-  set xrange [x_middle - 1.05 * a:x_middle + 1.05 * a]
+  lower = map_height < 400 ? wide : 1.05 * a  # below a map that fills the width, places stand below those of the map
+  set xrange [x_middle - lower:x_middle + lower]
   set ylabel "traction [N/mm^2]" offset 0, 0
   of_row(k, value) = (is_direct ? abs(column("y") - y_of(k)) < least : int($0) / elements == k) ? value : NaN
   eval draw_key

@@ -14,7 +14,7 @@ from ._rolling import Rolling
 def plot_instants(contacts: Union[Sequence[Patch], Sequence[Rolling]], titles: Optional[Sequence[str]] = None) -> Any:
     """Draws the tractions of a contact at several instants of a run.
 
-    Patches are small maps side by side, with one scale of colours and arrows and the edge of slip, as Patch.plot()
+    Patches are small maps side by side, with one scale of colours and arrows and what slips, as Patch.plot()
     draws them. Line contacts are curves over one another, from the first, which is pale, to the last.
 
     Parameters

@@ -440,7 +440,7 @@ class Patch(Contact):
 
     @in_turn
     def plot(self, axes: Any = None) -> Any:
-        """Draws the tractions: their size in colour, their direction as arrows, and the edge of slip.
+        """Draws the tractions: their size in colour, their direction as arrows, and what slips by dots.
 
         Parameters
         ----------

@@ -95,6 +95,8 @@ def _draw_patch(fields: PatchFields, edges: np.ndarray, axes: Any, most: float) 
         inside = ~np.isnan(size[rows])
         if min(part.shape) >= 2 and 0 < np.sum(part[inside]) < np.sum(inside):
             axes.contour(fields.x[rows], fields.y[rows], np.where(inside, part, np.nan), [0.5], colors="tab:orange")
+    slips = ~np.isnan(size) & (fields.slips == 1)
+    axes.plot(fields.x[slips], fields.y[slips], ".", color="tab:orange", markersize=3, label="slips", zorder=1.5)
     thin = tuple(slice(count % step // 2, None, step) for count, step in (
         (count, -(-count // 12)) for count in size.shape))
     axes.quiver(fields.x[thin], fields.y[thin], *np.moveaxis(fields.traction[thin], -1, 0), angles="xy", pivot="mid",
@@ -104,17 +106,17 @@ def _draw_patch(fields: PatchFields, edges: np.ndarray, axes: Any, most: float) 
 
 
 def plot_patch(fields: PatchFields, edges: np.ndarray, axes: Any = None) -> Any:
-    """Draws the size of tractions in colour, their direction as arrows, and a line about what slips.
+    """Draws the size of tractions in colour, their direction as arrows, and a dot where an element slips, with a line about
+    all of them.
 
     edges  the table of the edges, in whose rows the elements of the fields are; rectangles leave gaps in the fields
     """
     axes = _new_axes() if axes is None else axes
     drawn = _draw_patch(fields, edges, axes, _most(fields) or 1.0)
-    axes.plot([], [], color="tab:orange", label="edge of slip")
     axes.figure.colorbar(drawn, ax=axes, label="traction [N/mm²]")
     axes.set(xlabel="x [mm], rolling to the right", ylabel="y [mm]")
-    if np.any(fields.slips == 1) and not np.all(fields.slips[~np.isnan(fields.traction[..., 0])]):
-        axes.legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False)
+    if np.any(fields.slips == 1):
+        axes.legend(loc="lower right", bbox_to_anchor=(1, 1), frameon=False, markerscale=3)
     return axes
 
 
@@ -143,7 +145,7 @@ def plot_patches(patches: Sequence[Tuple[PatchFields, np.ndarray]], titles: Sequ
             axes.set_ylabel("y [mm]")
     figure = panels[0, 0].figure
     figure.colorbar(drawn, ax=panels[:, -1].tolist(), label="traction [N/mm²]")
-    figure.suptitle("traction in colour and arrows; orange: edge of slip; rolling to the right", fontsize="medium")
+    figure.suptitle("traction in colour and arrows; orange: slip; rolling to the right", fontsize="medium")
     return panels.flat[:len(patches)]
 
 
@@ -220,11 +222,13 @@ def plot_patch_curves(curves: Any, names: Any, axes: Any = None) -> Any:
                 if of in values.dtype.names:
                     title, dashes = _LAWS[law]
                     error = f", error {curve.summary[f'{law}_error']:.2g} of full sliding"
-                    panel.plot(motions, values[of], linestyle=dashes, color=line.get_color(),
-                               label=title + error if len(curves) == 1 else title if curve is first else None)
+                    alone = len(curves) == 1
+                    panel.plot(motions, values[of], linestyle=dashes, color=None if alone else line.get_color(),
+                               label=title + error if alone else title if curve is first else None)
         panel.set(xlabel=f"{first.along.replace('_', ' ')} [{unit}]",
                   ylabel=f"{_OF_PATCH[of]} [{first.units[of]}]")
-    panels[0].legend(fontsize="small")
+    panels[0].legend(fontsize="small", **({"loc": "lower left", "bbox_to_anchor": (0, 1)} if any(
+        curve.beside for curve in curves) else {}))
     return panels if axes is None else axes
 
 

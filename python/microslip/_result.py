@@ -174,7 +174,7 @@ class Result(Tables):
         """Draws tractions within their bound and, unless rolling is steady, the force over the distance.
 
         Of an ellipse or another patch, the size of tractions is shown in colour, their direction by arrows, and the
-        edge of slip by a line.
+        elements that slip by dots, with a line about them.
 
         Parameters
         ----------
