@@ -31,7 +31,7 @@ struct CreepTableLayout {
   double least_ratio = 0.1, largest_ratio = 10;  ///< a/b
   Eigen::Index ratios = 13;                      ///< nodes of ln(a/b), evenly spaced, >= 4
   Eigen::Index steps = 17;                       ///< nodes of t, evenly spaced, >= 4
-  Eigen::Index polar = 13;                       ///< polar angles, closer near pure spin, >= 3
+  Eigen::Index polar = 25;                       ///< polar angles, closer near pure spin, >= 3
   Eigen::Index azimuths = 13;                    ///< azimuths, evenly spaced, >= 3
   /// Nodes are means of solutions on so many rows and elements of a circle, 4 ... 40, and on one more.
   Eigen::Index cells = 15;
