@@ -213,7 +213,9 @@ MICROSLIP_API enum microslip_status microslip_set_force(microslip_rolling* rolli
  * If one of them is 0, the bodies do not touch, or slide without friction: there are no tractions
  * at the end of the step, a force must be 0, and nothing is remembered. A contact that returns under
  * a creepage begins at the start of its step, without tractions, and grows on the way. Under a force
- * it begins at the end of the step, with the force.
+ * it begins at the end of the step, with the force. A step takes as long as the elements are many of
+ * the smallest contact on its way over which it rolls: after the return of a small contact, begin
+ * with short steps.
  *
  * half_width_factor  >= 0; in plane strain less than 2 L0 over the half-width  [1]
  * bound_factor       of the bound at the same place over the half-width, >= 0  [1] */

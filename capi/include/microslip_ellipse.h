@@ -94,7 +94,8 @@ MICROSLIP_API enum microslip_status microslip_ellipse_create(
 MICROSLIP_API enum microslip_status microslip_ellipse_copy(microslip_ellipse* ellipse,
                                                            microslip_ellipse** copy);
 
-/** Makes an ellipse go on like another one, to the bit. Nothing is allocated if one is a copy of the
+/** Makes an ellipse go on like another one, to the bit, which may have another contact, material and
+ * grid: microslip_ellipse_size() then changes with it. Nothing is allocated if one is a copy of the
  * other and both have rolled. */
 MICROSLIP_API enum microslip_status microslip_ellipse_assign(microslip_ellipse* ellipse,
                                                              microslip_ellipse* from);
@@ -185,7 +186,9 @@ MICROSLIP_API enum microslip_status microslip_ellipse_get_state(
 MICROSLIP_API size_t microslip_ellipse_size(const microslip_ellipse* ellipse);
 
 /** Arrays with room for microslip_ellipse_size() numbers; each may be null. Elements are in rows, from
- * the row of the least y on, each from the leading edge on. */
+ * the row of the least y on, each from the leading edge on. Tractions are those at the centres, and
+ * resultants are integrals over all places between them: the sum of tractions times areas differs from
+ * them by some 2 % on 5 x 6 elements, and by 0.6 % on 10 x 12. */
 struct microslip_ellipse_cells {
   double* x;          /**< of the centres  [mm] */
   double* y;          /**< [mm] */

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -57,19 +58,46 @@ void require_material(const microslip::CreepTableLayout& layout, const microslip
                      [&] { return fmt::format("that of the table, {}", layout.poisson_ratio); });
 }
 
+/// Refuses what the table does not take, by the names of the arguments.
+void reject_argument(const microslip::CreepTable& table, const microslip_ellipse_contact& contact,
+                     const double* motion) {
+  const double a = contact.half_width, b = contact.lateral_half_width;
+  microslip::require_positive("half_width", a);
+  microslip::require_positive("lateral_half_width", b);
+  microslip::require_positive("peak_traction", contact.peak_traction);
+  const double least = table.layout().least_ratio, largest = table.layout().largest_ratio;
+  const auto range = [&] {
+    return fmt::format(
+        "{:.6g} to {:.6g} with lateral_half_width = {:.6g}, as the table has a/b from {:.6g} to "
+        "{:.6g}",
+        least * b, largest * b, b, least, largest);
+  };
+  microslip::require(a / b >= least && a / b <= largest, "half_width", a, range);
+  constexpr std::array names{"motion[0]", "motion[1]", "motion[2]"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    microslip::require(true, names[i], motion[i], "a finite number");
+  }
+  const double size = std::sqrt(a * b);
+  const std::array sizes{std::abs(motion[0]), std::abs(motion[1]), size * std::abs(motion[2])};
+  const auto worst = static_cast<std::size_t>(std::ranges::max_element(sizes) - sizes.begin());
+  microslip::require(false, names[worst], motion[worst],
+                     "a motion of at most 1e100 times peak_traction over shear_modulus");
+}
+
 /// Writes the resultants of a motion, and their derivatives unless there is no place for them.
 void look_up(const microslip::CreepTable& table, double shear_modulus,
              const microslip_ellipse_contact& contact, const double* motion, double* resultants,
              double* jacobian) {
-  constexpr std::array names{"motion[0]", "motion[1]", "motion[2]"};
-  for (std::size_t i = 0; i < 3; ++i) {
-    microslip::require(true, names[i], motion[i], [] { return "a finite number"; });
-  }
   Eigen::Matrix3d by_motion;
-  const Eigen::Vector3d found = table.resultants(
-      shear_modulus, {contact.half_width, contact.lateral_half_width, contact.peak_traction},
-      Eigen::Map<const Eigen::Vector3d>(motion), jacobian == nullptr ? nullptr : &by_motion);
-  for (Eigen::Index i = 0; i < 3; ++i) resultants[i] = without_sign_of_zero(found[i]);
+  try {
+    const Eigen::Vector3d found = table.resultants(
+        shear_modulus, {contact.half_width, contact.lateral_half_width, contact.peak_traction},
+        Eigen::Map<const Eigen::Vector3d>(motion), jacobian == nullptr ? nullptr : &by_motion);
+    for (Eigen::Index i = 0; i < 3; ++i) resultants[i] = without_sign_of_zero(found[i]);
+  } catch (const microslip::BadParameter& error) {
+    reject_argument(table, contact, motion);
+    throw;
+  }
   if (jacobian != nullptr) put_jacobian(jacobian, by_motion);
 }
 

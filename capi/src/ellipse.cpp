@@ -24,17 +24,6 @@ using namespace microslip::capi;
 
 namespace {
 
-/// The sum of the curvatures of two bodies.
-double curvature_of(const char* first, double radius_1, const char* second, double radius_2) {
-  microslip::require(true, first, radius_1, "a finite number");
-  microslip::require(true, second, radius_2, "a finite number");
-  const double sum = (radius_1 != 0 ? 1 / radius_1 : 0) + (radius_2 != 0 ? 1 / radius_2 : 0);
-  microslip::require(sum > 0, second, radius_2, [&] {
-    return fmt::format("with {} radii of bodies that touch in a point", first);
-  });
-  return sum;
-}
-
 void require_factor(const char* name, double factor, double least, double largest) {
   microslip::require(factor == 0 || (factor >= least && factor <= largest), name, factor, [&] {
     return fmt::format("a number from {} to {}, or 0", microslip::format_short(least),
@@ -62,8 +51,8 @@ microslip_status microslip_hertz_ellipse(const microslip_material* material,
                        "a number above 0, at most 10");
     const microslip::PointContact found(
         {.shear_modulus = G, .poisson_ratio = nu}, load,
-        curvature_of("radius_1", r1, "radius_2", r2),
-        curvature_of("lateral_radius_1", l1, "lateral_radius_2", l2));
+        microslip::summed_curvature("radius_1", r1, "radius_2", r2),
+        microslip::summed_curvature("lateral_radius_1", l1, "lateral_radius_2", l2));
     out = {.half_width = found.half_width(),
            .lateral_half_width = found.lateral_half_width(),
            .peak_traction = friction * found.peak_pressure()};

@@ -53,7 +53,7 @@ SteadyPatch make_patch(const microslip_material& material, const microslip_ellip
   require_positive("lateral_half_width", contact.lateral_half_width);
   require_positive("peak_traction", contact.peak_traction);
   const double a = contact.half_width, b = contact.lateral_half_width;
-  require(a <= largest_patch_ratio * b && a >= least_patch_ratio * b, "lateral_half_width", b, [&] {
+  require(is_patch_ratio(a / b), "lateral_half_width", b, [&] {
     return fmt::format("a number between {} and {}, by half_width",
                        format_short(a / largest_patch_ratio), format_short(a / least_patch_ratio));
   });

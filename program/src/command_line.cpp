@@ -66,6 +66,20 @@ Scene parse_file(const std::string& path) {
   return Scene::parse(in, path, path.substr(0, path.find_last_of('/') + 1));
 }
 
+/// The first word behind those that a command takes.
+/// \param words  number of those
+std::string stray_word(const Options& options, int argc, const char* const* argv, int words) {
+  const auto parsed = options::command_line_parser(argc, argv)
+                          .options(options)
+                          .style(options::command_line_style::default_style ^
+                                 options::command_line_style::allow_guessing)
+                          .run();
+  for (const auto& option : parsed.options) {
+    if (option.position_key >= words) return option.value.front();
+  }
+  return "";
+}
+
 }  // namespace
 
 void add_scene_options(Options& options, const Program& program) {
@@ -100,6 +114,12 @@ Given parse(const Options& options, int argc, const char* const* argv, const std
                        .run(),
                    given);
     options::notify(given);
+  } catch (const options::too_many_positional_options_error&) {
+    const std::string stray = stray_word(options, argc, argv, word.empty() ? 0 : words);
+    throw std::invalid_argument(
+        fmt::format("'{}': expected no further word; a value with blanks is in quotes, as in "
+                    "--set 'load.creepage=2 %'",
+                    shown(stray)));
   } catch (const options::error_with_option_name& error) {
     // Boost's message is a template, and filling in a name that is a placeholder never ends.
     const std::string name = error.get_option_name();

@@ -10,6 +10,7 @@
 #include "drawing.hpp"
 #include "exact_solution.hpp"
 #include "microslip/scene/keys.hpp"
+#include "microslip/support/format.hpp"
 #include "microslip/support/nearest.hpp"
 #include "microslip/support/shown.hpp"
 
@@ -386,8 +387,8 @@ void add_laws(Lines& lines, const Cases& cases, const std::vector<Family>& famil
     ++number;
     for (std::size_t k = 0; k < families.size(); ++k) {
       Line line = drawn[k];
-      line.label = k == 0 && most > 0 ? fmt::format("{}{}: off by up to {:.2g} %", name, reduced,
-                                                    100 * error / most)
+      line.label = k == 0 && most > 0 ? fmt::format("{}{}: off by up to {}", name, reduced,
+                                                    format_percent(error / most))
                                       : "";
       line.dash = static_cast<int>(number) + 1;
       if (is_alone) line.color = color_of(number, std::size(laws) + 1);

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <limits>
 
+#include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 
 namespace microslip::program {
@@ -60,9 +61,9 @@ double available_memory() {
 void require_memory(const std::string& key, Eigen::Index value, double bytes) {
   const double available = available_memory();
   if (bytes <= available) return;
-  throw BadParameter(
-      key, fmt::format("{} = {}: would take about {:.2g} GB, and {:.2g} GB are available", key,
-                       value, bytes / 1e9, available / 1e9));
+  const auto [needed, left] = format_apart(bytes / 1e9, available / 1e9);
+  throw BadParameter(key, fmt::format("{} = {}: would take about {} GB, and {} GB are available",
+                                      key, value, needed, left));
 }
 
 void limit_memory() {

@@ -390,11 +390,11 @@ int plot(const std::string& name, int argc, const char* const* argv) {
         "q", word(), "a:b, range of the distance rolled")("time", word(),
                                                           "a:b, range of the time, with --over t")(
         "over", word(),
-        "of a sweep: the key on the horizontal axis; of a run: t, the time, in the place of q")(
-        "value", word(), "of a sweep: the quantity on the vertical axis")(
-        "by", word(), "of a sweep: the key that colours tell apart")(
+        "of a sweep or a curve: the key on the horizontal axis; of a run: t, the time, in the "
+        "place of q")("value", word(), "of a sweep or a curve: the quantity on the vertical axis")(
+        "by", word(), "of a sweep or a curve: the key that colours tell apart")(
         "only", options::value<Words>()->default_value({}, ""),
-        "of a sweep: key=value, only cases with this value; repeatable")(
+        "of a sweep or a curve: key=value, only cases with this value; repeatable")(
         "version", "print version and revision")("help", "print this");
     const Given given = parse(known, argc - 1, argv + 1, "result", any_number);
     if (answers(given, known, name + " plot", "draws the figures of results, with gnuplot")) {

@@ -43,14 +43,17 @@ std::vector<std::string> facts_of(const Table& summary) {
   constexpr struct {
     const char* quantity;
     const char* text;
+    bool if_any = false;  ///< left out where it is 0
   } wanted[] = {{"force", "force {}"},        {"lateral_force", "lateral force {}"},
                 {"spin_moment", "moment {}"}, {"force_ratio", "{} of full sliding"},
-                {"creepage", "creepage {}"},  {"velocity", "velocity {}"},
+                {"creepage", "creepage {}"},  {"lateral_creepage", "lateral creepage {}", true},
+                {"spin", "spin {}", true},    {"velocity", "velocity {}"},
                 {"method", "by {}"}};
   std::vector<std::string> facts;
-  for (const auto& [quantity, text] : wanted) {
+  for (const auto& [quantity, text, if_any] : wanted) {
     const auto value = value_of(summary, quantity);
-    if (value) facts.push_back(fmt::format(fmt::runtime(text), *value));
+    if (!value || (if_any && (value == "0" || value->starts_with("0 ")))) continue;
+    facts.push_back(fmt::format(fmt::runtime(text), *value));
   }
   return facts;
 }

@@ -8,7 +8,7 @@
 
 namespace microslip::program {
 
-/// One line about a result, for a terminal: force, creepage, part of full sliding and method of a
+/// One line about a result, for a terminal: forces, motions, part of full sliding and method of a
 /// summary; how many claims have which verdict; and the folder.
 /// \param program  that made the tables
 std::string result_line(const std::string& program, const std::vector<Table>& tables,

@@ -13,6 +13,7 @@
 #include "command_line.hpp"
 #include "interrupts.hpp"
 #include "microslip/support/parallel.hpp"
+#include "microslip/support/shown.hpp"
 #include "outputs.hpp"
 #include "process.hpp"
 #include "provenance.hpp"
@@ -168,7 +169,8 @@ int sweep_scene(const Program& program, const Given& given, int argc, const char
   }
   if (!settings.quiet) {
     std::cout << program.name << ": " << outcome.cases.size() << " cases, "
-              << outcome.finished_before << " of them finished before\n";
+              << outcome.finished_before << " of them finished before; tables in "
+              << shown(settings.out.string()) << '\n';
   }
   report_warnings(program, plan);
   return report_failures(program, plan.table, outcome);

@@ -6,20 +6,22 @@ from __future__ import annotations
 import ctypes as c
 import os
 import pathlib
-from typing import Any, Dict, NamedTuple, Optional, Tuple
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 
-from ._arrays import Values, broadcast, fields_of, number, require_all, shown
+from ._arrays import Values, broadcast, fields_of, index_of, number, require_all, shown
 from ._errors import InputError
 from ._files import Path, as_path
-from ._library import CREEP_TABLE_INFO, ELLIPSE_CONTACT, MATERIAL, MOTIONS, call, error_of, free_with
+from ._library import CREEP_TABLE_INFO, ELLIPSE_CONTACT, MATERIAL, MOTIONS, call, error_of, free_with, text_of
+from ._result import warn_of
 
 _ROOM = 512  # of a message, in bytes
 _AT_ONCE = 100000  # contacts in a call, so that an interrupt is noticed
 _SIZES = fields_of(ELLIPSE_CONTACT)
 _LEAST, _LARGEST = 1e-50, 1e50  # of sizes, as in the library
 _SIZE = "a number > 0, from 1e-50 to 1e50"
+_LARGE, _NORMALISED = 0.2, 0.1  # slip that is doubtful, and strains of normalised contacts, as in the library
 _PLAIN = (int, float, type(None))
 _INSTALLED = pathlib.Path(__file__).with_name("creep_forces.nc")
 
@@ -150,6 +152,11 @@ class CreepTable:
         InputError
             For the first value outside these ranges.
 
+        Warns
+        -----
+        LoadWarning
+            For the first motion of each kind by which slip is above 0.2, as ms.Patch does; not in normalised contacts.
+
         Notes
         -----
         Cost: about a microsecond for each contact of an array, and some 60 us for each call.
@@ -173,6 +180,7 @@ class CreepTable:
                    for one, other in zip(constants, of)):
             material = self._material(*constants)
             self._last = (constants, material)
+        warn_of(_doubts(contacts, motions, float(material["shear_modulus"])))
         found, slopes = np.empty(shape + (3,)), np.empty(shape + (3, 3)) if jacobian else None
         message, count = c.create_string_buffer(_ROOM), motions.size // 3
         for at in range(0, count, _AT_ONCE):
@@ -235,6 +243,25 @@ class CreepTable:
         return type(self), (self._path,)
 
 
+def _doubts(contacts: np.ndarray, motions: np.ndarray, shear_modulus: float) -> List[str]:
+    """Why motions are doubtful by which slip is large: a line for the first one of each kind."""
+    size = np.sqrt(contacts[..., 0] * contacts[..., 1])
+    slip = np.abs(motions)
+    slip[..., 2] *= size
+    large = slip > _LARGE
+    if not large.any():
+        return []
+    strain = contacts[..., 2] / (1.5 * shear_modulus)
+    large &= (strain <= _NORMALISED)[..., np.newaxis]
+    lines = []
+    for i, name in enumerate(MOTIONS):
+        if large[..., i].any():
+            at = np.unravel_index(np.argmax(large[..., i]), size.shape)
+            doubt = text_of("py_motion_doubt", i, motions[at][i], size[at], strain[at])
+            lines.append(f"{index_of(name, large[..., i])} = {motions[at][i]:.6g}: {doubt}")
+    return lines
+
+
 def _given(name: str, value: Any) -> Any:
     """The value, unless it is None."""
     if value is None:
@@ -253,4 +280,6 @@ def _check(status: int, message: Any, key: str = "", at: Optional[int] = None) -
     if text.startswith("contacts["):
         place, _, text = text[len("contacts["):].partition("]: ")
         text = text if at is None else f"contact {int(place) + at}: {text}"
+    for i, name in enumerate(MOTIONS):
+        text = text.replace(f"motion[{i}]", name)
     raise error_of(status, text, key)

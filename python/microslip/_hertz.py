@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import ctypes as c
-from typing import Any, Dict, Optional
+from typing import Any, Dict, Optional, Tuple
 
 import numpy as np
 
@@ -128,6 +128,7 @@ def hertz(normal_load: Values, *, radius_1: Values = None, radius_2: Values = No
                            ("a number > 0", (column > 0) & np.isfinite(column)) if name == "youngs_modulus" else
                            ("a number", np.ones(shape, bool)))
         require_all(name, column, holds & ~np.isnan(column), accepted)
+    _require_touching(columns, shape)
     bodies, material, axes = np.zeros(shape, BODIES), np.zeros(shape, MATERIAL), np.zeros(shape, ELLIPSE_CONTACT)
     bodies["friction"] = 1
     for name in fields_of(BODIES):
@@ -146,6 +147,16 @@ def hertz(normal_load: Values, *, radius_1: Values = None, radius_2: Values = No
             raise error_of(status, f"contact {k}: {text}" if shape else text)
     _require_small(columns, axes)
     return Hertz(axes, columns["normal_load"], material["shear_modulus"] / (1 - nu), columns.get("friction"))
+
+
+def _require_touching(columns: Dict[str, Any], shape: Tuple[int, ...]) -> None:
+    """Refuses two bodies that are both flat in one direction."""
+    for pair in (_RADII[:2], _RADII[2:]):
+        accepted = f"a radius of one body at least, {pair[0]} or {pair[1]}, as flat ones do not touch in a point"
+        given = [name for name in pair if name in columns]
+        if not given:
+            raise InputError.of(pair[0], "None", accepted)
+        require_all(given[0], columns[given[0]], ~np.all([np.isinf(columns[name]) for name in given], axis=0), accepted)
 
 
 def _require_small(columns: Dict[str, Any], axes: np.ndarray) -> None:

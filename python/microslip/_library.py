@@ -104,6 +104,7 @@ FUNCTIONS = {
     "tps": "py_warnings py_table_name py_table_text",
     "ppsp": "py_solve",
     "tpid": "py_patch_doubt",
+    "tiddd": "py_motion_doubt",
     "ippp": "ellipse_shift roll",
     "ipdd": "ellipse_set_contact set_contact",
     "ippsp": "ellipse_save_to_memory",

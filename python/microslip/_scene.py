@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import ctypes as c
+import difflib
 import os
 from collections.abc import Mapping
-from typing import Any, Dict, Iterator, List, Tuple, Union
+from typing import Any, Dict, Iterable, Iterator, List, Tuple, Union
 
 import numpy as np
 
@@ -45,6 +46,18 @@ def _key_of(name: str) -> str:
         return name
     section, _, rest = name.partition("_")
     return f"{section}.{rest}" if rest and section in _sections() else name
+
+
+def refuse_misspelt(overrides: Mapping[str, Any], arguments: Iterable[str]) -> None:
+    """Refuses what is no key of scenes, and nearly an argument of the function that was called."""
+    for name in overrides:
+        if "." in _key_of(name) or name in keys() or name in _sections():
+            continue
+        near = difflib.get_close_matches(name.lower(), arguments, 1, 0.75)
+        if near:
+            expected = "an argument, or a key of scenes"
+            raise InputError(f"{name}: expected {expected} (did you mean '{near[0]}'?)", name, shown(overrides[name]),
+                             expected)
 
 
 def _items(given: Mapping[str, Any], section: str = "") -> Iterator[Tuple[str, Any]]:

@@ -12,13 +12,13 @@ import numpy as np
 from . import _plot
 from ._arrays import Values, numbers, shown
 from ._errors import InputError
-from ._library import (CREEPAGE, FORCE, STATUS_OF_NO_SOLUTION, STEADY, SteadyNodes, call, error_of, free_with, require,
-                       require_ok, text_of)
+from ._library import (CREEPAGE, FORCE, MOTIONS, RESULTANTS, STATUS_OF_NO_SOLUTION, STEADY, SteadyNodes, call, error_of,
+                       free_with, require, require_ok, text_of)
 from ._patch import PatchOfScene
 from ._patch_curve import PatchCurve, PatchCurves, curves_of
 from ._patch_steady import PatchSteady, solve_loads
 from ._result import Progress, require_word, shown_progress, threads_of, warn_of
-from ._scene import Scene, SceneArguments
+from ._scene import Scene, SceneArguments, refuse_misspelt
 from ._table import html_table, to_pandas
 
 _ROOM = 512  # of a message, in bytes
@@ -180,6 +180,7 @@ def steady(scene: Scene = None, *, creepage: Values = None, force: Values = None
     >>> result.traction.shape
     (3, 2, 8, 10, 2)
     """
+    refuse_misspelt(overrides, ("scene", *MOTIONS, *RESULTANTS, "threads", "progress", "missing"))
     arguments = SceneArguments(scene, overrides)
     across = {"lateral_creepage": lateral_creepage, "spin": spin, "lateral_force": lateral_force,
               "spin_moment": spin_moment}
@@ -289,6 +290,7 @@ def creep_curve(scene: Scene = None, *, points: Optional[int] = None, most: Opti
     >>> curve.beside["fastsim"]["error"].round(3)
     array([0.   , 0.003, 0.009, 0.026])
     """
+    refuse_misspelt(overrides, ("scene", "points", "most", "beside", "along", "threads", "progress"))
     if has_patch(SceneArguments(scene, overrides)):
         for name in ("creepage", "force", "lateral_creepage", "lateral_force", "spin", "spin_moment"):
             if name in overrides:

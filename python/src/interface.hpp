@@ -119,6 +119,11 @@ MICROSLIP_API const char* microslip_py_patch_edges(const microslip_py_patch* pat
 /// \param component  0, 1 or 2: along, across or spin
 MICROSLIP_API const char* microslip_py_patch_doubt(const microslip_py_patch* patch, int component,
                                                    double motion);
+/// The same of an ellipse by numbers.
+/// \param size    (a b)^(1/2)  [mm]
+/// \param strain  the mean of the traction bound over the shear modulus
+MICROSLIP_API const char* microslip_py_motion_doubt(int component, double motion, double size,
+                                                    double strain);
 /// To roll: for the functions of microslip_ellipse.h.
 MICROSLIP_API microslip_ellipse* microslip_py_patch_ellipse(const microslip_py_patch* patch);
 

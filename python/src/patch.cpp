@@ -82,6 +82,12 @@ const char* microslip_py_patch_doubt(const microslip_py_patch* patch, int compon
   });
 }
 
+const char* microslip_py_motion_doubt(int component, double motion, double size, double strain) {
+  return text_or_null([&] {
+    return doubt_of_large_motion(static_cast<std::size_t>(component), motion, size, strain);
+  });
+}
+
 microslip_ellipse* microslip_py_patch_ellipse(const microslip_py_patch* patch) {
   return or_null([&] {
     const auto& [problem, scheme] = patch->read;

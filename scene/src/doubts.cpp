@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "microslip/rolling/large_creepage.hpp"
 #include "microslip/scene/model.hpp"
@@ -115,6 +116,34 @@ void warn_of_large_creepages(Scene& scene, const LoadHistory& loads, const Tract
   warn_of_large_creepage(scene, "creepage of load.file", largest, bound);
 }
 
+void warn_of_other_load(Scene& scene, const std::optional<Eigen::VectorXd>& column) {
+  constexpr double far = 100;
+  if (!column) return;
+  double least = std::numeric_limits<double>::infinity(), largest = 0;  // of rows with contact
+  for (const double load : *column) {
+    if (load > 0) least = std::min(least, load);
+    largest = std::max(largest, load);
+  }
+  constexpr const char* key = "contact.normal_load";
+  const double of_scene = scene.positive(key);
+  const bool is_less = largest > 0 && largest <= of_scene / far;
+  if (!is_less && (least < far * of_scene || largest == 0)) return;
+  scene.warn("normal_load of load.file", is_less ? largest : least,
+             fmt::format("the {} of all rows, beside {} {} of {}; a column without a unit in its "
+                         "name is in {}",
+                         is_less ? "largest" : "least", format_short(of_scene), scene.unit_of(key),
+                         key, scene.unit_of(key)));
+}
+
+void warn_of_short_way(Scene& scene, const LoadHistory& loads,
+                       const std::optional<Eigen::VectorXd>& velocity, double half_width) {
+  if (!velocity || loads.distance() >= half_width) return;
+  scene.warn("v of load.file", velocity->cwiseAbs().maxCoeff(),
+             fmt::format("the bodies roll {} mm in all, and the half-width is {} mm; a column "
+                         "without a unit in its name is in mm/s",
+                         format_roughly(loads.distance()), format_roughly(half_width)));
+}
+
 namespace {
 
 /// The largest load of a run; a force is kept below full sliding, so that a steady state carries
@@ -158,8 +187,8 @@ void warn_of_unresolved_table(Scene& scene, const TransientProblem& problem,
   const bool by_force = Prescribed(steady.load).by_force;
   scene.warn("grid.elements", static_cast<double>(problem.grid.size()),
              fmt::format("they do not resolve the table of the bound: in steady rolling under the "
-                         "largest load of the run their {} is off by {:.2g} %; take more of them",
-                         by_force ? "creepage" : "force", 100 * change));
+                         "largest load of the run their {} is off by {}; take more of them",
+                         by_force ? "creepage" : "force", format_percent(change)));
 }
 
 void warn_of_sudden_force(Scene& scene, const LoadHistory& loads, double first_step) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,16 @@ void warn_of_unresolved_table(Scene& scene, const TransientProblem& problem,
 
 /// Warns of the largest creepage in the rows of load.file, see warn_of_large_creepage().
 void warn_of_large_creepages(Scene& scene, const LoadHistory& loads, const TractionBound& bound);
+
+/// Warns of a column normal_load that is a hundredth of contact.normal_load or less in all rows in
+/// which bodies touch, or a hundred times or more.
+void warn_of_other_load(Scene& scene, const std::optional<Eigen::VectorXd>& column);
+
+/// Warns of a run by times on which less than the half-width is rolled.
+/// \param velocity    of its rows; none in a run by distances  [mm/s]
+/// \param half_width  [mm]
+void warn_of_short_way(Scene& scene, const LoadHistory& loads,
+                       const std::optional<Eigen::VectorXd>& velocity, double half_width);
 
 /// Warns if a force is there at once where the contact starts without tractions.
 /// \param first_step  its length  [mm]

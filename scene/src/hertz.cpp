@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 #include "microslip/reference/line_contact.hpp"
+#include "microslip/reference/point_contact.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
@@ -18,6 +21,8 @@ namespace {
 /// Largest half-width, as a fraction of the smaller radius, at which Hertz's theory holds.
 constexpr double small_contact = 0.1;
 
+constexpr double largest_modulus = 1e6;  ///< of a solid; diamond has 5e5  [N/mm^2]
+
 }  // namespace
 
 Radii read_radii(Scene& scene) {
@@ -25,13 +30,8 @@ Radii read_radii(Scene& scene) {
   if (!scene.has("contact.radius_2")) return {1 / one, one};
   const double other = scene.number("contact.radius_2");
   require_positive("contact.radius_2", std::abs(other));
-  require(other > 0 || -other > one, "contact.radius_2", other, [&] {
-    return fmt::format(
-        "a number > 0, or for a concave body one below -{}, as its radius is larger than "
-        "contact.radius_1",
-        format_short(one));
-  });
-  return {1 / one + 1 / other, std::min(one, std::abs(other))};
+  return {summed_curvature("contact.radius_1", one, "contact.radius_2", other),
+          std::min(one, std::abs(other))};
 }
 
 void require_small(Scene& scene, double a, double radius) {
@@ -48,18 +48,35 @@ void require_small(Scene& scene, double a, double radius) {
                          format_roughly(a)));
 }
 
-void warn_of_large_bound(Scene& scene, double peak, double shear_modulus) {
-  constexpr double most_strain = 0.05;
-  // N/mm^2; of rubber 1, and of diamond 5e5; normalised contacts may have any outside
-  constexpr double least_modulus = 100, most_modulus = 1e6;
-  const bool is_of_solid = shear_modulus >= least_modulus && shear_modulus <= most_modulus;
-  if (!is_of_solid || peak <= most_strain * shear_modulus) return;
-  const std::string key =
-      scene.one_of({"contact.peak_traction", "contact.bound_file", "contact.normal_load"});
+void warn_of_large_modulus(Scene& scene, const std::string& key, double shear_modulus) {
+  if (shear_modulus <= largest_modulus) return;
   scene.warn(key, scene.text(key),
-             fmt::format("the largest traction, {} N/mm^2, is {} of the shear modulus, and strains "
-                         "have to be small; numbers without a unit are in N, mm and N/mm^2",
-                         format_roughly(peak), format_roughly(peak / shear_modulus)));
+             fmt::format("a shear modulus of {} N/mm^2, which is more than that of any solid; "
+                         "moduli without a unit are in N/mm^2",
+                         format_roughly(shear_modulus)));
+}
+
+void warn_of_strain(Scene& scene, double peak, double shear_modulus) {
+  constexpr double most_strain = 0.05;
+  constexpr double least_modulus = 10;  // N/mm^2; rubber has 1, and normalised contacts, too
+  const auto first_of = [&](std::initializer_list<const char*> keys) -> std::string {
+    return *std::ranges::find_if(keys,
+                                 [&](const char* key) { return std::as_const(scene).has(key); });
+  };
+  const bool is_large = peak > most_strain * shear_modulus;
+  if (shear_modulus > largest_modulus && !is_large) {
+    warn_of_large_modulus(scene, first_of({"material.shear_modulus", "material.youngs_modulus"}),
+                          shear_modulus);
+  }
+  if (!is_large || shear_modulus < least_modulus || shear_modulus > largest_modulus) return;
+  const std::string key = first_of({"contact.peak_traction", "contact.bound_file",
+                                    "contact.normal_load", "contact.bound_polynomial"});
+  scene.warn(
+      key, scene.text(key),
+      fmt::format("the largest traction, {} N/mm^2, is {} of the shear modulus, {:.6g} "
+                  "N/mm^2, and strains have to be small; numbers without a unit are in N, "
+                  "mm and N/mm^2",
+                  format_roughly(peak), format_roughly(peak / shear_modulus), shear_modulus));
 }
 
 HertzBound read_loaded_contact(Scene& scene, const Material& material) {

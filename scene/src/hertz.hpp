@@ -22,10 +22,15 @@ struct Radii {
 /// Reads contact.radius_1 and contact.radius_2.
 Radii read_radii(Scene& scene);
 
-/// Warns of a bound that is large beside the shear modulus, by the key that gives it. Normalised
-/// contacts, with a modulus that no solid has in N/mm^2, have no such limit.
+/// Warns of a shear modulus that no solid has, as of one in pascals.
+/// \param key  that gives it
+void warn_of_large_modulus(Scene& scene, const std::string& key, double shear_modulus);
+
+/// Warns of a bound that is large beside the shear modulus, by the key that gives it, or of a modulus
+/// that no solid has, where the bound is small beside it. Normalised contacts have a modulus that no
+/// solid has, and a bound of its size.
 /// \param peak  of the bound  [N/mm^2]
-void warn_of_large_bound(Scene& scene, double peak, double shear_modulus);
+void warn_of_strain(Scene& scene, double peak, double shear_modulus);
 
 /// Refuses a half-width above a radius, and warns of one above a tenth of it.
 /// \param a  half-width  [mm]

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/case_conv.hpp>
 #include <cmath>
 
 #include "microslip/halfspace/basis.hpp"
@@ -614,11 +615,13 @@ const Key* find_key(std::string_view name) {
 
 std::string likely_key(const std::string& key, const std::vector<std::string>& known) {
   const auto last_name = [](const std::string& name) { return name.substr(name.rfind('.') + 1); };
+  const std::string small = boost::algorithm::to_lower_copy(key);
   std::vector<std::string> elsewhere;
-  std::ranges::copy_if(known, std::back_inserter(elsewhere), [&](const std::string& name) {
-    return last_name(name) == last_name(key);
-  });
-  return elsewhere.empty() ? nearest(key, known) : nearest(key, elsewhere, key.size());
+  for (const std::string& name : known) {
+    if (name == small && name != key) return name;
+    if (last_name(name) == last_name(small)) elsewhere.push_back(name);
+  }
+  return elsewhere.empty() ? nearest(small, known) : nearest(small, elsewhere, key.size());
 }
 
 std::string likely_key(const std::string& key) {

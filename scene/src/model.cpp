@@ -6,12 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "doubts.hpp"
 #include "few_steps.hpp"
+#include "hertz.hpp"
 #include "instants.hpp"
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/rolling/large_creepage.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/rolling/straight_steps.hpp"
 #include "microslip/scene/keys.hpp"
@@ -52,6 +55,8 @@ ContactModel read_contact(Scene& scene, const Material& material, const Material
   const Kernel kernel = read_kernel(scene, tangential);
   const double a = half_width_of(bound);
   warn_of_long_waves(scene, kernel, a);
+  const double mean = bound_strain(bound, 1);
+  warn_of_strain(scene, 4 / std::numbers::pi * mean, material.shear_modulus);  // as Hertz's
   return {{kernel, bound},
           whole ? read_grid(scene, a)
                 : Grid({.half_width = a, .elements = scene.whole("grid.elements")})};

@@ -34,8 +34,10 @@ Material read_second_body(Scene& scene) {
   const double value = scene.positive(modulus);
   const double nu = scene.number("material.poisson_ratio_2");
   require(nu >= 0 && nu <= 0.5, "material.poisson_ratio_2", nu, "a number in [0, 0.5]");
-  return {.shear_modulus = modulus == "material.shear_modulus_2" ? value : value / (2 * (1 + nu)),
-          .poisson_ratio = nu};
+  const double shear_modulus =
+      modulus == "material.shear_modulus_2" ? value : value / (2 * (1 + nu));
+  warn_of_large_modulus(scene, modulus, shear_modulus);
+  return {.shear_modulus = shear_modulus, .poisson_ratio = nu};
 }
 
 }  // namespace

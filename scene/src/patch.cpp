@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -28,19 +29,16 @@ constexpr const char* lateral_half_width = "contact.lateral_half_width";
 
 /// Reads the radii across the rolling.
 Radii read_lateral_radii(Scene& scene) {
-  double curvature = 0, smaller = std::numeric_limits<double>::infinity();
-  std::string last;
-  for (const char* key : {"contact.lateral_radius_1", "contact.lateral_radius_2"}) {
-    if (!scene.has(key)) continue;
-    const double radius = scene.number(key);
-    require_positive(key, std::abs(radius));
-    curvature += 1 / radius;
-    smaller = std::min(smaller, std::abs(radius));
-    last = key;
+  constexpr std::array keys{"contact.lateral_radius_1", "contact.lateral_radius_2"};
+  std::array<double, 2> radii{};  // 0 of a flat body
+  double smaller = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (!scene.has(keys[i])) continue;
+    radii[i] = scene.number(keys[i]);
+    require_positive(keys[i], std::abs(radii[i]));
+    smaller = std::min(smaller, std::abs(radii[i]));
   }
-  require(curvature > 0, last, scene.number(last),
-          "radii of which the smaller one in size is > 0: a concave body is the flatter one");
-  return {curvature, smaller};
+  return {summed_curvature(keys[0], radii[0], keys[1], radii[1]), smaller};
 }
 
 /// Hertz's ellipse by load and radii.
@@ -54,12 +52,10 @@ EllipticBound read_loaded_ellipse(Scene& scene, const Material& material) {
   const double friction = read_friction(scene);
   const PointContact contact(material, load, radii.curvature, lateral.curvature);
   const double a = contact.half_width(), b = contact.lateral_half_width();
-  require(a <= largest_patch_ratio * b && a >= least_patch_ratio * b, "contact.radius_1",
-          scene.number("contact.radius_1"), [&] {
-            return fmt::format("radii of an ellipse with a/b from {} to {}, not {:.3g}",
-                               format_short(least_patch_ratio), format_short(largest_patch_ratio),
-                               a / b);
-          });
+  require(is_patch_ratio(a / b), "contact.radius_1", scene.number("contact.radius_1"), [&] {
+    return fmt::format("radii of an ellipse with a/b from {} to {}, not {:.3g}",
+                       format_short(least_patch_ratio), format_short(largest_patch_ratio), a / b);
+  });
   scene.derive("contact.half_width", a);
   scene.derive(lateral_half_width, b);
   require_small(scene, a, radii.smaller);
@@ -100,7 +96,7 @@ PatchBound read_ellipse(Scene& scene, const Material& material) {
   }
   const double a = scene.positive("contact.half_width");
   const double b = scene.positive(lateral_half_width);
-  require(a <= largest_patch_ratio * b && a >= least_patch_ratio * b, lateral_half_width, b, [&] {
+  require(is_patch_ratio(a / b), lateral_half_width, b, [&] {
     return fmt::format("a number between {} and {}, by contact.half_width",
                        format_short(a / largest_patch_ratio), format_short(a / least_patch_ratio));
   });
@@ -112,11 +108,10 @@ void require_ratios(const Scene& scene, const PatchShape& shape) {
   scene.with_file(patch_file, [&] {
     for (const Lobe& lobe : shape.lobes()) {
       const double ratio = PatchShape({lobe}).ratio();
-      require(ratio >= least_patch_ratio && ratio <= largest_patch_ratio,
-              "length over width of a lobe", ratio, [&] {
-                return fmt::format("a number from {} to {}", format_short(least_patch_ratio),
-                                   format_short(largest_patch_ratio));
-              });
+      require(is_patch_ratio(ratio), "length over width of a lobe", ratio, [&] {
+        return fmt::format("a number from {} to {}", format_short(least_patch_ratio),
+                           format_short(largest_patch_ratio));
+      });
     }
   });
 }
@@ -208,7 +203,7 @@ SteadyPatch read_contact_of_patch(Scene& scene, const GridOf& grid_of) {
   const Material material = read_material(scene);
   const PatchBound bound =
       scene.has(patch_file) ? read_patch(scene) : read_ellipse(scene, material);
-  warn_of_large_bound(scene, bound.peak(), material.shear_modulus);
+  warn_of_strain(scene, bound.peak(), material.shear_modulus);
   const PatchGrid grid = grid_of(bound.shape());
   SteadyPatch patch{
       .material = material, .bound = bound, .rows = grid.rows, .elements = grid.elements};

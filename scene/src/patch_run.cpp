@@ -223,6 +223,8 @@ PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch, const Advect
     if (!loads.stops().empty()) require_scheme_of_stops(scene, scheme);
     require_rows_carried(columns, loads, patch);
     warn_of_motions_in_run(scene, loads, patch);
+    warn_of_other_load(scene, columns["normal_load"]);
+    warn_of_short_way(scene, histories[0], columns["v"], patch.bound.half_width());
     return loads;
   });
 }

@@ -92,6 +92,8 @@ LoadHistory read_run(Scene& scene, const TransientProblem& problem) {
     require_contacts(loads, problem);
     if (!loads.stops().empty()) require_scheme_of_stops(scene, problem.scheme);
     warn_of_large_creepages(scene, loads, problem.contact.bound);
+    warn_of_other_load(scene, rows.normal_load);
+    warn_of_short_way(scene, loads, rows.velocity, problem.grid.half_width());
     if (rows.force) require_all_carried(*rows.force, loads, problem.contact.bound);
     return loads;
   });

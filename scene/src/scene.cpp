@@ -59,13 +59,14 @@ void refuse_names_of_others(const Scene& scene) {
   refuse_names_of_others(scene);
   std::vector<std::string> unknown = scene.keys();
   std::erase_if(unknown, [&](const std::string& key) { return scene.known(key) != nullptr; });
-  const std::string near = nearest(names.front(), unknown);
-  if (!near.empty()) throw MissingKey(near, names, suggestion(near));
-  const std::string misspelt = scene.misspelt();
-  throw MissingKey(misspelt, names,
-                   misspelt.empty() ? ""
-                                    : fmt::format("; '{}' is no key{}", shown(misspelt),
-                                                  suggestion(likely_key(misspelt))));
+  std::string misspelt = nearest(names.front(), unknown);
+  if (misspelt.empty()) misspelt = scene.misspelt();
+  if (misspelt.empty()) throw MissingKey("", names, "");
+  std::vector<std::string> meant = names;
+  std::ranges::copy(names_of(keys_of_scenes()), std::back_inserter(meant));
+  throw MissingKey(
+      misspelt, names,
+      fmt::format("; '{}' is no key{}", shown(misspelt), suggestion(likely_key(misspelt, meant))));
 }
 
 /// The known key with an s more or less, as step.ratios of a study; empty if there is none.
@@ -327,8 +328,12 @@ std::vector<double> Scene::numbers(const std::string& key) {
     const bool behind = !values.empty() && !converted<double>(word) &&  // it takes nan and inf, too
                         (std::isalpha(static_cast<unsigned char>(word[0])) != 0 || is_unit(word));
     const auto with_units = quantities(text(key), unit);
-    if ((!behind && !has_unit(word)) || (unit == "1" && !with_units)) {
+    if (!behind && !has_unit(word)) {
       reject(key, text(key), fmt::format("finite numbers{}, separated by blanks", advice(word)));
+    }
+    if (!with_units && unit == "1") {
+      reject(key, text(key),
+             "finite numbers, separated by blanks, with % or \u2030 behind or none");
     }
     if (!with_units) {
       reject(key, text(key),

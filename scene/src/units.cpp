@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <boost/algorithm/string/classification.hpp>
+#include <boost/algorithm/string/predicate.hpp>
 #include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/split.hpp>
 #include <boost/algorithm/string/trim.hpp>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -76,7 +78,8 @@ const std::map<std::string, std::string> others{{"mm", "um, cm, m, in"},
                                                 {"rad/s", "rad/min, deg/s, rev/s, rev/min, rpm"}};
 
 /// The unit of a symbol with an optional power: "mm^2", "mm2", "mm".
-std::optional<Unit> power_of_symbol(std::string_view text) {
+/// \param any_letters  whether capital and small letters are the same: "KN"
+std::optional<Unit> power_of_symbol(std::string_view text, bool any_letters) {
   const std::size_t end = text.find_last_not_of("0123456789");
   int power = 1;
   if (end != std::string_view::npos && end + 1 < text.size()) {
@@ -85,7 +88,11 @@ std::optional<Unit> power_of_symbol(std::string_view text) {
     power = *value;
     text = text.substr(0, text[end] == '^' ? end : end + 1);
   }
-  const auto found = symbols.find(text);
+  auto found = symbols.find(text);
+  if (found == symbols.end() && any_letters) {
+    found = std::ranges::find_if(
+        symbols, [&](const auto& symbol) { return boost::algorithm::iequals(symbol.first, text); });
+  }
   if (found == symbols.end()) return std::nullopt;
   Unit unit = found->second;
   unit.factor = std::pow(unit.factor, power);
@@ -100,7 +107,7 @@ void multiply(Unit& by, const Unit& unit, int sign) {
   for (std::size_t i = 0; i < by.powers.size(); ++i) by.powers[i] += sign * unit.powers[i];
 }
 
-std::optional<Unit> unit_of(std::string_view text) {
+std::optional<Unit> unit_of(std::string_view text, bool any_letters = false) {
   namespace algorithm = boost::algorithm;
   std::string plain(text);
   const std::array<std::array<const char*, 2>, 7> written{{{"\u00b2", "^2"},
@@ -125,7 +132,7 @@ std::optional<Unit> unit_of(std::string_view text) {
     std::vector<std::string> factors;
     algorithm::split(factors, side, algorithm::is_any_of(" \t"), algorithm::token_compress_on);
     for (const std::string& factor : factors) {
-      const auto next = power_of_symbol(factor);
+      const auto next = power_of_symbol(factor, any_letters);
       if (!next) return std::nullopt;
       multiply(unit, *next, sign);
     }
@@ -215,7 +222,10 @@ bool has_unit(std::string_view text) {
   const bool apart = number.size() + rest.size() < text.size();
   const bool is_word =
       std::string_view("+-.0123456789").find(rest.front()) == std::string_view::npos;
-  return is_unit(rest) || (apart && is_word);
+  // Other ways to write a number, as 0x10 and 1.5d3, have one letter.
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const bool is_long = rest.size() > 1 && is_letter(rest[0]) && is_letter(rest[1]);
+  return unit_of(rest, true).has_value() || (apart && is_word) || is_long;
 }
 
 std::string advice_on_width(std::string_view text, std::string_view unit) {
@@ -229,6 +239,7 @@ std::string advice_on_width(std::string_view text, std::string_view unit) {
 }
 
 std::string accepted_units(const std::string& unit) {
+  if (unit == "1") return "no unit, or in % or \u2030";
   const auto found = others.find(unit);
   return found == others.end() ? "no unit"
                                : fmt::format("{} or another of its kind ({})", unit, found->second);

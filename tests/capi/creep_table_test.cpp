@@ -119,7 +119,10 @@ TEST(CCreepTable, SaysWhichOfManyContactsFailed) {
   };
   contacts[1].half_width = 56.25;
   EXPECT_EQ(status(steel, found.data()), MICROSLIP_BAD_INPUT);
-  EXPECT_STREQ(message, "contacts[1]: ratio = 12.5: expected a/b of the table, 0.1 to 10");
+  EXPECT_STREQ(
+      message,
+      "contacts[1]: half_width = 56.25: expected 0.45 to 45 with lateral_half_width = 4.5, as "
+      "the table has a/b from 0.1 to 10");
   EXPECT_LT(found[0], 0);
   EXPECT_EQ(found[3], 0);
   contacts[1] = contact;
@@ -127,6 +130,16 @@ TEST(CCreepTable, SaysWhichOfManyContactsFailed) {
   EXPECT_EQ(status(steel, found.data()), MICROSLIP_BAD_INPUT);
   EXPECT_STREQ(message, "contacts[2]: motion[2] = nan: expected a finite number");
   EXPECT_EQ(found[3], found[0]);
+  motions[8] = 0;
+  motions[6] = -1e100;
+  EXPECT_EQ(status(steel, found.data()), MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(message,
+               "contacts[2]: motion[0] = -1e+100: expected a motion of at most 1e100 times "
+               "peak_traction over shear_modulus");
+  contacts[1].peak_traction = 0;
+  EXPECT_EQ(status(steel, found.data()), MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(message, "contacts[1]: peak_traction = 0: expected a number > 0");
+  contacts[1] = contact;
   EXPECT_EQ(status({82000, 0.3}, found.data()), MICROSLIP_BAD_INPUT);
   EXPECT_STREQ(message, "poisson_ratio = 0.3: expected that of the table, 0.28");
   EXPECT_EQ(status(steel, nullptr), MICROSLIP_BAD_INPUT);
@@ -147,7 +160,10 @@ TEST(CCreepTable, RefusesBadInputInOneLine) {
   EXPECT_STREQ(message, "poisson_ratio = 0.3: expected that of the table, 0.28");
   EXPECT_TRUE(refused({-1, 0.28}, contact));
   EXPECT_TRUE(refused(steel, {50, 4, 300}));
-  EXPECT_STREQ(message, "ratio = 12.5: expected a/b of the table, 0.1 to 10");
+  EXPECT_STREQ(
+      message,
+      "half_width = 50: expected 0.4 to 40 with lateral_half_width = 4, as the table has a/b "
+      "from 0.1 to 10");
   EXPECT_EQ(microslip_creep_table_forces(nullptr, &steel, &contact, motion.data(), found.data(),
                                          nullptr, message, sizeof message),
             MICROSLIP_BAD_INPUT);

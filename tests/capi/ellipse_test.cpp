@@ -357,9 +357,28 @@ TEST(CEllipse, OfTwoBodiesIsThatOfHertz) {
     EXPECT_EQ(std::string(text).find(error), 0U) << text;
   };
   expect_refused({0, 50, 0, 50, 0, 0.3}, "normal_load = 0: expected");
-  expect_refused({1000, 50, -40, 50, 0, 0.3}, "radius_2 = -40: expected with radius_1 radii");
-  expect_refused({1000, 50, 0, 0, 0, 0.3}, "lateral_radius_2 = 0: expected");
+  expect_refused({1000, 50, -40, 50, 0, 0.3},
+                 "radius_2 = -40: expected a number > 0, or for a concave body one below -50, as "
+                 "its radius is larger than radius_1");
+  expect_refused({1000, -46, 0, 50, 0, 0.3},
+                 "radius_1 = -46: expected a number > 0, as the other body is flat, by radius_2");
+  expect_refused({1000, 50, 0, -40, -50, 0.3},
+                 "lateral_radius_1 = -40: expected a number > 0, as the other body is concave, by "
+                 "lateral_radius_2");
+  expect_refused({1000, 50, 0, 0, 0, 0.3},
+                 "lateral_radius_1 = 0: expected a number > 0, as the other body is flat");
+  expect_refused({1000, 1e60, 0, 50, 0, 0.3}, "radius_1 = 1e+60: expected a number from 1e-50");
   expect_refused({1000, 50, 0, 50, 0, 0}, "friction = 0: expected");
+}
+
+// a/b is 10, but for rounding.
+TEST(CEllipse, MayBeOfTheLongestRatioButForRounding) {
+  const double root = std::sqrt(10.0);
+  Ellipse ellipse(nullptr, microslip_ellipse_destroy);
+  std::string message;
+  EXPECT_EQ(create({{5 * root, 5 / root, 300}, {6, 8}}, ellipse, message), MICROSLIP_OK) << message;
+  EXPECT_EQ(create({{5.00001 * root, 5 / root, 300}, {6, 8}}, ellipse, message),
+            MICROSLIP_BAD_INPUT);
 }
 
 TEST(CEllipse, RefusesBadInput) {
@@ -394,6 +413,15 @@ TEST(CEllipse, RefusesBadInput) {
   expect_refused(1, {{0, 0, 2}, {0, 0, 0}}, "prescribed[2] = 2: expected MICROSLIP_MOTION or");
   EXPECT_EQ(microslip_ellipse_advance(ellipse.get(), 1, nullptr, nullptr), MICROSLIP_BAD_INPUT);
   EXPECT_STREQ(microslip_ellipse_message(ellipse.get()), "load = null: expected a pointer");
+  State state{};
+  const Load huge = motion(0, -1e308, 0), large = motion(0, -1e90, 0);
+  EXPECT_EQ(microslip_ellipse_solve_steady(ellipse.get(), &huge, &state, nullptr),
+            MICROSLIP_BAD_INPUT);
+  EXPECT_STREQ(microslip_ellipse_message(ellipse.get()),
+               "lateral_creepage = -1e+308: expected a motion of at most 1e100 times that by the "
+               "bound's strain");
+  EXPECT_EQ(microslip_ellipse_solve_steady(ellipse.get(), &large, &state, nullptr), MICROSLIP_OK);
+  EXPECT_NEAR(state.resultants[1], state.full_sliding, 1e-9 * state.full_sliding);
   EXPECT_EQ(microslip_ellipse_set_contact(ellipse.get(), 1e-5, 1), MICROSLIP_BAD_INPUT);
   EXPECT_STREQ(microslip_ellipse_message(ellipse.get()),
                "size_factor = 1e-05: expected a number from 1e-04 to 100, or 0");

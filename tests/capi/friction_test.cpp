@@ -65,6 +65,29 @@ class FrictionOfEllipsesInC : public testing::Test {
   microslip_ellipse_load load_{{0, 0, 0}, {1.1, -0.4, 0.2}};
 };
 
+// A state says what is wrong if it has another kind of friction than the contact that takes it.
+TEST_F(FrictionOfEllipsesInC, HasStatesOfItsOwn) {
+  const auto save = [](microslip_ellipse* ellipse) {
+    std::string text(1 << 20, ' ');
+    EXPECT_EQ(microslip_ellipse_save_to_memory(ellipse, text.data(), text.size(), nullptr),
+              MICROSLIP_OK);
+    return text;
+  };
+  const auto expect_refused = [&](const std::string& text, const std::string& error) {
+    EXPECT_EQ(microslip_ellipse_restore_from_memory(ellipse_, text.c_str()), MICROSLIP_BAD_INPUT);
+    EXPECT_EQ(microslip_ellipse_message(ellipse_), "'friction_law': expected " + error);
+  };
+  const std::string of_coulomb = save(ellipse_);
+  ASSERT_EQ(microslip_ellipse_set_friction(ellipse_, &law), MICROSLIP_OK);
+  const std::string falling = save(ellipse_);
+  expect_refused(of_coulomb, "a state of friction that falls with slip, as the contact has it");
+  EXPECT_EQ(microslip_ellipse_restore_from_memory(ellipse_, falling.c_str()), MICROSLIP_OK);
+  TearDown();
+  SetUp();
+  expect_refused(falling, "a state of Coulomb's friction without a law, as the contact has it");
+  EXPECT_EQ(microslip_ellipse_restore_from_memory(ellipse_, of_coulomb.c_str()), MICROSLIP_OK);
+}
+
 TEST_F(FrictionOfEllipsesInC, IsThatOfTheLibrary) {
   ASSERT_EQ(microslip_ellipse_set_friction(ellipse_, &law), MICROSLIP_OK);
   SteadyPatch patch{.material = {1, 0.28},

@@ -81,7 +81,10 @@ def test_bodies_of_different_material_creep_without_a_force(plane):
     ({"force": 1, "threads": 0}, "^threads = 0: expected a whole number >= 1"),
     ({"force": 1, "missing": "no"}, "^missing = 'no': expected 'raise' or 'nan'"),
     ({"force": 1, "target_error": 1e-3}, "target_error"),
-    ({"force": 1, "grid_elemnts": 5}, "unknown key 'grid.elemnts'")])
+    ({"force": 1, "grid_elemnts": 5}, "unknown key 'grid.elemnts'"),
+    ({"crepage": 1}, r"^crepage: expected an argument, or a key of scenes \(did you mean 'creepage'\?\)"),
+    ({"lateral_Creepage": 1}, r"^lateral_Creepage: .*did you mean 'lateral_creepage'"),
+    ({"force": 1, "thread": 2}, r"^thread: .*did you mean 'threads'")])
 def test_bad_input_is_named(scene, given, message):
     with pytest.raises(ms.InputError, match=message):
         ms.steady(scene, **given)

@@ -121,6 +121,9 @@ TEST_F(BadInputs, Numbers) {
        {"two numbers", "1 2", "a finite number"},
        {"an area", "40 mm^2", lengths},
        {"a force", "40N", lengths},
+       {"a unit in other letters", "40MM", lengths},
+       {"a unit in other letters, apart", "40 Mm", lengths},
+       {"a word for a unit", "40millimetres", lengths},
        {"a unit of length that is not known", "40 furlong", lengths},
        {"two lengths", "40 mm 2 mm", lengths},
        {"too large in mm", "1e306 m", lengths},
@@ -151,6 +154,7 @@ TEST_F(BadInputs, ListsOfNumbers) {
        {"a decimal comma", "1 0,5", numbers + " with a decimal point, separated by blanks"},
        {"too small", "1 1e-400", numbers + range + ", separated by blanks"},
        {"brackets", "[1 2]", numbers + ", separated by blanks"},
+       {"a unit", "1 permille", numbers + ", separated by blanks, with % or \u2030 behind or none"},
        {"nothing", " ", "at least one number"}});
 }
 
@@ -227,7 +231,8 @@ TEST_F(BadInputs, PlacesOfKeys) {
        {"of a value that a model rejects", replaced(good_scene, "width 40", "width -1"),
         "SCENE:7: kernel.width = -1: expected a number > 0"},
        {"misspelt, and so missing", replaced(good_scene, "poisson_ratio", "poison_ratio"),
-        "SCENE:3: missing key 'material.poisson_ratio' (did you mean 'material.poison_ratio'?)"},
+        "SCENE:3: missing key 'material.poisson_ratio'; 'material.poison_ratio' is no key (did you "
+        "mean 'material.poisson_ratio'?)"},
        {"one of two", good_scene + "load { force -1 }\n",
         "SCENE:10: expected only one of 'load.creepage' and 'load.force'; --set KEY= takes one "
         "away"},

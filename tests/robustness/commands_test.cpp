@@ -37,6 +37,16 @@ TEST_F(Commands, AWordThatIsNone) {
                "'swep': expected a scene's file or a command (did you mean 'sweep'?)" + known);
   expect_error("my.info", "'my.info': expected a scene's file or a command" + known);
   expect_error("", "missing a scene: expected its file, as in 'microslip scene.info'; see --help");
+  run_in_folder("init wheel");
+  expect_error("init wheel line",
+               "'line': expected no further word; a value with blanks is in quotes, as in --set "
+               "'load.creepage=2 %'");
+  expect_error("wheel.info --set load.creepage=2 % --quiet",
+               "'%': expected no further word; a value with blanks is in quotes, as in --set "
+               "'load.creepage=2 %'");
+  expect_error("keys wheel",
+               "'wheel': expected no further word; a value with blanks is "
+               "in quotes, as in --set 'load.creepage=2 %'");
   const Outcome help = run_in_folder("--help");
   for (const char* command : {"init", "import", "keys", "explain", "response", "curve", "converge",
                               "table", "plot", "sweep", "merge"}) {

@@ -204,7 +204,7 @@ TEST_F(Curves, OfAnEllipseAreDrawnWithLaws) {
       run_command("cd '" + folder_.string() + "' && " MICROSLIP_BIN "/microslip plot out");
   EXPECT_EQ(plot.output, "drew out.svg\n") << plot.error;
   const std::string figure = text_of(folder_ / "out.svg");
-  for (const char* text : {"load.spin = 3e-04 1/mm", "FASTSIM: off by up to",
+  for (const char* text : {"load.spin = 0.0003 1/mm", "FASTSIM: off by up to",
                            "Polach: off by up to", "lateral_creepage", "lateral_force [N]"}) {
     EXPECT_NE(figure.find(text), std::string::npos) << text;
   }

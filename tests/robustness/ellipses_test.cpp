@@ -64,6 +64,21 @@ TEST_F(Ellipses, HaveTheSameResultInOtherUnitsAndByTheirSemiAxes) {
   EXPECT_NEAR(by_axes.at("spin_moment"), found.at("spin_moment"), 1e-6 * found.at("spin_moment"));
 }
 
+// The motions that follow from resultants are there, and those that are 0 are not.
+TEST_F(Ellipses, HaveALineWithTheMotionsThatFollow) {
+  const auto line = [&](const std::string& settings) {
+    return run_in_folder("ellipse.info " + settings).output;
+  };
+  const std::string held =
+      line("--set load.spin= --set load.lateral_creepage= --set load.lateral_force=-5kN");
+  EXPECT_NE(held.find(", lateral creepage 0.00"), std::string::npos) << held;
+  EXPECT_EQ(held.find("spin 0"), std::string::npos) << held;
+  const std::string turned = line("--set load.spin= --set load.spin_moment=\"1 N m\"");
+  EXPECT_NE(turned.find(", spin "), std::string::npos) << turned;
+  const std::string plain = line("--set load.spin= --set load.lateral_creepage=");
+  EXPECT_EQ(plain.find("lateral creepage"), std::string::npos) << plain;
+}
+
 TEST_F(Ellipses, AreExplainedBesideALineContact) {
   const Outcome spins = run_in_folder("explain ellipse.info");
   EXPECT_NE(spins.output.find("Kalker's coefficients: C11 = 4.54"), std::string::npos)
@@ -160,8 +175,12 @@ TEST_F(Ellipses, AreRefusedInOneLineThatNamesTheKey) {
                  "grid.elements = 1: expected a whole number 2 ... 100 in an ellipse");
   expect_refused("--set grid.rows=5", "missing key 'grid.elements'");
   expect_refused("--set contact.lateral_radius_2=-300",
-                 "contact.lateral_radius_2 = -300: expected radii of which the smaller one in size "
-                 "is > 0");
+                 "contact.lateral_radius_2 = -300: expected a number > 0, as the "
+                 "other body is flat, by contact.lateral_radius_1");
+  expect_refused(
+      "--set contact.lateral_radius_1=-290",
+      "contact.lateral_radius_1 = -290: expected a number > 0, or for a concave body one "
+      "below -300, as its radius is larger than contact.lateral_radius_2");
   expect_refused("--set contact.lateral_radius_2=0.5",
                  "ellipse.info:17: contact.radius_1 = 460: expected radii of an ellipse with a/b "
                  "from 0.001 to 10");

@@ -102,6 +102,11 @@ class Sweeps : public Executables {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
+  /// The line at the end of a sweep.
+  std::string done(const std::string& begin) const {
+    return begin + "; tables in " + out().string() + '\n';
+  }
+
   bool has_a_case() const {
     if (!fs::exists(out() / "cases")) return false;
     for (const auto& entry : fs::directory_iterator(out() / "cases")) {
@@ -115,7 +120,7 @@ TEST_F(Sweeps, ACaseIsWhatItsSceneGivesAlone) {
   const Outcome outcome = sweep("--threads 2 --tables");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.error, "");
-  EXPECT_EQ(outcome.output, "microslip: 18 cases, 0 of them finished before\n");
+  EXPECT_EQ(outcome.output, done("microslip: 18 cases, 0 of them finished before"));
   const fs::path table = out() / "sweep.tsv";
   EXPECT_EQ(column(table, "grid.elements").size(), static_cast<std::size_t>(cases));
   EXPECT_EQ(column(table, "status"), std::vector<std::string>(cases, "ok"));
@@ -159,18 +164,18 @@ TEST_F(Sweeps, SameBytesForAnyThreadsShardsAndInterrupts) {
   const std::string row = text_of(case_file("18"));
   std::ofstream(case_file("18")) << row.substr(0, row.size() - 5);
   std::ofstream(case_file("17")) << "";
-  EXPECT_EQ(sweep("--tables").output, "microslip: 18 cases, 14 of them finished before\n");
+  EXPECT_EQ(sweep("--tables").output, done("microslip: 18 cases, 14 of them finished before"));
   EXPECT_EQ(files(), once);
 }
 
 TEST_F(Sweeps, WhatIsDoneIsNotDoneAgain) {
-  ASSERT_EQ(sweep("--shard 1/3").output, "microslip: 6 cases, 0 of them finished before\n");
+  ASSERT_EQ(sweep("--shard 1/3").output, done("microslip: 6 cases, 0 of them finished before"));
   const auto written = fs::last_write_time(case_file("01"));
-  EXPECT_EQ(sweep("--shard 1/2").output, "microslip: 9 cases, 3 of them finished before\n");
-  EXPECT_EQ(sweep().output, "microslip: 18 cases, 12 of them finished before\n");
-  EXPECT_EQ(sweep().output, "microslip: 18 cases, 18 of them finished before\n");
+  EXPECT_EQ(sweep("--shard 1/2").output, done("microslip: 9 cases, 3 of them finished before"));
+  EXPECT_EQ(sweep().output, done("microslip: 18 cases, 12 of them finished before"));
+  EXPECT_EQ(sweep().output, done("microslip: 18 cases, 18 of them finished before"));
   EXPECT_EQ(fs::last_write_time(case_file("01")), written);
-  EXPECT_EQ(sweep("--shard 99/99").output, "microslip: 0 cases, 0 of them finished before\n");
+  EXPECT_EQ(sweep("--shard 99/99").output, done("microslip: 0 cases, 0 of them finished before"));
 }
 
 TEST_F(Sweeps, SignalsLeaveWholeCasesAndTheSweepGoesOn) {
@@ -366,7 +371,7 @@ TEST_F(Sweeps, TheJobArrayIsTheSameSweep) {
   for (const int id : {2, 0, 1}) {
     const Outcome outcome = task(id);
     EXPECT_EQ(outcome.status, 0) << outcome.error;
-    EXPECT_EQ(outcome.output, "microslip: 6 cases, 0 of them finished before\n");
+    EXPECT_EQ(outcome.output, done("microslip: 6 cases, 0 of them finished before"));
   }
   EXPECT_EQ(merge().status, 0);
   EXPECT_EQ(files(), once);

@@ -102,6 +102,82 @@ TEST(Doubts, RadiiAreInMillimetres) {
   EXPECT_NE(told.find("creepage of load.file = 0.999"), std::string::npos) << told;
 }
 
+const std::string ellipse =
+    "material { shear_modulus 82 GPa poisson_ratio 0.28 }\n"
+    "contact { half_width 5 mm lateral_half_width 4 mm normal_load 80 kN friction 0.3 }\n"
+    "grid { rows 4 elements 4 }\n";
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+// Gigapascals or pascals without a unit; normalised contacts have moduli about 1.
+TEST(Doubts, ModuliAreInNewtonsPerSquareMillimetre) {
+  const std::string force = "problem steady\nload { force -100 }\n";
+  for (const std::string& text : {steel + force, ellipse + force}) {
+    EXPECT_EQ(warnings(text), "");
+    for (const char* modulus : {"80", "10", "101"}) {
+      const std::string told = warnings(with(text, "82 GPa", modulus));
+      EXPECT_NE(told.find("of the shear modulus, " + std::string(modulus) + " N/mm^2, and strains"),
+                std::string::npos)
+          << told;
+    }
+    EXPECT_EQ(warnings(with(text, "82 GPa", "9.9")), "");
+    EXPECT_EQ(warnings(with(text, "82 GPa", "8.2e10 Pa")), "");
+    EXPECT_EQ(warnings(with(text, "82 GPa", "8.2e10")),
+              "material.shear_modulus = 8.2e10: a shear modulus of 8.2e+10 N/mm^2, which is more "
+              "than that of any solid; moduli without a unit are in N/mm^2\n");
+    const std::string young = with(text, "shear_modulus 82 GPa", "youngs_modulus 2.1e11");
+    EXPECT_EQ(warnings(young).find("material.youngs_modulus = 2.1e11: a shear modulus of 8.2e+10"),
+              0U);
+  }
+}
+
+/// Warnings that begin with a text, and not those of long steps.
+std::string of(const std::string& begin, const std::string& lines) {
+  const std::size_t at = lines.find(begin);
+  return at == std::string::npos ? "" : lines.substr(at, lines.find('\n', at) + 1 - at);
+}
+
+TEST(Doubts, LoadsOfRowsAreThoseOfTheScene) {
+  const std::string of_ellipse =
+      ellipse + "problem transient\nstart { type rest }\nload { file run.tsv }\n";
+  const std::string of_line = with(with(transient, "half_width 5 mm peak_traction 300 MPa",
+                                        "normal_load 80000 radius_1 460 friction 0.3"),
+                                   "length 100 mm", "length 1000 mm") +
+                              "load { file run.tsv }\n";
+  const auto rows_of = [](const std::string& one, const std::string& two) {
+    return "q creepage normal_load\n0 0 0\n5 0 " + one + "\n10 0 " + two + "\n";
+  };
+  for (const auto& [text, unit] : {std::pair(of_ellipse, "N"), std::pair(of_line, "N/mm")}) {
+    const std::string scene = std::string("80000 ") + unit + " of contact.normal_load";
+    EXPECT_EQ(of("normal_load", warnings(text, rows_of("80", "70"))),
+              "normal_load of load.file = 80: the largest of all rows, beside " + scene +
+                  "; a column without a unit in its name is in " + unit + '\n');
+    EXPECT_NE(of("normal_load", warnings(text, rows_of("800", "0"))), "");
+    EXPECT_EQ(of("normal_load", warnings(text, rows_of("80", "801"))), "");
+    EXPECT_EQ(of("normal_load", warnings(text, rows_of("0", "0"))), "");
+    EXPECT_EQ(of("normal_load", warnings(text, rows_of("8e6", "7.9e6"))), "");
+  }
+  EXPECT_NE(warnings(of_ellipse, rows_of("8e6", "9e6")).find("8e+06: the least of all rows"),
+            std::string::npos);
+}
+
+TEST(Doubts, SpeedsAreInMillimetresPerSecond) {
+  const auto table = [](const std::string& v) {
+    return "t v" + v + " creepage\n0 27.8 0\n0.1 27.8 0.001\n";
+  };
+  const std::string of_ellipse =
+      ellipse + "problem transient\nstart { type rest }\nload { file run.tsv }\n";
+  for (const std::string& text : {with(run, " radius 460 mm", ""), of_ellipse}) {
+    EXPECT_EQ(of("v of", warnings(text, table(""))),
+              "v of load.file = 27.8: the bodies roll 2.8 mm in all, and the half-width is 5 mm; a "
+              "column without a unit in its name is in mm/s\n");
+    EXPECT_EQ(of("v of", warnings(text, table("[m/s]"))), "");
+    EXPECT_EQ(of("v of", warnings(text, "q creepage\n0 0\n1 0.001\n")), "");
+  }
+}
+
 TEST(Doubts, AForceThatIsThereAtOnceIsToldFrom) {
   const std::string steps = "step { ratio 2 }\nmotion { distance 5 }\n";
   const std::string under_force = transient + steps + "load { force -1000 }\n";

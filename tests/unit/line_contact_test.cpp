@@ -140,7 +140,7 @@ TEST(LineContact, IsWarnedOfWhereItIsNotSmall) {
     const double stiffness = 1e5 / (2 * (1 - 0.09));
     Scene scene = scene_of(
         "problem steady\nmaterial { youngs_modulus 1e5\n poisson_ratio 0.3 }\n"
-        "contact { friction 1\n radius_1 1000\n radius_2 " +
+        "contact { friction 0.3\n radius_1 1000\n radius_2 " +
         format_full(other) + "\n normal_load " + format_full(pi * stiffness / (4 * relative)) +
         " }\nkernel { type plane\n length 1 m }\ngrid { elements 20 }\n"
         "load { force_ratio 0.5 }");

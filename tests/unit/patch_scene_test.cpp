@@ -85,7 +85,8 @@ TEST(PatchScene, WarnsOfABoundThatIsLargeBesideTheModulus) {
   EXPECT_EQ(warnings({"contact.peak_traction=300 MPa"}), "");
   EXPECT_EQ(warnings({"contact.peak_traction=4001"}),
             "contact.peak_traction = 4001: the largest traction, 4e+03 N/mm^2, is 0.05 of the "
-            "shear modulus, and strains have to be small; numbers without a unit are in N, mm and "
+            "shear modulus, 80000 N/mm^2, and strains have to be small; numbers without a unit are "
+            "in N, mm and "
             "N/mm^2");
   EXPECT_TRUE(warnings({"contact.peak_traction=3e8"}).starts_with("contact.peak_traction = 3e8: "));
   EXPECT_TRUE(

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "microslip/reference/line_contact.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip::point_contact_test {
 
@@ -48,6 +49,28 @@ TEST(PointContact, IsALineContactAcrossALongEllipse) {
   const double middle = contact.peak_pressure() * std::numbers::pi / 2 * contact.half_width();
   const LineContact line(steel, middle, 1e-2);
   EXPECT_NEAR(contact.half_width(), line.half_width(), 1e-4 * line.half_width());
+}
+
+// The radius that is to blame is that of the concave body.
+TEST(PointContact, CurvaturesAddUpOrNameTheRadius) {
+  EXPECT_DOUBLE_EQ(summed_curvature("one", 4, "two", 0), 0.25);
+  EXPECT_DOUBLE_EQ(summed_curvature("one", -4, "two", 2), 0.25);
+  const auto blamed = [](double radius_1, double radius_2) -> std::string {
+    try {
+      summed_curvature("one", radius_1, "two", radius_2);
+    } catch (const BadParameter& error) {
+      return error.name();
+    }
+    return "";
+  };
+  EXPECT_EQ(blamed(-4, 4), "one");
+  EXPECT_EQ(blamed(4, -3), "two");
+  EXPECT_EQ(blamed(0, -3), "two");
+  EXPECT_EQ(blamed(-3, -5), "one");
+  EXPECT_EQ(blamed(0, 0), "one");
+  EXPECT_EQ(blamed(1e60, 1), "one");
+  EXPECT_EQ(blamed(1, 1e-60), "two");
+  EXPECT_EQ(blamed(1, std::nan("")), "two");
 }
 
 TEST(PointContact, RefusesBadNumbers) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "microslip/friction/traction_bound.hpp"
+#include "microslip/scene/keys.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/scene/scene.hpp"
 #include "microslip/scene/sweep.hpp"
@@ -89,7 +90,7 @@ TEST(ScenePlaces, AreInFrontOfMessages) {
                  }),
             "test:4: c = '1': expected no file here");
   EXPECT_EQ(said(scene, [](Scene& s) { s.number("a.bb"); }),
-            "test:2: missing key 'a.bb' (did you mean 'a.b'?)");
+            "test:2: missing key 'a.bb'; 'a.b' is no key (did you mean 'a.bb'?)");
   EXPECT_EQ(said(scene, [](Scene& s) { s.number("nothing.like.it"); }),
             "missing key 'nothing.like.it'");
   EXPECT_EQ(said(scene,
@@ -119,6 +120,20 @@ TEST(ScenePlaces, OfAMisspeltKeyComeBeforeThoseOfOthers) {
   EXPECT_EQ(said(scene, [](Scene& s) { read_model(s); }),
             "test:7: unknown key 'contact.lateral_raduis_2' (did you mean "
             "'contact.lateral_radius_2'?)");
+}
+
+TEST(ScenePlaces, OfAKeyInOtherLetters) {
+  const Scene scene = scene_of("a 1\nLOAD {\n SPIN 2 }");
+  EXPECT_EQ(said(scene,
+                 [](Scene& s) {
+                   s.number("a");
+                   s.reject_unread();
+                 }),
+            "test:3: unknown key 'LOAD.SPIN' (did you mean 'load.spin'?)");
+  EXPECT_EQ(said(scene, [](Scene& s) { s.number("load.spin"); }),
+            "test:3: missing key 'load.spin'; 'LOAD.SPIN' is no key (did you mean 'load.spin'?)");
+  EXPECT_EQ(likely_key("CONTACT.SPIN"), "load.spin");
+  EXPECT_EQ(likely_key("Load.Crepage"), "load.creepage");
 }
 
 // What is there under its right name is not the one that is missing.

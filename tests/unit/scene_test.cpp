@@ -129,8 +129,9 @@ TEST(Scene, RejectsWholeNumbersThatAreNot) {
 
 TEST(Scene, NamesTheMissingKeyAndANearOne) {
   Scene scene = scene_of("grid { elemnts 5 }");
-  EXPECT_EQ(message([&] { scene.whole("grid.elements"); }),
-            "missing key 'grid.elements' (did you mean 'grid.elemnts'?)");
+  EXPECT_EQ(
+      message([&] { scene.whole("grid.elements"); }),
+      "missing key 'grid.elements'; 'grid.elemnts' is no key (did you mean 'grid.elements'?)");
 }
 
 TEST(Scene, NamesTheUnknownKeyAndTheKnownOnes) {
@@ -244,7 +245,8 @@ TEST(Scene, NamesAllMissingKeys) {
   EXPECT_EQ(missing(steel + "contact { radius_1 1 friction 0.3 }"),
             "missing keys 'contact.half_width' or 'contact.normal_load', 'kernel.type'");
   EXPECT_EQ(missing(contact + "kernel { type strip widht 1 }"),
-            missing(contact + "kernel { type strip }") + " (did you mean 'kernel.widht'?)");
+            missing(contact + "kernel { type strip }") +
+                "; 'kernel.widht' is no key (did you mean 'kernel.width'?)");
 }
 
 }  // namespace microslip::scene_test

@@ -3,10 +3,39 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+#include <string>
+#include <utility>
+
+#include "microslip/support/format.hpp"
 #include "microslip/support/shown.hpp"
 #include "scene_text.hpp"
 
 namespace microslip::text_test {
+
+TEST(Format, TellsTwoNumbersApart) {
+  using Two = std::pair<std::string, std::string>;
+  EXPECT_EQ(format_apart(24.06, 23.99), Two("24.1", "24"));
+  EXPECT_EQ(format_apart(0.00015234, 0.00015), Two("0.000152", "0.00015"));
+  EXPECT_EQ(format_apart(4, 0.39), Two("4", "0.39"));
+  EXPECT_EQ(format_apart(1, 1), Two("1", "1"));
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> digits(-15, 0), logs(-5, 5);
+  for (int i = 0; i < 2000; ++i) {
+    const double b = std::pow(10, logs(random)), a = b * (1 + std::pow(10, digits(random)));
+    const auto [above, below] = format_apart(a, b);
+    EXPECT_GT(std::stod(above), b);
+    EXPECT_LT(std::stod(below), a);
+  }
+}
+
+TEST(Format, PercentIsWrittenOut) {
+  EXPECT_EQ(format_percent(1.2345), "123 %");
+  EXPECT_EQ(format_percent(0.996), "100 %");
+  EXPECT_EQ(format_percent(-0.1807), "-18 %");
+  EXPECT_EQ(format_percent(1.234e-4), "0.012 %");
+}
 
 TEST(PlainText, HasOneKindOfLineEndAndNoMark) {
   EXPECT_EQ(plain_text("a\r\nb\n\r\n"), "a\nb\n\n");

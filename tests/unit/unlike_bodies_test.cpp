@@ -281,9 +281,7 @@ TEST(UnlikeBodies, AreRefusedWhereThereIsNoModel) {
             "bodies of different material");
   EXPECT_EQ(refusal({"kernel.type=strip", "kernel.length=", "kernel.width=5"}),
             "kernel.type = 'strip': expected plane for bodies of different material");
-  EXPECT_EQ(refusal({"material.poisson_ratio_2="}),
-            "missing key 'material.poisson_ratio_2' (did "
-            "you mean 'material.poisson_ratio'?)");
+  EXPECT_EQ(refusal({"material.poisson_ratio_2="}), "missing key 'material.poisson_ratio_2'");
   EXPECT_EQ(refusal({"material.youngs_modulus_2="}),
             "missing key 'material.shear_modulus_2' or 'material.youngs_modulus_2'");
   EXPECT_EQ(refusal({"material.poisson_ratio_2=0.6"}),

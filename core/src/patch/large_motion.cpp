@@ -15,10 +15,14 @@ double mean_strain(const SteadyPatch& patch) {
 }
 
 std::string doubt_of_large_motion(std::size_t component, double motion, const SteadyPatch& patch) {
+  return doubt_of_large_motion(component, motion, patch.bound.size(), mean_strain(patch));
+}
+
+std::string doubt_of_large_motion(std::size_t component, double motion, double size,
+                                  double strain) {
   const bool is_spin = component == 2;
-  const double slip = is_spin ? patch.bound.size() * motion : motion;
-  if (!is_large_creepage(slip)) return "";
-  const std::string doubt = doubt_of_creepage(slip, mean_strain(patch));
+  const double slip = is_spin ? size * motion : motion;
+  const std::string doubt = doubt_of_creepage(slip, strain);
   if (doubt.empty() || !is_spin) return doubt;
   return fmt::format(
       "the slip by this spin, up to {} at the sides of the contact, is not small against 1, as the "

@@ -22,6 +22,12 @@ double cells_by(double ratio) {
 
 }  // namespace
 
+bool is_patch_ratio(double ratio) {
+  constexpr double rounding = 1e-12;
+  return ratio >= least_patch_ratio * (1 - rounding) &&
+         ratio <= largest_patch_ratio * (1 + rounding);
+}
+
 double stacked_height(const PatchShape& shape) {
   double sum = 0, highest = 0;
   for (const Lobe& lobe : shape.lobes()) {

@@ -29,7 +29,7 @@ void archive_problem(Archive& archive, const SteadyPatch& problem, const JoinedR
   archive.same("x", VectorXd(centres.col(0)));
   archive.same("y", VectorXd(centres.col(1)));
   archive.same("bound", limits);
-  if (problem.friction) archive_friction(archive, *problem.friction);
+  archive_friction(archive, problem.friction);
 }
 
 void archive_state(Archive& archive, PatchState& state, Index cells) {

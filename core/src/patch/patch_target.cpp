@@ -173,7 +173,8 @@ EstimatedPatch solve_steady_to(const SteadyPatch& problem, double target) {
   throw NotConverged(
       fmt::format("target_error = {}: expected about {} or more here, which {} rows of {} "
                   "elements reach; finer grids are not tried",
-                  format_short(target), format_roughly(expected), finest.rows, finest.elements),
+                  format_short(target), format_apart(expected, target).first, finest.rows,
+                  finest.elements),
       0, expected);
 }
 

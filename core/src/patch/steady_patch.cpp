@@ -26,6 +26,9 @@ namespace {
 /// direction of the rigid slip but for a part of 1e-12.
 constexpr double largest_motion = 1e12;
 
+/// Larger ones are refused.
+constexpr double largest_given = 1e100;
+
 struct ScaledLoad {
   PatchLoad load;
   double divisor;  ///< of motions
@@ -33,8 +36,11 @@ struct ScaledLoad {
   ScaledLoad(const PatchLoad& given, const PatchUnits& units)
       : load(units.scaled(given, units.motion)) {
     double largest = 0;
-    for (const PatchComponent& component : load) {
-      if (!component.by_resultant) largest = std::max(largest, std::abs(component.value));
+    for (std::size_t j = 0; j < load.size(); ++j) {
+      if (load[j].by_resultant) continue;
+      require(std::abs(load[j].value) <= largest_given, name_of(given, j), given[j].value,
+              "a motion of at most 1e100 times that by the bound's strain");
+      largest = std::max(largest, std::abs(load[j].value));
     }
     divisor = std::max(1.0, largest / largest_motion);
     for (PatchComponent& component : load) {

@@ -238,7 +238,8 @@ EstimatedSteady estimate_by_elements(const SteadyContact& contact, double target
       throw NotConverged(
           fmt::format("target_error = {} takes more than the {} elements that are tried at most; "
                       "the error of {} may be {} or more",
-                      format_short(target), most_elements, elements, format_roughly(error)),
+                      format_short(target), most_elements, elements,
+                      format_apart(error, target).first),
           0, error);
     }
     const Index most = std::min(most_elements, 16 * elements);

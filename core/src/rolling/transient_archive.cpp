@@ -45,7 +45,7 @@ void archive_problem(Archive& archive, const TransientProblem& problem) {
   archive.same("bound", bound_at(problem.contact.bound, nodes));
   const VectorXd lengths = VectorXd::Constant(n, problem.grid.spacing());
   archive.same("mean_bound", element_means(problem.contact.bound, nodes, lengths));
-  if (problem.friction) archive_friction(archive, *problem.friction);
+  archive_friction(archive, problem.friction);
 }
 
 void archive_count(Archive& archive, std::string_view name, int& count) {

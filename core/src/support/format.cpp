@@ -25,6 +25,21 @@ std::string format_short(double value) { return to_string(value); }
 
 std::string format_roughly(double value) { return to_string(value, std::chars_format::general, 2); }
 
+std::pair<std::string, std::string> format_apart(double a, double b) {
+  for (int digits = 2;; ++digits) {
+    std::pair texts(to_string(a, std::chars_format::general, digits),
+                    to_string(b, std::chars_format::general, digits));
+    if (texts.first != texts.second || digits == 17) return texts;
+  }
+}
+
+std::string format_percent(double share) {
+  const double percent = 100 * share;
+  const bool is_long = std::abs(percent) >= 99.5;
+  return (is_long ? to_string(percent, std::chars_format::fixed, 0) : format_roughly(percent)) +
+         " %";
+}
+
 std::string format_full(double value) { return to_string(value, std::chars_format::general, 17); }
 
 }  // namespace microslip

@@ -17,4 +17,9 @@ double mean_strain(const SteadyPatch& patch);
 /// \param motion     [1], of spin [1/mm]
 std::string doubt_of_large_motion(std::size_t component, double motion, const SteadyPatch& patch);
 
+/// The same by numbers.
+/// \param size    c of the contact, (a b)^(1/2) of an ellipse  [mm]
+/// \param strain  the mean of the traction bound over the shear modulus
+std::string doubt_of_large_motion(std::size_t component, double motion, double size, double strain);
+
 }  // namespace microslip

@@ -10,6 +10,9 @@ namespace microslip {
 /// The ratios a/b at which rows are known to converge: tests/property/generated_patches_test.cpp
 inline constexpr double least_patch_ratio = 1e-3, largest_patch_ratio = 10;
 
+/// Whether a ratio is one of these, but for rounding.
+bool is_patch_ratio(double ratio);
+
 /// The largest number of rows, and of elements of a row.
 inline constexpr Eigen::Index most_cells_of_side = 100;
 

@@ -1,9 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string_view>
+
 #include "microslip/halfspace/material.hpp"
 
 namespace microslip {
+
+/// The sum of the curvatures of two bodies in one plane, where they touch.
+/// \param radius_1, radius_2  negative for a concave body, and 0 for a flat one; otherwise from 1e-50
+///                            to 1e50 in size  [mm]
+/// \param name_1, name_2      of the radii, for messages
+/// \return a number > 0  [1/mm]
+/// \throws BadParameter of the radius that is wrong, if the sum is not above 0
+double summed_curvature(std::string_view name_1, double radius_1, std::string_view name_2,
+                        double radius_2);
 
 /// Hertz's point contact of two like bodies, with their principal curvatures along and across the
 /// rolling. With E* = G/(1 - nu), the larger and the smaller semi-axis l and s, k = s/l, the relative

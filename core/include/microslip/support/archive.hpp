@@ -27,6 +27,11 @@ class Archive {
 
   bool reads() const { return reads_; }
 
+  /// Whether the next line to be read is that of a member.
+  bool next_is(std::string_view name) const {
+    return rest_.substr(0, rest_.find_first_of(" \n")) == name;
+  }
+
   /// The text written so far.
   const std::string& text() const { return text_; }
 

@@ -65,7 +65,7 @@ std::span<const Key> keys_of_scenes();
 const Key* find_key(std::string_view name);
 
 /// The known key of the same name in another section, or else of the nearest name; empty if there
-/// is none. Without `known`, among all keys of scenes.
+/// is none. Capital letters of the key count as small ones. Without `known`, among all keys of scenes.
 std::string likely_key(const std::string& key, const std::vector<std::string>& known);
 std::string likely_key(const std::string& key);
 

@@ -51,7 +51,8 @@ bool has_unit(std::string_view text);
 /// unit is not, as 80 kN for a key in N/mm; empty otherwise.
 std::string advice_on_width(std::string_view text, std::string_view unit);
 
-/// "mm or another unit of its kind (um, cm, m, in)", for messages; "no unit" for pure numbers.
+/// "mm or another of its kind (um, cm, m, in)", for messages; "no unit, or in % or ‰" for pure
+/// numbers.
 std::string accepted_units(const std::string& unit);
 
 }  // namespace microslip
