@@ -27,9 +27,9 @@ _IN_ORDER = {"contact.bound_file": ("x", "bound"), "contact.patch_file": ("y", "
 _IN_ORDER_OF_PATCHES = {"contact.bound_file": ("x", "y", "bound")}
 
 # Columns that are read. What is wrong in another column does not matter.
-_READ = {**_IN_ORDER, **_IN_ORDER_OF_PATCHES,
-         "load.file": ("q", "t", "v", "creepage", "force", "omega", "normal_load", "half_width", "peak_traction",
-                       "friction")}
+_READ: Dict[str, Tuple[str, ...]] = {
+    **_IN_ORDER, **_IN_ORDER_OF_PATCHES,
+    "load.file": ("q", "t", "v", "creepage", "force", "omega", "normal_load", "half_width", "peak_traction", "friction")}
 
 # In the place of what is no number, in a column that is not read: the library refuses it if it is read.
 _NOTHING = "-"
