@@ -88,7 +88,7 @@ function creep_table_test()
   end
   microslip_ellipse_mex('destroy', ellipse);
   problem.half_width = 56.25;
-  expect_error(@() microslip_ellipse_mex('table_forces', table, problem, motions), 'contacts.0.: ratio = 12.5: expected');
+  expect_error(@() microslip_ellipse_mex('table_forces', table, problem, motions), 'contacts.0.: half_width = 56.25: expected 0.45 to 45');
   expect_error(@() microslip_ellipse_mex('table_forces', table, problem, [1, 2]), 'motions: expected n x 3');
   expect_error(@() microslip_ellipse_mex('table_forces', uint64([1, 1]), problem, motions), 'expected a handle of a table');
   expect_error(@() microslip_ellipse_mex('open_table', '/nowhere'), 'cannot read /nowhere');
