@@ -115,6 +115,8 @@ do for [pass=1:2] {
   arrow_along(n) = is_drawn(n) ? longest * column("traction_x") / peak : NaN
   if (is_direct) {
     plot traction using "x":"y":(dx / 2):(dy / 2):(part[int($0) + 1]) with boxxyerror palette fillstyle solid noborder, \
+         for [l=1:lobes] edges using (of_lobe(l, "trailing")):"y" with lines @outline, \
+         for [l=1:lobes] edges using (of_lobe(l, "leading")):"y" with lines @outline, \
          traction using "x":"y":(arrow_along($0)):(longest * column("traction_y") / peak) \
          with vectors head filled size screen 0.008, 20 linecolor rgb "black" linewidth 1
   } else {

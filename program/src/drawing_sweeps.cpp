@@ -215,15 +215,18 @@ struct Family {
 /// The values of a key as a legend has them, by their texts: with six digits, unless two values are
 /// then the same.
 std::map<std::string, std::string> legend_values(const Cases& cases, const std::string& key) {
-  std::map<std::string, std::string> short_of, same;
+  std::map<std::string, std::string> values;
   std::set<std::string> different;
   for (const std::size_t row : cases.rows()) {
-    const std::string& text = cases.text(row, key);
-    same[text] = text;
-    short_of[text] = cases.is_numeric(key) ? fmt::format("{:.6g}", cases.number(row, key)) : text;
+    const std::string text = cases.text(row, key);
+    std::string& value = values[text];
+    value = cases.is_numeric(key) ? fmt::format("{:.6g}", cases.number(row, key)) : text;
+    different.insert(value);
   }
-  for (const auto& [text, value] : short_of) different.insert(value);
-  return different.size() == same.size() ? short_of : same;
+  if (different.size() < values.size()) {
+    for (auto& [text, value] : values) value = text;
+  }
+  return values;
 }
 
 std::vector<Family> families_of(const Cases& cases, const Axes& axes) {

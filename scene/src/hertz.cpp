@@ -60,15 +60,16 @@ void warn_of_strain(Scene& scene, double peak, double shear_modulus) {
   constexpr double most_strain = 0.05;
   constexpr double least_modulus = 10;  // N/mm^2; rubber has 1, and normalised contacts, too
   const auto first_of = [&](std::initializer_list<const char*> keys) -> std::string {
-    return *std::ranges::find_if(keys,
-                                 [&](const char* key) { return std::as_const(scene).has(key); });
+    const auto* const found =
+        std::ranges::find_if(keys, [&](const char* key) { return std::as_const(scene).has(key); });
+    return found == keys.end() ? "" : *found;  // springs have no modulus
   };
   const bool is_large = peak > most_strain * shear_modulus;
-  if (shear_modulus > largest_modulus && !is_large) {
-    warn_of_large_modulus(scene, first_of({"material.shear_modulus", "material.youngs_modulus"}),
-                          shear_modulus);
+  if (!is_large) {
+    return warn_of_large_modulus(
+        scene, first_of({"material.shear_modulus", "material.youngs_modulus"}), shear_modulus);
   }
-  if (!is_large || shear_modulus < least_modulus || shear_modulus > largest_modulus) return;
+  if (shear_modulus < least_modulus || shear_modulus > largest_modulus) return;
   const std::string key = first_of({"contact.peak_traction", "contact.bound_file",
                                     "contact.normal_load", "contact.bound_polynomial"});
   scene.warn(

@@ -15,6 +15,8 @@ double mean_strain(const SteadyPatch& patch) {
 }
 
 std::string doubt_of_large_motion(std::size_t component, double motion, const SteadyPatch& patch) {
+  const double size = component == 2 ? patch.bound.size() : 1;
+  if (!is_large_creepage(size * motion)) return "";  // before the strain is computed
   return doubt_of_large_motion(component, motion, patch.bound.size(), mean_strain(patch));
 }
 

@@ -78,11 +78,15 @@ void MaterialRecords::forget(double from, double to) {
   std::erase_if(records_, [&](const Record& r) { return r.place > from && r.place < to; });
 }
 
-void MaterialRecords::add(double place, const Vector2d& value, double distance) {
+bool MaterialRecords::has_room(double place, double distance) const {
   const auto after = std::ranges::upper_bound(records_, place, {}, &Record::place);
-  if (after != records_.end() && after->place - place < distance) return;
-  if (after != records_.begin() && place - std::prev(after)->place < distance) return;
-  records_.insert(after, {place, value});
+  return (after == records_.end() || after->place - place >= distance) &&
+         (after == records_.begin() || place - std::prev(after)->place >= distance);
+}
+
+void MaterialRecords::add(double place, const Vector2d& value, double distance) {
+  if (!has_room(place, distance)) return;
+  records_.insert(std::ranges::upper_bound(records_, place, {}, &Record::place), {place, value});
 }
 
 void MaterialRecords::move(const std::function<double(double, Vector2d&)>& to) {

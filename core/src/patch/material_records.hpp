@@ -57,7 +57,10 @@ class MaterialRecords {
   /// Forgets what is between two places.
   void forget(double from, double to);
 
-  /// Adds a record, unless there is one closer than a distance.
+  /// Whether no record is closer to a place than a distance.
+  bool has_room(double place, double distance) const;
+
+  /// Adds a record if there is room for it.
   void add(double place, const Vector2d& value, double distance);
 
   /// The same, where places move, too: `to` returns the new place, and keeps their order.

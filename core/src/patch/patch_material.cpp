@@ -155,12 +155,13 @@ void PatchMaterial::renew_origin(const JoinedRows& rows) {
 /// leading edge alone would be too far from one another, and from those of cells that slip.
 void PatchMaterial::record_entered(Index k, PointDisplacements& u, double dq) {
   const JoinedRows& rows = u.rows();
+  MaterialRecords& row = memory_[static_cast<std::size_t>(k)];
   const double front = size_ * rows.x(0, k);
   const double half_cell = size_ * rows.half_length(k) / static_cast<double>(rows.elements());
   for (Index j = 1; j <= 2 * rows.elements() && size_ * rows.x(j, k) > front - dq; ++j) {
     const double place = size_ * rows.x(j, k) + travelled_;
-    const Vector2d value = u.at(j, k) + path_.at(place, size_ * rows.y(k));
-    memory_[static_cast<std::size_t>(k)].add(place, value, half_cell);
+    if (!row.has_room(place, half_cell)) continue;  // before the displacement is computed
+    row.add(place, u.at(j, k) + path_.at(place, size_ * rows.y(k)), half_cell);
   }
 }
 
