@@ -127,11 +127,14 @@ std::size_t CreepTableNodes::at(Index ratio, Index step, Index angle, Index azim
       3 * (((ratio * layout.steps + step) * layout.polar + angle) * layout.azimuths + azimuth));
 }
 
-/// The patches of a ratio, each made when it is first used: those of the mean, and for each of them
-/// another one, on two cells more, for motions that have no solution there.
+/// Grids of one, two ... four times two cells more, for motions that have no solution on those of the
+/// mean: some under strong spin.
+constexpr std::size_t spare_grids = 4;
+
+/// The patches of a ratio, each made when it is first used: those of the mean, and their spare grids.
 struct CreepTableMaker::Shape {
-  std::array<std::once_flag, 2 * grids_of_mean> made;
-  std::array<std::optional<UnitPatch>, 2 * grids_of_mean> patches;
+  std::array<std::once_flag, (1 + spare_grids) * grids_of_mean> made;
+  std::array<std::optional<UnitPatch>, (1 + spare_grids) * grids_of_mean> patches;
 };
 
 CreepTableMaker::CreepTableMaker(const CreepTableLayout& layout) : layout_(layout) {
@@ -164,8 +167,14 @@ const UnitPatch& CreepTableMaker::patch(std::size_t ratio, std::size_t grid) con
 Vector3d CreepTableMaker::solve_on(std::size_t ratio, std::size_t grid, const Vector3d& motion,
                                    std::optional<PatchState>& state) const {
   if (const auto found = patch(ratio, grid).forces(motion, state)) return *found;
+  for (std::size_t spare = 1; spare < spare_grids; ++spare) {
+    std::optional<PatchState> none;
+    if (const auto found = patch(ratio, grid + spare * grids_of_mean).forces(motion, none)) {
+      return *found;
+    }
+  }
   try {
-    return patch(ratio, grid + grids_of_mean).solve(motion).forces;
+    return patch(ratio, grid + spare_grids * grids_of_mean).solve(motion).forces;
   } catch (const NotConverged& error) {
     throw NotConvergedAt(
         fmt::format("a/b = {:.4g}, motion ({:.4g}, {:.4g}, {:.4g})",
