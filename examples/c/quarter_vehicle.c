@@ -24,6 +24,7 @@
 #include <microslip_ellipse.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { X, DIVE, PHI, SIZE };
 
@@ -331,6 +332,10 @@ static void print_result(const struct result* result, struct vehicle* of) {
 }
 
 int main(int count, char** words) {
+  if (count > 1 && words[1][0] == '-') {
+    puts("usage: quarter_vehicle [FILE_OF_TRACTIONS [REFINEMENT]]");
+    return strcmp(words[1], "--help") != 0;
+  }
   struct vehicle of = vehicle_at_start(count > 2 ? strtod(words[2], NULL) : 1);
   struct result result = {.halt = INFINITY};
   FILE* tractions = count > 1 ? fopen(words[1], "w") : NULL;

@@ -189,6 +189,9 @@ def write_tractions(file, vehicle):
 
 
 def main():
+    if sys.argv[1:2] and sys.argv[1].startswith("-"):
+        print("usage: quarter_vehicle.py [FILE_OF_TRACTIONS [REFINEMENT]]")
+        sys.exit(sys.argv[1] != "--help")
     warnings.simplefilter("ignore", ms.LoadWarning)  # the creepage of a wheel that does not turn is 1
     vehicle = Vehicle(float(sys.argv[2]) if len(sys.argv) > 2 else 1)
     tractions = open(sys.argv[1], "w", encoding="ascii") if len(sys.argv) > 1 else None
