@@ -31,7 +31,7 @@ help:
 	@echo 'make quick        every study, coarser, into results/quick'
 	@echo 'make bench        times against N into results/bench, with figures; about five minutes'
 	@echo 'make test         build everything, and run the tests'
-	@echo 'make thorough     the tests that it leaves out: 50 digits, all generated cases, verdicts of the longest studies, browser, LaTeX, packages'
+	@echo 'make thorough     the tests that it leaves out: 50 digits, all generated cases, long runs, verdicts of the longest studies, Octave, pip, browser, LaTeX, packages'
 	@echo 'make verify       make thorough; two clean builds: the same bytes; these, and other instructions and compilers: agreement with tests/reference_tables'
 	@echo 'make references   make the tables of this build those of tests/reference_tables'
 	@echo 'make accuracy     the orders that the tests measure, into docs/accuracy.md'

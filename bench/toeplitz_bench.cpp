@@ -6,6 +6,7 @@
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/linalg/circulant_inverse.hpp"
 #include "microslip/linalg/gmres.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/linalg/toeplitz_inverse.hpp"
 #include "microslip/linalg/toeplitz_product.hpp"
 
@@ -130,14 +131,14 @@ class ToeplitzCases {
     if (n > p_.dense_solve) return;
     add(quantity, "lu", n, difference, toeplitz,
         [](const Toeplitz& matrix, const VectorXd& b, VectorXd& x) {
-          x = matrix.dense().partialPivLu().solve(b);
+          LuFactors(matrix.dense()).solve(b, x);
           return 0;
         });
     add(
         quantity, "lu_apply", n, difference,
-        [](const Toeplitz& matrix) { return matrix.dense().partialPivLu(); },
-        [](const Eigen::PartialPivLU<MatrixXd>& factors, const VectorXd& b, VectorXd& x) {
-          x = factors.solve(b);
+        [](const Toeplitz& matrix) { return LuFactors(matrix.dense()); },
+        [](const LuFactors& factors, const VectorXd& b, VectorXd& x) {
+          factors.solve(b, x);
           return 0;
         });
   }

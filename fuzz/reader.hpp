@@ -12,10 +12,24 @@
 
 #include "microslip/support/not_converged.hpp"
 
-/// The entry of libFuzzer, which each target defines.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+/// Begins the function of a target, which takes an input: `data`, of `size` bytes. It is the entry of
+/// libFuzzer, or one of the readers of the program that replays inputs.
+#ifdef MICROSLIP_FUZZ
+#define MICROSLIP_READER(name) \
+  extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+#else
+#define MICROSLIP_READER(name)                                                           \
+  static int read_##name(const std::uint8_t* data, std::size_t size);                    \
+  static const bool name##_is_listed = microslip::fuzz::list_reader(#name, read_##name); \
+  static int read_##name(const std::uint8_t* data, std::size_t size)
+#endif
 
 namespace microslip::fuzz {
+
+using Reader = int(const std::uint8_t* data, std::size_t size);
+
+/// Adds a reader to those that the program replays. \return true
+bool list_reader(const char* name, Reader* reader);
 
 inline void require_that(bool holds, std::string_view what, std::string_view found) {
   if (holds) return;

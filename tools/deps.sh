@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs what the project needs and this machine lacks. Usage: tools/deps.sh GROUP ...
-# Groups: build, figures, report, article, languages, notebook, wheels, docs, browser, package, bench, clang, coverage.
+# Groups: build, figures, report, article, python, languages, notebook, wheels, docs, browser, package, bench, clang, coverage.
 # Does nothing, and prints nothing, when all is there. DEPS=skip turns it off. DEPS_ARCHIVE is the address of a Debian
 # archive, as that of one date, from which alone packages are taken then; DEPS_SUITE is its suite, bookworm if not given.
 set -euo pipefail
@@ -39,18 +39,21 @@ libclang-rt-14-dev /usr/lib/llvm-14/lib/clang/14.0.6/include/fuzzer/FuzzedDataPr
 LIST
       ;;
     coverage) echo "gcovr gcovr" ;;
-    languages) cat <<'LIST'
+    python) cat <<'LIST'
 python3-numpy /usr/lib/python3/dist-packages/numpy
 python3-pytest /usr/lib/python3/dist-packages/pytest
+python3-pandas /usr/lib/python3/dist-packages/pandas
+python3-matplotlib /usr/lib/python3/dist-packages/matplotlib
+pkg-config pkg-config
+LIST
+      ;;
+    languages) needs python; cat <<'LIST'
 python3-pip /usr/lib/python3/dist-packages/pip
 python3-venv /usr/share/doc/python3-venv
 python3-setuptools /usr/lib/python3/dist-packages/setuptools
 python3-wheel /usr/lib/python3/dist-packages/wheel
-python3-pandas /usr/lib/python3/dist-packages/pandas
 mypy mypy
-python3-matplotlib /usr/lib/python3/dist-packages/matplotlib
 octave-dev mkoctfile
-pkg-config pkg-config
 LIST
       ;;
     notebook) cat <<'LIST'

@@ -7,7 +7,7 @@
 #include "reader.hpp"
 #include "sweep_options.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MICROSLIP_READER(arguments) {
   using namespace microslip;
   std::istringstream lines(fuzz::text_of(data, size));
   std::vector<std::string> arguments{"sweep"};

@@ -5,7 +5,7 @@
 #include "good_scene.hpp"
 #include "models.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MICROSLIP_READER(assignments) {
   using namespace microslip;
   std::istringstream text(good_contact + "load { creepage 0.4 }\n");
   Scene scene = Scene::parse(text, "good");

@@ -9,7 +9,7 @@
 
 namespace {
 
-constexpr const char* good = R"(
+constexpr const char* line_contact = R"(
 material { shear_modulus 1
   poisson_ratio 0.28 }
 contact { half_width 1 }
@@ -23,12 +23,12 @@ motion { distance 1 }
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MICROSLIP_READER(columns) {
   using namespace microslip;
   for (const char* scheme : {"direct", "remembered"}) {
     for (const bool is_bound : {true, false}) {
-      std::istringstream text(good);
-      Scene scene = Scene::parse(text, "good");
+      std::istringstream text(line_contact);
+      Scene scene = Scene::parse(text, "line_contact");
       scene.set(fmt::format("step.scheme={}", scheme));
       scene.set(is_bound ? "contact.bound_file=b.tsv" : "contact.peak_traction=1");
       scene.set(is_bound ? "start.type=rest" : "start.type=file");

@@ -6,7 +6,7 @@
 #include "microslip/scene/model.hpp"
 #include "reader.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MICROSLIP_READER(input) {
   using namespace microslip;
   const std::string text = fuzz::text_of(data, size);
   for (const bool direct : {false, true}) {

@@ -53,7 +53,7 @@ std::vector<std::string> parts_of(const std::string& text) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MICROSLIP_READER(merge) {
   using namespace microslip;
   const Folder folder;
   const std::vector<std::string> parts = parts_of(fuzz::text_of(data, size));

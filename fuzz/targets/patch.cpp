@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr const char* good = R"(
+constexpr const char* half_spaces = R"(
 problem steady
 material { shear_modulus 1
   poisson_ratio 0.28 }
@@ -19,14 +19,14 @@ load { creepage 0.4 }
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MICROSLIP_READER(patch) {
   using namespace microslip;
   const std::string text = fuzz::text_of(data, size);
   const std::size_t end = text.find("=\n");
   const std::string bound = end == std::string::npos ? "" : text.substr(end + 2);
   const auto read = [&](const std::vector<const char*>& settings) {
-    std::istringstream in(good);
-    Scene scene = Scene::parse(in, "good");
+    std::istringstream in(half_spaces);
+    Scene scene = Scene::parse(in, "half_spaces");
     for (const char* setting : settings) scene.set(setting);
     scene.read_files_by([&](const std::string& path) {
       return plain_text(path == "edges.tsv" ? text.substr(0, end) : bound);

@@ -4,7 +4,7 @@
 
 #include "models.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MICROSLIP_READER(scene) {
   using namespace microslip;
   fuzz::accepts_or_rejects([&] {
     std::istringstream in(fuzz::text_of(data, size));

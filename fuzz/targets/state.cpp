@@ -7,7 +7,7 @@
 #include "microslip/support/checksum.hpp"
 #include "reader.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MICROSLIP_READER(state) {
   using namespace microslip;
   static const TransientProblem problem{.contact = {PlaneKernel({1, 0.28}, 10), HertzBound(1, 1)},
                                         .grid = Grid({.half_width = 1, .elements = 5}),

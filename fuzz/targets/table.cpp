@@ -6,7 +6,7 @@
 
 #include "reader.hpp"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+MICROSLIP_READER(table) {
   using namespace microslip;
   const std::string text = fuzz::text_of(data, size);
   fuzz::accepts_or_rejects([&] {

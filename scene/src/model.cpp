@@ -28,6 +28,9 @@
 
 namespace microslip {
 
+const std::vector<std::string> load_keys{"load.creepage", "load.force", "load.force_ratio",
+                                         "load.stick_ratio"};
+
 namespace {
 
 /// The contact of a steady or transient scene.

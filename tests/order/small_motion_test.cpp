@@ -7,7 +7,7 @@
 // evaluated in 30 digits by de Hoog's method.
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "measured_order.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/rolling/frequency_response.hpp"
 #include "microslip/rolling/inverted_rolling.hpp"
 #include "microslip/rolling/transient.hpp"
@@ -228,7 +229,7 @@ double noise(Eigen::Index n, double step_ratio, double force) {
   const Eigen::Map<const Eigen::VectorXd> values(creepages.data(), count);
   const Eigen::MatrixXd normal = powers.transpose() * powers;
   const Eigen::VectorXd moments = powers.transpose() * values;
-  const Eigen::VectorXd fitted = powers * normal.partialPivLu().solve(moments);
+  const Eigen::VectorXd fitted = powers * LuFactors(normal).solve(moments);
   return (values - fitted).norm() / std::sqrt(static_cast<double>(count)) / std::abs(values.mean());
 }
 

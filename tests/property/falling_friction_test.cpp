@@ -3,7 +3,7 @@
 // Coulomb's, a first-order scheme of this file's own, steps of other lengths, and saved states.
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "samples.hpp"
@@ -116,7 +117,7 @@ struct OwnSteps {
       }
       if (!stuck.empty()) {
         const VectorXd left = -(fixed + now * traction)(stuck);
-        const VectorXd found = MatrixXd(now(stuck, stuck)).partialPivLu().solve(left);
+        const VectorXd found = LuFactors(now(stuck, stuck)).solve(left);
         traction(stuck) = found;
       }
       slip = fixed + now * traction;

@@ -12,6 +12,7 @@
 #include <random>
 #include <vector>
 
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/patch/steady_patch.hpp"
 
 namespace microslip::generated_shapes_test {
@@ -114,7 +115,7 @@ class Rectangles {
       rigid[i] = motion[0] - motion[2] * cell.y;
       rigid[n_ + i] = motion[1] + motion[2] * (cell.x + cell.dx / 2);
     }
-    VectorXd p = -slip_.partialPivLu().solve(rigid);
+    VectorXd p = -LuFactors(slip_).solve(rigid);
     double change = std::isinf(peak) ? 0 : 1;
     for (int system = 0; system < 30 && change > 1e-9; ++system) {
       const VectorXd s = slip_ * p + rigid;
@@ -139,7 +140,7 @@ class Rectangles {
         right[i] = known[0];
         right[n_ + i] = known[1];
       }
-      VectorXd q = left.partialPivLu().solve(right);
+      VectorXd q = LuFactors(left).solve(right);
       for (Index i = 0; i < n_; ++i) {
         const double most = peak * bound_[static_cast<std::size_t>(i)];
         const double size = std::hypot(q[i], q[n_ + i]);

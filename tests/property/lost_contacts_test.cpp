@@ -9,6 +9,7 @@
 
 #include "microslip/rolling/load_history.hpp"
 #include "microslip/rolling/transient.hpp"
+#include "samples.hpp"
 
 namespace microslip::lost_contacts_test {
 
@@ -77,10 +78,12 @@ std::vector<double> row_lengths(const LoadHistory& loads) {
   return lengths;
 }
 
+unsigned seeds() { return static_cast<unsigned>(samples(60)); }
+
 /// The contact of the last row grows from nothing over the last piece. Its force does not depend on
 /// how nothing is written.
 TEST(LostContacts, AreBegunWhereTheyReturn) {
-  for (unsigned seed = 0; seed < 60; ++seed) {
+  for (unsigned seed = 0; seed < seeds(); ++seed) {
     const RunOfRows run = generated(seed);
     const LoadHistory lost = history_of(run, 0);
     const LoadHistory tiny = history_of(run, 1e-9);
@@ -92,7 +95,7 @@ TEST(LostContacts, AreBegunWhereTheyReturn) {
 
 /// A step may begin before the row in which contact is lost and end behind it.
 TEST(LostContacts, AreForgottenWithinAStep) {
-  for (unsigned seed = 0; seed < 60; ++seed) {
+  for (unsigned seed = 0; seed < seeds(); ++seed) {
     const RunOfRows run = generated(seed);
     const LoadHistory lost = history_of(run, 0);
     const double fine = last_force(lost, {0.04});

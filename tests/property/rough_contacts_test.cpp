@@ -114,7 +114,8 @@ TEST(RoughContacts, EstimatesHold) {
   constexpr Index elements = 32768;
   constexpr std::array hursts{0.3, 0.5, 0.1};
   for (int i = 0; i < samples(3); ++i) {
-    for (const double force_ratio : {0.02, 0.5, 0.9}) {
+    for (const double force_ratio : {0.5, 0.02, 0.9}) {
+      if (force_ratio != 0.5 && !takes_all_samples()) continue;
       const double hurst = hursts.at(static_cast<std::size_t>(i));
       const TractionBound bound =
           rough_bound(hertz, {.amplitude = 0.3, .hurst = hurst, .seed = 7, .rows = 8193});

@@ -2,7 +2,7 @@
 // A patch that grows and shrinks while it rolls, its energy, Jacobian, copies and saved states.
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/patch/patch_rolling.hpp"
 #include "microslip/patch/rectangles.hpp"
 #include "microslip/support/not_converged.hpp"
@@ -121,7 +122,7 @@ VectorXd forces_by_squares(Index across, const std::function<double(double)>& ra
       if (std::hypot(box.x(i), box.y(i)) < now) within.push_back(i);
     }
     const VectorXd right = (ahead * tractions - VectorXd::Constant(n, side))(within);
-    const VectorXd solved = MatrixXd(here(within, within)).partialPivLu().solve(right);
+    const VectorXd solved = LuFactors(here(within, within)).solve(right);
     tractions.setZero();
     tractions(within) = solved;
     forces[s] = solved.sum() * box.area();

@@ -3,12 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <cmath>
 #include <stdexcept>
 
 #include "microslip/halfspace/basis.hpp"
 #include "microslip/halfspace/influence.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/linalg/spectra.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/thesis/schur_powers.hpp"
@@ -36,7 +37,7 @@ TEST(FractionalShift, MatrixIsTheInverseOfATimesAOneElementUpstream) {
     const Eigen::MatrixXd a = influence_matrix(kernel, basis, dx, n);
     const Eigen::MatrixXd upstream = a - influence_difference_matrix(kernel, basis, dx, n, 1);
     const Eigen::MatrixXd difference =
-        shift_matrix(shift_of(n, basis)) - a.partialPivLu().solve(upstream);
+        shift_matrix(shift_of(n, basis)) - LuFactors(a).solve_columns(upstream);
     EXPECT_LT(difference.lpNorm<Eigen::Infinity>(), 1e-11);
   }
 }
@@ -72,7 +73,7 @@ Eigen::MatrixXd logarithm(const Eigen::MatrixXd& matrix) {
   constexpr double roots = 4096;
   const Eigen::MatrixXd root = SchurPowers(matrix).power(1 / roots);
   const auto identity = Eigen::MatrixXd::Identity(matrix.rows(), matrix.cols());
-  const Eigen::MatrixXd x = (root + identity).partialPivLu().solve(root - identity);
+  const Eigen::MatrixXd x = LuFactors(root + identity).solve_columns(root - identity);
   const Eigen::MatrixXd square = x * x;
   return 2 * roots * (x + x * square / 3 + x * square * square / 5);
 }

@@ -3,7 +3,7 @@
 // shares no code.
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,6 +11,7 @@
 
 #include "microslip/halfspace/influence.hpp"
 #include "microslip/halfspace/leading_edge.hpp"
+#include "microslip/linalg/lu_factors.hpp"
 #include "microslip/reference/brush.hpp"
 #include "microslip/reference/carter.hpp"
 #include "microslip/reference/fastsim.hpp"
@@ -290,7 +291,7 @@ class DenseLayer {
         matrix(i, i) = 1;
         right[i] = s * bound_[i];
       }
-      traction_ = matrix.partialPivLu().solve(right);
+      traction_ = LuFactors(matrix).solve(right);
       const VectorXd slip =
           influence_.topRows(n_) * traction_ - came + VectorXd::Constant(n_, creepage * dx_);
       bool changed = false;

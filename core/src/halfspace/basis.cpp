@@ -27,6 +27,10 @@ Basis::Basis(std::string name, Pattern pattern, std::vector<ShapeFunction> shape
   }
 }
 
+bool Basis::has_only(const ShapeFunction& shape) const {
+  return pattern_ == Pattern::uniform && shapes_.front() == shape;
+}
+
 std::size_t Basis::shape_of(Eigen::Index i, Eigen::Index n) const {
   switch (pattern_) {
     case Pattern::alternating:

@@ -77,6 +77,10 @@ SymbolKernel::SymbolKernel(const VectorXd& wave_numbers, const VectorXd& symbol)
   }
 }
 
+SymbolKernel SymbolKernel::in_units_of(double length) const {
+  return {wave_numbers_ * length, symbol_ / length};
+}
+
 double SymbolKernel::displacement(double z) const {
   double sum = 0;
   for (Index i = 0; i < bends_.size(); ++i) {

@@ -30,9 +30,7 @@ class Basis {
   const std::vector<ShapeFunction>& shapes() const { return shapes_; }
 
   /// Whether all nodes have this function.
-  bool has_only(const ShapeFunction& shape) const {
-    return pattern_ == Pattern::uniform && shapes_.front() == shape;
-  }
+  bool has_only(const ShapeFunction& shape) const;
 
   /// Index into shapes() of node i of n, 0 <= i < n.
   std::size_t shape_of(Eigen::Index i, Eigen::Index n) const;

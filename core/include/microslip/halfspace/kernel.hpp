@@ -31,73 +31,49 @@ class Kernel {
   }
 
   /// "strip", "plane", "winkler", "symbol", or "strip with a layer", "plane with a layer"
-  std::string_view name() const {
-    return visit([](const auto& k) -> std::string_view { return k.name(); });
-  }
+  std::string_view name() const;
 
   /// K(z) without the layer, z > 0  [mm^2/N]
-  double displacement(double z) const {
-    return visit([z](const auto& k) { return k.displacement(z); });
-  }
+  double displacement(double z) const;
 
   /// Distance of the nearest singularity of the regular functions from the real axis; for kernels
   /// without these, the length of a panel at z = 0 on which 15 Gauss points integrate z times the
   /// decay to rounding  [mm]
-  double clear_distance() const {
-    return visit([](const auto& k) { return k.clear_distance(); });
-  }
+  double clear_distance() const;
 
   /// Factor k of the logarithm at z = 0, of a half-space 2 (1 - nu) / (pi G), and 0 if there is
   /// none [mm^2/N]
-  double log_factor() const {
-    return visit([](const auto& k) { return k.log_factor(); });
-  }
+  double log_factor() const;
 
   /// C of a Winkler layer; 0 if there is none  [mm^3/N]
-  double layer_compliance() const {
-    return visit([](const auto& k) { return k.layer_compliance(); });
-  }
+  double layer_compliance() const;
 
   /// Whether a traction displaces other places than its own: not in a brush.
-  bool spreads() const {
-    return visit([](const auto& k) { return k.spreads(); });
-  }
+  bool spreads() const;
 
   /// The half-length below which the kernel is positive definite: any tractions on a shorter
   /// interval have a positive elastic energy. The limit is infinite for a strip, because the kernel
   /// falls and is convex. In plane strain the limit is 2 L0, where the logarithmic capacity of the
   /// interval, half its half-length, is L0. A layer only adds energy  [mm]
-  double definite_half_length() const {
-    return visit([](const auto& k) { return k.definite_half_length(); });
-  }
+  double definite_half_length() const;
 
   /// The wave numbers between which a table gives the symbol; 0 where there is no table. Below the
   /// first, the symbol is constant; the decay has waves up to the second  [1/mm]
-  double least_wave_number() const {
-    return visit([](const auto& k) { return k.least_wave_number(); });
-  }
-  double largest_wave_number() const {
-    return visit([](const auto& k) { return k.largest_wave_number(); });
-  }
+  double least_wave_number() const;
+  double largest_wave_number() const;
 
   /// K(length z) as a function of z: the kernel with the strip's width or L0 divided by `length`;
   /// and a layer's compliance, as the kernel of a layer is a delta function.
   /// \param length  in (0, inf)  [1]
-  Kernel in_units_of(double length) const {
-    return visit([length](const auto& k) { return Kernel(k.in_units_of(length)); });
-  }
+  Kernel in_units_of(double length) const;
 
   /// L0 of plane strain without a layer, none for other kernels. Plane strain has no other length:
   /// in other units it differs by a constant displacement  [mm]
-  std::optional<double> plane_length() const {
-    return visit([](const auto& k) -> std::optional<double> { return k.plane_length(); });
-  }
+  std::optional<double> plane_length() const;
   bool is_plane() const { return plane_length().has_value(); }
 
   /// Whether the kernel is of a half-space alone: a strip or plane strain.
-  bool is_half_space() const {
-    return visit([]<class K>(const K&) { return HalfSpaceKernel<K>; });
-  }
+  bool is_half_space() const;
 
   /// Whether the kernel is of a half-space, with or without a layer.
   bool has_material() const { return find_material() != nullptr; }

@@ -228,9 +228,7 @@ class SymbolKernel : public CommonKernelTraits {
   double layer_compliance() const { return compliance_; }  ///< C  [mm^3/N]
   double least_wave_number() const { return wave_numbers_[0]; }
   double largest_wave_number() const { return bends_.size() == 0 ? 0 : bends_[bends_.size() - 1]; }
-  SymbolKernel in_units_of(double length) const {
-    return {wave_numbers_ * length, symbol_ / length};
-  }
+  SymbolKernel in_units_of(double length) const;
   double symbol(double wave_number) const;
   const Eigen::VectorXd& wave_numbers() const { return wave_numbers_; }
   const Eigen::VectorXd& symbols() const { return symbol_; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -64,8 +65,8 @@ struct SteadyPatchSolution {
   /// Whether the search for a friction that depends on slip found a second solution.
   bool has_second = false;
 
-  double force() const { return resultants.head<2>().norm(); }    ///< [N]
-  double slip_area() const { return slip_area_of(area, slips); }  ///< [mm^2]
+  double force() const { return std::hypot(resultants[0], resultants[1]); }  ///< [N]
+  double slip_area() const { return slip_area_of(area, slips); }             ///< [mm^2]
 };
 
 /// Solves steady rolling of a patch.

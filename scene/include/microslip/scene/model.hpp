@@ -80,8 +80,7 @@ void warn_of_large_creepage(Scene& scene, const std::string& key, double creepag
 
 /// The keys of a load, of which a scene has one; load.stick_ratio is for Hertz's bound in plane
 /// strain.
-inline const std::vector<std::string> load_keys{"load.creepage", "load.force", "load.force_ratio",
-                                                "load.stick_ratio"};
+extern const std::vector<std::string> load_keys;
 
 /// Reads the one of `load_keys` that the scene has.
 Load read_load(Scene& scene, const Kernel& kernel, const TractionBound& bound);
