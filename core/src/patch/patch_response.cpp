@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/patch/patch_response.hpp"
 
-#include <Eigen/LU>
+#include <array>
 
+#include "microslip/linalg/lu_factors.hpp"
+#include "mirror_parts.hpp"
 #include "slip_maps.hpp"
 
 namespace microslip {
@@ -49,16 +51,34 @@ PatchResponse::PatchResponse(const JoinedRows& rows, const Matrix& displacement)
 PatchResponse::PatchResponse(const JoinedRows& rows, const PatchSlipMap& own,
                              const PatchSlipMap& centre)
     : rows_(rows) {
-  unknowns_ = own.by_traction.inverse();  // by rows at once, which LuFactors would transpose
+  solve(own.by_traction, centre.by_traction);
   const auto norm = [](const auto& map) { return map.cwiseAbs().colwise().sum().maxCoeff(); };
   condition_ = norm(own.by_traction) * norm(unknowns_);
-  centre_slip_ = centre.by_traction * unknowns_;
   rigid_own_slip_ = own.by_motion;
   rigid_centre_slip_ = centre.by_motion;
   stiffness_ = own.by_traction.diagonal();
   resultants_ = resultants_by_traction(rows);
   relief_ = resultants_ * unknowns_;
   linear_ = -relief_ * rigid_own_slip_;
+}
+
+void PatchResponse::solve(const MatrixXd& own, const MatrixXd& centre) {
+  if (rows_.shape().is_mirrored()) {
+    const MirrorParts mirror(rows_);
+    if (mirror.divide(own) && mirror.divide(centre)) {
+      std::array<MatrixXd, 2> unknowns, centre_slip;
+      for (std::size_t part = 0; part < 2; ++part) {
+        unknowns[part] = LuFactors(mirror.part_of(own, part)).inverse();
+        centre_slip[part].noalias() = mirror.part_of(centre, part) * unknowns[part];
+      }
+      unknowns_ = mirror.joined(unknowns);
+      centre_slip_ = mirror.joined(centre_slip);
+      return;
+    }
+  }
+  const MatrixXd inverse = LuFactors(own).inverse();
+  unknowns_ = inverse;
+  centre_slip_.noalias() = centre * inverse;
 }
 
 }  // namespace microslip

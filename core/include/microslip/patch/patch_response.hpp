@@ -70,6 +70,9 @@ class PatchResponse {
  private:
   PatchResponse(const JoinedRows& rows, const Matrix& displacement);
 
+  /// Sets the unknowns and the slip at centres, from those by tractions.
+  void solve(const Eigen::MatrixXd& own, const Eigen::MatrixXd& centre);
+
   JoinedRows rows_;
   Matrix unknowns_, centre_slip_;
   Eigen::MatrixX3d rigid_own_slip_, rigid_centre_slip_;
