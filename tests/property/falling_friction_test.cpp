@@ -256,13 +256,16 @@ TEST(FallingFriction, DoesNotDependOnTheStepWhereItRemembers) {
   }
 }
 
+// Steady rolling is of first order in the elements here: with 40 it is off by up to 7e-3, and
+// extrapolated from 40 and 80 it has the limit of the steps.
 TEST(FallingFriction, TurnsToSteadyRolling) {
   for (const Case& of : generated_cases(6, samples(6))) {
     TransientRolling rolling(transient_of(of, 40, of.memory));
     const auto nothing = [](const TransientState&) {};
     rolling.roll(600, {0.4}, PrescribedCreepage{of.creepage}, nothing);
-    const double steady = solve_steady(steady_of(of, 40, of.memory)).force;
-    EXPECT_NEAR(rolling.state().force / full(), steady / full(), 2e-3);
+    const double coarse = solve_steady(steady_of(of, 40, of.memory)).force;
+    const double fine = solve_steady(steady_of(of, 80, of.memory)).force;
+    EXPECT_NEAR(rolling.state().force / full(), (2 * fine - coarse) / full(), 5e-4);
   }
 }
 
