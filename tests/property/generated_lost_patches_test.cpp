@@ -146,14 +146,15 @@ TEST(GeneratedLostPatches, KeepTheBoundAndStartAtRest) {
   EXPECT_LE(refused, runs / 20);
 }
 
-// In all 40 runs one step differs by 2.05e-3 and one by 1.5e-3, the others by less than 3e-4.
+// Units are powers of two, so that both runs round alike. Which records the material keeps is decided
+// at limits of distances: where steps are longer by 1e-12, one more is kept in a step of run 32, and
+// forces change by up to 2e-3 later on. The largest difference is 4e-6.
 TEST(GeneratedLostPatches, HaveMirrorImagesInAnyUnits) {
   Generator generator(6);
   const int runs = samples(40);
-  int apart = 0;
   for (int i = 0; i < runs; ++i) {
     const GeneratedRun run = generator.run();
-    const double size = 4.5, strain = 2e-3, modulus = 8e4;
+    const double size = 4, strain = 0x1p-9, modulus = 0x1p16;
     SteadyPatch other = run.problem;
     const PatchBound& bound = run.problem.bound;
     other.material.shear_modulus = modulus;
@@ -168,12 +169,9 @@ TEST(GeneratedLostPatches, HaveMirrorImagesInAnyUnits) {
       if (!step.contact.carries()) continue;
       const Vector3d units = strain * modulus * size * size * Vector3d(1, -1, -size);
       const Vector3d back = image.resultants().cwiseQuotient(units);
-      const double difference = (back - one.resultants()).cwiseQuotient(largest).norm();
-      EXPECT_LT(difference, 2.5e-3) << i;
-      apart += difference > 3e-4;
+      EXPECT_LT((back - one.resultants()).cwiseQuotient(largest).norm(), 1e-5) << i;
     }
   }
-  EXPECT_LE(apart, 2);
 }
 
 }  // namespace microslip::generated_lost_patches_test

@@ -141,8 +141,7 @@ TEST(GeneratedPatchSteps, OfAnyLengthsTendToSteadyRolling) {
   const auto uniform = [&](double from, double to) {
     return std::uniform_real_distribution<double>(from, to)(random);
   };
-  const int ellipses = takes_all_samples() ? 90 : 8;  // each takes a second
-  for (int i = 0; i < ellipses; ++i) {
+  for (int i = 0; i < samples(90, 8); ++i) {  // each takes a second
     const double ratio = std::exp(uniform(-1.1, 1.1)), a = std::sqrt(ratio);
     const auto cells = static_cast<Index>(uniform(7, 17));
     SteadyPatch problem{.material = {1, uniform(0, 0.5)},

@@ -158,8 +158,8 @@ TEST(GeneratedPatches, HaveErrorsOfSecondOrderAndOfTheSizeOfTheChange) {
 }
 
 // Sides of cells are slanted at the ends of long ellipses. Galin's theorem gives the coefficients.
-// With too few points across rows, one grid of a hundred was off by up to 8e-3, and the equations of
-// one in twenty were so nearly singular that no small load had a solution.
+// With too few points across rows, the second grid below was off by 8e-3, and the equations of the
+// first were so nearly singular that small loads had no solution.
 TEST(GeneratedPatches, AreRegularAndAccurateWhereTheyAreLong) {
   LoadGenerator generator(23);
   constexpr double nu = 0.28;

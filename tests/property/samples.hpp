@@ -15,4 +15,7 @@ inline bool takes_all_samples() {
 /// Says how many of the generated cases a test takes: a sixth, or all.
 inline int samples(int all) { return takes_all_samples() ? all : (all + 5) / 6; }
 
+/// The same for cases that take long, with a number of its own.
+inline int samples(int all, int some) { return takes_all_samples() ? all : some; }
+
 }  // namespace microslip

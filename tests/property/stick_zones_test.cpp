@@ -208,7 +208,8 @@ TEST(StickZones, SeeANarrowValley) {
 /// More rows than zones can be searched for: the program takes as many elements as it needs,
 /// whatever the grid of the scene.
 TEST(StickZones, OfRoughBoundsAreResolvedByAsManyElementsAsItTakes) {
-  for (unsigned seed = 1; seed <= (takes_all_samples() ? 3U : 1U); ++seed) {
+  for (int i = 1; i <= samples(3, 1); ++i) {
+    const auto seed = static_cast<unsigned>(i);
     const TabulatedBound bound = rough_bound(
         HertzBound(half_width, 300), {.amplitude = 0.8, .hurst = 0.4, .seed = seed, .rows = 4097});
     const PrescribedForce load{-0.9 * full_sliding_force(bound)};

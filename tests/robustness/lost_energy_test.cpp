@@ -54,7 +54,7 @@ TEST_F(LostEnergy, IsWarnedOfWhereTheForceChangesSuddenly) {
     return std::uniform_real_distribution<double>(from, to)(random);
   };
   int warned = 0, right = 0;
-  const int changes = takes_all_samples() ? 40 : 12;
+  const int changes = samples(40, 12);
   for (int i = 0; i < changes; ++i) {
     const double from = uniform(-0.95, 0.95);
     const double to = i % 2 == 0 ? from * uniform(0.02, 1) : uniform(-0.95, 0.95);

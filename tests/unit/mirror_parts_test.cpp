@@ -37,10 +37,10 @@ TEST(MirrorParts, HaveTheInverseOfTheWholeMatrix) {
       const MatrixXd mirror = mirror_of(rows);
       MatrixXd matrix = MatrixXd::NullaryExpr(size, size, [&] { return uniform(random); });
       const MirrorParts parts(rows);
-      EXPECT_EQ(parts.divide(matrix), false);
+      EXPECT_EQ(parts.apply_to(matrix), false);
       matrix = (matrix + mirror * matrix * mirror).eval();
       matrix += 4 * MatrixXd::Identity(size, size);
-      ASSERT_TRUE(parts.divide(matrix));
+      ASSERT_TRUE(parts.apply_to(matrix));
       std::array<MatrixXd, 2> inverses;
       Index unknowns = 0;
       for (std::size_t part = 0; part < 2; ++part) {

@@ -127,14 +127,14 @@ std::size_t CreepTableNodes::at(Index ratio, Index step, Index angle, Index azim
       3 * (((ratio * layout.steps + step) * layout.polar + angle) * layout.azimuths + azimuth));
 }
 
-/// Grids of one, two ... four times two cells more, for motions that have no solution on those of the
-/// mean: some under strong spin.
-constexpr std::size_t spare_grids = 4;
+/// A motion that has no solution on a grid of the mean is tried on four others, which have two, four,
+/// six and eight cells more.
+constexpr std::size_t grids_of_motion = 5;
 
-/// The patches of a ratio, each made when it is first used: those of the mean, and their spare grids.
+/// The patches of a ratio, each made when it is first used.
 struct CreepTableMaker::Shape {
-  std::array<std::once_flag, (1 + spare_grids) * grids_of_mean> made;
-  std::array<std::optional<UnitPatch>, (1 + spare_grids) * grids_of_mean> patches;
+  std::array<std::once_flag, grids_of_motion * grids_of_mean> made;
+  std::array<std::optional<UnitPatch>, grids_of_motion * grids_of_mean> patches;
 };
 
 CreepTableMaker::CreepTableMaker(const CreepTableLayout& layout) : layout_(layout) {
@@ -166,15 +166,13 @@ const UnitPatch& CreepTableMaker::patch(std::size_t ratio, std::size_t grid) con
 /// \param state  in which a smaller motion in the same direction ended; it becomes that of this one
 Vector3d CreepTableMaker::solve_on(std::size_t ratio, std::size_t grid, const Vector3d& motion,
                                    std::optional<PatchState>& state) const {
-  if (const auto found = patch(ratio, grid).forces(motion, state)) return *found;
-  for (std::size_t spare = 1; spare < spare_grids; ++spare) {
-    std::optional<PatchState> none;
-    if (const auto found = patch(ratio, grid + spare * grids_of_mean).forces(motion, none)) {
-      return *found;
-    }
+  for (std::size_t tried = 0; tried + 1 < grids_of_motion; ++tried) {
+    std::optional<PatchState> none;  // states are those of the grid of the mean
+    const UnitPatch& on = patch(ratio, grid + tried * grids_of_mean);
+    if (const auto found = on.forces(motion, tried == 0 ? state : none)) return *found;
   }
   try {
-    return patch(ratio, grid + spare_grids * grids_of_mean).solve(motion).forces;
+    return patch(ratio, grid + (grids_of_motion - 1) * grids_of_mean).solve(motion).forces;
   } catch (const NotConverged& error) {
     throw NotConvergedAt(
         fmt::format("a/b = {:.4g}, motion ({:.4g}, {:.4g}, {:.4g})",

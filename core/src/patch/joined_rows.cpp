@@ -65,7 +65,7 @@ struct Rule {
 /// Divides a sub-row where sides of its cells are slanted: at the ends of long ellipses, in the outer
 /// rows. There the integrals along lines jump where the side passes the point, over a distance that
 /// is shorter the more slanted the side is. With one panel errors are up to 8e-3 for a/b above 5,
-/// and the matrix of some grids is nearly singular, so that no load has a solution.
+/// and the matrix of some grids is nearly singular, so that small loads have no solution.
 int panels_of(const Lobe& lobe, const SubRow& part) {
   constexpr double slope_of_panel = 20, most = 8;
   const Lobe::Row from = lobe.row(part.from), to = lobe.row(part.to);

@@ -28,7 +28,7 @@ MirrorParts::MirrorParts(const JoinedRows& rows)
   }
 }
 
-bool MirrorParts::divide(const MatrixXd& matrix) const {
+bool MirrorParts::apply_to(const MatrixXd& matrix) const {
   constexpr double rounding = 1e-11;
   const double most = rounding * matrix.cwiseAbs().maxCoeff();
   const Index n = size_ / 2;

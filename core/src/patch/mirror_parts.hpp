@@ -20,7 +20,7 @@ class MirrorParts {
 
   /// Tells whether a 2n x 2n matrix is its own mirror image but for rounding: it maps the tractions
   /// of each part to slip of the same part.
-  bool divide(const Eigen::MatrixXd& matrix) const;
+  bool apply_to(const Eigen::MatrixXd& matrix) const;
 
   /// Makes the matrix of one part, in an orthonormal basis.
   /// \param part  0 or 1

@@ -65,7 +65,7 @@ PatchResponse::PatchResponse(const JoinedRows& rows, const PatchSlipMap& own,
 void PatchResponse::solve(const MatrixXd& own, const MatrixXd& centre) {
   if (rows_.shape().is_mirrored()) {
     const MirrorParts mirror(rows_);
-    if (mirror.divide(own) && mirror.divide(centre)) {
+    if (mirror.apply_to(own) && mirror.apply_to(centre)) {
       std::array<MatrixXd, 2> unknowns, centre_slip;
       for (std::size_t part = 0; part < 2; ++part) {
         unknowns[part] = LuFactors(mirror.part_of(own, part)).inverse();
