@@ -58,11 +58,11 @@ class Generator {
 // and is five times the error in the middle of the cases.
 TEST(GeneratedPatchTargets, EstimatesHold) {
   constexpr double side = 29;  // of the grid of the truth
-  const int loads = samples(8, 4);
+  const int loads = samples(8, 5);
   Generator generator(5);
   int held = 0, broken = 0, refused = 0, impossible = 0, above = 0;
   std::vector<double> ratios;
-  const int ellipses = samples(18, 2);  // each takes ten seconds
+  const int ellipses = samples(18, 1);  // each takes ten seconds
   for (int i = 0; i < ellipses; ++i) {
     const double ratio = generator.log_uniform(0.1, 10), root = std::sqrt(ratio);
     const double nu = generator.uniform(0, 0.5);

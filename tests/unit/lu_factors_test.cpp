@@ -56,6 +56,12 @@ TEST(LeastSquares, LeavesNothingAlongTheColumns) {
   EXPECT_LT(largest(matrix.transpose() * (matrix * least_squares(matrix, right) - right)), 1e-12);
 }
 
+TEST(LeastSquares, LeaveNothingWhereTheyHaveMoreColumnsThanRows) {
+  const MatrixXd matrix = random_matrix(2, 5, 6);
+  const VectorXd right = random_matrix(2, 1, 7).col(0);
+  EXPECT_LT(largest(matrix * least_squares(matrix, right) - right), 1e-12);
+}
+
 TEST(LeastSquares, AreFiniteForASingularMatrix) {
   MatrixXd matrix(2, 2);
   matrix << 1, 2, 2, 4;

@@ -79,7 +79,8 @@ PatchLoad mirrored(PatchLoad load, bool rolls) {
 /// The same cells in the mirror.
 VectorXd mirrored(const VectorXd& of_cells, Index elements) {
   VectorXd seen = of_cells;
-  for (Index i = 0; i < seen.size(); i += elements) seen.segment(i, elements).reverseInPlace();
+  for (Index i = 0; i < seen.size(); i += elements)
+    std::reverse(seen.data() + i, seen.data() + i + elements);
   return seen;
 }
 

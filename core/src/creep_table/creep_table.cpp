@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "microslip/linalg/matrix_product.hpp"
 #include "microslip/support/require.hpp"
 #include "tensor_spline.hpp"
 
@@ -73,9 +74,10 @@ std::vector<double> spline_over_directions(const std::vector<double>& values,
                      c];
         }
       }
+      const MatrixXd turned = parities[c] * nodes.rowwise().reverse();
       const MatrixXd along =
-          meridian.own * nodes + parities[c] * meridian.opposite * nodes.rowwise().reverse();
-      const MatrixXd found = along * mirrored[parities[c] > 0 ? 1 : 0].transpose();
+          matrix_product(meridian.own, nodes) + matrix_product(meridian.opposite, turned);
+      const MatrixXd found = matrix_product(along, mirrored[parities[c] > 0 ? 1 : 0].transpose());
       for (Index j = 0; j < polar + 2; ++j) {
         for (Index k = 0; k < azimuths + 2; ++k) {
           result[((i * size_of(polar + 2) + size_of(j)) * size_of(azimuths + 2) + size_of(k)) *

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "microslip/linalg/lu_factors.hpp"
+#include "microslip/linalg/matrix_product.hpp"
 
 namespace microslip {
 
@@ -83,12 +84,13 @@ std::vector<double> along_axis(const std::vector<double>& values, const MatrixXd
                                std::size_t before, std::size_t after) {
   const auto to = static_cast<std::size_t>(matrix.rows()),
              from = static_cast<std::size_t>(matrix.cols());
-  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   std::vector<double> result(before * to * after);
   const auto columns = static_cast<Index>(after);
+  const MatrixXd transposed = matrix.transpose();
   for (std::size_t i = 0; i < before; ++i) {
-    Eigen::Map<Rows>(result.data() + i * to * after, matrix.rows(), columns).noalias() =
-        matrix * Eigen::Map<const Rows>(values.data() + i * from * after, matrix.cols(), columns);
+    const Eigen::Map<const MatrixXd> rows(values.data() + i * from * after, columns, matrix.cols());
+    Eigen::Map<MatrixXd>(result.data() + i * to * after, columns, matrix.rows()) =
+        matrix_product(rows, transposed);
   }
   return result;
 }

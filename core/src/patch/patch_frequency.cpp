@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "microslip/patch/patch_frequency.hpp"
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <cmath>
 #include <complex>
 
 #include "microslip/linalg/lu_factors.hpp"
+#include "microslip/linalg/matrix_product.hpp"
 #include "microslip/support/require.hpp"
 #include "slip_maps.hpp"
 
@@ -13,7 +14,6 @@ namespace microslip {
 
 using Eigen::Index;
 using Eigen::MatrixX3cd;
-using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using std::complex;
 
@@ -45,6 +45,13 @@ struct PhaseIntegrals {
   }
 };
 
+MatrixX3cd complex_of(const MatrixXd& parts) {
+  MatrixX3cd numbers(parts.rows(), 3);
+  numbers.real() = parts.leftCols(3);
+  numbers.imag() = parts.rightCols(3);
+  return numbers;
+}
+
 }  // namespace
 
 PatchFrequencyResponse::PatchFrequencyResponse(const JoinedRows& rows, double poisson_ratio)
@@ -62,41 +69,66 @@ PatchFrequencyResponse::PatchFrequencyResponse(const JoinedRows& rows, double po
     }
   }
   inverse_ = LuFactors(centres).inverse();
-  edges_.noalias() = edges * inverse_;
-  resultants_.noalias() = resultants_by_traction(rows) * inverse_;
+  edges_ = matrix_product(edges, inverse_);
+  resultants_ = matrix_product(resultants_by_traction(rows), inverse_);
 }
 
-MatrixX3cd PatchFrequencyResponse::displacements(double wave_number) const {
+MatrixXd PatchFrequencyResponse::displacements(double wave_number) const {
   require(wave_number >= 0 && wave_number <= 1e3, "wave_number", wave_number,
           "a number from 0 to 1000");
-  const Index n = rows_.cells(), M = rows_.rows();
-  MatrixX3cd by_motion = MatrixX3cd::Zero(2 * n, 3);
-  MatrixXcd by_edge = MatrixXcd::Zero(n, M);
+  const Index n = rows_.cells(), M = rows_.rows(), N = rows_.elements();
+  MatrixXd by_motion = MatrixXd::Zero(2 * n, 6);
+  MatrixXd by_edge(n, 2);  // real and imaginary part, of the edge of the cell's row
   for (Index k = 0; k < M; ++k) {
-    for (Index i = 0; i < rows_.elements(); ++i) {
+    for (Index i = 0; i < N; ++i) {
       const Index cell = rows_.cell(i, k);
       const double x = rows_.x(2 * i + 1, k), way = rows_.x(0, k) - x;
       const PhaseIntegrals integrals(wave_number, way);
-      by_edge(cell, k) = std::polar(1.0, -wave_number * way);
-      by_motion.row(cell) << -integrals.plain, 0, rows_.y(k) * integrals.plain;
-      by_motion.row(n + cell) << 0, -integrals.plain, -(x * integrals.plain + integrals.first);
+      by_edge.row(cell) << std::cos(wave_number * way), -std::sin(wave_number * way);
+      const auto set = [&](Index component, Index motion, complex<double> value) {
+        by_motion(component * n + cell, motion) = value.real();
+        by_motion(component * n + cell, 3 + motion) = value.imag();
+      };
+      set(0, 0, -integrals.plain);
+      set(0, 2, rows_.y(k) * integrals.plain);
+      set(1, 1, -integrals.plain);
+      set(1, 2, -(x * integrals.plain + integrals.first));
     }
   }
-  MatrixXcd system = MatrixXcd::Identity(2 * M, 2 * M);
-  system.leftCols(M) -= edges_.leftCols(n) * by_edge;
-  system.rightCols(M) -= edges_.rightCols(n) * by_edge;
-  const MatrixX3cd edge = system.partialPivLu().solve(edges_ * by_motion);
-  by_motion.topRows(n).noalias() += by_edge * edge.topRows(M);
-  by_motion.bottomRows(n).noalias() += by_edge * edge.bottomRows(M);
+  // u(e) = edges (by_motion m + by_edge u(e)), real parts above imaginary ones.
+  MatrixXd system = MatrixXd::Identity(4 * M, 4 * M);
+  MatrixXd right(4 * M, 3);
+  const MatrixXd edges_by_motion = matrix_product(edges_, by_motion);
+  right << edges_by_motion.leftCols(3), edges_by_motion.rightCols(3);
+  for (Index c = 0; c < 2; ++c) {
+    for (Index k = 0; k < M; ++k) {
+      const Index column = c * M + k, first = rows_.cell(0, k);
+      const MatrixXd parts =
+          matrix_product(edges_.middleCols(c * n + first, N), by_edge.middleRows(first, N));
+      system.col(column).head(2 * M) -= parts.col(0);
+      system.col(column).tail(2 * M) -= parts.col(1);
+      system.col(2 * M + column).head(2 * M) += parts.col(1);
+      system.col(2 * M + column).tail(2 * M) -= parts.col(0);
+    }
+  }
+  const MatrixXd edge = LuFactors(system).solve_columns(right);
+  for (Index c = 0; c < 2; ++c) {
+    for (Index cell = 0; cell < n; ++cell) {
+      const auto real = edge.row(c * M + cell / N), imaginary = edge.row((2 + c) * M + cell / N);
+      const double cosine = by_edge(cell, 0), sine = by_edge(cell, 1);
+      by_motion.row(c * n + cell).head(3) += cosine * real - sine * imaginary;
+      by_motion.row(c * n + cell).tail(3) += cosine * imaginary + sine * real;
+    }
+  }
   return by_motion;
 }
 
 Eigen::Matrix3cd PatchFrequencyResponse::linear(double wave_number) const {
-  return resultants_ * displacements(wave_number);
+  return complex_of(matrix_product(resultants_, displacements(wave_number)));
 }
 
 MatrixX3cd PatchFrequencyResponse::unknowns(double wave_number) const {
-  return inverse_ * displacements(wave_number);
+  return complex_of(matrix_product(inverse_, displacements(wave_number)));
 }
 
 }  // namespace microslip

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "microslip/linalg/lu_factors.hpp"
+#include "microslip/linalg/matrix_product.hpp"
 #include "mirror_parts.hpp"
 #include "slip_maps.hpp"
 
@@ -58,8 +59,9 @@ PatchResponse::PatchResponse(const JoinedRows& rows, const PatchSlipMap& own,
   rigid_centre_slip_ = centre.by_motion;
   stiffness_ = own.by_traction.diagonal();
   resultants_ = resultants_by_traction(rows);
-  relief_ = resultants_ * unknowns_;
-  linear_ = -relief_ * rigid_own_slip_;
+  // `unknowns_` has its rows in order, so that its transpose is what the product takes.
+  relief_ = matrix_product(unknowns_.transpose(), resultants_.transpose()).transpose();
+  linear_ = -matrix_product(relief_, rigid_own_slip_);
 }
 
 void PatchResponse::solve(const MatrixXd& own, const MatrixXd& centre) {
@@ -69,7 +71,7 @@ void PatchResponse::solve(const MatrixXd& own, const MatrixXd& centre) {
       std::array<MatrixXd, 2> unknowns, centre_slip;
       for (std::size_t part = 0; part < 2; ++part) {
         unknowns[part] = LuFactors(mirror.part_of(own, part)).inverse();
-        centre_slip[part].noalias() = mirror.part_of(centre, part) * unknowns[part];
+        centre_slip[part] = matrix_product(mirror.part_of(centre, part), unknowns[part]);
       }
       unknowns_ = mirror.joined(unknowns);
       centre_slip_ = mirror.joined(centre_slip);
@@ -78,7 +80,7 @@ void PatchResponse::solve(const MatrixXd& own, const MatrixXd& centre) {
   }
   const MatrixXd inverse = LuFactors(own).inverse();
   unknowns_ = inverse;
-  centre_slip_.noalias() = centre * inverse;
+  centre_slip_ = matrix_product(centre, inverse);
 }
 
 }  // namespace microslip

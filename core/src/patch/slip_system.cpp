@@ -3,6 +3,7 @@
 
 #include "component_pairs.hpp"
 #include "microslip/linalg/index_view.hpp"
+#include "microslip/linalg/matrix_product.hpp"
 
 namespace microslip {
 
@@ -31,7 +32,7 @@ void SlipSystem::assemble(const CellConditions& conditions, const PatchState& st
   const Index cells = limits_.size();
   split_motion(load);
   columns_.clear();
-  stuck_.noalias() = -response_.rigid_own_slip() * motions_;
+  stuck_ = -matrix_product(response_.rigid_own_slip(), motions_);
   stuck_.col(0) -= imposed.own;
   for (Index i = 0; i < cells; ++i) {
     if (!state.slips[static_cast<std::size_t>(i)]) continue;
@@ -62,16 +63,16 @@ void SlipSystem::set_condition(const CellCondition& condition, Index r, Index si
   for (Index c = 0; c < 2; ++c) {
     const Index row = r + c * size;
     matrix_.row(row).setZero();
-    RowVectorXd by_motion = RowVectorXd::Zero(1 + free);
+    RowVectorXd by_motion = RowVectorXd::Zero(1 + free), by_slip;
     for (Index d = 0; d < 2; ++d) {
       const Index of = i + d * cells;
       const double by_centre = condition.by_centre(c, d), by_own = condition.by_own(c, d);
       matrix_.row(row).head(2 * size) += by_q(c, d) * response_.unknowns().row(of)(columns) +
                                          by_centre * response_.centre_slip().row(of)(columns);
       matrix_(row, r + d * size) += by_own;
-      by_motion += (by_q(c, d) * response_.unknowns().row(of) +
-                    by_centre * response_.centre_slip().row(of)) *
-                   stuck_;
+      by_slip =
+          by_q(c, d) * response_.unknowns().row(of) + by_centre * response_.centre_slip().row(of);
+      by_motion.noalias() += by_slip * stuck_;
       by_motion += (by_centre * response_.rigid_centre_slip().row(of) +
                     by_own * response_.rigid_own_slip().row(of)) *
                    motions_;
@@ -85,8 +86,9 @@ void SlipSystem::set_condition(const CellCondition& condition, Index r, Index si
 /// \param j  number of the component among those that follow
 void SlipSystem::set_resultant(const PatchLoad& load, Index j, Index size) {
   const Index component = free_[static_cast<std::size_t>(j)], row = size + j;
-  const auto by_slip = response_.relief().row(component);
-  const RowVectorXd by_motion = by_slip * stuck_;
+  const RowVectorXd by_slip = response_.relief().row(component);
+  RowVectorXd by_motion = RowVectorXd::Zero(stuck_.cols());
+  by_motion.noalias() += by_slip * stuck_;
   matrix_.row(row).head(size) = by_slip(index_view(columns_));
   matrix_.row(row).tail(by_motion.size() - 1) = by_motion.tail(by_motion.size() - 1);
   right_[row] = load[static_cast<std::size_t>(component)].value - by_motion[0];

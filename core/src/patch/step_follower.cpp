@@ -5,6 +5,7 @@
 
 #include "component_pairs.hpp"
 #include "microslip/linalg/index_view.hpp"
+#include "microslip/linalg/matrix_product.hpp"
 #include "slip_system.hpp"
 
 namespace microslip {
@@ -52,12 +53,13 @@ StepFollower::StepFollower(const PatchResponse& response, const VectorXd& limits
   const MatrixXd units = system.motions().rightCols(free), stuck = system.stuck().rightCols(free);
   made->tractions.resize(2 * n, count + free);
   made->tractions << MatrixXd(response.unknowns()(Eigen::all, columns)),
-      response.unknowns() * stuck;
+      matrix_product(stuck.transpose(), response.unknowns().transpose()).transpose();
   made->centre_slip_elastic = response.centre_slip()(columns, Eigen::all);
-  made->rigid = response.rigid_own_slip()(columns, Eigen::all) * units;
+  made->rigid = matrix_product(response.rigid_own_slip()(columns, Eigen::all), units);
   made->centre_slip.resize(count, count + free);
   made->centre_slip << MatrixXd(response.centre_slip()(columns, columns)),
-      made->centre_slip_elastic * stuck + response.rigid_centre_slip()(columns, Eigen::all) * units;
+      matrix_product(stuck.transpose(), made->centre_slip_elastic.transpose()).transpose() +
+          matrix_product(response.rigid_centre_slip()(columns, Eigen::all), units);
   prepared_ = made;
   elastic_.resize(2 * n);
   tractions_.resize(2 * n);
@@ -78,8 +80,8 @@ void StepFollower::begin(const PatchLoad& load, const ImposedSlip& imposed, Patc
   for (std::size_t j = 0; j < load.size(); ++j) {
     if (!load[j].by_resultant) state.motion[static_cast<Index>(j)] = load[j].value;
   }
-  elastic_.noalias() = -response_->rigid_own_slip() * state.motion;
-  elastic_ += state.own_slip - imposed.own;
+  elastic_ = state.own_slip - imposed.own;
+  elastic_.noalias() -= response_->rigid_own_slip() * state.motion;
   state.unknowns.noalias() = response_->unknowns() * elastic_;
   slip_.noalias() = prepared_->centre_slip_elastic * elastic_;
   state.centre_slip.setZero();

@@ -12,6 +12,7 @@
 #include "cell_conditions.hpp"
 #include "component_pairs.hpp"
 #include "microslip/linalg/lu_factors.hpp"
+#include "microslip/linalg/matrix_product.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "raised_load.hpp"
@@ -112,7 +113,8 @@ class Newton {
     const Index size = matrix.rows() - 3;
     const MatrixXd by_motion =
         LuFactors(matrix.topLeftCorner(size, size)).solve_columns(matrix.topRightCorner(size, 3));
-    return matrix.bottomRightCorner(3, 3) - matrix.bottomLeftCorner(3, size) * by_motion;
+    return matrix.bottomRightCorner(3, 3) -
+           matrix_product(matrix.bottomLeftCorner(3, size), by_motion);
   }
 
  private:

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 
+#include "microslip/linalg/matrix_product.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 #include "microslip/support/work.hpp"
@@ -79,7 +80,8 @@ FrequencyResponse::Series::Series(const Kernel& kernel, double half_length, Inde
       },
       kernel);
   count_work(n * n * (kernel_work + 5 * n));
-  factors.compute(MatrixXd::Identity(terms, terms) + to_coefficients * regular * polynomials);
+  factors.compute(MatrixXd::Identity(terms, terms) +
+                  matrix_product(matrix_product(to_coefficients, regular), polynomials));
 }
 
 /// With the creepage 1 and the position x from the middle of the zone, the displacement is
@@ -96,8 +98,8 @@ Complex FrequencyResponse::Series::slope(double half_length, double wave_number)
   }
   const auto coefficients = [this](const VectorXcd& displacement) {
     VectorXcd solved(points.size());
-    solved.real() = factors.solve(VectorXd(to_coefficients * displacement.real()));
-    solved.imag() = factors.solve(VectorXd(to_coefficients * displacement.imag()));
+    solved.real() = factors.solve(to_coefficients * VectorXd(displacement.real()));
+    solved.imag() = factors.solve(to_coefficients * VectorXd(displacement.imag()));
     return solved;
   };
   const VectorXcd of_driven = coefficients(driven);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "microslip/halfspace/chebyshev_field.hpp"
+#include "microslip/linalg/matrix_product.hpp"
 #include "microslip/support/not_converged.hpp"
 #include "microslip/support/work.hpp"
 
@@ -128,7 +129,7 @@ void StickZone::add_regular_strain() {
       (centre + half_length_ * angles.cos()).matrix();
   loads_ << Eigen::Map<const VectorXd>(loads.data(), beside), stuck;
 
-  MatrixXd matrix(m + 1, m + 1);
+  MatrixXd matrix(m + 1, m + 1), decays_of_zone(m + 1, m);
   VectorXd strain(m + 1);
   VectorXd decays(beside + m);
   for (Index i = 0; i <= m; ++i) {
@@ -140,15 +141,16 @@ void StickZone::add_regular_strain() {
         },
         contact_->kernel);
     strain[i] = -decays.dot(loads_);
-    matrix.row(i).head(m) = decays.tail(m).transpose() * as_loads;
+    decays_of_zone.row(i) = decays.tail(m);
     double last = 1;
     double cosine = place;
     for (Index n = 0; n < m; ++n) {
-      matrix(i, n) += pi * log_factor_ * cosine;
+      matrix(i, n) = pi * log_factor_ * cosine;
       last = std::exchange(cosine, 2 * place * cosine - last);
     }
     matrix(i, m) = -1;
   }
+  matrix.leftCols(m) += matrix_product(decays_of_zone, as_loads);
   count_work(std::pow(m + 1, 2) * (kernel_work + 4 * static_cast<double>(m)));
   matrix.leftCols(m) /= log_factor_;
   strain /= log_factor_;

@@ -39,8 +39,8 @@ class PatchFrequencyResponse {
   Eigen::MatrixX3cd unknowns(double wave_number) const;
 
  private:
-  /// The displacements of the centres by the motion: 2n x 3.
-  Eigen::MatrixX3cd displacements(double wave_number) const;
+  /// The displacements of the centres by the motion: real parts, then imaginary ones, 2n x 6.
+  Eigen::MatrixXd displacements(double wave_number) const;
 
   JoinedRows rows_;
   Eigen::MatrixXd inverse_;      ///< v by the displacements of centres: 2n x 2n

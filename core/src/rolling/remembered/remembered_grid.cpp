@@ -60,7 +60,7 @@ Load mirrored(const Load& load) {
 void mirror(TransientState& state) {
   for (double* one : {&state.distance, &state.force, &state.mean_force}) *one = 0 - *one;
   state.traction = mirrored(state.traction);
-  state.slip.reverseInPlace();
+  std::ranges::reverse(state.slip);
   std::ranges::reverse(state.zones);
   for (Zone& zone : state.zones) zone = mirrored(zone);
 }
@@ -167,7 +167,7 @@ void RememberedGrid::place_nodes() {
   bound_ = placed_.bound * row_.response().bound();
   if (!placed_backward_) return;
   x_ = mirrored(x_);
-  bound_.reverseInPlace();
+  std::ranges::reverse(bound_);
 }
 
 /// Begins a contact that was lost and returns within the step where it returns: as a tiny one,

@@ -13,7 +13,7 @@ namespace {
 
 SlipConditions mirrored(const SlipConditions& conditions) {
   SlipConditions mirror = conditions;
-  for (VectorXd* of : {&mirror.bound, &mirror.offset, &mirror.reference}) of->reverseInPlace();
+  for (VectorXd* of : {&mirror.bound, &mirror.offset, &mirror.reference}) std::ranges::reverse(*of);
   for (CompliantElement& one : mirror.compliant) {
     one.element = conditions.bound.size() - 1 - one.element;
   }
@@ -21,9 +21,9 @@ SlipConditions mirrored(const SlipConditions& conditions) {
 }
 
 void mirror(RolledContact& rolled) {
-  rolled.displacement.reverseInPlace();
-  rolled.contact.traction.reverseInPlace();
-  rolled.contact.slip.reverseInPlace();
+  std::ranges::reverse(rolled.displacement);
+  std::ranges::reverse(rolled.contact.traction);
+  std::ranges::reverse(rolled.contact.slip);
   std::ranges::reverse(rolled.contact.zones);
 }
 
