@@ -30,7 +30,7 @@ struct CreepTableLayout {
   double poisson_ratio = 0.28;                   ///< nu, in [0, 0.5]
   double least_ratio = 0.1, largest_ratio = 10;  ///< a/b
   Eigen::Index ratios = 13;                      ///< nodes of ln(a/b), evenly spaced, >= 4
-  Eigen::Index steps = 17;                       ///< nodes of t, evenly spaced, >= 4
+  Eigen::Index steps = 33;                       ///< nodes of t, evenly spaced, >= 4
   Eigen::Index polar = 25;                       ///< polar angles, closer near pure spin, >= 3
   Eigen::Index azimuths = 13;                    ///< azimuths, evenly spaced, >= 3
   /// Nodes are means of solutions on so many rows and elements of a circle, 4 ... 40, and on one more.
