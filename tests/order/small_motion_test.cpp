@@ -226,10 +226,8 @@ double noise(Eigen::Index n, double step_ratio, double force) {
       powers(i, k) = std::pow(places[static_cast<std::size_t>(i)], static_cast<double>(k));
     }
   }
-  const Eigen::Map<const Eigen::VectorXd> values(creepages.data(), count);
-  const Eigen::MatrixXd normal = powers.transpose() * powers;
-  const Eigen::VectorXd moments = powers.transpose() * values;
-  const Eigen::VectorXd fitted = powers * LuFactors(normal).solve(moments);
+  const Eigen::VectorXd values = Eigen::Map<const Eigen::VectorXd>(creepages.data(), count);
+  const Eigen::VectorXd fitted = powers * least_squares(powers, values);
   return (values - fitted).norm() / std::sqrt(static_cast<double>(count)) / std::abs(values.mean());
 }
 

@@ -6,6 +6,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "microslip/linalg/matrix_product.hpp"
+
 namespace microslip::lu_factors_test {
 
 using Eigen::Index;
@@ -29,8 +31,9 @@ TEST(LuFactors, SolveForOneRightHandSideAndForSeveral) {
     const MatrixXd matrix = random_matrix(n, n, 1), right = random_matrix(n, 3, 2);
     const LuFactors factors(matrix);
     const MatrixXd solved = factors.solve_columns(right);
-    EXPECT_LT(largest(matrix * solved - right), 1e-10) << n;
-    EXPECT_LT(largest(matrix * factors.inverse() - MatrixXd::Identity(n, n)), 1e-10) << n;
+    EXPECT_LT(largest(matrix_product(matrix, solved) - right), 1e-10) << n;
+    EXPECT_LT(largest(matrix_product(matrix, factors.inverse()) - MatrixXd::Identity(n, n)), 1e-10)
+        << n;
     VectorXd in_place = right.col(0);
     factors.solve(in_place, in_place);
     EXPECT_LT(largest(matrix * in_place - right.col(0)), 1e-10) << n;

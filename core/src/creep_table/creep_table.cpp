@@ -37,16 +37,16 @@ std::vector<double> remainder_of(const CreepTableNodes& nodes) {
     const CreepCoefficients& coefficients = nodes.coefficients[size_of(i)];
     const MotionScales scales(of.ratio(i), coefficients);
     const Matrix3d linear = linear_creep_forces(coefficients);
-    for (Index s = 1; s < of.steps; ++s) {
-      const double t = of.step(s);
-      for (Index j = 0; j < of.polar; ++j) {
-        for (Index k = 0; k < of.azimuths; ++k) {
+    for (Index j = 0; j < of.polar; ++j) {
+      for (Index k = 0; k < of.azimuths; ++k) {
+        // (1 - t)^2 r = K t (1 - t)
+        const Vector3d at_rest =
+            half_step_size * (linear * scales.unit_motion(of.angle(j), of.azimuth(k)));
+        for (Index s = 1; s < of.steps; ++s) {
+          const double t = of.step(s);
           const std::size_t at = nodes.at(i, s, j, k);
-          const Vector3d unit = scales.unit_motion(of.angle(j), of.azimuth(k));
           const Vector3d forces = Eigen::Map<const Vector3d>(nodes.forces.data() + at);
-          // (1 - t)^2 r = K t (1 - t)
-          Eigen::Map<Vector3d>(remainder.data() + at) =
-              forces / t - half_step_size * (1 - t) * (linear * unit);
+          Eigen::Map<Vector3d>(remainder.data() + at) = forces / t - (1 - t) * at_rest;
         }
       }
     }

@@ -116,6 +116,11 @@ std::vector<Line> lines_of(const Lobe& lobe, const Rule& rule) {
 
 /// Integrals along the lines y = const of p f for the three kernels f, summed over a sub-row: a
 /// value for each sub-cell with v = 1.
+///
+/// With X = x - A s, f integrates to F, and X f to H; so an integral of p = mean + slope (s - middle)
+/// over a sub-cell is
+///   mean dF + slope [(x/A - middle) dF - dH/A],  d the difference between both sides.
+/// Lines are summed before they are multiplied by what they have in common.
 class LineIntegrals {
  public:
   explicit LineIntegrals(const std::vector<SubCell>& parts)
@@ -128,44 +133,69 @@ class LineIntegrals {
       slope_[i] = parts[e].slope;
     }
     sides_[sides_.size() - 1] = -1;
-    for (ArrayXd& sum : sums) sum.resize(middle_.size());
+    clear();
   }
-
-  std::array<ArrayXd, 3> sums;  ///< near, across, mixed
 
   void clear() {
-    for (ArrayXd& sum : sums) sum.setZero();
+    for (Sums& one : sums_) one = {ArrayXd::Zero(middle_.size()), ArrayXd::Zero(middle_.size())};
   }
 
-  /// Adds a line. With X = x - A s, f integrates to F, and X f to H; so an integral of p is
-  ///   mean dF + slope [(x/A - middle) dF - dH/A],  d the difference between both sides.
+  /// Adds a line.
   /// \param x       of the point, from the middle of the line
   /// \param Y       of the point, from the line
   /// \param A       half-length of the line
   /// \param weight  of the line
   void add(double x, double Y, double A, double weight) {
-    const double away = std::abs(Y);
+    const double lever = weight / A;
     X_ = x - A * sides_;
     R_ = (X_.square() + Y * Y).sqrt();
-    log_ = ((X_.abs() + R_) / away).log() * X_.sign();  // arsinh(X/|Y|)
-    lever_ = slope_ * (x / A - middle_) + mean_;
-    add_to(sums[0], log_, R_, A, weight);
+    log_ = ((X_.abs() + R_) / std::abs(Y)).log() * X_.sign();  // arsinh(X/|Y|)
     inverse_ = R_.inverse();
-    add_to(sums[1], X_ * inverse_, -Y * Y * inverse_, A, weight);
-    add_to(sums[2], -Y * inverse_, Y * (log_ - X_ * inverse_), A, weight);
+    X_ *= inverse_;
+    const auto change = [n = middle_.size()](const ArrayXd& at_sides) {
+      return at_sides.tail(n) - at_sides.head(n);
+    };
+    d_log_ = change(log_);
+    d_R_ = change(R_);
+    d_inverse_ = change(inverse_);
+    d_cosine_ = change(X_);
+    near().plain += weight * d_log_;
+    near().first += lever * (x * d_log_ - d_R_);
+    across().plain += weight * d_cosine_;
+    across().first += lever * (x * d_cosine_ + Y * Y * d_inverse_);
+    mixed().plain -= weight * Y * d_inverse_;
+    mixed().first -= lever * Y * (x * d_inverse_ + d_log_ - d_cosine_);
+  }
+
+  /// The integrals of a kernel, 0 ... 2 for near, across, mixed.
+  ArrayXd of(std::size_t kernel) const {
+    return integrals(sums_[kernel].plain, sums_[kernel].first);
+  }
+
+  /// The same for the point at -x, if the sides are their own mirror image: F and H change their
+  /// places there, and one of them its sign.
+  ArrayXd of_mirror_image(std::size_t kernel) const {
+    const double sign = kernel == 2 ? -1 : 1;
+    return integrals(sign * sums_[kernel].plain.reverse(), -sign * sums_[kernel].first.reverse());
   }
 
  private:
-  template <class F, class H>
-  void add_to(ArrayXd& sum, const F& f, const H& h, double A, double weight) {
-    const Index n = middle_.size();
-    F_ = f;
-    H_ = h;
-    sum += weight * (lever_ * (F_.tail(n) - F_.head(n)) - slope_ / A * (H_.tail(n) - H_.head(n)));
+  /// Sums of dF and of (x dF - dH)/A.
+  struct Sums {
+    ArrayXd plain, first;
+  };
+
+  Sums& near() { return sums_[0]; }
+  Sums& across() { return sums_[1]; }
+  Sums& mixed() { return sums_[2]; }
+
+  ArrayXd integrals(const ArrayXd& plain, const ArrayXd& first) const {
+    return mean_ * plain + slope_ * (first - middle_ * plain);
   }
 
   ArrayXd sides_, middle_, mean_, slope_;
-  ArrayXd X_, R_, log_, inverse_, lever_, F_, H_;
+  std::array<Sums, 3> sums_;
+  ArrayXd X_, R_, log_, inverse_, d_log_, d_R_, d_inverse_, d_cosine_;
 };
 
 }  // namespace
@@ -258,13 +288,14 @@ Eigen::Matrix3Xd JoinedRows::moments() const {
 }
 
 /// Rows of a shape that is mirrored in y have the same integrals, but for the sign of the mixed
-/// ones.
+/// ones. Points of an ellipse that is mirrored in x share the logarithms and roots of their lines.
 JoinedRows::Kernels JoinedRows::kernels() const {
   const MatrixXd zero = MatrixXd::Zero(points(), cells());
   Kernels found{zero, zero, zero};
   const std::array<MatrixXd*, 3> all{&found.near, &found.across, &found.mixed};
   const std::vector<SubCell> along = sub_cells(elements_);
   const Index points_of_row = 2 * elements_ + 1;
+  const bool is_symmetric = shape_.is_ellipse();  // in x, too
   LineIntegrals lines(along);
   Eigen::RowVectorXd of_cells(elements_);
   const auto add_lobe = [&](Index k, const Lobe& lobe, const std::vector<SubRow>& across) {
@@ -273,24 +304,30 @@ JoinedRows::Kernels JoinedRows::kernels() const {
     for (const SubRow& row : across) {
       const Rule rule = rule_over(lobe, row, at);
       const std::vector<Line> sources = lines_of(lobe, rule);
-      for (Index j = 0; j < points_of_row; ++j) {
+      const auto set = [&](Index j, std::size_t n, const ArrayXd& of_parts) {
+        of_cells.setZero();
+        for (std::size_t e = 0; e < along.size(); ++e) {
+          const Stencil& stencil = along[e].along;
+          for (Index l = 0; l < stencil.size; ++l) {
+            of_cells[stencil.first + l] +=
+                stencil.weights[static_cast<std::size_t>(l)] * of_parts[static_cast<Index>(e)];
+          }
+        }
+        for (Index m = 0; m < row.across.size; ++m) {
+          all[n]->row(point(j, k)).segment(cell(0, row.across.first + m), elements_) +=
+              row.across.weights[static_cast<std::size_t>(m)] * of_cells;
+        }
+      };
+      for (Index j = 0; j < (is_symmetric ? elements_ + 1 : points_of_row); ++j) {
         const double x_of_point = x(j, k);
         lines.clear();
         for (const Line& line : sources) {
           lines.add(x_of_point - line.middle, y_of_row - line.y, line.half_length, line.weight);
         }
         for (std::size_t n = 0; n < 3; ++n) {
-          of_cells.setZero();
-          for (std::size_t e = 0; e < along.size(); ++e) {
-            const Stencil& stencil = along[e].along;
-            for (Index l = 0; l < stencil.size; ++l) {
-              of_cells[stencil.first + l] += stencil.weights[static_cast<std::size_t>(l)] *
-                                             lines.sums[n][static_cast<Index>(e)];
-            }
-          }
-          for (Index m = 0; m < row.across.size; ++m) {
-            all[n]->row(point(j, k)).segment(cell(0, row.across.first + m), elements_) +=
-                row.across.weights[static_cast<std::size_t>(m)] * of_cells;
+          set(j, n, lines.of(n));
+          if (is_symmetric && j < elements_) {
+            set(points_of_row - 1 - j, n, lines.of_mirror_image(n));
           }
         }
       }
