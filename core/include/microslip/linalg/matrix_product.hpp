@@ -5,8 +5,9 @@
 
 namespace microslip {
 
-/// Returns the product of two matrices, by Eigen, for code that is not called in each step: it allocates. Eigen's own
-/// operator is compiled anew for each pair of types, in one to three seconds; this one is compiled once.
+/// Returns the product of two matrices by Eigen, compiled once: Eigen's own operator takes the
+/// compiler one to three seconds for each pair of types. The result is allocated. A matrix is
+/// copied if its columns do not lie one after the other; the transpose of one whose rows do is not.
 /// \param left   m x k
 /// \param right  k x n
 /// \return       m x n
