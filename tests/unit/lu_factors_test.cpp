@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 #include <stdexcept>
 
@@ -63,6 +64,20 @@ TEST(LeastSquares, LeaveNothingWhereTheyHaveMoreColumnsThanRows) {
   const MatrixXd matrix = random_matrix(2, 5, 6);
   const VectorXd right = random_matrix(2, 1, 7).col(0);
   EXPECT_LT(largest(matrix * least_squares(matrix, right) - right), 1e-12);
+}
+
+TEST(LeastSquares, AreZeroForNoMatrixAndNotFiniteForOneThatIsNot) {
+  const VectorXd right = VectorXd::Constant(3, 1);
+  MatrixXd matrix = MatrixXd::Zero(3, 2);
+  EXPECT_EQ(least_squares(matrix, right), VectorXd::Zero(2));
+  for (const double value :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    matrix.setConstant(value);
+    EXPECT_FALSE(least_squares(matrix, right).allFinite());
+    matrix.setOnes();
+    matrix(1, 1) = value;
+    EXPECT_FALSE(least_squares(matrix, right).allFinite());
+  }
 }
 
 TEST(LeastSquares, AreFiniteForASingularMatrix) {

@@ -5,6 +5,7 @@
 #include <gsl/gsl_permutation.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <new>
 #include <stdexcept>
@@ -47,6 +48,9 @@ VectorXd least_squares(const MatrixXd& matrix, const VectorXd& right) {
   };
   const Index columns = matrix.cols(), rows = std::max(matrix.rows(), columns);
   if (columns == 0) return {};
+  if (!matrix.allFinite()) {
+    return VectorXd::Constant(columns, std::numeric_limits<double>::quiet_NaN());
+  }
   // GSL takes rows in order, and as many of them as columns at least.
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> factors(rows, columns);
   factors << matrix, MatrixXd::Zero(rows - matrix.rows(), columns);
@@ -62,6 +66,7 @@ VectorXd least_squares(const MatrixXd& matrix, const VectorXd& right) {
   int sign = 0;
   gsl_linalg_QRPT_decomp(&qr.matrix, &tau.vector, order.get(), &sign, &work.vector);
   const std::size_t rank = gsl_linalg_QRPT_rank(&qr.matrix, -1);  // to rounding
+  if (rank == 0) return found;                                    // GSL would end the program
   gsl_linalg_QRPT_lssolve2(&qr.matrix, &tau.vector, order.get(), &right_view.vector, rank,
                            &solution.vector, &residual.vector);
   return found;

@@ -137,7 +137,10 @@ class LineIntegrals {
   }
 
   void clear() {
-    for (Sums& one : sums_) one = {ArrayXd::Zero(middle_.size()), ArrayXd::Zero(middle_.size())};
+    for (Sums& one : sums_) {
+      one.plain.setZero(middle_.size());
+      one.first.setZero(middle_.size());
+    }
   }
 
   /// Adds a line.
@@ -172,8 +175,8 @@ class LineIntegrals {
     return integrals(sums_[kernel].plain, sums_[kernel].first);
   }
 
-  /// The same for the point at -x, if the sides are their own mirror image: F and H change their
-  /// places there, and one of them its sign.
+  /// The same for the point at -x, if the sides are their own mirror image: sub-cells have their
+  /// sums in the opposite order there, and one of both has the opposite sign.
   ArrayXd of_mirror_image(std::size_t kernel) const {
     const double sign = kernel == 2 ? -1 : 1;
     return integrals(sign * sums_[kernel].plain.reverse(), -sign * sums_[kernel].first.reverse());
@@ -288,7 +291,7 @@ Eigen::Matrix3Xd JoinedRows::moments() const {
 }
 
 /// Rows of a shape that is mirrored in y have the same integrals, but for the sign of the mixed
-/// ones. Points of an ellipse that is mirrored in x share the logarithms and roots of their lines.
+/// ones. In an ellipse the points at x and -x share logarithms and roots.
 JoinedRows::Kernels JoinedRows::kernels() const {
   const MatrixXd zero = MatrixXd::Zero(points(), cells());
   Kernels found{zero, zero, zero};

@@ -36,7 +36,8 @@ class LuFactors {
 };
 
 /// Finds the x that makes |A x - `right`| least, by QR with column pivoting, in O(n^3) operations.
-/// If A is square and regular, x solves A x = `right`. If A is singular, x is finite.
+/// If A is square and regular, x solves A x = `right`. If A is singular, x is finite. If A has a
+/// value that is not finite, x has no finite one.
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& right);
 
 }  // namespace microslip
