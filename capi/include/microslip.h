@@ -188,8 +188,9 @@ MICROSLIP_API void microslip_destroy(microslip_rolling* rolling);
 MICROSLIP_API const char* microslip_message(microslip_rolling* rolling);
 
 /** Returns in one line why the last load, or a load of the last microslip_roll(), is doubtful: its
- * creepage is above 0.2 in size, while 0.2 % is 0.002. The text is empty if there is no doubt, and
- * valid until the next call. */
+ * creepage is above 0.2 in size, while 0.2 % is 0.002. Else it is why the units of microslip_create()
+ * are doubtful: the shear modulus is above that of any solid, or strains are above 0.05. The text is
+ * empty if there is no doubt, and valid until the next call. */
 MICROSLIP_API const char* microslip_warning(const microslip_rolling* rolling);
 
 /** Returns the scheme of this contact as scenes name it, "remembered" or "direct", and "" for a
@@ -385,7 +386,7 @@ struct microslip_steady_nodes {
  * nodes      out, may be null
  * message    out, may be null, like the message of microslip_create(). If all loads have a solution,
  *            it is empty, or "warning: " and the text of microslip_warning() for the largest
- *            creepage */
+ *            creepage, or the units */
 MICROSLIP_API enum microslip_status microslip_solve_steady(
     const struct microslip_material* material, const struct microslip_contact* contact,
     const struct microslip_kernel* kernel, int elements, int load_type, const double* loads,

@@ -108,7 +108,9 @@ MICROSLIP_API const char* microslip_ellipse_message(microslip_ellipse* ellipse);
 
 /** Returns in one line why a motion that the last steady solution, step or attempt prescribed is
  * doubtful: creepages, or the slip by spin, are above 0.2 in size, while 0.2 % is 0.002 and 0.2 1/m is
- * 2e-4. The text is empty if there is no doubt, and valid until the next call. */
+ * 2e-4. Else it is why the units of microslip_ellipse_create() are doubtful: the shear modulus is above
+ * that of any solid, or strains are above 0.05. The text is empty if there is no doubt, and valid
+ * until the next call. */
 MICROSLIP_API const char* microslip_ellipse_warning(const microslip_ellipse* ellipse);
 
 /** Sets the contact of the next solutions, and at the end of the next step, on the way to which it

@@ -17,6 +17,7 @@
 #include "microslip/support/shown.hpp"
 #include "microslip/support/text.hpp"
 #include "microslip_ellipse.h"
+#include "problem.hpp"
 #include "text_file.hpp"
 #include "zero.hpp"
 
@@ -69,6 +70,7 @@ microslip_status microslip_ellipse_create(const microslip_material* material,
     microslip_ellipse*& made = require_pointer(ellipse, "ellipse");
     made = new microslip_ellipse(make_patch(require_pointer(material, "material"),
                                             require_pointer(contact, "contact"), grid));
+    made->warning.say_of_units(doubt_of_units(*material, made->problem.bound.peak()));
   });
 }
 
@@ -93,6 +95,7 @@ microslip_status microslip_ellipse_assign(microslip_ellipse* ellipse, microslip_
     ellipse->problem = from->problem;
     ellipse->solver = from->solver;
     ellipse->has_second = from->has_second;
+    ellipse->warning = from->warning;
   });
 }
 
@@ -103,7 +106,7 @@ const char* microslip_ellipse_message(microslip_ellipse* ellipse) {
 }
 
 const char* microslip_ellipse_warning(const microslip_ellipse* ellipse) {
-  return ellipse == nullptr ? "" : ellipse->warning;
+  return ellipse == nullptr ? "" : ellipse->warning.text();
 }
 
 microslip_status microslip_ellipse_set_contact(microslip_ellipse* ellipse, double size_factor,

@@ -89,13 +89,12 @@ PatchLoad load_of(const microslip_ellipse_load& load) {
 
 PatchLoad read_load(microslip_ellipse& ellipse, const microslip_ellipse_load* load) {
   const PatchLoad read = load_of(require_pointer(load, "load"));
-  ellipse.warning[0] = '\0';
+  ellipse.warning.forget_load();
   for (std::size_t j = read.size(); j-- > 0;) {
     const auto& [by_resultant, value] = read[j];
     const std::string doubt = by_resultant ? "" : doubt_of_large_motion(j, value, ellipse.problem);
     if (doubt.empty()) continue;
-    Message{ellipse.warning, sizeof ellipse.warning}.say(
-        fmt::format("{} = {:.6g}: {}", name_of(read, j), value, doubt));
+    ellipse.warning.say(fmt::format("{} = {:.6g}: {}", name_of(read, j), value, doubt));
   }
   return read;
 }

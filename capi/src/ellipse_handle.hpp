@@ -28,15 +28,16 @@ struct microslip_ellipse {
         rolling(other.rolling),
         trial(other.rolling),
         solver(other.solver),
-        has_second(other.has_second) {}
+        has_second(other.has_second),
+        warning(other.warning) {}
 
   microslip::SteadyPatch problem;
   microslip::PatchRolling rolling, trial;
   std::optional<Attempt> attempt = {};  ///< that `trial` has made
   std::optional<microslip::SteadyPatchSolver> solver = {};
-  bool has_second = false;   ///< of the last step or steady solution, see SlipFriction
-  char message[512] = "";    ///< of the last call that failed
-  char warning[512] = "";    ///< of the last load that was solved
+  bool has_second = false;  ///< of the last step or steady solution, see SlipFriction
+  char message[512] = "";   ///< of the last call that failed
+  microslip::capi::Warning warning = {};
   mutable std::mutex mutex;  ///< held by each call
 };
 

@@ -35,8 +35,7 @@ void set_creepage(microslip_rolling& handle, double creepage) {
   handle.load = PrescribedCreepage{creepage};
   const std::string doubt = doubt_of_creepage(creepage, handle.strain);
   if (doubt.empty()) return;
-  const Message warning{handle.warning, sizeof handle.warning};
-  warning.say(fmt::format("creepage = {:.6g}: {}", creepage, doubt));
+  handle.warning.say(fmt::format("creepage = {:.6g}: {}", creepage, doubt));
 }
 
 const Load& require_step(const microslip_rolling& handle, double dq) {

@@ -29,7 +29,8 @@ struct microslip_rolling {
         spacing(other.spacing),
         full_sliding(other.full_sliding),
         strain(other.strain),
-        load(other.load) {}
+        load(other.load),
+        warning(other.warning) {}
 
   microslip::TransientProblem problem;
   std::unique_ptr<microslip::TransientRolling> contact;  ///< null if it was lost
@@ -38,8 +39,8 @@ struct microslip_rolling {
   double full_sliding;                                   ///< as the elements have it  [N/mm]
   double strain;                                         ///< mean bound over shear modulus  [1]
   std::optional<microslip::Load> load;
-  char message[512] = "";    ///< of the last call that failed
-  char warning[512] = "";    ///< of the last call that set a load
+  char message[512] = "";  ///< of the last call that failed
+  microslip::capi::Warning warning = {};
   mutable std::mutex mutex;  ///< held by each call, so that calls of several threads take turns
 };
 

@@ -76,6 +76,7 @@ microslip_status microslip_create(const microslip_material* material,
     made = new microslip_rolling(microslip::capi::make_problem(
         require_pointer(material, "material"), require_pointer(contact, "contact"),
         require_pointer(kernel, "kernel"), require_pointer(grid, "grid")));
+    made->warning.say_of_units(doubt_of_units(*material, made->problem.contact.bound));
   });
 }
 
@@ -92,6 +93,7 @@ microslip_status microslip_create_unlike(const microslip_material* material,
         require_pointer(material, "material"), require_pointer(unlike, "unlike"),
         require_pointer(contact, "contact"), require_pointer(kernel, "kernel"),
         require_pointer(grid, "grid")));
+    made->warning.say_of_units(doubt_of_units(*material, made->problem.contact.bound));
   });
 }
 
@@ -110,7 +112,7 @@ const char* microslip_message(microslip_rolling* rolling) {
 }
 
 const char* microslip_warning(const microslip_rolling* rolling) {
-  return rolling == nullptr ? "" : rolling->warning;
+  return rolling == nullptr ? "" : rolling->warning.text();
 }
 
 const char* microslip_method(const microslip_rolling* rolling) {
@@ -138,7 +140,7 @@ microslip_status microslip_restore(microslip_rolling* rolling, const char* path)
 
 microslip_status microslip_set_creepage(microslip_rolling* rolling, double creepage) {
   return with(rolling, [&](microslip_rolling& of) {
-    of.warning[0] = '\0';
+    of.warning.forget_load();
     set_creepage(of, creepage);
   });
 }
@@ -146,7 +148,7 @@ microslip_status microslip_set_creepage(microslip_rolling* rolling, double creep
 microslip_status microslip_set_force(microslip_rolling* rolling, double force) {
   return with(rolling, [&](microslip_rolling& of) {
     require_force(of, force);
-    of.warning[0] = '\0';
+    of.warning.forget_load();
     of.load = microslip::PrescribedForce{force};
   });
 }

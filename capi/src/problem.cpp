@@ -3,9 +3,12 @@
 
 #include <fmt/core.h>
 
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
+#include "microslip/halfspace/material_doubts.hpp"
+#include "microslip/rolling/large_creepage.hpp"
 #include "microslip/support/require.hpp"
 #include "status.hpp"
 
@@ -97,6 +100,17 @@ SteadyProblem make_steady_problem(const microslip_material& material,
                       bound},
           .grid = Grid({.half_width = contact.half_width, .elements = elements}),
           .load = PrescribedCreepage{0}};
+}
+
+std::string doubt_of_units(const microslip_material& material, double peak) {
+  const double modulus = material.shear_modulus;
+  std::string doubt = doubt_of_modulus(modulus);
+  if (doubt.empty()) doubt = doubt_of_strain(peak, modulus);
+  return doubt.empty() ? doubt : doubt + "; numbers are in N, mm and N/mm^2";
+}
+
+std::string doubt_of_units(const microslip_material& material, const TractionBound& bound) {
+  return doubt_of_units(material, 4 / std::numbers::pi * bound_strain(bound, 1));  // as Hertz's
 }
 
 }  // namespace microslip::capi

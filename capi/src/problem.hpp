@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
+
 #include "microslip.h"
 #include "microslip/rolling/steady.hpp"
 #include "microslip/rolling/transient.hpp"
@@ -24,5 +26,13 @@ TransientProblem make_problem(const microslip_material& material, const microsli
 SteadyProblem make_steady_problem(const microslip_material& material,
                                   const microslip_contact& contact, const microslip_kernel& kernel,
                                   int elements);
+
+/// Why numbers that are accepted may have other units: the modulus, or the largest traction beside it.
+/// \param peak  of the bound, > 0  [N/mm^2]
+/// \return empty if there is no doubt
+std::string doubt_of_units(const microslip_material& material, double peak);
+
+/// The same for a line contact.
+std::string doubt_of_units(const microslip_material& material, const TractionBound& bound);
 
 }  // namespace microslip::capi

@@ -53,7 +53,7 @@ microslip_status microslip_roll(microslip_rolling* rolling, const microslip_step
     const microslip_steps& all = require_pointer(steps, "steps");
     validate(all);
     microslip_rolling before(of);
-    if (all.creepage != nullptr || all.force != nullptr) of.warning[0] = '\0';
+    if (all.creepage != nullptr || all.force != nullptr) of.warning.forget_load();
     try {
       for (std::size_t k = 0; k < all.count; ++k) {
         at = k;

@@ -29,6 +29,24 @@ struct Message {
   }
 };
 
+/// The warning of a handle: of its last load, or, where that has none, of the units of its creation.
+class Warning {
+ public:
+  void say(std::string_view why) noexcept { Message{text_, sizeof text_}.say(why); }
+
+  void say_of_units(std::string_view why) noexcept {
+    Message{units_, sizeof units_}.say(why);
+    say(units_);
+  }
+
+  void forget_load() noexcept { say(units_); }
+
+  const char* text() const noexcept { return text_; }
+
+ private:
+  char text_[512] = "", units_[512] = "";
+};
+
 /// Does the work of a function of the C interface. All exceptions end here.
 template <class Work>
 microslip_status guarded(const Message& message, const Work& work) noexcept {

@@ -131,7 +131,8 @@ microslip_status microslip_solve_steady(const microslip_material* material,
       said.say(text);
     }
     if (first != MICROSLIP_OK) return;
-    const std::string doubt = doubt_of_loads(problem, load_type, loads, count);
+    std::string doubt = doubt_of_loads(problem, load_type, loads, count);
+    if (doubt.empty()) doubt = doubt_of_units(*material, problem.contact.bound);
     said.say(doubt.empty() ? "" : "warning: " + doubt);
   });
   return status != MICROSLIP_OK ? status : first;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -11,6 +13,8 @@
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/scene_tables.hpp"
 #include "microslip/rolling/transient.hpp"
+#include "microslip/support/format.hpp"
+#include "microslip/support/not_converged_at.hpp"
 #include "patch_tables.hpp"
 #include "rolled_patch.hpp"
 
@@ -41,6 +45,8 @@ class PatchRecord {
     motion_ = std::max(motion_, end.motion.cwiseQuotient(arms).lpNorm<Eigen::Infinity>());
     power_ = std::max(power_, end.evidence.power);
   }
+
+  std::size_t rows() const { return rows_.size(); }
 
   /// \param motions  names, units and meanings of the three columns of motions
   /// \param loss     those of the column of the energy that is lost
@@ -149,6 +155,27 @@ struct PatchSums {
   }
 };
 
+/// The resultants of a load, as " under force -1 N, spin_moment 2 N mm", or nothing.
+std::string resultants_in_words(const PatchLoad& load) {
+  std::string words;
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    if (!load[j].by_resultant) continue;
+    words += fmt::format("{}{} {} {}", words.empty() ? " under " : ", ", name_of(load, j),
+                         format_short(load[j].value), j < 2 ? "N" : "N mm");
+  }
+  return words;
+}
+
+/// The result of a step or shift; a message that it failed says which one, and its resultants.
+template <class Step>
+PatchStepEnd at_place(const std::string& place, const PatchLoad& load, const Step& step) {
+  try {
+    return step();
+  } catch (const NotConverged& error) {
+    throw NotConvergedAt(place + resultants_in_words(load), error);
+  }
+}
+
 }  // namespace
 
 std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& progress) {
@@ -182,7 +209,8 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   PatchSums of_shifts, sums;
   std::size_t doubled = 0;
   for (const PatchLoad& load : scene.shifts) {
-    end = take(1, [&](RolledPatch& patch) { return patch.shift(load); });
+    end = at_place(fmt::format("shift {}", shifts.rows()), load,
+                   [&] { return take(1, [&](RolledPatch& patch) { return patch.shift(load); }); });
     of_shifts.include(end, 1);
     shifts.add(end);
   }
@@ -212,8 +240,12 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   keep(scene.from, loads.time_at(scene.from));
   const auto stand = [&](double distance) {
     for (const PatchHistory::Standing& standing : loads.standing_at(distance)) {
-      end =
-          take(1, [&](RolledPatch& patch) { return patch.shift(standing.load, standing.contact); });
+      end = at_place(fmt::format("shift at q = {} mm", format_short(loads.position_at(distance))),
+                     standing.load, [&] {
+                       return take(1, [&](RolledPatch& patch) {
+                         return patch.shift(standing.load, standing.contact);
+                       });
+                     });
       sums.path += end.motion;
       sums.lost.add_shift(end.dissipation);
       const PatchRunRow run{loads.position_at(distance), end.motion, end.dissipation,
@@ -228,7 +260,11 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   if (scene.from == 0) stand(0);
   for_steps(scene.distance, lengths, scene.from, ends, [&](double from, double to, double length) {
     const double dq = loads.direction_to(to) * length;
-    end = take(dq, [&](RolledPatch& patch) { return patch.roll(loads, from, to, length); });
+    end = at_place(
+        fmt::format("step to q = {} mm", format_short(loads.position_at(to))),
+        loads.between(from, to), [&] {
+          return take(dq, [&](RolledPatch& patch) { return patch.roll(loads, from, to, length); });
+        });
     record({loads.position_at(to), dq * end.motion, length * end.dissipation, loads.time_at(to)});
     sums.include(end, dq);
     doubled += end.has_second ? 1 : 0;

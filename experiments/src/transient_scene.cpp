@@ -12,6 +12,7 @@
 #include "microslip/experiments/scene_tables.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/support/format.hpp"
+#include "microslip/support/not_converged_at.hpp"
 
 namespace microslip::experiments {
 
@@ -178,26 +179,30 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
     doubled += state.has_second ? 1 : 0;
     worst.include(state);
   };
-  rolling.roll_to(
-      scene.distance, lengths, scene.loads,
-      {.after_step =
-           [&](const TransientState& state, std::optional<double> time) {
-             const double length = state.distance - distance_before;
-             lost.add(state, std::abs(length), force_before, full);
-             take(state, {.shift = state.creepage * length,
-                          .loss = state.dissipation * std::abs(length),
-                          .time = time});
-             ++step;
-             way += std::abs(length);
-             keep(time);
-             count();
-           },
-       .after_shift =
-           [&](const TransientState& state, const Shift& shift, std::optional<double> time) {
-             lost.add_shift(shift.dissipation);
-             take(state, {.shift = shift.distance, .loss = shift.dissipation, .time = time});
-             keep(time);
-           }});
+  const TransientRolling::Observer observer{
+      .after_step =
+          [&](const TransientState& state, std::optional<double> time) {
+            const double length = state.distance - distance_before;
+            lost.add(state, std::abs(length), force_before, full);
+            take(state, {.shift = state.creepage * length,
+                         .loss = state.dissipation * std::abs(length),
+                         .time = time});
+            ++step;
+            way += std::abs(length);
+            keep(time);
+            count();
+          },
+      .after_shift =
+          [&](const TransientState& state, const Shift& shift, std::optional<double> time) {
+            lost.add_shift(shift.dissipation);
+            take(state, {.shift = shift.distance, .loss = shift.dissipation, .time = time});
+            keep(time);
+          }};
+  try {
+    rolling.roll_to(scene.distance, lengths, scene.loads, observer);
+  } catch (const NotConverged& error) {
+    throw NotConvergedAt("behind q = " + format_short(rolling.state().distance) + " mm", error);
+  }
   at_end(rolling);  // before the estimate of the condition, which refactorises
 
   const TransientState& last = rolling.state();

@@ -144,6 +144,28 @@ void warn_of_short_way(Scene& scene, const LoadHistory& loads,
                          format_roughly(loads.distance()), format_roughly(half_width)));
 }
 
+void warn_of_short_turns(Scene& scene, const std::optional<Eigen::VectorXd>& place,
+                         double half_width) {
+  constexpr double least_part = 0.01;  // of the half-width
+  if (!place) return;
+  std::vector<double> ways;  // between turns, with the sign of their direction
+  for (Eigen::Index i = 1; i < place->size(); ++i) {
+    const double length = (*place)[i] - (*place)[i - 1];
+    if (length == 0) continue;
+    if (ways.empty() || length * ways.back() < 0) ways.push_back(0);
+    ways.back() += length;
+  }
+  if (ways.size() < 2) return;
+  const double shortest =
+      std::abs(std::ranges::min(ways, {}, [](double way) { return std::abs(way); }));
+  if (shortest >= least_part * half_width) return;
+  const std::size_t turns = ways.size() - 1;
+  scene.warn("q of load.file", shortest,
+             fmt::format("the shortest way, in mm, before the bodies turn again or stop; they turn "
+                         "{}, and places that were measured want smoothing",
+                         turns == 1 ? "once" : fmt::format("{} times", turns)));
+}
+
 namespace {
 
 /// The largest load of a run; a force is kept below full sliding, so that a steady state carries

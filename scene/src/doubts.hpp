@@ -62,6 +62,13 @@ void warn_of_other_load(Scene& scene, const std::optional<Eigen::VectorXd>& colu
 void warn_of_short_way(Scene& scene, const LoadHistory& loads,
                        const std::optional<Eigen::VectorXd>& velocity, double half_width);
 
+/// Warns of bodies that turn and roll on by less than a hundredth of the half-width before they turn
+/// again, or end there: places that were measured have noise.
+/// \param place       q of its rows; none in a run by times  [mm]
+/// \param half_width  [mm]
+void warn_of_short_turns(Scene& scene, const std::optional<Eigen::VectorXd>& place,
+                         double half_width);
+
 /// Warns if a force is there at once where the contact starts without tractions.
 /// \param first_step  its length  [mm]
 void warn_of_sudden_force(Scene& scene, const LoadHistory& loads, double first_step);

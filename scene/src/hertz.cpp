@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "microslip/halfspace/material_doubts.hpp"
 #include "microslip/reference/line_contact.hpp"
 #include "microslip/reference/point_contact.hpp"
 #include "microslip/scene/model.hpp"
@@ -20,8 +21,6 @@ namespace {
 
 /// Largest half-width, as a fraction of the smaller radius, at which Hertz's theory holds.
 constexpr double small_contact = 0.1;
-
-constexpr double largest_modulus = 1e6;  ///< of a solid; diamond has 5e5  [N/mm^2]
 
 }  // namespace
 
@@ -49,35 +48,25 @@ void require_small(Scene& scene, double a, double radius) {
 }
 
 void warn_of_large_modulus(Scene& scene, const std::string& key, double shear_modulus) {
-  if (shear_modulus <= largest_modulus) return;
-  scene.warn(key, scene.text(key),
-             fmt::format("a shear modulus of {} N/mm^2, which is more than that of any solid; "
-                         "moduli without a unit are in N/mm^2",
-                         format_roughly(shear_modulus)));
+  const std::string doubt = doubt_of_modulus(shear_modulus);
+  if (doubt.empty()) return;
+  scene.warn(key, scene.text(key), doubt + "; moduli without a unit are in N/mm^2");
 }
 
 void warn_of_strain(Scene& scene, double peak, double shear_modulus) {
-  constexpr double most_strain = 0.05;
-  constexpr double least_modulus = 10;  // N/mm^2; rubber has 1, and normalised contacts, too
   const auto first_of = [&](std::initializer_list<const char*> keys) -> std::string {
     const auto* const found =
         std::ranges::find_if(keys, [&](const char* key) { return std::as_const(scene).has(key); });
     return found == keys.end() ? "" : *found;  // springs have no modulus
   };
-  const bool is_large = peak > most_strain * shear_modulus;
-  if (!is_large) {
+  const std::string doubt = doubt_of_strain(peak, shear_modulus);
+  if (doubt.empty()) {
     return warn_of_large_modulus(
         scene, first_of({"material.shear_modulus", "material.youngs_modulus"}), shear_modulus);
   }
-  if (shear_modulus < least_modulus || shear_modulus > largest_modulus) return;
   const std::string key = first_of({"contact.peak_traction", "contact.bound_file",
                                     "contact.normal_load", "contact.bound_polynomial"});
-  scene.warn(
-      key, scene.text(key),
-      fmt::format("the largest traction, {} N/mm^2, is {} of the shear modulus, {:.6g} "
-                  "N/mm^2, and strains have to be small; numbers without a unit are in N, "
-                  "mm and N/mm^2",
-                  format_roughly(peak), format_roughly(peak / shear_modulus), shear_modulus));
+  scene.warn(key, scene.text(key), doubt + "; numbers without a unit are in N, mm and N/mm^2");
 }
 
 HertzBound read_loaded_contact(Scene& scene, const Material& material) {

@@ -225,6 +225,7 @@ PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch, const Advect
     warn_of_motions_in_run(scene, loads, patch);
     warn_of_other_load(scene, columns["normal_load"]);
     warn_of_short_way(scene, histories[0], columns["v"], patch.bound.half_width());
+    warn_of_short_turns(scene, columns["q"], patch.bound.half_width());
     return loads;
   });
 }

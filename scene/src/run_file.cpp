@@ -94,6 +94,7 @@ LoadHistory read_run(Scene& scene, const TransientProblem& problem) {
     warn_of_large_creepages(scene, loads, problem.contact.bound);
     warn_of_other_load(scene, rows.normal_load);
     warn_of_short_way(scene, loads, rows.velocity, problem.grid.half_width());
+    warn_of_short_turns(scene, rows.distance, problem.grid.half_width());
     if (rows.force) require_all_carried(*rows.force, loads, problem.contact.bound);
     return loads;
   });

@@ -273,6 +273,40 @@ TEST(CEllipse, WarnsOfCreepagesInPercentAndOfSpinInMetres) {
   EXPECT_EQ(warning(), "");
 }
 
+TEST(CEllipse, WarnsOfModuliInOtherUnitsUntilAMotionIsDoubtful) {
+  const Parts parts;
+  const auto of_modulus = [&](double modulus) {
+    const microslip_material material{modulus, 0.28};
+    microslip_ellipse* made = nullptr;
+    EXPECT_EQ(microslip_ellipse_create(&material, &parts.contact, &parts.grid, &made, nullptr, 0),
+              MICROSLIP_OK);
+    return Ellipse(made, microslip_ellipse_destroy);
+  };
+  const auto warning = [](const Ellipse& of) {
+    return std::string(microslip_ellipse_warning(of.get()));
+  };
+  const std::string units = "; numbers are in N, mm and N/mm^2";
+  EXPECT_EQ(warning(of_modulus(82000)), "");
+  EXPECT_EQ(warning(of_modulus(1)), "");
+  const std::string strain =
+      "the largest traction, 300 N/mm^2, is 3.7 of the shear modulus, 82 N/mm^2, and strains have "
+      "to be small";
+  EXPECT_EQ(warning(of_modulus(82)), strain + units);
+  const std::string modulus =
+      "a shear modulus of 8.2e+10 N/mm^2, which is more than that of any solid" + units;
+  const Ellipse pascal = of_modulus(8.2e10);
+  EXPECT_EQ(warning(pascal), modulus);
+  advanced(pascal, 1, motion(1e-9, 0, 0));
+  EXPECT_EQ(warning(pascal), modulus);
+  advanced(pascal, 1, motion(0.3, 0, 0));
+  EXPECT_EQ(warning(pascal).find("creepage = 0.3: "), 0U);
+  microslip_ellipse* copy = nullptr;
+  ASSERT_EQ(microslip_ellipse_copy(pascal.get(), &copy), MICROSLIP_OK);
+  const Ellipse copied(copy, microslip_ellipse_destroy);
+  advanced(copied, 1, motion(1e-9, 0, 0));
+  EXPECT_EQ(warning(copied), modulus);
+}
+
 TEST(CEllipse, LosesItsContactAndTouchesAnew) {
   const Ellipse ellipse = created(), fresh = created();
   const Load load = motion(6e-4, 3e-4, 5e-5);

@@ -245,6 +245,23 @@ TEST(SteadyInC, LargeCreepagesAreWarnedOf) {
             0U);
 }
 
+TEST(RollingInC, ModuliInOtherUnitsAreWarnedOf) {
+  Parts parts;
+  const std::string doubt =
+      "a shear modulus of 8.2e+10 N/mm^2, which is more than that of any solid; numbers are in N, "
+      "mm "
+      "and N/mm^2";
+  parts.material.shear_modulus = 8.2e10;
+  const Handle handle = created(parts);
+  const auto told = [&] { return std::string(microslip_warning(handle.get())); };
+  EXPECT_EQ(told(), doubt);
+  EXPECT_EQ(microslip_set_creepage(handle.get(), 0.3), MICROSLIP_OK);
+  EXPECT_EQ(told().find("creepage = 0.3: "), 0U);
+  EXPECT_EQ(microslip_set_creepage(handle.get(), 0), MICROSLIP_OK);
+  EXPECT_EQ(told(), doubt);
+  EXPECT_EQ(solve(parts, MICROSLIP_CREEPAGE, {0}).message, "warning: " + doubt);
+}
+
 TEST(RollingInC, LargeCreepagesAreWarnedOf) {
   Parts parts;
   parts.material.shear_modulus = 82000;

@@ -10,6 +10,7 @@
 
 #include "microslip/experiments/scene_tables.hpp"
 #include "microslip/scene/model.hpp"
+#include "microslip/support/not_converged.hpp"
 #include "scene_text.hpp"
 
 namespace microslip::patch_transient_tables_test {
@@ -373,6 +374,22 @@ TEST(PatchTransientTables, ContinueARunAsIfItWereOne) {
               PatchTables(to("4", {"start.type=state", "start.state=state"}), rows, first.state());
             }).find("motion.distance = 4: expected more than the distance of start.state, 4.25"),
             0U);
+}
+
+// Forces and moment that friction does not carry together are found out at a step alone.
+TEST(PatchTransientTables, NameTheStepThatHasNoSolution) {
+  const auto settings = transient({"load.file=run", "motion.distance="});
+  const std::string rows = "q force spin_moment\n0 0 0\n1 -4000 0\n2 -20500 20000\n";
+  std::string found;
+  try {
+    const PatchTables tables(settings, rows);
+  } catch (const NotConverged& error) {
+    found = error.what();
+  }
+  EXPECT_EQ(found.find("step to q = "), 0U) << found;
+  EXPECT_NE(found.find(" N, spin_moment "), std::string::npos) << found;
+  EXPECT_NE(found.find(" N mm: stick and slip of the step are not found"), std::string::npos)
+      << found;
 }
 
 }  // namespace microslip::patch_transient_tables_test

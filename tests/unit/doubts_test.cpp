@@ -178,6 +178,28 @@ TEST(Doubts, SpeedsAreInMillimetresPerSecond) {
   }
 }
 
+TEST(Doubts, BodiesTurnOnAShortWay) {
+  const std::string of_ellipse =
+      ellipse + "problem transient\nstart { type rest }\nload { file run.tsv }\n";
+  const std::string behind =
+      ": the shortest way, in mm, before the bodies turn again or stop; they turn ";
+  for (const std::string& text : {with(run, " radius 460 mm", ""), of_ellipse}) {
+    const auto warned = [&](const std::string& places) {
+      std::string table = "q creepage\n";
+      for (const char place : places) table += place == ' ' ? " 0.001\n" : std::string(1, place);
+      return of("q of", warnings(text, table));
+    };
+    EXPECT_EQ(warned("0 1 2 1.96 3 "), "q of load.file = 0.04" + behind +
+                                           "2 times, and places that were measured want "
+                                           "smoothing\n");
+    EXPECT_EQ(warned("0 -1 -2 -1.96 "), "q of load.file = 0.04" + behind +
+                                            "once, and places that were measured want "
+                                            "smoothing\n");
+    EXPECT_EQ(warned("0 1 2 1.94 3 "), "");
+    EXPECT_EQ(warned("0 0.01 0.02 "), "");
+  }
+}
+
 TEST(Doubts, AForceThatIsThereAtOnceIsToldFrom) {
   const std::string steps = "step { ratio 2 }\nmotion { distance 5 }\n";
   const std::string under_force = transient + steps + "load { force -1000 }\n";

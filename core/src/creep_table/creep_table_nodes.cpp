@@ -29,6 +29,8 @@ namespace {
 /// Polar angles are closer near pure spin by 1 + this, and less close near none by 1 - this.
 constexpr double crowding = 0.4;
 
+constexpr Index least_cells = 4, most_cells = 40;
+
 double part_of(Index i, Index nodes) {
   return static_cast<double>(i) / static_cast<double>(nodes - 1);
 }
@@ -55,6 +57,11 @@ double CreepTableLayout::angle(Index j) const {
     angle -= (place_of_polar(angle) - place) / slope;
   }
   return angle;
+}
+
+Index CreepTableLayout::cells_at(double ratio) const {
+  const bool is_round = ratio > 0.4 && ratio < 2.5;
+  return is_round ? std::min(most_cells, cells + cells / 3) : cells;
 }
 
 double CreepTableLayout::place_of_ratio(double ratio) const {
@@ -90,8 +97,8 @@ void validate(const CreepTableLayout& layout) {
   require_nodes("steps", layout.steps, 4);
   require_nodes("polar", layout.polar, 3);
   require_nodes("azimuths", layout.azimuths, 3);
-  require(layout.cells >= 4 && layout.cells <= 40, "cells", static_cast<double>(layout.cells),
-          "a whole number from 4 to 40");
+  require(layout.cells >= least_cells && layout.cells <= most_cells, "cells",
+          static_cast<double>(layout.cells), "a whole number from 4 to 40");
 }
 
 MotionScales::MotionScales(double ratio, const CreepCoefficients& coefficients) {
@@ -157,8 +164,9 @@ std::size_t CreepTableMaker::values_of(std::size_t part) const {
 const UnitPatch& CreepTableMaker::patch(std::size_t ratio, std::size_t grid) const {
   Shape& shape = (*shapes_)[ratio];
   std::call_once(shape.made[grid], [&] {
-    shape.patches[grid].emplace(layout_.ratio(static_cast<Index>(ratio)), layout_.poisson_ratio,
-                                layout_.cells + static_cast<Index>(grid));
+    const double a_over_b = layout_.ratio(static_cast<Index>(ratio));
+    shape.patches[grid].emplace(a_over_b, layout_.poisson_ratio,
+                                layout_.cells_at(a_over_b) + static_cast<Index>(grid));
   });
   return *shape.patches[grid];
 }

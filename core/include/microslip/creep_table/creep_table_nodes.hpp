@@ -33,13 +33,18 @@ struct CreepTableLayout {
   Eigen::Index steps = 33;                       ///< nodes of t, evenly spaced, >= 4
   Eigen::Index polar = 25;                       ///< polar angles, closer near pure spin, >= 3
   Eigen::Index azimuths = 13;                    ///< azimuths, evenly spaced, >= 3
-  /// Nodes are means of solutions on so many rows and elements of a circle, 4 ... 40, and on one more.
+  /// Nodes are means of solutions on so many rows and elements of a circle, 4 ... 40, and on one more;
+  /// see cells_at().
   Eigen::Index cells = 15;
 
   double ratio(Eigen::Index i) const;    ///< a/b
   double step(Eigen::Index i) const;     ///< t
   double angle(Eigen::Index j) const;    ///< polar angle  [rad]
   double azimuth(Eigen::Index k) const;  ///< [rad]
+
+  /// The cells at a ratio: a third more than `cells` for a/b = 0.4 ... 2.5, where errors of the
+  /// solutions are larger than those between nodes.
+  Eigen::Index cells_at(double ratio) const;
 
   /// The place of a value among the nodes, from 0 to one less than their number.
   double place_of_ratio(double ratio) const;
