@@ -104,7 +104,7 @@ SteadyProblem make_steady_problem(const microslip_material& material,
 
 std::string doubt_of_units(const microslip_material& material, double peak) {
   const double modulus = material.shear_modulus;
-  std::string doubt = doubt_of_modulus(modulus);
+  std::string doubt = doubt_of_modulus(modulus, peak);
   if (doubt.empty()) doubt = doubt_of_strain(peak, modulus);
   return doubt.empty() ? doubt : doubt + "; numbers are in N, mm and N/mm^2";
 }

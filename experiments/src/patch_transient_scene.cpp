@@ -13,7 +13,6 @@
 #include "microslip/experiments/contact_tables.hpp"
 #include "microslip/experiments/scene_tables.hpp"
 #include "microslip/rolling/transient.hpp"
-#include "microslip/support/format.hpp"
 #include "microslip/support/not_converged_at.hpp"
 #include "patch_tables.hpp"
 #include "rolled_patch.hpp"
@@ -160,8 +159,8 @@ std::string resultants_in_words(const PatchLoad& load) {
   std::string words;
   for (std::size_t j = 0; j < load.size(); ++j) {
     if (!load[j].by_resultant) continue;
-    words += fmt::format("{}{} {} {}", words.empty() ? " under " : ", ", name_of(load, j),
-                         format_short(load[j].value), j < 2 ? "N" : "N mm");
+    words += fmt::format("{}{} {:.6g} {}", words.empty() ? " under " : ", ", name_of(load, j),
+                         load[j].value, j < 2 ? "N" : "N mm");
   }
   return words;
 }
@@ -240,7 +239,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   keep(scene.from, loads.time_at(scene.from));
   const auto stand = [&](double distance) {
     for (const PatchHistory::Standing& standing : loads.standing_at(distance)) {
-      end = at_place(fmt::format("shift at q = {} mm", format_short(loads.position_at(distance))),
+      end = at_place(fmt::format("shift at q = {:.6g} mm", loads.position_at(distance)),
                      standing.load, [&] {
                        return take(1, [&](RolledPatch& patch) {
                          return patch.shift(standing.load, standing.contact);
@@ -261,8 +260,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   for_steps(scene.distance, lengths, scene.from, ends, [&](double from, double to, double length) {
     const double dq = loads.direction_to(to) * length;
     end = at_place(
-        fmt::format("step to q = {} mm", format_short(loads.position_at(to))),
-        loads.between(from, to), [&] {
+        fmt::format("step to q = {:.6g} mm", loads.position_at(to)), loads.between(from, to), [&] {
           return take(dq, [&](RolledPatch& patch) { return patch.roll(loads, from, to, length); });
         });
     record({loads.position_at(to), dq * end.motion, length * end.dissipation, loads.time_at(to)});

@@ -201,7 +201,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   try {
     rolling.roll_to(scene.distance, lengths, scene.loads, observer);
   } catch (const NotConverged& error) {
-    throw NotConvergedAt("behind q = " + format_short(rolling.state().distance) + " mm", error);
+    throw NotConvergedAt(fmt::format("behind q = {:.6g} mm", rolling.state().distance), error);
   }
   at_end(rolling);  // before the estimate of the condition, which refactorises
 

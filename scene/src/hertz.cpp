@@ -47,8 +47,9 @@ void require_small(Scene& scene, double a, double radius) {
                          format_roughly(a)));
 }
 
-void warn_of_large_modulus(Scene& scene, const std::string& key, double shear_modulus) {
-  const std::string doubt = doubt_of_modulus(shear_modulus);
+void warn_of_large_modulus(Scene& scene, const std::string& key, double shear_modulus,
+                           double traction) {
+  const std::string doubt = doubt_of_modulus(shear_modulus, traction);
   if (doubt.empty()) return;
   scene.warn(key, scene.text(key), doubt + "; moduli without a unit are in N/mm^2");
 }
@@ -59,11 +60,10 @@ void warn_of_strain(Scene& scene, double peak, double shear_modulus) {
         std::ranges::find_if(keys, [&](const char* key) { return std::as_const(scene).has(key); });
     return found == keys.end() ? "" : *found;  // springs have no modulus
   };
+  warn_of_large_modulus(scene, first_of({"material.shear_modulus", "material.youngs_modulus"}),
+                        shear_modulus, peak);
   const std::string doubt = doubt_of_strain(peak, shear_modulus);
-  if (doubt.empty()) {
-    return warn_of_large_modulus(
-        scene, first_of({"material.shear_modulus", "material.youngs_modulus"}), shear_modulus);
-  }
+  if (doubt.empty()) return;
   const std::string key = first_of({"contact.peak_traction", "contact.bound_file",
                                     "contact.normal_load", "contact.bound_polynomial"});
   scene.warn(key, scene.text(key), doubt + "; numbers without a unit are in N, mm and N/mm^2");

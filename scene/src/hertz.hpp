@@ -23,8 +23,10 @@ struct Radii {
 Radii read_radii(Scene& scene);
 
 /// Warns of a shear modulus that no solid has, as of one in pascals.
-/// \param key  that gives it
-void warn_of_large_modulus(Scene& scene, const std::string& key, double shear_modulus);
+/// \param key       that gives it
+/// \param traction  largest one, see doubt_of_modulus()
+void warn_of_large_modulus(Scene& scene, const std::string& key, double shear_modulus,
+                           double traction = 0);
 
 /// Warns of a bound that is large beside the shear modulus, by the key that gives it, or of a modulus
 /// that no solid has, where the bound is small beside it. Normalised contacts have a modulus that no

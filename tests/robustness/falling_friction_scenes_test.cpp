@@ -60,6 +60,11 @@ TEST_F(FallingFrictionScenes, HaveOneSteadySolution) {
   EXPECT_NE(summary().find("\nsecond_solution\t0\t1\nmethod\tcalibrated\t1\n"), std::string::npos);
 }
 
+TEST_F(FallingFrictionScenes, NameTheStepThatAShortMemoryLeavesWithoutASolution) {
+  expect_refused(steps + "--set step.ratio=0.05 --set contact.friction_memory=0.0001",
+                 "behind q = ", 2);
+}
+
 TEST_F(FallingFrictionScenes, WarnOfSecondSolutionsInShortStepsWithoutAMemory) {
   const Outcome at_once = solve(steps);
   EXPECT_EQ(at_once.status, 0);
