@@ -2,8 +2,8 @@
 #include "microslip/rolling/frequency_response.hpp"
 
 #include <fmt/core.h>
+#include <gsl/gsl_sf_bessel.h>
 
-#include <boost/math/special_functions/bessel.hpp>
 #include <boost/math/special_functions/sinc.hpp>
 #include <cmath>
 #include <limits>
@@ -41,8 +41,8 @@ double terms_of_strip(double clear, double half_length) {
 }  // namespace
 
 Complex adhesion_ratio(double kappa) {
-  const double j0 = boost::math::cyl_bessel_j(0, kappa);
-  const double j1 = boost::math::cyl_bessel_j(1, kappa);
+  const double j0 = gsl_sf_bessel_J0(kappa);
+  const double j1 = gsl_sf_bessel_J1(kappa);
   return j0 / Complex(j0, j1);
 }
 
