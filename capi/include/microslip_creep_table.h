@@ -57,7 +57,8 @@ MICROSLIP_API enum microslip_status microslip_creep_table_get_info(
  * motion      xi, eta [1] and phi [1/mm]
  * resultants  out: Fx, Fy [N], Mz [N mm]
  * jacobian    out, may be null: the derivatives of the resultants by the motion, 3 x 3, row by row
- * message     out, may be null */
+ * message     out, may be null. If there are forces, it is empty, or "warning: " and why the motion or
+ *             the units are doubtful, as microslip_ellipse_warning() has it */
 MICROSLIP_API enum microslip_status microslip_creep_table_forces(
     const microslip_creep_table* table, const struct microslip_material* material,
     const struct microslip_ellipse_contact* contact, const double motion[3], double resultants[3],
@@ -72,7 +73,7 @@ MICROSLIP_API enum microslip_status microslip_creep_table_forces(
  * motions     xi, eta [1] and phi [1/mm] of each, `count` x 3
  * resultants  out: Fx, Fy [N], Mz [N mm] of each, `count` x 3
  * jacobians   out, may be null: `count` x 3 x 3
- * message     out, may be null */
+ * message     out, may be null; a warning is that of the first doubtful contact */
 MICROSLIP_API enum microslip_status microslip_creep_table_forces_many(
     const microslip_creep_table* table, const struct microslip_material* material,
     const struct microslip_ellipse_contact* contacts, const double* motions, size_t count,

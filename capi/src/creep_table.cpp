@@ -16,9 +16,11 @@
 #include "jacobian.hpp"
 #include "microslip/creep_table/creep_table_file.hpp"
 #include "microslip/halfspace/material.hpp"
+#include "microslip/patch/large_motion.hpp"
 #include "microslip/support/require.hpp"
 #include "microslip/support/shown.hpp"
 #include "microslip_creep_table.h"
+#include "problem.hpp"
 #include "status.hpp"
 #include "zero.hpp"
 
@@ -101,6 +103,19 @@ void look_up(const microslip::CreepTable& table, double shear_modulus,
   if (jacobian != nullptr) put_jacobian(jacobian, by_motion);
 }
 
+/// Why a look-up is doubtful: by its motion, or its units; empty if it is not.
+std::string doubt_of(const microslip_material& material, const microslip_ellipse_contact& contact,
+                     const double* motion) {
+  constexpr std::array names{"creepage", "lateral_creepage", "spin"};
+  const double size = std::sqrt(contact.half_width * contact.lateral_half_width);
+  const double mean_strain = contact.peak_traction / (1.5 * material.shear_modulus);
+  for (std::size_t j = 0; j < names.size(); ++j) {
+    const std::string doubt = microslip::doubt_of_large_motion(j, motion[j], size, mean_strain);
+    if (!doubt.empty()) return fmt::format("{} = {:.6g}: {}", names[j], motion[j], doubt);
+  }
+  return doubt_of_units(material, contact.peak_traction);
+}
+
 }  // namespace
 
 microslip_status microslip_creep_table_open(const char* path, microslip_creep_table** table,
@@ -140,7 +155,8 @@ microslip_status microslip_creep_table_forces(const microslip_creep_table* table
                                               const double motion[3], double resultants[3],
                                               double* jacobian, char* message,
                                               size_t message_size) {
-  return guarded({message, message_size}, [&] {
+  const Message said{message, message_size};
+  return guarded(said, [&] {
     const microslip::CreepTable& from = require_pointer(table, "table").table;
     const microslip_material& of = require_pointer(material, "material");
     const microslip_ellipse_contact& one = require_pointer(contact, "contact");
@@ -148,6 +164,8 @@ microslip_status microslip_creep_table_forces(const microslip_creep_table* table
     double* out = &require_pointer(resultants, "resultants");
     require_material(from.layout(), of);
     look_up(from, of.shear_modulus, one, moved, out, jacobian);
+    const std::string doubt = doubt_of(of, one, moved);
+    said.say(doubt.empty() ? "" : "warning: " + doubt);
   });
 }
 
@@ -157,10 +175,13 @@ microslip_status microslip_creep_table_forces_many(const microslip_creep_table* 
                                                    const double* motions, size_t count,
                                                    double* resultants, double* jacobians,
                                                    char* message, size_t message_size) {
-  return guarded({message, message_size}, [&] {
+  const Message said{message, message_size};
+  return guarded(said, [&] {
     const microslip::CreepTable& from = require_pointer(table, "table").table;
     const microslip_material& of = require_pointer(material, "material");
     require_material(from.layout(), of);
+    std::string warning;
+    said.say(warning);
     if (count == 0) return;
     require_pointer(contacts, "contacts");
     require_pointer(motions, "motions");
@@ -170,7 +191,11 @@ microslip_status microslip_creep_table_forces_many(const microslip_creep_table* 
       for (; k < count; ++k) {
         look_up(from, of.shear_modulus, contacts[k], motions + 3 * k, resultants + 3 * k,
                 jacobians == nullptr ? nullptr : jacobians + 9 * k);
+        if (!warning.empty()) continue;
+        const std::string doubt = doubt_of(of, contacts[k], motions + 3 * k);
+        if (!doubt.empty()) warning = fmt::format("warning: contacts[{}]: {}", k, doubt);
       }
+      said.say(warning);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(fmt::format("contacts[{}]: {}", k, error.what()));
     }

@@ -29,7 +29,8 @@ _IN_ORDER_OF_PATCHES = {"contact.bound_file": ("x", "y", "bound")}
 # Columns that are read. What is wrong in another column does not matter.
 _READ: Dict[str, Tuple[str, ...]] = {
     **_IN_ORDER, **_IN_ORDER_OF_PATCHES,
-    "load.file": ("q", "t", "v", "creepage", "force", "omega", "normal_load", "half_width", "peak_traction", "friction")}
+    "load.file": ("q", "t", "v", "creepage", "force", "omega", "normal_load", "half_width", "peak_traction", "friction",
+                  "lateral_creepage", "lateral_force", "spin", "spin_moment")}
 
 # In the place of what is no number, in a column that is not read: the library refuses it if it is read.
 _NOTHING = "-"
@@ -133,6 +134,16 @@ def _times_of_index(value: Any) -> Any:
     return index if kind in ("m", "M") else None
 
 
+def _places_of(name: str, headers: List[str]) -> List[int]:
+    """Returns the columns of a name: by the whole header, by the header without its unit, or by both without units."""
+    plain = [_taken_apart(header)[0] for header in headers]
+    for wanted, among in ((name, [header.strip() for header in headers]), (name, plain), (_taken_apart(name)[0], plain)):
+        places = [k for k, header in enumerate(among) if header == wanted]
+        if places:
+            return places
+    return []
+
+
 def _renamed(key: str, headers: List[str], names: Mapping[str, str]) -> List[str]:
     """Gives columns this package's names, and leaves their units."""
     found = list(headers)
@@ -142,8 +153,7 @@ def _renamed(key: str, headers: List[str], names: Mapping[str, str]) -> List[str
             near = difflib.get_close_matches(str(own), _READ[key], 1)
             hint = f" (did you mean '{near[0]}'?)" if near else ""
             raise _error(NAMES_KEY, f"unknown column '{shown(own)}'{hint}", shown(own), ", ".join(_READ[key]))
-        places = ([k for k, header in enumerate(headers) if header.strip() == str(other).strip()] or
-                  [k for k, header in enumerate(headers) if _taken_apart(header)[0] == str(other).strip()])
+        places = _places_of(str(other).strip(), headers)
         if len(places) != 1:
             near = difflib.get_close_matches(str(other), headers, 1)
             hint = f" (did you mean '{near[0]}'?)" if near and not places else ""
@@ -153,7 +163,7 @@ def _renamed(key: str, headers: List[str], names: Mapping[str, str]) -> List[str
             raise _error(NAMES_KEY, f"{own} = '{shown(other)}'", shown(other),
                          f"another column than that of {taken[places[0]]}")
         taken[places[0]] = own
-        unit = _taken_apart(headers[places[0]])[1]
+        unit = _taken_apart(headers[places[0]])[1] or _taken_apart(str(other))[1]
         found[places[0]] = f"{own} [{unit}]" if unit else own
     return found
 

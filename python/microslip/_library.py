@@ -105,6 +105,7 @@ FUNCTIONS = {
     "ppsp": "py_solve",
     "tpid": "py_patch_doubt",
     "tiddd": "py_motion_doubt",
+    "tdd": "py_units_doubt",
     "ippp": "ellipse_shift roll",
     "ipdd": "ellipse_set_contact set_contact",
     "ippsp": "ellipse_save_to_memory",

@@ -124,6 +124,9 @@ MICROSLIP_API const char* microslip_py_patch_doubt(const microslip_py_patch* pat
 /// \param strain  the mean of the traction bound over the shear modulus
 MICROSLIP_API const char* microslip_py_motion_doubt(int component, double motion, double size,
                                                     double strain);
+/// Why the units of a shear modulus, or of the largest traction beside it, are doubtful; empty if they
+/// are not. Valid until this thread's next call.
+MICROSLIP_API const char* microslip_py_units_doubt(double shear_modulus, double traction);
 /// To roll: for the functions of microslip_ellipse.h.
 MICROSLIP_API microslip_ellipse* microslip_py_patch_ellipse(const microslip_py_patch* patch);
 

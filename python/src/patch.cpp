@@ -15,6 +15,7 @@
 #include "microslip/support/parallel.hpp"
 #include "microslip/support/require.hpp"
 #include "patch_tables.hpp"
+#include "problem.hpp"
 #include "scene.hpp"
 
 using namespace microslip;
@@ -85,6 +86,13 @@ const char* microslip_py_patch_doubt(const microslip_py_patch* patch, int compon
 const char* microslip_py_motion_doubt(int component, double motion, double size, double strain) {
   return text_or_null([&] {
     return doubt_of_large_motion(static_cast<std::size_t>(component), motion, size, strain);
+  });
+}
+
+const char* microslip_py_units_doubt(double shear_modulus, double traction) {
+  return text_or_null([&] {
+    return microslip::capi::doubt_of_units({.shear_modulus = shear_modulus, .poisson_ratio = 0},
+                                           traction);
   });
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "microslip/rolling/large_creepage.hpp"
+#include "microslip/rolling/transient.hpp"
 #include "microslip/scene/model.hpp"
 #include "microslip/scene/units.hpp"
 #include "microslip/support/format.hpp"
@@ -64,18 +65,46 @@ void warn_of_noise(Scene& scene, Eigen::Index elements, double step_ratio) {
                          format_short(least), elements));
 }
 
-void warn_of_missed_rows(Scene& scene, const LoadHistory& loads,
-                         const std::vector<double>& step_ratios, double spacing) {
-  if (!loads.changes_contact() || !scene.has("step.ratio") || scene.has("step.tolerance")) return;
-  const double longest = std::ranges::max(step_ratios);
-  const std::vector<double> rows = row_ratios(loads.distances(), spacing);
-  if (longest <= std::ranges::min(rows)) return;
+void warn_of_missed_rows(Scene& scene, const RunSteps& steps, const LoadHistory& rows,
+                         const std::function<Eigen::Vector3d(double)>& resultants) {
+  constexpr double doubtful = 0.05;
+  if (!scene.has("step.ratio") || scene.has("step.tolerance")) return;
+  using Values = Eigen::Vector<double, 5>;
+  const auto at = [&](double distance) {
+    constexpr double least = 0.02;  // below it, no part of a size or bound counts
+    const ContactScale contact = rows.contact_at(distance);
+    Values values;
+    values << std::log(contact.half_width + least), std::log(contact.bound + least),
+        resultants(distance);
+    return values;
+  };
+  const std::vector<double> places = rows.row_distances();
+  struct Missed {
+    double bend = 0, from = 0, to = 0;
+    std::size_t row = 0;
+  } worst;
+  std::size_t row = 0;
+  for_steps(steps.distance, steps.lengths, steps.from, steps.ends,
+            [&](double from, double to, double length) {
+              const double rounding = 1e-9 * length;
+              while (row < places.size() && places[row] <= from + rounding) ++row;
+              for (; row < places.size() && places[row] < to - rounding; ++row) {
+                const double part = (places[row] - from) / length;
+                const Values line = (1 - part) * at(from) + part * at(to);
+                const double bend = (at(places[row]) - line).cwiseAbs().maxCoeff();
+                if (bend > worst.bend) worst = {bend, from, to, row};
+              }
+            });
+  if (worst.bend <= doubtful) return;
   scene.warn(
-      "step.ratio", longest,
-      std::string("longer than rows of load.file: changes of the contact between its ends "
-                  "are missed; without step.ratio, steps end at the rows") +
-          (scene.has_patch() ? ""
-                             : ", and step.tolerance makes them shorter where the load bends"));
+      "step.ratio", scene.text("step.ratio"),
+      fmt::format("row {} of load.file lies within a step, from q = {:.6g} to {:.6g} mm, and "
+                  "contact or forces bend there; a step takes them to be linear; without "
+                  "step.ratio, steps end at the rows{}",
+                  worst.row + 1, worst.from, worst.to,
+                  scene.has_patch() ? ""
+                                    : ", and step.tolerance makes them shorter where the "
+                                      "load bends"));
 }
 
 void warn_of_other_radius(Scene& scene, double radius) {
@@ -217,7 +246,8 @@ void warn_of_sudden_force(Scene& scene, const LoadHistory& loads, double first_s
   if (scene.word("start.type") != "rest") return;
   const Load load = loads.at(0);
   const auto* force = std::get_if<PrescribedForce>(&load);
-  if (force == nullptr || force->value == 0) return;
+  const bool is_shifted = !loads.stops().empty() && loads.stops().front() == 0;
+  if (force == nullptr || force->value == 0 || is_shifted) return;
   const std::string key =
       scene.one_of({"load.force", "load.force_ratio", "load.stick_ratio", "load.file"});
   scene.warn(key == "load.force" ? key : "force of " + key, force->value,

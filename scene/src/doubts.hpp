@@ -2,10 +2,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "instants.hpp"
 #include "microslip/rolling/load_history.hpp"
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/scene/model.hpp"
@@ -33,10 +35,12 @@ void warn_of_short_end(Scene& scene, const TransientScene& read);
 /// Warns if the creepages under a force are nothing but rounding.
 void warn_of_noise(Scene& scene, Eigen::Index elements, double step_ratio);
 
-/// Warns if steps are longer than rows: a step knows the contact at its ends only.
-/// \param spacing  of the elements  [mm]
-void warn_of_missed_rows(Scene& scene, const LoadHistory& loads,
-                         const std::vector<double>& step_ratios, double spacing);
+/// Warns if contact or resultants bend at rows within a step, which takes them to be linear between its
+/// ends. Motions are taken as their exact means.
+/// \param rows        distances and contact of load.file
+/// \param resultants  at a distance, over what friction carries in the scene's contact
+void warn_of_missed_rows(Scene& scene, const RunSteps& steps, const LoadHistory& rows,
+                         const std::function<Eigen::Vector3d(double)>& resultants);
 
 /// Warns if the cylinder is none of the two bodies of Hertz's contact.
 void warn_of_other_radius(Scene& scene, double radius);

@@ -33,18 +33,19 @@ Radii read_radii(Scene& scene) {
           std::min(one, std::abs(other))};
 }
 
-void require_small(Scene& scene, double a, double radius) {
+void require_small(Scene& scene, double a, double radius, const char* name) {
   const double load = scene.number("contact.normal_load");
   require(a < radius, "contact.normal_load", load, [&] {
     return fmt::format(
-        "a load under which the half-width, {} mm by Hertz, is below the smaller radius, {} mm",
+        "a load under which the {}, {} mm by Hertz, is below the smaller radius, {} mm", name,
         format_short(a), format_short(radius));
   });
   if (a <= small_contact * radius) return;
-  scene.warn("contact.normal_load", load,
-             fmt::format("the half-width, {} mm, is more than a tenth of the smaller radius; "
-                         "Hertz's theory is for less",
-                         format_roughly(a)));
+  scene.warn(
+      "contact.normal_load", load,
+      fmt::format("the {}, {} mm, is more than a tenth of the smaller radius; Hertz's theory "
+                  "is for less",
+                  name, format_roughly(a)));
 }
 
 void warn_of_large_modulus(Scene& scene, const std::string& key, double shear_modulus,

@@ -36,6 +36,6 @@ void warn_of_strain(Scene& scene, double peak, double shear_modulus);
 
 /// Refuses a half-width above a radius, and warns of one above a tenth of it.
 /// \param a  half-width  [mm]
-void require_small(Scene& scene, double a, double radius);
+void require_small(Scene& scene, double a, double radius, const char* name = "half-width");
 
 }  // namespace microslip

@@ -254,6 +254,8 @@ InputProblem problem_of_input(const std::vector<InputCase>& cases, std::size_t i
     problem.contact = contact;
     if ((*one)['T'] == 3) {
       problem.load = load_of(*one, backwards);
+      // Other solvers of CONTACT take DX in the place of DQ.
+      if ((*one)['G'] == 2) problem.step = one->rolling[1].value;
     } else {
       add(problem, backwards, *one, before, file);
     }

@@ -33,7 +33,7 @@ struct InputProblem {
   InputContact contact;
   std::vector<PatchLoad> shifts;  ///< of cases with T = 1; forces over mu FN
   PatchLoad load;                 ///< of steps or of steady rolling; forces over mu FN
-  double step = 0;                ///< DQ  [mm]
+  double step = 0;                ///< DQ, 0 in steady rolling by a solver that takes DX  [mm]
   int steps = 0;
   int first = 0, last = 0;  ///< numbers of the first and the last of its cases
   int line = 0;             ///< of the last one

@@ -83,6 +83,13 @@ class InputSceneWriter {
     return problem_.kind == Kind::steady && direct_ && contact_.is_ellipse;
   }
 
+  /// Whether steady rolling has steps by CONTACT's scheme that are no elements.
+  bool has_other_step() const {
+    constexpr double same = 0.01;  // as in CONTACT
+    return problem_.kind == Kind::steady && direct_ && problem_.step > 0 &&
+           std::abs(problem_.step / spacing() - 1) > same;
+  }
+
   std::size_t components() const { return contact_.is_ellipse ? 3 : 1; }
   /// The component of the load that a component of the scene is.
   std::size_t of_load(std::size_t j) const { return problem_.across() ? 1 : j; }
@@ -95,6 +102,13 @@ class InputSceneWriter {
     if (!contact_.is_ellipse || direct_) {
       elements_ = whole(contact_.elements);
       rows_ = whole(contact_.rows);
+      if (has_other_step() && !contact_.is_ellipse) {
+        notes_.push_back(fmt::format(
+            "{}:{}: DQ = {}: G = 2 takes it in steady rolling, and the scene takes an element, {} "
+            "mm: "
+            "results differ",
+            shown(file_), problem_.line, format_short(problem_.step), format_short(spacing())));
+      }
       if (direct_ && !contact_.fits) {
         notes_.push_back(
             fmt::format("{}:{}: the contact has {} by {} elements along and across, which are at "
@@ -205,7 +219,7 @@ class InputSceneWriter {
     const bool by_own_steps = problem_.kind == Kind::steps;
     out_.begin("step");
     out_.key("scheme", direct_ ? "direct" : "remembered");
-    out_.key("ratio", by_own_steps ? problem_.step / spacing() : 1);
+    out_.key("ratio", by_own_steps || has_other_step() ? problem_.step / spacing() : 1);
     out_.end();
     out_.begin("motion");
     out_.key("distance", by_own_steps                    ? problem_.steps * problem_.step

@@ -416,7 +416,7 @@ constexpr auto keys = std::to_array<Key>({
     {"step.tolerance", number, "1",
      "steps of load.file are as long as the load is straight: the shift (integral of the creepage) "
      "or force to this part of full sliding, half-width and bound to this part of the problem's",
-     range(1e-9, 0.1), "off without it", "load.file with step.scheme remembered"},
+     range(1e-9, 0.1), "off without it", "load.file of a line contact with step.scheme remembered"},
     {.name = "step.scheme",
      .type = word,
      .meaning = "how the previous tractions move with the material; in an ellipse remembered, or "

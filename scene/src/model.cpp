@@ -317,7 +317,6 @@ TransientScene read_transient(Scene& scene) {
     warn_near_full_sliding(scene, loads.at(0), problem.contact.bound, problem.grid.size(),
                            "step.scheme remembered");
   }
-  warn_of_missed_rows(scene, loads, step_ratios, problem.grid.spacing());
   if (problem.contact.pressure_strain == 0) warn_of_unresolved_table(scene, problem, loads);
   const Load load = loads.at(0);
   const Beginning beginning = read_beginning(scene, problem, load, loads.contact_at(0));
@@ -336,7 +335,13 @@ TransientScene read_transient(Scene& scene) {
                       .loads = loads,
                       .from = beginning.distance};
   const std::vector<double> lengths = read.step_lengths(), ends = loads.ends_of_steps();
-  read.instants = read_instants(scene, {distance, lengths, read.from, ends});
+  const RunSteps steps{distance, lengths, read.from, ends};
+  read.instants = read_instants(scene, steps);
+  warn_of_missed_rows(scene, steps, loads, [&](double at) -> Eigen::Vector3d {
+    const Load there = loads.at(at);
+    const auto* force = std::get_if<PrescribedForce>(&there);
+    return {force == nullptr ? 0 : force->value / full_sliding_force(problem.contact.bound), 0, 0};
+  });
   if (Prescribed(load).by_force) {
     warn_of_short_end(scene, read);
     for (const double ratio : judged) warn_of_noise(scene, problem.grid.size(), ratio);

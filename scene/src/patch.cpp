@@ -59,7 +59,7 @@ EllipticBound read_loaded_ellipse(Scene& scene, const Material& material) {
   scene.derive("contact.half_width", a);
   scene.derive(lateral_half_width, b);
   require_small(scene, a, radii.smaller);
-  require_small(scene, b, lateral.smaller);
+  require_small(scene, b, lateral.smaller, "lateral half-width");
   const EllipticBound bound(a, b, friction * contact.peak_pressure());
   scene.derive("contact.peak_traction", bound.peak());
   return bound;

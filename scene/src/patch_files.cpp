@@ -94,6 +94,26 @@ void warn_of_coarse_table(Scene& scene, const PatchBound& bound, const BoundTabl
                          format_roughly(error)));
 }
 
+/// Refuses zeros within the edges that take much of the bound away, and warns of others.
+void require_few_zeros(Scene& scene, const PatchBound& bound, const BoundTable& table) {
+  constexpr double doubtful = 0.02, most = 0.1;  // of full sliding
+  const std::unique_ptr<BoundTable> whole = table.with_zeros();
+  if (!whole) return;
+  const double part = 1 - PatchBound(bound.shape(), *whole).total() / bound.total();
+  if (part <= doubtful) return;
+  const std::string left_out =
+      fmt::format("its zeros within the edges are left out, and would take {} of full sliding away",
+                  format_roughly(part));
+  if (part > most) {
+    reject(bound_file, scene.text(bound_file),
+           "edges where the bound ends, by contact.patch_file, of several lobes if it is 0 between "
+           "them; " +
+               left_out);
+  }
+  scene.warn(bound_file, scene.text(bound_file),
+             left_out + "; edges belong where the bound ends, by contact.patch_file");
+}
+
 }  // namespace
 
 PatchShape read_shape(Scene& scene) {
@@ -117,6 +137,7 @@ PatchBound read_bound_table(Scene& scene, const PatchShape& shape) {
                            table.left_out()));
   }
   const PatchBound bound(shape, table);
+  require_few_zeros(scene, bound, table);
   warn_of_coarse_table(scene, bound, table);
   return bound;
 }

@@ -147,6 +147,8 @@ void warn_of_sudden_resultants(Scene& scene, const PatchTransient& read) {
   constexpr double sudden = 0.02;
   const std::string type = scene.word("start.type");
   if (type != "rest" && type != "file") return;
+  const std::vector<double>& stops = read.loads.stops();
+  if (!stops.empty() && stops.front() == 0) return;  // shifted to
   const PatchLoad load = read.loads.at(0);
   const ContactScale contact = read.loads.contact_at(0);
   const Eigen::Vector3d largest = largest_resultants(read.patch.bound, contact);
@@ -328,7 +330,6 @@ PatchTransient read_patch_transient(Scene& scene) {
     read.patch.friction = read_slip_friction(scene, read.loads);
   }
   read.step_ratios = read_patch_steps(scene, read);
-  warn_of_missed_rows(scene, read.loads.rows(), read.step_ratios, read.spacing());
   read_patch_start(scene, read);
   read.distance = read_distance(scene, read.loads.distance(), read.from);
   const double mean = std::accumulate(read.step_ratios.begin(), read.step_ratios.end(), 0.0) /
@@ -345,7 +346,18 @@ PatchTransient read_patch_transient(Scene& scene) {
     }
   }
   const std::vector<double> lengths = read.step_lengths(), ends = read.loads.ends_of_steps();
-  read.instants = read_instants(scene, {read.distance, lengths, read.from, ends});
+  const RunSteps steps{read.distance, lengths, read.from, ends};
+  read.instants = read_instants(scene, steps);
+  const Eigen::Vector3d most = largest_resultants(read.patch.bound, {});
+  warn_of_missed_rows(scene, steps, read.loads.rows(), [&](double at) {
+    const PatchLoad there = read.loads.at(at);
+    Eigen::Vector3d resultants = Eigen::Vector3d::Zero();
+    for (std::size_t j = 0; j < there.size(); ++j) {
+      const auto i = static_cast<Eigen::Index>(j);
+      if (there[j].by_resultant) resultants[i] = there[j].value / most[i];
+    }
+    return resultants;
+  });
   warn_of_long_steps(scene, read);
   warn_of_sudden_resultants(scene, read);
   return read;

@@ -107,6 +107,32 @@ TEST(CCreepTable, HasTheSameForcesOfManyContacts) {
             MICROSLIP_OK);
 }
 
+TEST(CCreepTable, WarnsOfLargeMotionsAndOfOtherUnits) {
+  const Table table = opened();
+  std::array<double, 6> found{};
+  const auto warning = [&](double modulus, const std::array<double, 3>& motion) {
+    const microslip_material material{modulus, 0.28};
+    char message[512] = "of before";
+    EXPECT_EQ(microslip_creep_table_forces(table.get(), &material, &contact, motion.data(),
+                                           found.data(), nullptr, message, sizeof message),
+              MICROSLIP_OK);
+    return std::string(message);
+  };
+  EXPECT_EQ(warning(82000, {1e-3, 0, 0}), "");
+  EXPECT_EQ(warning(82000, {0.5, 0, 0}).find("warning: creepage = 0.5: creepages above 0.2"), 0U);
+  EXPECT_EQ(warning(82000, {0, 0, 0.2}).find("warning: spin = 0.2: the slip by this spin"), 0U);
+  EXPECT_EQ(warning(8.2e10, {0, 0, 0}).find("warning: a shear modulus of 8.2e+10 N/mm^2"), 0U);
+  EXPECT_EQ(warning(82, {0, 0, 0}).find("warning: the largest traction, "), 0U);
+  const std::array contacts{contact, contact};
+  const std::array<double, 6> motions{0, 0, 0, 0, 0.3, 0};
+  char message[512] = "";
+  ASSERT_EQ(microslip_creep_table_forces_many(table.get(), &steel, contacts.data(), motions.data(),
+                                              2, found.data(), nullptr, message, sizeof message),
+            MICROSLIP_OK);
+  EXPECT_EQ(std::string(message).find("warning: contacts[1]: lateral_creepage = 0.3: "), 0U)
+      << message;
+}
+
 TEST(CCreepTable, SaysWhichOfManyContactsFailed) {
   const Table table = opened();
   char message[512] = "";

@@ -192,4 +192,43 @@ TEST(GeneratedPatches, AreRegularAndAccurateWhereTheyAreLong) {
   }
 }
 
+// Where the slip turns about a point among cells that slip, a cell has the direction at its centre. On
+// 10 x 10 cells of a circle that once was an error of 5 % beside a change of 2.4 %.
+TEST(GeneratedPatches, HaveErrorsOfTheSizeOfACellAboutWhichTheSlipTurns) {
+  LoadGenerator generator(29);
+  constexpr double nu = 0.28, fine = 22;
+  int turning = 0;
+  for (const double ratio : {0.7, 1.0, 1.5, 2.5}) {
+    const EllipticBound bound(std::sqrt(ratio), 1 / std::sqrt(ratio), 1);
+    const PatchShape shape = PatchBound(bound).shape();
+    const PatchGrid grid = fitting_grid(shape, fine);
+    SteadyPatch exact = patch_of(ratio, nu, grid.rows, grid.elements);
+    const PatchResponse truth = response_of(exact);
+    for (const double cells : {8.0, 10.0, 13.0}) {
+      const PatchGrid few = fitting_grid(shape, cells);
+      SteadyPatchSolver solver(patch_of(ratio, nu, few.rows, few.elements));
+      for (int i = 0; i < samples(60, 3); ++i) {
+        const double spin = std::copysign(generator.log_uniform(2, 40), generator.uniform(-1, 1));
+        exact.load[2].value = spin;
+        exact.load[0].value = spin * generator.uniform(-0.7, 0.7);
+        exact.load[1].value = spin * generator.uniform(-0.7, 0.7);
+        const auto right = solved(exact, truth, nullptr);
+        if (!right) continue;
+        try {
+          const SteadyPatchSolution found = solver.solve(exact.load);
+          const Evidence& evidence = found.evidence;
+          turning += evidence.turning > 0 ? 1 : 0;
+          EXPECT_LT(difference(exact, found, *right),
+                    4e-3 + 1.5 * evidence.change + 1.5 * evidence.turning)
+              << ratio << ", " << cells << " cells, " << exact.load[0].value << ' '
+              << exact.load[1].value << ' ' << spin;
+        } catch (const NotConverged&) {
+          continue;
+        }
+      }
+    }
+  }
+  EXPECT_GT(turning, 5);
+}
+
 }  // namespace microslip::generated_patches_test

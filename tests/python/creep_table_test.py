@@ -78,7 +78,7 @@ def test_motions_that_are_not_small_are_warned_of(table):
         warnings.simplefilter("error")
         table.forces([0.2, -0.2], 0.2, [0.199 / size, 0], **WHEEL)
         table.forces([], 5, **WHEEL)
-        table.forces(5, spin=5, **{**WHEEL, "peak_traction": 0.16 * WHEEL["shear_modulus"]})
+        table.forces(5, spin=5, **{**WHEEL, "shear_modulus": 1, "peak_traction": 0.16})
     with pytest.warns(ms.LoadWarning) as told:
         table.forces(-5, **WHEEL)
     assert [str(one.message)[:40] for one in told] == ["creepage = -5: creepages above 0.2 are n"]
@@ -87,7 +87,18 @@ def test_motions_that_are_not_small_are_warned_of(table):
     with pytest.warns(ms.LoadWarning) as told:
         table.forces(0, [1, 0, -1, 2], [9, 0.19 / size, 0, 0.201 / size], **{**WHEEL, "peak_traction": normalised})
     assert [str(one.message).partition(":")[0] for one in told] == [
-        "lateral_creepage[2] = -1", f"spin[3] = {0.201 / size:.6g}"]
+        "lateral_creepage[2] = -1", f"spin[3] = {0.201 / size:.6g}",
+        f"the largest traction, {WHEEL['shear_modulus']:.3g} N/mm^2, is 1 of the shear modulus, "
+        f"{WHEEL['shear_modulus']:.6g} N/mm^2, and strains have to be small; numbers are in N, mm and N/mm^2"]
+
+
+@pytest.mark.parametrize("modulus, message", [
+    ({"shear_modulus": 82}, "^the largest traction, "), ({"youngs_modulus": 2.1e11}, "^a shear modulus of 8.2e"),
+    ({"youngs_modulus": 210}, "^the largest traction, ")])
+def test_moduli_in_other_units_are_warned_of(table, modulus, message):
+    contact = {name: value for name, value in WHEEL.items() if not name.endswith("_modulus")}
+    with pytest.warns(ms.LoadWarning, match=message):
+        table.forces(1e-9, **contact, **modulus)
 
 
 def test_stated_errors_are_in_order(table):

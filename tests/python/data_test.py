@@ -367,6 +367,20 @@ def test_columns_of_the_user_get_other_names(run, random):
                     assert np.allclose(found[name], expected[name], rtol=1e-9, atol=1e-12)
 
 
+def test_columns_of_an_ellipse_get_other_names_and_units(ellipse):
+    run = {**ellipse, "problem": "transient", "start": {"type": "rest"}}
+    t, v = np.array([0.0, 0.001, 0.004]), np.full(3, 1000.0)
+    motions = {"creepage": np.full(3, 1e-3), "lateral_creepage": np.full(3, -5e-4), "spin": np.full(3, 1e-4)}
+    expected = ms.solve(run, load={"file": {"t": t, "v": v, **motions}}).history
+    data = {"Time": 1e3 * t, "Speed": v / 1e3, "Slip": 1e2 * motions["creepage"], "Side": motions["lateral_creepage"],
+            "Turn": 1e3 * motions["spin"]}
+    names = {"t": "Time [ms]", "v": "Speed [m/s]", "creepage": "Slip [%]", "lateral_creepage": "Side",
+             "spin": "Turn [1/m]"}
+    found = ms.solve(run, load={"file": data, "columns": names}).history
+    for name in expected.dtype.names:
+        assert np.allclose(found[name], expected[name], rtol=1e-9, atol=1e-12), name
+
+
 @pytest.mark.parametrize("names, message", [
     ({"time": "Time"}, r"^load.columns: unknown column 'time'.*: expected q, t, v"),
     ({"V": "Speed"}, r"^load.columns: unknown column 'V'"),

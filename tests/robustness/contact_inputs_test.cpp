@@ -208,6 +208,22 @@ TEST_F(ContactInputs, HaveTheExampleOfCarter) {
   EXPECT_NEAR(summary_value("force_ratio"), 0.648, 0.005);
 }
 
+// CONTACT takes DX = 0.5714 in the place of DQ by its other solvers (m_sdis.f90, check_roll_stepsize).
+TEST_F(ContactInputs, HaveTheStepOfSteadyRollingByConvexGs) {
+  const auto ratio = [&](const std::string& solver, const std::string& step) {
+    write("3 MODULE\n 203100\n 022020\n 00" + solver + "01411\n 300 30 30 1 1.0E-06\n" +
+          (solver == "2" ? " 0.9 1.0 1 1.0\n" : "") +
+          " 80000.0 0.0005 0.0005 0.0001\n 0.3 0.3\n 0.000d " + step +
+          " 1000.0\n 0.28 0.28 82000.0 82000.0\n -3\n 21 21 6.0 4.0 1.0\n0 MODULE\n");
+    const std::string text = run_in_folder("import case.inp --scheme direct").output;
+    const std::size_t at = text.find("\n  ratio ");
+    return at == std::string::npos ? 0 : std::stod(text.substr(at + 9));
+  };
+  EXPECT_NEAR(ratio("2", "2.0"), 3.5, 1e-6);
+  EXPECT_EQ(ratio("2", "0.5714"), 1);
+  EXPECT_EQ(ratio("0", "2.0"), 1);
+}
+
 TEST_F(ContactInputs, HaveOneLineForEachRefusal) {
   write(good_input);
   expect_refused("", "missing an input file of CONTACT, as case.inp");

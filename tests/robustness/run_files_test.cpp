@@ -175,10 +175,29 @@ TEST_F(RunFiles, ThatStepsAreTooLongForAreWarnedOf) {
   write("q creepage normal_load\n0 0.002 4\n2 0.002 0\n3 0.002 4\n9 0.002 4\n");
   const Outcome long_steps = run(text + "step { ratio 100 }\n", "");
   EXPECT_EQ(long_steps.status, 0);
-  EXPECT_NE(long_steps.error.find("longer than rows of load.file"), std::string::npos);
+  EXPECT_NE(long_steps.error.find("of load.file lies within a step"), std::string::npos)
+      << long_steps.error;
   for (const std::string steps : {"step { ratio 1 }\n", ""}) {
     EXPECT_EQ(run(text + steps, "").error.find("load.file"), std::string::npos) << steps;
   }
+}
+
+// Friction that falls and rises again over 1 mm: a step of 0.5 mm that ends beside the lowest row has a
+// force that is three times too large.
+TEST_F(RunFiles, ThatBendWithinAStepAreWarnedOf) {
+  const std::string text = rolling_on(under_load, folder_ / "run.tsv");
+  const auto warned = [&](const std::string& ratio) {
+    return run(text + "step { ratio " + ratio + " }\n", "").error.find("lies within a step") !=
+           std::string::npos;
+  };
+  write(
+      "q creepage friction\n0 0.002 0.3\n5.05 0.002 0.3\n5.55 0.002 0.01\n6.05 0.002 0.3\n"
+      "6.5 0.002 0.3\n");
+  EXPECT_TRUE(warned("1"));
+  EXPECT_TRUE(warned("2"));
+  EXPECT_EQ(run(text, "").error.find("within a step"), std::string::npos);
+  write("q creepage friction\n0 0.002 0.3\n5 0.002 0.301\n6 0.002 0.302\n9 0.002 0.3\n");
+  EXPECT_FALSE(warned("3"));
 }
 
 TEST_F(RunFiles, OfContactsThatAreWrongAreRefused) {

@@ -168,6 +168,10 @@ TEST(LoadHistory, NamesRowAndColumnOfWhatIsWrong) {
   expect_refused(with(VectorXd::Zero(1), VectorXd::Zero(1)),
                  "number of rows = 1: expected at least 2");
   RunRows rows = with(some, some);
+  rows.friction = Eigen::Vector3d(0.3, 30, 0.3);
+  rows.of_problem.friction = 0.3;
+  expect_refused(rows, "row 2: friction = 30: expected a number from 0 to 10");
+  rows = with(some, some);
   rows.force = some;
   expect_refused(rows, "columns: expected one of creepage, force and omega");
   rows = with(some, some);
@@ -321,6 +325,23 @@ TEST(LoadHistory, StopsWhereAForceJumps) {
   EXPECT_EQ(value(history.standing_at(3)[0].load), 2);
   EXPECT_TRUE(history.standing_at(2).empty());
   EXPECT_EQ(value(history.of_row(2)), 5);
+}
+
+// A run may start without tractions, so that a force which is there from the first row on is a shift.
+TEST(LoadHistory, BeginsWithAShiftWhereTheBodiesStandUnderAForce) {
+  RunRows rows;
+  rows.time = VectorXd{{0, 1, 2, 3}};
+  rows.velocity = VectorXd{{0, 0, 0, 2}};
+  rows.force = VectorXd::Constant(4, -5);
+  const LoadHistory history(rows);
+  EXPECT_EQ(history.stops(), (std::vector<double>{0}));
+  const auto standing = history.standing_at(0);
+  ASSERT_EQ(standing.size(), 2U);
+  EXPECT_TRUE(standing[0].changes);
+  EXPECT_EQ(std::get<PrescribedForce>(standing[0].load).value, -5);
+  EXPECT_FALSE(standing[1].changes);
+  rows.force->setZero();
+  EXPECT_TRUE(LoadHistory(rows).stops().empty());
 }
 
 TEST(LoadHistory, ShiftsByRotationWhereTheWheelStands) {

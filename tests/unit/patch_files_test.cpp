@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contacts of any shape as scenes give them: tables of edges and of the bound, and what is refused.
+#include <fmt/core.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <map>
 #include <numbers>
 #include <stdexcept>
@@ -125,6 +127,39 @@ TEST(PatchFiles, AreDoubted) {
   for (const char* row : {"96 0 0\n", "100 -3 3\n", "104 0 0\n"}) far += row;
   Scene away = with_files("patch_file edges\npeak_traction 300\n", {{"folder/edges", far}});
   EXPECT_THAT(warning(away), testing::HasSubstr("mm from x = y = 0, about which spin"));
+}
+
+/// Hertz's bound on a grid of points, by half-widths of 3 and 4 mm.
+/// \param is_zero  where the bound is 0
+std::string hertz_table(const std::function<bool(double, double)>& is_zero) {
+  std::string table = "x y bound\n";
+  for (int i = -10; i <= 10; ++i) {
+    for (int j = -10; j <= 10; ++j) {
+      const double x = 0.3 * i, y = 0.4 * j, square = 1 - x * x / 9 - y * y / 16;
+      const double bound = square > 0 && !is_zero(x, y) ? 100 * std::sqrt(square) : 0;
+      table += fmt::format("{} {} {}\n", x, y, bound);
+    }
+  }
+  return table;
+}
+
+// Zeros within the edges are no bound that a contact has: they are left out, and edges belong there.
+TEST(PatchFiles, WithZerosThatMatterAreRefused) {
+  const auto with_zeros = [](const std::function<bool(double, double)>& is_zero) {
+    return with_files("half_width 3\nlateral_half_width 4\nbound_file bound\n",
+                      {{"folder/bound", hertz_table(is_zero)}});
+  };
+  const std::string refused = "contact.bound_file = 'bound': expected edges where the bound ends";
+  EXPECT_EQ(refusal(with_zeros([](double, double) { return false; })), "");
+  EXPECT_EQ(refusal(with_zeros([](double x, double) { return x < -1.2; })).find(refused), 0U);
+  EXPECT_EQ(refusal(with_zeros([](double, double y) { return std::abs(y) < 0.5; })).find(refused),
+            0U);
+  EXPECT_NE(refusal(with_zeros([](double, double y) { return y > 1.5; })), "");
+  Scene few = with_zeros([](double x, double) { return x < -2; });
+  read(few);
+  const std::string told = few.warnings().front().line;
+  EXPECT_THAT(told,
+              testing::HasSubstr("its zeros within the edges are left out, and would take 0.0"));
 }
 
 TEST(PatchFiles, AreRefusedInOneLine) {

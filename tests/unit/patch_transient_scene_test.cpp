@@ -294,7 +294,8 @@ TEST(PatchTransientScene, IsWarnedOfStepsThatMissTheContact) {
   const Settings settings{"load.file=run", "load.force=", "start.type=rest", "step.ratio=1"};
   const auto warnings = warnings_of(settings, rows);
   ASSERT_EQ(warnings.size(), 1U);
-  EXPECT_EQ(warnings[0].find("step.ratio = 1: longer than rows of load.file"), 0U) << warnings[0];
+  EXPECT_EQ(warnings[0].find("step.ratio = 1: row 2 of load.file lies within a step"), 0U)
+      << warnings[0];
   EXPECT_EQ(warnings[0].find("step.tolerance"), std::string::npos) << warnings[0];
   const auto of_small = warnings_of({"load.file=run", "load.force=", "step.ratio=1"},
                                     "q,creepage,half_width\n0,0,6\n6,0,2\n20,0,6\n");

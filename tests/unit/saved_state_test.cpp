@@ -80,6 +80,14 @@ TEST(SavedState, OfAnotherVersionIsRefused) {
             "version = '1': expected 4, the version of this program's states");
 }
 
+TEST(SavedState, OfAPatchIsRefused) {
+  const std::string other =
+      replaced(rolled(3).save(), "microslip state 4", "microslip state of a patch 3");
+  EXPECT_EQ(refusal(sealed(other)),
+            "expected 'microslip state 4' in the first line, not 'microslip state of a patch 3', "
+            "which is a state of another kind of contact");
+}
+
 TEST(SavedState, OfAnotherProblemIsRefused) {
   const std::string text = rolled(3).save();
   const auto expect_refused = [&](const std::string& named,

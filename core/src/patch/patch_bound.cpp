@@ -29,12 +29,16 @@ BoundTable::BoundTable(const PatchShape& shape, const VectorXd& x, const VectorX
   }
   const PointRows found = rows_of_points(shape, x, y);
   for (const Index i : found.outside) left_out_ += values[i] > 0;
+  bool has_zeros = false;
   for (const auto& rows : found.lobes) {
-    Rows& lobe = lobes_.emplace_back();
+    Rows &lobe = lobes_.emplace_back(), &whole = lobes_with_zeros_.emplace_back();
     for (const PointRow& row : rows) {
       if (auto known = row_of(row, values)) lobe.push_back(std::move(*known));
+      whole.push_back(whole_row(row, values));
+      has_zeros = has_zeros || values(row.points).minCoeff() == 0;
     }
   }
+  if (!has_zeros) lobes_with_zeros_.clear();
   require(peak_ > 0, "largest bound within the edges", peak_, "a number > 0");
   for (std::size_t l = 0; l < lobes_.size(); ++l) {
     std::vector<double> at;
@@ -68,6 +72,27 @@ std::optional<BoundTable::Row> BoundTable::row_of(const PointRow& row, const Vec
     peak_ = std::max(peak_, value);
   }
   if (row.s[to - 1] < 1) add(1, 0);
+  return found;
+}
+
+/// The points of a row with its zeros, and with ends.
+BoundTable::Row BoundTable::whole_row(const PointRow& row, const VectorXd& values) {
+  Row found{.y = row.y, .places = {}, .squares = {}};
+  const auto add = [&](double s, double value) {
+    found.places.push_back(s);
+    found.squares.push_back(value * value);
+  };
+  if (row.s.front() > -1) add(-1, 0);
+  for (std::size_t i = 0; i < row.points.size(); ++i) add(row.s[i], values[row.points[i]]);
+  if (row.s.back() < 1) add(1, 0);
+  return found;
+}
+
+std::unique_ptr<BoundTable> BoundTable::with_zeros() const {
+  if (lobes_with_zeros_.empty()) return nullptr;
+  std::unique_ptr<BoundTable> found(new BoundTable);
+  found->peak_ = peak_;
+  found->lobes_ = lobes_with_zeros_;
   return found;
 }
 
@@ -119,6 +144,7 @@ std::unique_ptr<BoundTable> BoundTable::half() const {
 
 BoundTable BoundTable::turned() const {
   BoundTable table = *this;
+  table.lobes_with_zeros_.clear();
   for (Rows& rows : table.lobes_) {
     for (Row& row : rows) {
       std::ranges::reverse(row.places);

@@ -51,7 +51,8 @@ Evidence worst_of(const Evidence& a, const Evidence& b) {
           .power = std::max(a.power, b.power),
           .full_sliding = std::max(a.full_sliding, b.full_sliding),
           .one_element = std::max(a.one_element, b.one_element),
-          .change = std::max(a.change, b.change)};
+          .change = std::max(a.change, b.change),
+          .turning = std::max(a.turning, b.turning)};
 }
 
 Evidence evidence_by_elements(const ElementValues& values, double force, double creepage) {
@@ -125,7 +126,7 @@ void require_evidence(const Evidence& evidence, double condition, int iterations
   if (evidence.load > (1 + accepted.violation) * evidence.full_sliding) {
     refuse(fmt::format(
         "the result's force, {}, is above full sliding, {}: the elements do not resolve the bound; "
-        "take more of them, or the scheme inversion",
+        "take more of them, or in a line contact the scheme inversion",
         format_short(evidence.load), format_short(evidence.full_sliding)));
   }
   if (evidence.dissipated < -accepted.violation * evidence.power) {
@@ -144,9 +145,10 @@ std::optional<std::string> doubt_of(const Evidence& evidence, const Acceptance& 
                  "force or creepage may be wrong by as much; take more elements");
   }
   if (evidence.bound_resolution() > doubtful_resolution) {
-    return above("bound_resolution", evidence.bound_resolution(),
-                 "the elements do not resolve the bound; take more of them, or the scheme "
-                 "inversion or remembered");
+    return above(
+        "bound_resolution", evidence.bound_resolution(),
+        "the elements do not resolve the bound; take more of them, or in a line contact the "
+        "scheme inversion or remembered");
   }
   if (evidence.one_element > doubtful_zones) {
     return above(

@@ -106,7 +106,8 @@ LoadHistory::Standing LoadHistory::standing_in(std::size_t row) const {
       .time = {}};
   if (!times_.empty()) found.time = times_[row + 1];
   if (!force_.empty()) {
-    const double change = std::abs(force_[row + 1] - force_[row]);
+    const double before_row = row == 0 ? 0 : force_[row];  // a run may start without tractions
+    const double change = std::abs(force_[row + 1] - before_row);
     found.load = PrescribedForce{force_[row + 1]};
     found.changes = found.changes || change > printed * largest_force_;
     return found;

@@ -69,6 +69,11 @@ void require_contact(const RunRows& rows) {
   sizes(rows.half_width, n, "half_width", reference.half_width);
   sizes(rows.peak_traction, n, "peak_traction", reference.peak_traction);
   sizes(rows.friction, n, "friction", reference.friction);
+  for (Index i = 0; rows.friction && i < n; ++i) {
+    constexpr double most_friction = 10;
+    if ((*rows.friction)[i] <= most_friction) continue;
+    require(false, named(i, "friction"), (*rows.friction)[i], "a number from 0 to 10");
+  }
 }
 
 /// The values of a column at the rows and at turns.

@@ -39,6 +39,12 @@ std::string_view SealedText::members_of(std::string_view text) const {
     throw std::invalid_argument(
         "expected the whole state as it was saved; its checksum is missing or of another text");
   }
+  if (found.find(' ') != std::string_view::npos) {
+    throw std::invalid_argument(
+        fmt::format("expected '{}{}' in the first line, not '{}{}', which is "
+                    "a state of another kind of contact",
+                    mark, version, mark, shown(found)));
+  }
   if (found != version) {
     throw std::invalid_argument(
         fmt::format("version = '{}': expected {}, the version of this program's states",

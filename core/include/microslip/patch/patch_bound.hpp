@@ -36,6 +36,10 @@ class BoundTable {
   /// Points outside the shape, of a value above 0.
   Eigen::Index left_out() const { return left_out_; }
 
+  /// The same table with the zeros that are left out though they lie within the edges, for an estimate of
+  /// what that changes; nullptr if there are none. No bound of a contact has zeros.
+  std::unique_ptr<BoundTable> with_zeros() const;
+
   /// The same table with every second row, and every second point of rows, for an estimate of the
   /// error; nullptr if there are too few.
   std::unique_ptr<BoundTable> half() const;
@@ -52,9 +56,10 @@ class BoundTable {
 
   BoundTable() = default;
   std::optional<Row> row_of(const PointRow& row, const Eigen::VectorXd& values);
+  static Row whole_row(const PointRow& row, const Eigen::VectorXd& values);
   static double square_of(const Row& row, double s);
 
-  std::vector<Rows> lobes_;
+  std::vector<Rows> lobes_, lobes_with_zeros_;  ///< none of the latter if no zeros are left out
   double peak_ = 0;
   Eigen::Index left_out_ = 0;
 };
