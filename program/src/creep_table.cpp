@@ -36,7 +36,7 @@ using Eigen::VectorXd;
 
 constexpr const char* purpose =
     "makes a table of creep forces of contact ellipses, which programs look up in a microsecond";
-constexpr SealedText sealed_part{.mark = "microslip part of a table ", .version = "1"};
+constexpr SealedText sealed_part{.mark = "microslip part of a table ", .version = "2"};
 
 /// States that are solved at one a/b.
 constexpr std::size_t states_of_group = 50;
@@ -56,10 +56,10 @@ Options table_options() {
       "azimuths", number(standard.azimuths), "nodes of the direction of the creepage, 3 to 200")(
       "cells", number(standard.cells),
       "rows, and elements of each, of a circle: nodes are means of solutions on these and on one "
-      "more, 4 to 40")(
+      "more, and for a/b from 0.4 to 2.5 on a third more, 4 to 40")(
       "states", number(Index{1000}),
       "random motions that are solved to measure the errors of the table; 0 for none")(
-      "error-cells", number(Index{21}), "cells on which these are solved, and one more, 4 to 40")(
+      "error-cells", number(Index{24}), "cells on which these are solved, and one more, 4 to 40")(
       "threads", options::value<std::string>(), "parts at once (default: the number of cores)")(
       "shard", options::value<std::string>(),
       "i/n: only parts i, i + n, i + 2n ...; the shard that ends last writes the table");
