@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "microslip/experiments/scene_tables.hpp"
 #include "microslip/rolling/transient.hpp"
 #include "microslip/support/not_converged_at.hpp"
+#include "microslip/support/require.hpp"
 #include "patch_tables.hpp"
 #include "rolled_patch.hpp"
 
@@ -165,13 +167,18 @@ std::string resultants_in_words(const PatchLoad& load) {
   return words;
 }
 
-/// The result of a step or shift; a message that it failed says which one, and its resultants.
+/// The result of a step or shift; a message that it failed says which one, and its resultants. Those of
+/// rows are known to be carried, and between rows they may not be.
 template <class Step>
 PatchStepEnd at_place(const std::string& place, const PatchLoad& load, const Step& step) {
   try {
     return step();
   } catch (const NotConverged& error) {
     throw NotConvergedAt(place + resultants_in_words(load), error);
+  } catch (const BadParameter& error) {
+    const bool is_resultant = error.name().ends_with("force") || error.name() == "spin_moment";
+    if (!is_resultant) throw;
+    throw std::invalid_argument(place + ": " + error.what());
   }
 }
 

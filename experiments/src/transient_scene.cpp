@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 
 #include "instants.hpp"
 #include "lost_energy.hpp"
@@ -13,6 +14,7 @@
 #include "microslip/rolling/schemes.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/not_converged_at.hpp"
+#include "microslip/support/require.hpp"
 
 namespace microslip::experiments {
 
@@ -202,6 +204,11 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
     rolling.roll_to(scene.distance, lengths, scene.loads, observer);
   } catch (const NotConverged& error) {
     throw NotConvergedAt(fmt::format("behind q = {:.6g} mm", rolling.state().distance), error);
+  } catch (const BadParameter& error) {
+    if (error.name() != "force") throw;
+    // Rows are carried, and what is between them may not be.
+    throw std::invalid_argument(
+        fmt::format("behind q = {:.6g} mm: {}", rolling.state().distance, error.what()));
   }
   at_end(rolling);  // before the estimate of the condition, which refactorises
 

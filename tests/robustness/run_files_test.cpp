@@ -200,6 +200,18 @@ TEST_F(RunFiles, ThatBendWithinAStepAreWarnedOf) {
   EXPECT_FALSE(warned("3"));
 }
 
+// Load and friction fall together, so that what they carry between rows is less than the mean.
+TEST_F(RunFiles, OfForcesThatAreNotCarriedBetweenRowsNameThePlace) {
+  const std::string text = rolling_on(under_load, folder_ / "run.tsv");
+  write(
+      "q force normal_load friction\n0 0 4 0.3\n2 -1.17 4 0.3\n4 -0.128 1.3333 0.1\n"
+      "5 -0.128 1.3333 0.1\n");
+  const Outcome outcome = run(text + "step { ratio 1 }\n", "");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(outcome.error.find("microslip: behind q = "), 0U) << outcome.error;
+  EXPECT_NE(outcome.error.find(" mm: force = -"), std::string::npos) << outcome.error;
+}
+
 TEST_F(RunFiles, OfContactsThatAreWrongAreRefused) {
   const std::string text = rolling_on(under_load, folder_ / "run.tsv");
   const auto refused = [&](const std::string& table, const std::string& named,
