@@ -59,11 +59,11 @@ class Generator {
 TEST(GeneratedPatchTargets, EstimatesHold) {
   constexpr double side = 29;  // of the grid of the truth
   const int loads = samples(8, 5);
-  Generator generator(5);
   int held = 0, broken = 0, refused = 0, impossible = 0, above = 0;
   std::vector<double> ratios;
   const int ellipses = samples(18, 1);  // each takes ten seconds
   for (int i = 0; i < ellipses; ++i) {
+    Generator generator(static_cast<unsigned>(6 + i));
     const double ratio = generator.log_uniform(0.1, 10), root = std::sqrt(ratio);
     const double nu = generator.uniform(0, 0.5);
     const PatchBound bound = EllipticBound(root, 1 / root, 1);

@@ -25,8 +25,8 @@ struct EvidenceScale {
 /// The same in units, with the residual and what cells do not resolve of the bound and of the slip that
 /// turns; `load`, `power` and `change` are 0.
 /// \param at_rest  limits whose bound has the force of full sliding: n
-Evidence evidence_of_cells(const JoinedRows& rows, const PatchState& state, const Eigen::VectorXd& shares,
-                           const Eigen::VectorXd& limits, const EvidenceScale& scale,
-                           const Eigen::VectorXd& at_rest);
+Evidence evidence_of_cells(const JoinedRows& rows, const PatchState& state,
+                           const Eigen::VectorXd& shares, const Eigen::VectorXd& limits,
+                           const EvidenceScale& scale, const Eigen::VectorXd& at_rest);
 
 }  // namespace microslip
