@@ -17,6 +17,7 @@
 #include "microslip/creep_table/creep_table_file.hpp"
 #include "microslip/halfspace/material.hpp"
 #include "microslip/patch/large_motion.hpp"
+#include "microslip/patch/patch_load.hpp"
 #include "microslip/support/require.hpp"
 #include "microslip/support/shown.hpp"
 #include "microslip_creep_table.h"
@@ -106,12 +107,12 @@ void look_up(const microslip::CreepTable& table, double shear_modulus,
 /// Why a look-up is doubtful: by its motion, or its units; empty if it is not.
 std::string doubt_of(const microslip_material& material, const microslip_ellipse_contact& contact,
                      const double* motion) {
-  constexpr std::array names{"creepage", "lateral_creepage", "spin"};
   const double size = std::sqrt(contact.half_width * contact.lateral_half_width);
   const double mean_strain = contact.peak_traction / (1.5 * material.shear_modulus);
+  const microslip::PatchLoad names{};
   for (std::size_t j = 0; j < names.size(); ++j) {
     const std::string doubt = microslip::doubt_of_large_motion(j, motion[j], size, mean_strain);
-    if (!doubt.empty()) return fmt::format("{} = {:.6g}: {}", names[j], motion[j], doubt);
+    if (!doubt.empty()) return fmt::format("{} = {:.6g}: {}", name_of(names, j), motion[j], doubt);
   }
   return doubt_of_units(material, contact.peak_traction);
 }
@@ -164,6 +165,7 @@ microslip_status microslip_creep_table_forces(const microslip_creep_table* table
     double* out = &require_pointer(resultants, "resultants");
     require_material(from.layout(), of);
     look_up(from, of.shear_modulus, one, moved, out, jacobian);
+    if (message == nullptr) return;
     const std::string doubt = doubt_of(of, one, moved);
     said.say(doubt.empty() ? "" : "warning: " + doubt);
   });
@@ -191,7 +193,7 @@ microslip_status microslip_creep_table_forces_many(const microslip_creep_table* 
       for (; k < count; ++k) {
         look_up(from, of.shear_modulus, contacts[k], motions + 3 * k, resultants + 3 * k,
                 jacobians == nullptr ? nullptr : jacobians + 9 * k);
-        if (!warning.empty()) continue;
+        if (message == nullptr || !warning.empty()) continue;
         const std::string doubt = doubt_of(of, contacts[k], motions + 3 * k);
         if (!doubt.empty()) warning = fmt::format("warning: contacts[{}]: {}", k, doubt);
       }

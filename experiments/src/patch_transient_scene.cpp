@@ -167,18 +167,26 @@ std::string resultants_in_words(const PatchLoad& load) {
   return words;
 }
 
+/// A step or shift in messages.
+struct PlaceOfRun {
+  std::string words;
+  PatchLoad load;
+};
+
 /// The result of a step or shift; a message that it failed says which one, and its resultants. Those of
 /// rows are known to be carried, and between rows they may not be.
-template <class Step>
-PatchStepEnd at_place(const std::string& place, const PatchLoad& load, const Step& step) {
+/// \param place  makes a PlaceOfRun
+template <class Place, class Step>
+PatchStepEnd at_place(const Place& place, const Step& step) {
   try {
     return step();
   } catch (const NotConverged& error) {
-    throw NotConvergedAt(place + resultants_in_words(load), error);
+    const PlaceOfRun at = place();
+    throw NotConvergedAt(at.words + resultants_in_words(at.load), error);
   } catch (const BadParameter& error) {
     const bool is_resultant = error.name().ends_with("force") || error.name() == "spin_moment";
     if (!is_resultant) throw;
-    throw std::invalid_argument(place + ": " + error.what());
+    throw std::invalid_argument(place().words + ": " + error.what());
   }
 }
 
@@ -215,8 +223,11 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   PatchSums of_shifts, sums;
   std::size_t doubled = 0;
   for (const PatchLoad& load : scene.shifts) {
-    end = at_place(fmt::format("shift {}", shifts.rows()), load,
-                   [&] { return take(1, [&](RolledPatch& patch) { return patch.shift(load); }); });
+    end = at_place(
+        [&] {
+          return PlaceOfRun{fmt::format("shift {}", shifts.rows()), load};
+        },
+        [&] { return take(1, [&](RolledPatch& patch) { return patch.shift(load); }); });
     of_shifts.include(end, 1);
     shifts.add(end);
   }
@@ -246,12 +257,14 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   keep(scene.from, loads.time_at(scene.from));
   const auto stand = [&](double distance) {
     for (const PatchHistory::Standing& standing : loads.standing_at(distance)) {
-      end = at_place(fmt::format("shift at q = {:.6g} mm", loads.position_at(distance)),
-                     standing.load, [&] {
-                       return take(1, [&](RolledPatch& patch) {
-                         return patch.shift(standing.load, standing.contact);
-                       });
-                     });
+      const auto place = [&] {
+        return PlaceOfRun{fmt::format("shift at q = {:.6g} mm", loads.position_at(distance)),
+                          standing.load};
+      };
+      end = at_place(place, [&] {
+        return take(
+            1, [&](RolledPatch& patch) { return patch.shift(standing.load, standing.contact); });
+      });
       sums.path += end.motion;
       sums.lost.add_shift(end.dissipation);
       const PatchRunRow run{loads.position_at(distance), end.motion, end.dissipation,
@@ -266,10 +279,13 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   if (scene.from == 0) stand(0);
   for_steps(scene.distance, lengths, scene.from, ends, [&](double from, double to, double length) {
     const double dq = loads.direction_to(to) * length;
-    end = at_place(
-        fmt::format("step to q = {:.6g} mm", loads.position_at(to)), loads.between(from, to), [&] {
-          return take(dq, [&](RolledPatch& patch) { return patch.roll(loads, from, to, length); });
-        });
+    const auto place = [&] {
+      return PlaceOfRun{fmt::format("step to q = {:.6g} mm", loads.position_at(to)),
+                        loads.between(from, to)};
+    };
+    end = at_place(place, [&] {
+      return take(dq, [&](RolledPatch& patch) { return patch.roll(loads, from, to, length); });
+    });
     record({loads.position_at(to), dq * end.motion, length * end.dissipation, loads.time_at(to)});
     sums.include(end, dq);
     doubled += end.has_second ? 1 : 0;

@@ -22,7 +22,6 @@ _SIZES = fields_of(ELLIPSE_CONTACT)
 _LEAST, _LARGEST = 1e-50, 1e50  # of sizes, as in the library
 _SIZE = "a number > 0, from 1e-50 to 1e50"
 _LARGE, _NORMALISED = 0.2, 0.1  # slip that is doubtful, and strains of normalised contacts, as in the library
-_STRAIN, _MODULUS = 0.05, 1e6  # strains that are doubtful, and moduli [N/mm^2], as in the library
 _PLAIN = (int, float, type(None))
 _INSTALLED = pathlib.Path(__file__).with_name("creep_forces.nc")
 
@@ -182,7 +181,8 @@ class CreepTable:
             material = self._material(*constants)
             self._last = (constants, material)
         modulus = float(material["shear_modulus"])
-        warn_of(_doubts(contacts, motions, modulus) + _doubts_of_units(contacts, modulus))
+        of_units = text_of("py_units_doubt", modulus, float(contacts[..., 2].max(initial=0)))
+        warn_of(_doubts(contacts, motions, modulus) + ([of_units] if of_units else []))
         found, slopes = np.empty(shape + (3,)), np.empty(shape + (3, 3)) if jacobian else None
         message, count = c.create_string_buffer(_ROOM), motions.size // 3
         for at in range(0, count, _AT_ONCE):
@@ -243,15 +243,6 @@ class CreepTable:
 
     def __reduce__(self) -> Any:
         return type(self), (self._path,)
-
-
-def _doubts_of_units(contacts: np.ndarray, shear_modulus: float) -> List[str]:
-    """Why the modulus is doubtful, or the largest traction beside it."""
-    largest = float(contacts[..., 2].max(initial=0))
-    if largest <= _STRAIN * shear_modulus and shear_modulus <= _MODULUS:
-        return []  # quickly
-    doubt = text_of("py_units_doubt", shear_modulus, largest)
-    return [doubt] if doubt else []
 
 
 def _doubts(contacts: np.ndarray, motions: np.ndarray, shear_modulus: float) -> List[str]:

@@ -79,6 +79,7 @@ void warn_of_missed_rows(Scene& scene, const RunSteps& steps, const LoadHistory&
     return values;
   };
   const std::vector<double> places = rows.row_distances();
+  if (places.empty()) return;
   struct Missed {
     double bend = 0, from = 0, to = 0;
     std::size_t row = 0;
@@ -87,10 +88,15 @@ void warn_of_missed_rows(Scene& scene, const RunSteps& steps, const LoadHistory&
   for_steps(steps.distance, steps.lengths, steps.from, steps.ends,
             [&](double from, double to, double length) {
               const double rounding = 1e-9 * length;
+              const auto is_within = [&] {
+                return row < places.size() && places[row] < to - rounding;
+              };
               while (row < places.size() && places[row] <= from + rounding) ++row;
-              for (; row < places.size() && places[row] < to - rounding; ++row) {
+              if (!is_within()) return;
+              const Values first = at(from), last = at(to);
+              for (; is_within(); ++row) {
                 const double part = (places[row] - from) / length;
-                const Values line = (1 - part) * at(from) + part * at(to);
+                const Values line = (1 - part) * first + part * last;
                 const double bend = (at(places[row]) - line).cwiseAbs().maxCoeff();
                 if (bend > worst.bend) worst = {bend, from, to, row};
               }
@@ -98,8 +104,8 @@ void warn_of_missed_rows(Scene& scene, const RunSteps& steps, const LoadHistory&
   if (worst.bend <= doubtful) return;
   scene.warn(
       "step.ratio", scene.text("step.ratio"),
-      fmt::format("row {} of load.file lies within a step, from q = {:.6g} to {:.6g} mm, and "
-                  "contact or forces bend there; a step takes them to be linear; without "
+      fmt::format("row {} of load.file lies within a step, from {:.6g} to {:.6g} mm of the way, "
+                  "and contact or forces bend there; a step takes them to be linear; without "
                   "step.ratio, steps end at the rows{}",
                   worst.row + 1, worst.from, worst.to,
                   scene.has_patch() ? ""
@@ -246,8 +252,7 @@ void warn_of_sudden_force(Scene& scene, const LoadHistory& loads, double first_s
   if (scene.word("start.type") != "rest") return;
   const Load load = loads.at(0);
   const auto* force = std::get_if<PrescribedForce>(&load);
-  const bool is_shifted = !loads.stops().empty() && loads.stops().front() == 0;
-  if (force == nullptr || force->value == 0 || is_shifted) return;
+  if (force == nullptr || force->value == 0 || shifts_first(loads.stops())) return;
   const std::string key =
       scene.one_of({"load.force", "load.force_ratio", "load.stick_ratio", "load.file"});
   scene.warn(key == "load.force" ? key : "force of " + key, force->value,

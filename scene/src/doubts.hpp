@@ -73,6 +73,12 @@ void warn_of_short_way(Scene& scene, const LoadHistory& loads,
 void warn_of_short_turns(Scene& scene, const std::optional<Eigen::VectorXd>& place,
                          double half_width);
 
+/// Whether the bodies are shifted before they roll.
+/// \param stops  of a run, rising
+inline bool shifts_first(const std::vector<double>& stops) {
+  return !stops.empty() && stops.front() == 0;
+}
+
 /// Warns if a force is there at once where the contact starts without tractions.
 /// \param first_step  its length  [mm]
 void warn_of_sudden_force(Scene& scene, const LoadHistory& loads, double first_step);

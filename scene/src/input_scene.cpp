@@ -104,9 +104,9 @@ class InputSceneWriter {
       rows_ = whole(contact_.rows);
       if (has_other_step() && !contact_.is_ellipse) {
         notes_.push_back(fmt::format(
-            "{}:{}: DQ = {}: G = 2 takes it in steady rolling, and the scene takes an element, {} "
-            "mm: "
-            "results differ",
+            "{}:{}: DQ = {}: with G = 2 it is the step of steady rolling, and in the scene it is "
+            "an "
+            "element, {} mm: results differ",
             shown(file_), problem_.line, format_short(problem_.step), format_short(spacing())));
       }
       if (direct_ && !contact_.fits) {

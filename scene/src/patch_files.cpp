@@ -10,6 +10,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "microslip/support/format.hpp"
@@ -95,11 +96,10 @@ void warn_of_coarse_table(Scene& scene, const PatchBound& bound, const BoundTabl
 }
 
 /// Refuses zeros within the edges that take much of the bound away, and warns of others.
-void require_few_zeros(Scene& scene, const PatchBound& bound, const BoundTable& table) {
+/// \param whole  the table with them
+void require_few_zeros(Scene& scene, const PatchBound& bound, const BoundTable& whole) {
   constexpr double doubtful = 0.02, most = 0.1;  // of full sliding
-  const std::unique_ptr<BoundTable> whole = table.with_zeros();
-  if (!whole) return;
-  const double part = 1 - PatchBound(bound.shape(), *whole).total() / bound.total();
+  const double part = 1 - PatchBound(bound.shape(), whole).total() / bound.total();
   if (part <= doubtful) return;
   const std::string left_out =
       fmt::format("its zeros within the edges are left out, and would take {} of full sliding away",
@@ -128,8 +128,14 @@ PatchShape read_shape(Scene& scene) {
 
 PatchBound read_bound_table(Scene& scene, const PatchShape& shape) {
   const std::vector<FileColumn> wanted = {{"x", "mm"}, {"y", "mm"}, {"bound", "N/mm^2"}};
-  const BoundTable table = scene.from_columns(bound_file, wanted, [&](const auto& columns) {
-    return BoundTable(shape, *columns[0], *columns[1], *columns[2]);
+  const auto [table, whole] = scene.from_columns(bound_file, wanted, [&](const auto& columns) {
+    const auto made = [&](BoundTable::Zeros zeros) {
+      return BoundTable(shape, *columns[0], *columns[1], *columns[2], zeros);
+    };
+    const BoundTable without = made(BoundTable::Zeros::left_out);
+    const bool has_zeros = columns[2]->minCoeff() == 0;
+    return std::pair(without,
+                     has_zeros ? std::optional(made(BoundTable::Zeros::kept)) : std::nullopt);
   });
   if (table.left_out() > 0) {
     scene.warn(bound_file, scene.text(bound_file),
@@ -137,7 +143,7 @@ PatchBound read_bound_table(Scene& scene, const PatchShape& shape) {
                            table.left_out()));
   }
   const PatchBound bound(shape, table);
-  require_few_zeros(scene, bound, table);
+  if (whole) require_few_zeros(scene, bound, *whole);
   warn_of_coarse_table(scene, bound, table);
   return bound;
 }

@@ -212,6 +212,7 @@ PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch, const Advect
     for (std::size_t j = 0; j < run_components.size(); ++j) {
       RunRows rows = rows_of_component(columns, j, patch.load[j]);
       rows.radius = radius;
+      rows.force_acts_before = starts_under_force(scene);
       if (j == 0) take_contact(scene, columns, rows);
       histories.emplace_back(rows);
     }

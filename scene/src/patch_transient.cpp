@@ -147,8 +147,7 @@ void warn_of_sudden_resultants(Scene& scene, const PatchTransient& read) {
   constexpr double sudden = 0.02;
   const std::string type = scene.word("start.type");
   if (type != "rest" && type != "file") return;
-  const std::vector<double>& stops = read.loads.stops();
-  if (!stops.empty() && stops.front() == 0) return;  // shifted to
+  if (shifts_first(read.loads.stops())) return;
   const PatchLoad load = read.loads.at(0);
   const ContactScale contact = read.loads.contact_at(0);
   const Eigen::Vector3d largest = largest_resultants(read.patch.bound, contact);

@@ -86,6 +86,7 @@ LoadHistory read_run(Scene& scene, const TransientProblem& problem) {
     rows.radius = scene.positive("load.radius");
     warn_of_small_radius(scene, "load.radius", rows.radius, problem.grid.half_width());
   }
+  rows.force_acts_before = starts_under_force(scene);
   return scene.with_file("load.file", [&] {
     rows.of_problem = reference_of(scene, rows);
     const LoadHistory loads(rows);
@@ -105,6 +106,12 @@ RunRows::Reference reference_of(Scene& scene, const RunRows& rows) {
           .half_width = of_problem(scene, rows.half_width, "half_width"),
           .peak_traction = of_problem(scene, rows.peak_traction, "peak_traction"),
           .friction = of_problem(scene, rows.friction, "friction")};
+}
+
+bool starts_under_force(const Scene& scene) {
+  if (!scene.has("start.type")) return true;
+  const std::string& type = scene.text("start.type");
+  return type != "rest" && type != "file";
 }
 
 void require_scheme_of_changes(const AdvectionScheme& scheme) {

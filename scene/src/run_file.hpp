@@ -20,6 +20,10 @@ LoadHistory read_run(Scene& scene, const TransientProblem& problem);
 /// \throws std::invalid_argument for a column without such a value
 RunRows::Reference reference_of(Scene& scene, const RunRows& rows);
 
+/// Whether the run starts under the force of its first row, see RunRows: not at rest, and not under
+/// tractions of a file.
+bool starts_under_force(const Scene& scene);
+
 /// Refuses schemes that do not roll on a contact that changes.
 void require_scheme_of_changes(const AdvectionScheme& scheme);
 

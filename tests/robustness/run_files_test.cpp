@@ -200,6 +200,19 @@ TEST_F(RunFiles, ThatBendWithinAStepAreWarnedOf) {
   EXPECT_FALSE(warned("3"));
 }
 
+// Cattaneo's start is another code: a shift before the run. It needs none within the run, so that it
+// goes with other schemes.
+TEST_F(RunFiles, ThatBeginAtAStandstillUnderAForceAreShiftedToIt) {
+  const std::string rest = rolling_on(under_load, folder_ / "run.tsv");
+  std::string shifted = rest;
+  shifted.replace(shifted.find("type rest"), 9, "type cattaneo force -0.5");
+  write("t v force\n0 0 -0.5\n0.1 0 -0.5\n0.2 2 -0.5\n0.3 2 -0.5\n");
+  const double creepage = end_of(shifted, "creepage");
+  EXPECT_NEAR(end_of(rest, "creepage") / creepage, 1, 1e-6);
+  EXPECT_EQ(run(shifted + "step { scheme direct ratio 1 }\n", "").status, 0);
+  EXPECT_EQ(run(rest + "step { scheme direct ratio 1 }\n", "").status, 1);
+}
+
 // Load and friction fall together, so that what they carry between rows is less than the mean.
 TEST_F(RunFiles, OfForcesThatAreNotCarriedBetweenRowsNameThePlace) {
   const std::string text = rolling_on(under_load, folder_ / "run.tsv");

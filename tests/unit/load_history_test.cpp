@@ -333,6 +333,8 @@ TEST(LoadHistory, BeginsWithAShiftWhereTheBodiesStandUnderAForce) {
   rows.time = VectorXd{{0, 1, 2, 3}};
   rows.velocity = VectorXd{{0, 0, 0, 2}};
   rows.force = VectorXd::Constant(4, -5);
+  EXPECT_TRUE(LoadHistory(rows).stops().empty());
+  rows.force_acts_before = false;
   const LoadHistory history(rows);
   EXPECT_EQ(history.stops(), (std::vector<double>{0}));
   const auto standing = history.standing_at(0);

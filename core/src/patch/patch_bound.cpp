@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 using std::numbers::pi;
 
 BoundTable::BoundTable(const PatchShape& shape, const VectorXd& x, const VectorXd& y,
-                       const VectorXd& values) {
+                       const VectorXd& values, Zeros zeros) {
   require(x.size() == y.size() && x.size() == values.size() && x.size() > 0, "number of rows",
           static_cast<double>(x.size()), "as many values of x, y and bound, at least one");
   for (Index i = 0; i < x.size(); ++i) {
@@ -29,16 +29,12 @@ BoundTable::BoundTable(const PatchShape& shape, const VectorXd& x, const VectorX
   }
   const PointRows found = rows_of_points(shape, x, y);
   for (const Index i : found.outside) left_out_ += values[i] > 0;
-  bool has_zeros = false;
   for (const auto& rows : found.lobes) {
-    Rows &lobe = lobes_.emplace_back(), &whole = lobes_with_zeros_.emplace_back();
+    Rows& lobe = lobes_.emplace_back();
     for (const PointRow& row : rows) {
-      if (auto known = row_of(row, values)) lobe.push_back(std::move(*known));
-      whole.push_back(whole_row(row, values));
-      has_zeros = has_zeros || values(row.points).minCoeff() == 0;
+      if (auto known = row_of(row, values, zeros)) lobe.push_back(std::move(*known));
     }
   }
-  if (!has_zeros) lobes_with_zeros_.clear();
   require(peak_ > 0, "largest bound within the edges", peak_, "a number > 0");
   for (std::size_t l = 0; l < lobes_.size(); ++l) {
     std::vector<double> at;
@@ -51,12 +47,14 @@ BoundTable::BoundTable(const PatchShape& shape, const VectorXd& x, const VectorX
   }
 }
 
-/// Returns the points of a row that are above 0, with ends; nothing if there is none. Zeros next to
-/// the edges are outside; those of the edges themselves are without them, too.
-std::optional<BoundTable::Row> BoundTable::row_of(const PointRow& row, const VectorXd& values) {
+/// Returns the points of a row, with ends; nothing if there is none. Zeros that are left out are those
+/// next to the edges, which are outside; those of the edges themselves are without them, too.
+std::optional<BoundTable::Row> BoundTable::row_of(const PointRow& row, const VectorXd& values,
+                                                  Zeros zeros) {
+  const bool keeps_zeros = zeros == Zeros::kept;
   std::size_t from = 0, to = row.points.size();
-  while (from < to && values[row.points[from]] == 0) ++from;
-  while (to > from && values[row.points[to - 1]] == 0) --to;
+  while (!keeps_zeros && from < to && values[row.points[from]] == 0) ++from;
+  while (!keeps_zeros && to > from && values[row.points[to - 1]] == 0) --to;
   if (from == to) return std::nullopt;
   Row found{.y = row.y, .places = {}, .squares = {}};
   const auto add = [&](double s, double square) {
@@ -66,33 +64,12 @@ std::optional<BoundTable::Row> BoundTable::row_of(const PointRow& row, const Vec
   if (row.s[from] > -1) add(-1, 0);
   for (std::size_t i = from; i < to; ++i) {
     const double value = values[row.points[i]];
-    require(value > 0, fmt::format("row {}: bound", row.points[i] + 1), value,
+    require(value > 0 || keeps_zeros, fmt::format("row {}: bound", row.points[i] + 1), value,
             "a number > 0 between others that are");
     add(row.s[i], value * value);
     peak_ = std::max(peak_, value);
   }
   if (row.s[to - 1] < 1) add(1, 0);
-  return found;
-}
-
-/// The points of a row with its zeros, and with ends.
-BoundTable::Row BoundTable::whole_row(const PointRow& row, const VectorXd& values) {
-  Row found{.y = row.y, .places = {}, .squares = {}};
-  const auto add = [&](double s, double value) {
-    found.places.push_back(s);
-    found.squares.push_back(value * value);
-  };
-  if (row.s.front() > -1) add(-1, 0);
-  for (std::size_t i = 0; i < row.points.size(); ++i) add(row.s[i], values[row.points[i]]);
-  if (row.s.back() < 1) add(1, 0);
-  return found;
-}
-
-std::unique_ptr<BoundTable> BoundTable::with_zeros() const {
-  if (lobes_with_zeros_.empty()) return nullptr;
-  std::unique_ptr<BoundTable> found(new BoundTable);
-  found->peak_ = peak_;
-  found->lobes_ = lobes_with_zeros_;
   return found;
 }
 
@@ -144,7 +121,6 @@ std::unique_ptr<BoundTable> BoundTable::half() const {
 
 BoundTable BoundTable::turned() const {
   BoundTable table = *this;
-  table.lobes_with_zeros_.clear();
   for (Rows& rows : table.lobes_) {
     for (Row& row : rows) {
       std::ranges::reverse(row.places);

@@ -71,6 +71,7 @@ void LoadHistory::take_load(const RunRows& rows) {
   if (rows.force) {
     force_ = in_std(*rows.force);
     largest_force_ = rows.force->lpNorm<Eigen::Infinity>();
+    force_acts_before_ = rows.force_acts_before;
     return;
   }
   const auto take_shift = [&](const std::vector<double>& rate) {
@@ -106,7 +107,7 @@ LoadHistory::Standing LoadHistory::standing_in(std::size_t row) const {
       .time = {}};
   if (!times_.empty()) found.time = times_[row + 1];
   if (!force_.empty()) {
-    const double before_row = row == 0 ? 0 : force_[row];  // a run may start without tractions
+    const double before_row = row == 0 && !force_acts_before_ ? 0 : force_[row];
     const double change = std::abs(force_[row + 1] - before_row);
     found.load = PrescribedForce{force_[row + 1]};
     found.changes = found.changes || change > printed * largest_force_;

@@ -21,13 +21,17 @@ struct PointRow;
 /// of smooth bodies does, unless points on an edge say otherwise.
 class BoundTable {
  public:
+  /// Whether a table has points of the value 0: no bound of a contact has them, and an estimate of what
+  /// leaving them out changes keeps them.
+  enum class Zeros { left_out, kept };
+
   /// \param x, y, values  coordinates [mm] and bounds >= 0 [N/mm^2], in any order; points outside the
   ///                      shape are left out, and so are those of the value 0 next to an edge
   /// \throws std::invalid_argument if a point is there twice, or 0 between others, and where a
   ///         lobe has less than three rows or no row with three points, or a third of its height
   ///         without a row; the message names the row, from 1 on, or the place
   BoundTable(const PatchShape& shape, const Eigen::VectorXd& x, const Eigen::VectorXd& y,
-             const Eigen::VectorXd& values);
+             const Eigen::VectorXd& values, Zeros zeros = Zeros::left_out);
 
   double operator()(const PatchShape& shape, std::size_t lobe, double psi, double theta) const;
 
@@ -35,10 +39,6 @@ class BoundTable {
 
   /// Points outside the shape, of a value above 0.
   Eigen::Index left_out() const { return left_out_; }
-
-  /// The same table with the zeros that are left out though they lie within the edges, for an estimate of
-  /// what that changes; nullptr if there are none. No bound of a contact has zeros.
-  std::unique_ptr<BoundTable> with_zeros() const;
 
   /// The same table with every second row, and every second point of rows, for an estimate of the
   /// error; nullptr if there are too few.
@@ -55,11 +55,10 @@ class BoundTable {
   using Rows = std::vector<Row>;
 
   BoundTable() = default;
-  std::optional<Row> row_of(const PointRow& row, const Eigen::VectorXd& values);
-  static Row whole_row(const PointRow& row, const Eigen::VectorXd& values);
+  std::optional<Row> row_of(const PointRow& row, const Eigen::VectorXd& values, Zeros zeros);
   static double square_of(const Row& row, double s);
 
-  std::vector<Rows> lobes_, lobes_with_zeros_;  ///< none of the latter if no zeros are left out
+  std::vector<Rows> lobes_;
   double peak_ = 0;
   Eigen::Index left_out_ = 0;
 };

@@ -40,6 +40,10 @@ struct RunRows {
     double friction = 1;
   } of_problem = {};
 
+  /// Whether the force of the first row acts before it, too. Else bodies that stand there, as after a
+  /// start at rest, are shifted to it.
+  bool force_acts_before = true;
+
   /// Names of the columns in messages, of a component that is not along the rolling.
   std::string creepage_name = "creepage", force_name = "force";
 };
@@ -162,6 +166,7 @@ class LoadHistory {
   std::vector<double> speed_;         ///< of the distance: |v|, or 1
   std::vector<double> force_;
   double largest_force_ = 0;
+  bool force_acts_before_ = true;           ///< as RunRows::force_acts_before
   std::vector<double> load_;                ///< normal load over the problem's
   std::vector<double> size_;                ///< half-width over the problem's
   std::vector<double> bound_;               ///< peak, or friction coefficient, over the problem's
