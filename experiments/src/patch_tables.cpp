@@ -108,12 +108,6 @@ void add_patch_sizes(Table& summary, const SteadyPatch& patch, double size) {
 
 std::optional<std::string> doubt_of_patch(const Evidence& evidence) {
   constexpr double doubtful = 0.03;
-  if (evidence.turning > doubtful && evidence.turning > evidence.change) {
-    return fmt::format(
-        "the slip turns about a point among cells that slip, and one of them carries {} of full "
-        "sliding there; the error may be as large: take more rows and elements",
-        format_roughly(evidence.turning));
-  }
   if (evidence.change <= doubtful) return std::nullopt;
   return fmt::format(
       "the change of the result from rows and elements that are a third fewer is {} of full "

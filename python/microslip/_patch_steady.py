@@ -36,8 +36,7 @@ class PatchSteady:
         The same as a structured array, with full_sliding, residual and iterations.
     change : numpy.ndarray
         Of the result from rows and elements that are a third fewer, over full sliding: errors are below 2e-3 plus 1.5
-        times the change [1]. Under strong spin they may be as large as the part of full sliding that one element carries,
-        where the slip turns about a point among elements that all slip.
+        times the change, and under strong spin below 7e-3 plus 2.5 times the change [1].
     x, y, area, bound : numpy.ndarray
         Centres of elements [mm], their areas [mm^2], and the bound there [N/mm^2]; of the shape (M, N).
     traction, slip : numpy.ndarray

@@ -192,12 +192,13 @@ TEST(GeneratedPatches, AreRegularAndAccurateWhereTheyAreLong) {
   }
 }
 
-// Where the slip turns about a point among cells that slip, a cell has the direction at its centre. On
-// 10 x 10 cells of a circle that once was an error of 5 % beside a change of 2.4 %.
-TEST(GeneratedPatches, HaveErrorsOfTheSizeOfACellAboutWhichTheSlipTurns) {
+// Where the slip turns about a pole among cells that slip, the direction at the centre of a cell is a
+// matter of chance. With it, 10 x 10 cells of a circle were off by up to 5 %, beside a change of 2.4 %.
+TEST(GeneratedPatches, AreAccurateWhereTheSlipTurnsWithinACell) {
   LoadGenerator generator(29);
   constexpr double nu = 0.28, fine = 22;
   int turning = 0;
+  double squares = 0, largest = 0;
   for (const double ratio : {0.7, 1.0, 1.5, 2.5}) {
     const EllipticBound bound(std::sqrt(ratio), 1 / std::sqrt(ratio), 1);
     const PatchShape shape = PatchBound(bound).shape();
@@ -216,19 +217,23 @@ TEST(GeneratedPatches, HaveErrorsOfTheSizeOfACellAboutWhichTheSlipTurns) {
         if (!right) continue;
         try {
           const SteadyPatchSolution found = solver.solve(exact.load);
-          const Evidence& evidence = found.evidence;
-          turning += evidence.turning > 0 ? 1 : 0;
-          EXPECT_LT(difference(exact, found, *right),
-                    4e-3 + 1.5 * evidence.change + 1.5 * evidence.turning)
+          const double error = difference(exact, found, *right);
+          EXPECT_LT(error, 7e-3 + 2.5 * found.evidence.change)
               << ratio << ", " << cells << " cells, " << exact.load[0].value << ' '
               << exact.load[1].value << ' ' << spin;
+          if (cells != 10) continue;
+          ++turning;
+          squares += error * error;
+          largest = std::max(largest, error);
         } catch (const NotConverged&) {
           continue;
         }
       }
     }
   }
-  EXPECT_GT(turning, 5);
+  EXPECT_LT(largest, 1.3e-2);
+  EXPECT_LT(std::sqrt(squares / turning), 5e-3);
+  EXPECT_GT(turning, 10);
 }
 
 }  // namespace microslip::generated_patches_test

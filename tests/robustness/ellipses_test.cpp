@@ -263,23 +263,6 @@ TEST_F(Ellipses, AreWarnedOfWhereTheirElementsAreTooFew) {
   EXPECT_EQ(solve("").error, "");
 }
 
-// The change from fewer elements is half of the error here.
-TEST_F(Ellipses, AreWarnedOfSlipThatTurnsWithinACell) {
-  std::ofstream(folder_ / "circle.info")
-      << "problem steady\nmaterial { shear_modulus 82000\n poisson_ratio 0.28 }\ncontact { "
-         "half_width 5\n lateral_half_width 5\n peak_traction 300 }\nload { creepage -0.005807\n "
-         "lateral_creepage -0.002613\n spin 0.006257 }\n";
-  const auto error = [&](const std::string& cells) {
-    return run_in_folder("circle.info --quiet --set grid.rows=" + cells +
-                         " --set grid.elements=" + cells)
-        .error;
-  };
-  EXPECT_EQ(error("10").find("microslip: warning: the slip turns about a point among cells that "
-                             "slip, and one of them carries 0.044 of full sliding there"),
-            0U);
-  EXPECT_EQ(error("20"), "");
-}
-
 TEST_F(Ellipses, AreSweptWithTheirUnits) {
   EXPECT_EQ(run_in_folder("sweep ellipse.info --quiet --set load.creepage= --set "
                           "'sweep.load.force=1 kN | 2 kN' --out s")

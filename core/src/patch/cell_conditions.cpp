@@ -46,71 +46,112 @@ struct MixedSlip {
 }  // namespace
 
 CellConditions::CellConditions(const PatchResponse& response, const VectorXd& limits)
-    : limits_(&limits), lengths_(lengths_of(response, limits)) {}
+    : limits_(&limits), lengths_(lengths_of(response, limits)), turning_(response, limits) {}
 
 void CellConditions::set(double length_ratio, double width) {
   length_ratio_ = length_ratio;
   width_ = width;
 }
 
-Vector2d CellConditions::quotient(const PatchState& state, Index i) const {
-  return pair_of(state.unknowns, i) / (*limits_)[i];
+void CellConditions::look_at(const PatchState& state) {
+  state_ = &state;
+  if (!keeps_discs_) turning_.look_at(state);
 }
 
-VectorXd CellConditions::quotients(const PatchState& state) const {
+Vector2d CellConditions::quotient(Index i) const {
+  return pair_of(state_->unknowns, i) / (*limits_)[i];
+}
+
+VectorXd CellConditions::quotients() const {
   VectorXd q(2 * limits_->size());
-  for (Index i = 0; i < limits_->size(); ++i) set_pair(q, i, onto_disc(quotient(state, i)));
+  for (Index i = 0; i < limits_->size(); ++i) set_pair(q, i, onto_disc(quotient(i)));
   return q;
 }
 
-bool CellConditions::slips_next(const PatchState& state, Index i) const {
+bool CellConditions::slips_next(Index i) const {
+  const FrictionDisc& disc = turning_.disc(i);
+  if (disc.radius == 0) return true;
   const double length = lengths_[i] * length_ratio_;
-  return (quotient(state, i) - length * pair_of(state.own_slip, i)).norm() > 1;
+  const Vector2d y = quotient(i) - disc.centre;
+  return (y - length * pair_of(state_->own_slip, i)).norm() > disc.radius;
 }
 
-Vector2d CellConditions::slip(const PatchState& state, Index i) const {
-  const Vector2d q = quotient(state, i), own = pair_of(state.own_slip, i);
-  const double beyond = (q - lengths_[i] * own).norm() - 1;
-  return MixedSlip(own, pair_of(state.centre_slip, i), beyond, width_).value;
+Vector2d CellConditions::slip(Index i) const {
+  const FrictionDisc& disc = turning_.disc(i);
+  const Vector2d y = quotient(i) - disc.centre, own = pair_of(state_->own_slip, i);
+  const double beyond = (y - lengths_[i] * own).norm() - disc.radius;
+  return MixedSlip(own, pair_of(state_->centre_slip, i), beyond, width_).value;
 }
 
-double CellConditions::error(const PatchState& state, Index i) const {
-  const Vector2d q = quotient(state, i);
-  return (q - onto_disc(q - lengths_[i] * slip(state, i))).norm();
+Vector2d CellConditions::error(Index i) const {
+  const FrictionDisc& disc = turning_.disc(i);
+  const Vector2d y = quotient(i) - disc.centre;
+  return y - onto_disc(y - lengths_[i] * slip(i), disc.radius);
 }
 
-double CellConditions::residual(const PatchState& state) const {
+double CellConditions::residual() const {
   double largest = 0;
   for (Index i = 0; i < limits_->size(); ++i) {
-    const double found = error(state, i);
+    const double found = error(i).norm();
     if (!(found <= largest)) largest = found;
   }
   return largest;
 }
 
-CellCondition CellConditions::about(const PatchState& state, Index i, const Vector2d& q) const {
-  const Vector2d own = pair_of(state.own_slip, i), centre = pair_of(state.centre_slip, i);
+bool CellConditions::has_centre_slip(Index i, const std::vector<bool>& slips) const {
+  return slips[static_cast<std::size_t>(i)] || turning_.is_enclosed(i, slips);
+}
+
+CellCondition CellConditions::about(Index i, const Vector2d& q) const {
+  const bool is_enclosed = keeps_discs_ || turning_.is_enclosed(i, state_->slips);
+  const FrictionDisc disc = is_enclosed ? turning_.disc(i) : FrictionDisc{};
+  const Vector2d own = pair_of(state_->own_slip, i), centre = pair_of(state_->centre_slip, i);
   const double own_length = lengths_[i], length = length_ratio_ * own_length;
-  const MixedSlip slip(own, centre, (q - own_length * own).norm() - 1, width_);
-  const Vector2d z = q - length * slip.value;
+  const Vector2d y = q - disc.centre, beyond = y - own_length * own;
+  const MixedSlip slip(own, centre, beyond.norm() - disc.radius, width_);
+  const Vector2d z = y - length * slip.value;
   Vector2d e = Vector2d::Zero();
   Matrix2d D = Matrix2d::Identity();
-  if (z.norm() > 1 - within_disc) {
+  if (disc.radius == 0) {
+    D.setZero();
+  } else if (z.norm() > disc.radius * (1 - within_disc)) {
     e = z.normalized();
-    D = (D - e * e.transpose()) / z.norm();
+    D = disc.radius * (D - e * e.transpose()) / z.norm();
   }
-  CellCondition found{.by_q = Matrix2d::Identity() - D,
-                      .by_own = length * (1 - slip.part) * D,
-                      .by_centre = length * slip.part * D,
-                      .right = e};
+  CellCondition found;
+  found.by_q = Matrix2d::Identity() - D;
+  found.terms[0] = {
+      .cell = i, .by_own = length * (1 - slip.part) * D, .by_centre = length * slip.part * D};
+  Vector2d by_radius = -e;
+  found.right = disc.radius * e;
   if (slip.growth > 0) {
-    const Vector2d beyond = q - own_length * own;
-    const Matrix2d turned =
-        length * slip.growth * D * (centre - own) * beyond.normalized().transpose();
+    const Vector2d grown = length * slip.growth * D * (centre - own);
+    const Matrix2d turned = grown * beyond.normalized().transpose();
     found.by_q += turned;
-    found.by_own -= own_length * turned;
+    found.terms[0].by_own -= own_length * turned;
     found.right += turned * beyond;
+    by_radius -= grown;
   }
+  if (disc.radius == 1) return found;
+  found.right += found.by_q * disc.centre;
+  if (keeps_discs_) return found;
+  const DiscGrowth by = turning_.growth(i);
+  const CellCondition::BySlip of_cell = found.terms[0];
+  const std::array<Index, 9> cells = turning_.around(i);
+  for (std::size_t j = 0; j < cells.size(); ++j) {
+    CellCondition::BySlip& term = found.terms[j];
+    term = {.cell = cells[j],
+            .by_own = by_radius * by.radius_by_own[j] - found.by_q * by.centre_by_own[j],
+            .by_centre = by_radius * by.radius_by_slip[j] - found.by_q * by.centre_by_slip[j],
+            .by_pole = -found.by_q * by.centre_by_pole[j]};
+    found.right += term.by_own * pair_of(state_->own_slip, cells[j]) +
+                   term.by_centre * pair_of(state_->centre_slip, cells[j]) +
+                   term.by_pole * turning_.pole_slip(cells[j]);
+    if (cells[j] != i) continue;
+    term.by_own += of_cell.by_own;
+    term.by_centre += of_cell.by_centre;
+  }
+  found.count = cells.size();
   return found;
 }
 

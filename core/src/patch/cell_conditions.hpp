@@ -2,19 +2,35 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <span>
+#include <vector>
 
 #include "microslip/patch/patch_response.hpp"
 #include "microslip/patch/stick_slip.hpp"
+#include "turning_slip.hpp"
 
 namespace microslip {
 
-/// The condition of a cell, linear about a state: by_q q + by_own t + by_centre c = right.
+/// The condition of a cell, linear about a state: by_q q, and by_own t + by_centre c + by_pole d of
+/// one cell or nine, are right. d is the lateral slip of PatchResponse::pole().
 struct CellCondition {
-  Eigen::Matrix2d by_q, by_own, by_centre;
+  struct BySlip {
+    Eigen::Index cell;
+    Eigen::Matrix2d by_own, by_centre;
+    Eigen::Vector2d by_pole = Eigen::Vector2d::Zero();
+  };
+
+  Eigen::Matrix2d by_q;
   Eigen::Vector2d right;
+  std::array<BySlip, 9> terms;
+  std::size_t count = 1;
+
+  bool has_pole() const { return count > 1; }
+  std::span<const BySlip> by_slip() const { return {terms.data(), count}; }
 };
 
-/// The slip conditions of cells; equations and letters are those of solve_stick_slip().
+/// The slip conditions of cells about a state; equations and letters are those of solve_stick_slip().
 class CellConditions {
  public:
   using Index = Eigen::Index;
@@ -27,34 +43,47 @@ class CellConditions {
   /// \param width         of the transition: |q - r0 t| - 1 from which the slip is that at the centre
   void set(double length_ratio, double width);
 
-  Vector2d quotient(const PatchState& state, Index i) const;
+  /// Whether discs stay those of the state that is looked at now.
+  void keep_discs(bool keeps) { keeps_discs_ = keeps; }
+
+  /// Takes the state that all questions are about, until it is changed.
+  /// \param state  must outlive this object
+  void look_at(const PatchState& state);
+
+  Vector2d quotient(Index i) const;
 
   /// Those of all cells, on the disc: 2n.
-  Eigen::VectorXd quotients(const PatchState& state) const;
+  Eigen::VectorXd quotients() const;
 
   /// Whether a cell slips in the next system, |q - r t| > 1.
-  bool slips_next(const PatchState& state, Index i) const;
+  bool slips_next(Index i) const;
 
   /// s, which begins at the own slip and becomes that at the centre.
-  Vector2d slip(const PatchState& state, Index i) const;
+  Vector2d slip(Index i) const;
 
-  /// |q - P(q - r0 s)|
-  double error(const PatchState& state, Index i) const;
+  /// q - P(q - r0 s)
+  Vector2d error(Index i) const;
 
-  /// The largest error, not a number if one is not.
-  double residual(const PatchState& state) const;
+  /// The size of the largest error, not a number if one is not.
+  double residual() const;
 
   /// With z = q - r s, e = z/|z| and D = (1 - e e')/|z|, the condition q = e is linear about z:
   ///   (1 - D) q + r D s = e.
   /// Within the disc the condition is s = 0, which is e = 0 and D = 1.
-  /// In the transition s depends on q - r0 t, too.
+  /// In the transition s depends on q - r0 t, too; and the disc on the slip of the cells around.
   /// \param q  on the disc
-  CellCondition about(const PatchState& state, Index i, const Vector2d& q) const;
+  CellCondition about(Index i, const Vector2d& q) const;
+
+  /// Whether the slip at the centre of a cell matters: it slips, or those around it do.
+  bool has_centre_slip(Index i, const std::vector<bool>& slips) const;
 
  private:
   const Eigen::VectorXd* limits_;
   Eigen::VectorXd lengths_;  ///< r0
+  TurningSlip turning_;
   double length_ratio_ = 1, width_ = 0;
+  bool keeps_discs_ = false;
+  const PatchState* state_ = nullptr;
 };
 
 }  // namespace microslip

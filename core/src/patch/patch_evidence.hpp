@@ -22,11 +22,11 @@ struct EvidenceScale {
   double slip_share;    ///< of the area  [1]
 };
 
-/// The same in units, with the residual and what cells do not resolve of the bound and of the slip that
-/// turns; `load`, `power` and `change` are 0.
+/// The same in units, with the residual and what cells do not resolve of the bound; `load`, `power`
+/// and `change` are 0.
 /// \param at_rest  limits whose bound has the force of full sliding: n
-Evidence evidence_of_cells(const JoinedRows& rows, const PatchState& state,
-                           const Eigen::VectorXd& shares, const Eigen::VectorXd& limits,
-                           const EvidenceScale& scale, const Eigen::VectorXd& at_rest);
+Evidence evidence_of_cells(const PatchState& state, const Eigen::VectorXd& shares,
+                           const Eigen::VectorXd& limits, const EvidenceScale& scale,
+                           const Eigen::VectorXd& at_rest);
 
 }  // namespace microslip

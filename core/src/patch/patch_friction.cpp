@@ -65,10 +65,11 @@ bool SlippingPatch::solve(const VectorXd& ratios) {
 VectorXd SlippingPatch::speeds() const {
   CellConditions conditions(given_.response, limits_);
   conditions.set(1, state_.transition);
+  conditions.look_at(state_);
   VectorXd speeds = VectorXd::Zero(limits_.size());
   for (Index i = 0; i < speeds.size(); ++i) {
     if (!state_.slips[static_cast<std::size_t>(i)]) continue;
-    speeds[i] = speed_ * conditions.slip(state_, i).norm();
+    speeds[i] = speed_ * conditions.slip(i).norm();
   }
   return speeds;
 }

@@ -60,6 +60,7 @@ void PatchMaterial::impose(const PatchStep& step, PointDisplacements& u, Imposed
   const StepWays ways(rows, step);
   found.own.resize(2 * rows.cells());
   found.centre.resize(2 * rows.cells());
+  const double part = ways.part_in_contact();
   for (Index k = 0; k < rows.rows(); ++k) {
     for (Index i = 0; i < rows.elements(); ++i) {
       const Index cell = rows.cell(i, k);
@@ -70,7 +71,9 @@ void PatchMaterial::impose(const PatchStep& step, PointDisplacements& u, Imposed
         continue;
       }
       set_pair(found.own, cell, imposed_by(ways, ways.to_centre(i, k), k));
-      set_pair(found.centre, cell, imposed_by(ways, ways.about_centre(i, k), k));
+      Vector2d centre = imposed_by(ways, ways.about_centre(i, k), k);
+      if (part > 0) centre += part * (-u.at(2 * i + 1, k) / step.dq - centre);
+      set_pair(found.centre, cell, centre);
     }
   }
 }

@@ -47,11 +47,12 @@ PatchResponse::PatchResponse(const JoinedRows& rows, double poisson_ratio)
     : PatchResponse(rows, displacement_by_traction(rows, poisson_ratio)) {}
 
 PatchResponse::PatchResponse(const JoinedRows& rows, const Matrix& displacement)
-    : PatchResponse(rows, map_own_slip(rows, displacement), map_centre_slip(rows, displacement)) {}
+    : PatchResponse(rows, map_own_slip(rows, displacement), map_centre_slip(rows, displacement),
+                    map_pole(rows, [](Index, Index) { return 1.0; })) {}
 
 PatchResponse::PatchResponse(const JoinedRows& rows, const PatchSlipMap& own,
-                             const PatchSlipMap& centre)
-    : rows_(rows) {
+                             const PatchSlipMap& centre, const Stencils& pole)
+    : rows_(rows), pole_(pole) {
   solve(own.by_traction, centre.by_traction);
   const auto norm = [](const auto& map) { return map.cwiseAbs().colwise().sum().maxCoeff(); };
   condition_ = norm(own.by_traction) * norm(unknowns_);
@@ -59,6 +60,7 @@ PatchResponse::PatchResponse(const JoinedRows& rows, const PatchSlipMap& own,
   rigid_centre_slip_ = centre.by_motion;
   stiffness_ = own.by_traction.diagonal();
   resultants_ = resultants_by_traction(rows);
+  if (rolls()) pole_slip_ = pole_ * unknowns_;
   // `unknowns_` has its rows in order, so that its transpose is what the product takes.
   relief_ = matrix_product(unknowns_.transpose(), resultants_.transpose()).transpose();
   linear_ = -matrix_product(relief_, rigid_own_slip_);

@@ -212,7 +212,7 @@ Evidence PatchRolling::evidence() const {
   const double force = p.units().resultant[0];
   const VectorXd areas = p.constants->rows.areas();
   Evidence evidence =
-      evidence_of_cells(p.constants->rows, p.state, p.shares(), p.last_limits(),
+      evidence_of_cells(p.state, p.shares(), p.last_limits(),
                         {.force = force,
                          .power = p.motion_unit()[0] * force,
                          .full_sliding = full_sliding(),

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "slip_maps.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "microslip/support/require.hpp"
 
@@ -11,6 +13,58 @@ namespace microslip {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using std::numbers::pi;
+
+namespace {
+
+/// The slip at a pole that cells lack, over g/G: one number for all grids and ratios, by which forces
+/// of ellipses that slide with a strong spin have their limits under refinement.
+constexpr double slip_at_pole = 0.45;
+
+/// The cells on a square around a cell, one or two cells from it.
+class Ring {
+ public:
+  Ring(const JoinedRows& rows, Index i, Index k, Index distance) {
+    for (Index a = -distance; a <= distance; ++a) {
+      for (Index b = -distance; b <= distance; ++b) {
+        if (std::max(std::abs(a), std::abs(b)) != distance) continue;
+        const double x = rows.x(2 * (i + b) + 1, k + a) - rows.x(2 * i + 1, k);
+        const double y = rows.y(k + a) - rows.y(k);
+        places_[count_++] = {.cell = rows.cell(i + b, k + a),
+                             .factor = std::tan(rows.theta(i + b) / 2),
+                             .x = x,
+                             .y = y};
+        radius_ += std::hypot(x, y);
+      }
+    }
+    radius_ /= static_cast<double>(count_);
+  }
+
+  /// The mean distance from the middle.
+  double radius() const { return radius_; }
+
+  /// Adds the mean of the tractions across the radius, times a factor, to a row of a map.
+  void add_turn(std::vector<Eigen::Triplet<double>>& map, Index row, Index n, double factor) const {
+    for (std::size_t j = 0; j < count_; ++j) {
+      const auto& [cell, by_unknown, x, y] = places_[j];
+      const double weight = factor * by_unknown / static_cast<double>(count_) / std::hypot(x, y);
+      map.emplace_back(row, cell, -weight * y);
+      map.emplace_back(row, n + cell, weight * x);
+    }
+  }
+
+ private:
+  struct Place {
+    Index cell;
+    double factor;  ///< p/v
+    double x, y;    ///< from the middle
+  };
+
+  std::array<Place, 16> places_;
+  std::size_t count_ = 0;
+  double radius_ = 0;
+};
+
+}  // namespace
 
 PatchResponse::Matrix displacement_by_traction(const JoinedRows& rows, double poisson_ratio) {
   require(poisson_ratio >= 0 && poisson_ratio <= 0.5, "poisson_ratio", poisson_ratio,
@@ -81,6 +135,24 @@ Eigen::Matrix3Xd resultants_by_traction(const JoinedRows& rows) {
   resultants.row(1).tail(n) = moments.row(0);
   resultants.row(2) << -moments.row(2), moments.row(1);
   return resultants;
+}
+
+PatchResponse::Stencils map_pole(const JoinedRows& rows,
+                                 const std::function<double(Index, Index)>& part) {
+  std::vector<Eigen::Triplet<double>> entries;
+  const Index n = rows.cells();
+  for (Index k = 2; k + 2 < rows.rows(); ++k) {
+    if (rows.lobe(k - 2) != rows.lobe(k + 2)) continue;
+    for (Index i = 2; i + 2 < rows.elements(); ++i) {
+      const Ring near(rows, i, k, 1), far(rows, i, k, 2);
+      const double scale = part(i, k) * slip_at_pole / (far.radius() - near.radius());
+      near.add_turn(entries, rows.cell(i, k), n, -scale * far.radius());
+      far.add_turn(entries, rows.cell(i, k), n, scale * near.radius());
+    }
+  }
+  PatchResponse::Stencils map(n, 2 * n);
+  map.setFromTriplets(entries.begin(), entries.end());
+  return map;
 }
 
 PointSlip centre_slip(const JoinedRows& rows, Index i, Index k) {

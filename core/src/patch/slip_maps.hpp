@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 
 #include "microslip/patch/joined_rows.hpp"
 #include "microslip/patch/patch_response.hpp"
@@ -42,6 +43,11 @@ PointSlip between(const JoinedRows& rows, double theta);
 
 /// Forces along and across, and the moment about the centre, by the unknowns: 3 x 2n.
 Eigen::Matrix3Xd resultants_by_traction(const JoinedRows& rows);
+
+/// Makes the map of PatchResponse::pole().
+/// \param part  (i, k) -> part that the slip of a cell has of what it lacks in steady rolling
+PatchResponse::Stencils map_pole(const JoinedRows& rows,
+                                 const std::function<double(Eigen::Index, Eigen::Index)>& part);
 
 /// -du/dx at a centre, by differences of fourth order in theta.
 PointSlip centre_slip(const JoinedRows& rows, Eigen::Index i, Eigen::Index k);

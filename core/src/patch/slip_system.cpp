@@ -41,7 +41,9 @@ void SlipSystem::assemble(const CellConditions& conditions, const PatchState& st
     stuck_.row(cells + i).setZero();
   }
   const auto size = static_cast<Index>(columns_.size());
+  places_.resize(static_cast<std::size_t>(cells));
   for (Index r = 0; r < size; ++r) {
+    places_[static_cast<std::size_t>(columns_[static_cast<std::size_t>(r)])] = r;
     columns_.push_back(cells + columns_[static_cast<std::size_t>(r)]);
   }
   const auto free = static_cast<Index>(free_.size());
@@ -49,7 +51,7 @@ void SlipSystem::assemble(const CellConditions& conditions, const PatchState& st
   right_.resize(2 * size + free);
   for (Index r = 0; r < size; ++r) {
     const Index i = columns_[static_cast<std::size_t>(r)];
-    set_condition(conditions.about(state, i, pair_of(q, i)), r, size, imposed);
+    set_condition(conditions.about(i, pair_of(q, i)), r, size, imposed);
   }
   for (Index j = 0; j < free; ++j) set_resultant(load, j, 2 * size);
 }
@@ -58,26 +60,29 @@ void SlipSystem::set_condition(const CellCondition& condition, Index r, Index si
                                const ImposedSlip& imposed) {
   const Index cells = limits_.size(), i = columns_[static_cast<std::size_t>(r)];
   const Eigen::Matrix2d by_q = condition.by_q / limits_[i];
-  const auto columns = index_view(columns_);
   const Index free = motions_.cols() - 1;
   for (Index c = 0; c < 2; ++c) {
     const Index row = r + c * size;
+    RowVectorXd by_motion = RowVectorXd::Zero(1 + free);
+    by_elastic_.setZero(2 * cells);
+    for (Index d = 0; d < 2; ++d)
+      by_elastic_ += by_q(c, d) * response_.unknowns().row(i + d * cells);
     matrix_.row(row).setZero();
-    RowVectorXd by_motion = RowVectorXd::Zero(1 + free), by_slip;
-    for (Index d = 0; d < 2; ++d) {
-      const Index of = i + d * cells;
-      const double by_centre = condition.by_centre(c, d), by_own = condition.by_own(c, d);
-      matrix_.row(row).head(2 * size) += by_q(c, d) * response_.unknowns().row(of)(columns) +
-                                         by_centre * response_.centre_slip().row(of)(columns);
-      matrix_(row, r + d * size) += by_own;
-      by_slip =
-          by_q(c, d) * response_.unknowns().row(of) + by_centre * response_.centre_slip().row(of);
-      by_motion.noalias() += by_slip * stuck_;
-      by_motion += (by_centre * response_.rigid_centre_slip().row(of) +
-                    by_own * response_.rigid_own_slip().row(of)) *
-                   motions_;
-      by_motion[0] += by_centre * imposed.centre[of] + by_own * imposed.own[of];
+    for (const auto& [cell, own, centre, by_pole] : condition.by_slip()) {
+      if (condition.has_pole()) by_elastic_ += by_pole[c] * response_.pole_slip().row(cell);
+      for (Index d = 0; d < 2; ++d) {
+        const Index of = cell + d * cells;
+        const double by_centre = centre(c, d), by_own = own(c, d);
+        by_elastic_ += by_centre * response_.centre_slip().row(of);
+        by_motion += (by_centre * response_.rigid_centre_slip().row(of) +
+                      by_own * response_.rigid_own_slip().row(of)) *
+                     motions_;
+        by_motion[0] += by_centre * imposed.centre[of] + by_own * imposed.own[of];
+        if (by_own != 0) matrix_(row, places_[static_cast<std::size_t>(cell)] + d * size) += by_own;
+      }
     }
+    by_motion.noalias() += by_elastic_ * stuck_;
+    matrix_.row(row).head(2 * size) += by_elastic_(index_view(columns_));
     matrix_.row(row).tail(free) = by_motion.tail(free);
     right_[row] = condition.right[c] - by_motion[0];
   }
@@ -114,8 +119,8 @@ VectorXd SlipSystem::unknowns_of(const PatchState& state, const ImposedSlip& imp
   return values;
 }
 
-void SlipSystem::apply(const VectorXd& solution, const ImposedSlip& imposed,
-                       PatchState& state) const {
+void SlipSystem::apply(const VectorXd& solution, const CellConditions& conditions,
+                       const ImposedSlip& imposed, PatchState& state) const {
   const auto columns = index_view(columns_);
   const auto free = static_cast<Index>(free_.size());
   VectorXd motion(1 + free);
@@ -125,10 +130,14 @@ void SlipSystem::apply(const VectorXd& solution, const ImposedSlip& imposed,
   elastic(columns) = solution.head(static_cast<Index>(columns_.size()));
   state.unknowns.noalias() = response_.unknowns() * elastic;
   state.own_slip.setZero();
-  state.centre_slip.setZero();
   for (const Index c : columns_) {
     state.own_slip[c] =
         elastic[c] + response_.rigid_own_slip().row(c) * state.motion + imposed.own[c];
+  }
+  const Index cells = limits_.size();
+  state.centre_slip.setZero();
+  for (Index c = 0; c < 2 * cells; ++c) {
+    if (!conditions.has_centre_slip(c % cells, state.slips)) continue;
     state.centre_slip[c] = response_.centre_slip().row(c).dot(elastic) +
                            response_.rigid_centre_slip().row(c) * state.motion + imposed.centre[c];
   }

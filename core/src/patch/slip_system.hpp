@@ -23,7 +23,8 @@ class SlipSystem {
       : response_(response), limits_(limits) {}
 
   /// Sets the conditions about a state, and those of the load.
-  /// \param q  of all cells, on the disc
+  /// \param conditions  that look at the state
+  /// \param q           of all cells, on the disc
   void assemble(const CellConditions& conditions, const PatchState& state, const VectorXd& q,
                 const PatchLoad& load, const ImposedSlip& imposed);
 
@@ -49,7 +50,8 @@ class SlipSystem {
   VectorXd unknowns_of(const PatchState& state, const ImposedSlip& imposed) const;
 
   /// Takes a solution over into a state.
-  void apply(const VectorXd& solution, const ImposedSlip& imposed, PatchState& state) const;
+  void apply(const VectorXd& solution, const CellConditions& conditions, const ImposedSlip& imposed,
+             PatchState& state) const;
 
  private:
   void split_motion(const PatchLoad& load);
@@ -60,9 +62,11 @@ class SlipSystem {
   const PatchResponse& response_;
   const VectorXd& limits_;
   std::vector<Index> columns_, free_;
+  std::vector<Index> places_;  ///< of slipping cells in `columns_`
   Eigen::MatrixXd motions_, stuck_;
   Matrix matrix_;
   VectorXd right_;
+  Eigen::RowVectorXd by_elastic_;
 };
 
 }  // namespace microslip

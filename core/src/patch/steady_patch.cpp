@@ -77,7 +77,7 @@ Evidence evidence_of(const SteadyPatch& problem, const SteadyPatchSolution& solu
                      const PatchResponse& response, const Limits& limits, double divisor) {
   const PatchUnits units(problem.material, problem.bound.peak(), problem.bound.size());
   const VectorXd shares = response.resultants().row(0).head(limits.at_rest.size());
-  Evidence evidence = evidence_of_cells(response.rows(), solution.state, shares, limits.solved,
+  Evidence evidence = evidence_of_cells(solution.state, shares, limits.solved,
                                         {.force = units.resultant[0],
                                          .power = divisor * units.motion[0] * units.resultant[0],
                                          .full_sliding = problem.bound.total(),

@@ -40,32 +40,37 @@ StepFollower::StepFollower(const PatchResponse& response, const VectorXd& limits
   conditions_.set(1, state.transition);
   SlipSystem system(response, limits);
   const ImposedSlip none{VectorXd::Zero(2 * n), VectorXd::Zero(2 * n)};
-  system.assemble(conditions_, state, conditions_.quotients(state), load, none);
+  conditions_.look_at(state);
+  system.assemble(conditions_, state, conditions_.quotients(), load, none);
   const auto made = std::make_shared<Prepared>();
   made->state = state;
   made->load = load;
   made->columns = system.columns();
   made->free = system.free();
   made->factors.compute(system.matrix());
-  const auto columns = index_view(made->columns);
+  for (Index c = 0; c < 2 * n; ++c) {
+    if (conditions_.has_centre_slip(c % n, state.slips)) made->centres.push_back(c);
+  }
+  const auto columns = index_view(made->columns), centres = index_view(made->centres);
   const auto count = static_cast<Index>(made->columns.size());
   const auto free = static_cast<Index>(made->free.size());
   const MatrixXd units = system.motions().rightCols(free), stuck = system.stuck().rightCols(free);
   made->tractions.resize(2 * n, count + free);
   made->tractions << MatrixXd(response.unknowns()(Eigen::all, columns)),
       matrix_product(stuck.transpose(), response.unknowns().transpose()).transpose();
-  made->centre_slip_elastic = response.centre_slip()(columns, Eigen::all);
+  made->centre_slip_elastic = response.centre_slip()(centres, Eigen::all);
   made->rigid = matrix_product(response.rigid_own_slip()(columns, Eigen::all), units);
-  made->centre_slip.resize(count, count + free);
-  made->centre_slip << MatrixXd(response.centre_slip()(columns, columns)),
+  const auto slips = static_cast<Index>(made->centres.size());
+  made->centre_slip.resize(slips, count + free);
+  made->centre_slip << MatrixXd(response.centre_slip()(centres, columns)),
       matrix_product(stuck.transpose(), made->centre_slip_elastic.transpose()).transpose() +
-          matrix_product(response.rigid_centre_slip()(columns, Eigen::all), units);
+          matrix_product(response.rigid_centre_slip()(centres, Eigen::all), units);
   prepared_ = made;
   elastic_.resize(2 * n);
   tractions_.resize(2 * n);
   missing_.resize(count + free);
   correction_.resize(count + free);
-  slip_.resize(count);
+  slip_.resize(slips);
 }
 
 bool StepFollower::fits(const PatchLoad& load, const std::vector<bool>& slips) const {
@@ -85,8 +90,8 @@ void StepFollower::begin(const PatchLoad& load, const ImposedSlip& imposed, Patc
   state.unknowns.noalias() = response_->unknowns() * elastic_;
   slip_.noalias() = prepared_->centre_slip_elastic * elastic_;
   state.centre_slip.setZero();
-  for (std::size_t r = 0; r < prepared_->columns.size(); ++r) {
-    const Index c = prepared_->columns[r];
+  for (std::size_t r = 0; r < prepared_->centres.size(); ++r) {
+    const Index c = prepared_->centres[r];
     state.centre_slip[c] = slip_[static_cast<Index>(r)] +
                            response_->rigid_centre_slip().row(c) * state.motion + imposed.centre[c];
   }
@@ -94,11 +99,12 @@ void StepFollower::begin(const PatchLoad& load, const ImposedSlip& imposed, Patc
 }
 
 /// The largest error; infinite if a cell begins or ends to slip.
-double StepFollower::residual(const PatchState& state) const {
+double StepFollower::residual(const PatchState& state) {
+  conditions_.look_at(state);
   double largest = 0;
   for (Index i = 0; i < limits_->size(); ++i) {
-    if (conditions_.slips_next(state, i) != slips(prepared_->state.slips, i)) return INFINITY;
-    const double found = conditions_.error(state, i);
+    if (conditions_.slips_next(i) != slips(prepared_->state.slips, i)) return INFINITY;
+    const double found = conditions_.error(i).norm();
     if (!(found <= largest)) largest = found;
   }
   return largest;
@@ -109,13 +115,9 @@ bool StepFollower::correct(const PatchLoad& load, PatchState& state) {
   const auto count = static_cast<Index>(prepared_->columns.size()), size = count / 2;
   for (Index r = 0; r < size; ++r) {
     const Index i = prepared_->columns[static_cast<std::size_t>(r)];
-    const Vector2d q = conditions_.quotient(state, i);
-    const CellCondition condition = conditions_.about(state, i, onto_disc(q));
-    const Vector2d missing = condition.right - condition.by_q * q -
-                             condition.by_own * pair_of(state.own_slip, i) -
-                             condition.by_centre * pair_of(state.centre_slip, i);
-    missing_[r] = missing[0];
-    missing_[size + r] = missing[1];
+    const Vector2d error = conditions_.error(i);
+    missing_[r] = -error[0];
+    missing_[size + r] = -error[1];
   }
   for (std::size_t j = 0; j < prepared_->free.size(); ++j) {
     missing_[count + static_cast<Index>(j)] =
@@ -132,7 +134,9 @@ bool StepFollower::correct(const PatchLoad& load, PatchState& state) {
     for (Index j = 0; j < prepared_->rigid.cols(); ++j)
       own += prepared_->rigid(place, j) * correction_[count + j];
     state.own_slip[prepared_->columns[r]] += own;
-    state.centre_slip[prepared_->columns[r]] += slip_[place];
+  }
+  for (std::size_t r = 0; r < prepared_->centres.size(); ++r) {
+    state.centre_slip[prepared_->centres[r]] += slip_[static_cast<Index>(r)];
   }
   for (std::size_t j = 0; j < prepared_->free.size(); ++j) {
     state.motion[prepared_->free[j]] += correction_[count + static_cast<Index>(j)];

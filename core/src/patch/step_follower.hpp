@@ -43,18 +43,19 @@ class StepFollower {
  private:
   void begin(const PatchLoad& load, const ImposedSlip& imposed, PatchState& state);
   bool correct(const PatchLoad& load, PatchState& state);
-  double residual(const PatchState& state) const;
+  double residual(const PatchState& state);
 
   /// What it was prepared with, and what follows from it.
   struct Prepared {
     PatchState state;
     PatchLoad load;
     std::vector<Index> columns, free;
+    std::vector<Index> centres;  ///< places of the slip at centres that matters, in 2n values
     LuFactors factors;
     // By the unknowns: elastic own slip of cells that slip, and free components of the motion.
-    Eigen::MatrixXd tractions, centre_slip;     ///< 2n x m, and only at columns
+    Eigen::MatrixXd tractions, centre_slip;     ///< 2n x m, and only at centres
     Eigen::MatrixXd rigid;                      ///< own slip at columns by free components
-    PatchResponse::Matrix centre_slip_elastic;  ///< at columns, by the elastic own slip
+    PatchResponse::Matrix centre_slip_elastic;  ///< at centres, by the elastic own slip
   };
 
   const PatchResponse* response_;

@@ -8,6 +8,24 @@ namespace microslip {
 
 using Eigen::Index;
 
+namespace {
+
+/// Steps over the longest cell, up to which slip is that of the material, and from which it is that
+/// seen from the contact. In steps of a mean cell it is that of the material.
+constexpr double short_step = 0.7, long_step = 1.2;
+
+}  // namespace
+
+StepWays::StepWays(const JoinedRows& rows, const PatchStep& step) : rows_(rows), step_(step) {
+  if (step.from != step.to) return;
+  double longest = 0;
+  for (Index k = 0; k < rows.rows(); ++k) {
+    longest = std::max(longest, length(rows.elements() / 2, k));
+  }
+  part_in_contact_ =
+      std::clamp((step.dq / longest - short_step) / (long_step - short_step), 0.0, 1.0);
+}
+
 /// The part of the step at which material enters that ends at x: 0 if it was in the contact before.
 /// With t from 0 to 1 and the size r(t) of an ellipse, it is within where
 ///   f(t) = r(t)^2 - (x + (1 - t) dq)^2/a^2 - y^2/b^2 >= 0,
@@ -65,6 +83,30 @@ PointSlip StepWays::slip_about(const MaterialWay& way, Index k) const {
   return slip;
 }
 
+/// On a longer way than a cell, displacements resolve the logarithm.
+double StepWays::part_at_pole(Index i, Index k) const {
+  const double of_way = std::min(1.0, length(i, k) / about_centre(i, k).length);
+  return std::lerp(of_way, 1.0, part_in_contact_);
+}
+
+/// Mixes slip at centres with that seen from the contact.
+void StepWays::mix_slip_in_contact(PatchSlipMap& map,
+                                   const PatchResponse::Matrix& displacement) const {
+  const double part = part_in_contact_;
+  if (part == 0) return;
+  PatchSlipMap seen = map_for(rows_);
+  for (Index k = 0; k < rows_.rows(); ++k) {
+    for (Index i = 0; i < rows_.elements(); ++i) {
+      PointSlip slip = centre_slip(rows_, i, k);
+      slip.weights[4] = step_.to / step_.dq;
+      slip.x = x(2 * i + 1, k);
+      set_slip(seen, rows_, displacement, i, k, slip, step_.to * rows_.y(k));
+    }
+  }
+  map.by_traction += part * (seen.by_traction - map.by_traction);
+  map.by_motion += part * (seen.by_motion - map.by_motion);
+}
+
 PatchResponse StepWays::response(const PatchResponse::Matrix& displacement) const {
   PatchSlipMap own = map_for(rows_), at_centre = map_for(rows_);
   const double size = step_.to;
@@ -89,7 +131,10 @@ PatchResponse StepWays::response(const PatchResponse::Matrix& displacement) cons
       add_entry(at_centre, i, k, about);
     }
   }
-  return {rows_, own, at_centre};
+  if (step_.dq == 0) return {rows_, own, at_centre, {}};
+  mix_slip_in_contact(at_centre, displacement);
+  return {rows_, own, at_centre,
+          map_pole(rows_, [&](Index i, Index k) { return part_at_pole(i, k); })};
 }
 
 }  // namespace microslip

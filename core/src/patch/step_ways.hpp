@@ -48,7 +48,7 @@ class StepWays {
  public:
   using Index = Eigen::Index;
 
-  StepWays(const JoinedRows& rows, const PatchStep& step) : rows_(rows), step_(step) {}
+  StepWays(const JoinedRows& rows, const PatchStep& step);
 
   const JoinedRows& rows() const { return rows_; }
   const PatchStep& step() const { return step_; }
@@ -60,6 +60,12 @@ class StepWays {
   /// that is at the trailing side of the cell at the end. Material that a growing contact takes in
   /// there, later than at the centre, has no slip yet: it is that at the centre then.
   MaterialWay about_centre(Index i, Index k) const;
+
+  /// The part that the slip seen from the contact has in that of cells: s = w - du/dx + du/dq at their
+  /// centres at the end, with the change of the displacement in the step over its length. In short
+  /// steps all is the slip of the material, of second order. On long ways the slip may turn, so that
+  /// its mean is not that at the end.
+  double part_in_contact() const { return part_in_contact_; }
 
   /// The length by which the change of the rigid slip from the step before to this one adds to the
   /// displacement at entry. What material remembers, its displacement and all rigid slip, is smooth
@@ -78,10 +84,14 @@ class StepWays {
   MaterialWay way_to(double x, Index k) const;
   double entry(double x, Index k) const;
   void add_entry(PatchSlipMap& map, Index i, Index k, const MaterialWay& way) const;
+  double part_at_pole(Index i, Index k) const;
   PointSlip slip_about(const MaterialWay& way, Index k) const;
+  void mix_slip_in_contact(PatchSlipMap& map, const PatchResponse::Matrix& displacement) const;
+  double length(Index i, Index k) const { return x(2 * i, k) - x(2 * i + 2, k); }
 
   const JoinedRows& rows_;
   PatchStep step_;
+  double part_in_contact_ = 0;
 };
 
 }  // namespace microslip

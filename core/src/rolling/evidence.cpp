@@ -51,8 +51,7 @@ Evidence worst_of(const Evidence& a, const Evidence& b) {
           .power = std::max(a.power, b.power),
           .full_sliding = std::max(a.full_sliding, b.full_sliding),
           .one_element = std::max(a.one_element, b.one_element),
-          .change = std::max(a.change, b.change),
-          .turning = std::max(a.turning, b.turning)};
+          .change = std::max(a.change, b.change)};
 }
 
 Evidence evidence_by_elements(const ElementValues& values, double force, double creepage) {

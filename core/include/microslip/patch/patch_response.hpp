@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/SparseCore>
 
 #include "microslip/patch/joined_rows.hpp"
 
@@ -34,11 +35,15 @@ class PatchResponse {
  public:
   using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+  using Stencils = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
   /// \param poisson_ratio  nu, in [0, 0.5]
   PatchResponse(const JoinedRows& rows, double poisson_ratio);
 
   /// Makes the response of other slip than in steady rolling: in a step, or in a shift.
-  PatchResponse(const JoinedRows& rows, const PatchSlipMap& own, const PatchSlipMap& centre);
+  /// \param pole  see pole(); without rows for a shift
+  PatchResponse(const JoinedRows& rows, const PatchSlipMap& own, const PatchSlipMap& centre,
+                const Stencils& pole);
 
   const JoinedRows& rows() const { return rows_; }
 
@@ -47,6 +52,19 @@ class PatchResponse {
 
   /// The elastic slip at centres by the elastic own slip: 2n x 2n.
   const Matrix& centre_slip() const { return centre_slip_; }
+
+  /// The lateral slip at centres that differences over a cell lack where the tractions turn about it,
+  /// by the unknowns: n x 2n. About a pole of tractions of the size g, which turn with the spin,
+  /// lateral slip goes as g/G ln(1/r), and cells cut the logarithm off at their own length. It is
+  /// that of how much more the tractions turn with the cells around than a linear field would. Cells
+  /// that are not two from all edges have none.
+  const Stencils& pole() const { return pole_; }
+
+  /// Whether slip is that in rolling, over the distance; a shift has no stencils.
+  bool rolls() const { return pole_.rows() > 0; }
+
+  /// The same by the elastic own slip: n x 2n.
+  const Matrix& pole_slip() const { return pole_slip_; }
 
   /// The rigid slip by the motion: 2n x 3.
   const Eigen::MatrixX3d& rigid_own_slip() const { return rigid_own_slip_; }
@@ -74,7 +92,8 @@ class PatchResponse {
   void solve(const Eigen::MatrixXd& own, const Eigen::MatrixXd& centre);
 
   JoinedRows rows_;
-  Matrix unknowns_, centre_slip_;
+  Stencils pole_;
+  Matrix unknowns_, centre_slip_, pole_slip_;
   Eigen::MatrixX3d rigid_own_slip_, rigid_centre_slip_;
   Eigen::VectorXd stiffness_;
   Eigen::Matrix3Xd resultants_, relief_;

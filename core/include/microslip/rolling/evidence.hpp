@@ -33,10 +33,6 @@ struct Evidence {
   /// The relative change of the creepage, or of the force under a prescribed creepage, from
   /// elements that are twice as long; of tables of the bound  [1]
   double change = 0;
-  /// The part of full sliding that one cell of a patch carries where the slip turns about a point among
-  /// cells that all slip; 0 where it does not. The cell has the direction at its centre, so that
-  /// forces may have an error of this size  [1]
-  double turning = 0;
 
   // Violations relative to the load or to the power; 0 without a load.
   double bound_violation() const;    ///< excess over load  [1]
