@@ -141,4 +141,12 @@ TEST(TurningSlip, IsSteadyInTheEndOfStepsOfAnyLength) {
   }
 }
 
+// Newton's method alternated between two states in one of these steps.
+TEST(TurningSlip, RollsOnAsAStickZoneAboutThePoleEnds) {
+  SteadyPatch patch = ellipse(1, 10);
+  const PatchLoad load = rolling(turning(2, -0.4, 0.5));
+  PatchRolling steps(patch);
+  for (int i = 0; i < 60; ++i) ASSERT_NO_THROW(steps.roll(0.03, load)) << i;
+}
+
 }  // namespace microslip::turning_slip_test

@@ -45,9 +45,13 @@ constexpr Attempt attempts[] = {{3, 2, 20}, {1.5, 0.7, 20}, {5, 2, 20}, {1, 0.3,
 /// The same for steps. In the first ones after a shift or a change of the load, one of 300 takes the
 /// wider transition, in which the slip of a cell changes less from one system to the next. Where a
 /// stick zone about a pole of the slip begins or ends, some steps take the discs of the step before.
-constexpr Attempt attempts_at_step[] = {{0.3, 2, 20},          {1, 0.7, 20},
-                                        {0.3, 2, 20, 3},       {1, 0.7, 40, 3},
-                                        {0.3, 2, 20, 3, true}, {1, 0.7, 40, 3, true}};
+constexpr double wide = 3;
+constexpr Attempt attempts_at_step[] = {{0.3, 2, 20},
+                                        {1, 0.7, 20},
+                                        {0.3, 2, 20, wide},
+                                        {1, 0.7, 40, wide},
+                                        {0.3, 2, 20, wide, true},
+                                        {1, 0.7, 40, wide, true}};
 
 /// A residual below largest_residual_of_step that a system leaves as it was is rounding: on fine
 /// rows, tractions are sums of slip with large coefficients, in short steps above all.
