@@ -373,6 +373,25 @@ TEST(PatchTransientScene, IsWarnedOfForcesAtOnceAndOfOtherSteps) {
   EXPECT_EQ(of_file[0].find("lateral_force of load.file = 100: from"), 0U) << of_file[0];
 }
 
+// At 0.3 a and a strong spin, forces are off by up to 4 % of full sliding where the size changes.
+TEST(PatchTransientScene, IsWarnedOfLongStepsUnderAStrongSpinWhereTheContactChanges) {
+  const auto warnings = [](const std::string& ratio, const std::string& spin) {
+    return warnings_of({"load.file=run", "load.force=", "load.spin=", "contact.peak_traction=",
+                        "contact.normal_load=50 kN", "contact.friction=0.3", "grid.elements=12",
+                        "step.ratio=" + ratio},
+                       "q,spin,normal_load\n0," + spin + ",50000\n20," + spin + ",51000\n");
+  };
+  const auto of_long = warnings("2", "0.01");
+  ASSERT_EQ(of_long.size(), 1U);
+  EXPECT_EQ(
+      of_long[0],
+      "step.ratio = 2: steps are up to 2 mm long: above 0.25 of the half-width, 1.5 mm, forces "
+      "may have errors of more than 1 % of full sliding where a contact changes its size under "
+      "a strong spin");
+  EXPECT_TRUE(warnings("1", "0.01").empty());
+  EXPECT_TRUE(warnings("2", "0.0001").empty());
+}
+
 TEST(PatchTransientScene, HasACostAndAnExplanation) {
   const PatchTransient read = transient_of({"start.type=cattaneo"});
   const Explanation explained = explain(read);

@@ -114,8 +114,10 @@ class MeanDirection {
     const Eigen::Matrix<double, 9, 3> sums = points().slips.transpose() * by_slip;
     const Vector2d by_square = at_points_.transpose() * cubes.matrix();
     Matrix2d within = Matrix2d::Identity();
-    if (length_ > 1) within -= mean_ * mean_.transpose() / (length_ * length_);
-    if (length_ > 1) within /= length_;
+    if (length_ > 1) {
+      const Vector2d e = mean_ / length_;
+      within = (within - e * e.transpose()) / length_;
+    }
     std::array<Matrix2d, 9> found;
     for (Index j = 0; j < 9; ++j) {
       const Matrix2d by_one{{sums(j, 0), sums(j, 1)}, {sums(j, 1), sums(j, 2)}};

@@ -95,8 +95,8 @@ std::optional<SteadyPatch> with_fewer_elements(const SteadyPatch& problem);
 /// patch is prepared once, also with rows and elements that are a third fewer: the change of the
 /// result from those, by change_of(), is evidence. Errors of resultants are below 2e-3 plus 1.5 times
 /// the change, and under strong spin below 7e-3 plus 2.5 times the change:
-/// tests/property/generated_patches_test.cpp. The change is 1 if fewer
-/// have no solution, and if there is one row in each lobe or two elements.
+/// tests/property/generated_patches_test.cpp. The change is 1 if fewer have no solution, and if there
+/// is one row in each lobe or two elements.
 class SteadyPatchSolver {
  public:
   /// \param with_change  whether the change is wanted, which takes a third of the time; else it is 0

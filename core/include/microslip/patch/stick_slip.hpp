@@ -31,9 +31,9 @@ inline constexpr double largest_residual_of_step = 1e-7;
 /// length r both are q = P(q - r s), P the projection onto the unit disc; s is t up to the disc,
 /// and becomes c beyond, by a part that grows with |q - r0 t| - 1 from 0 to 1. Where the slip turns
 /// within a cell, the disc of P shrinks to the mean of its directions: docs/ellipse.md. As the right
-/// side is continuous in q, there is a solution (Brouwer). Newton's method starts from adhesion and has the
-/// slip of cells that slip, and the motion, as unknowns; if it does not converge, other lengths r
-/// and shorter steps of q are tried.
+/// side is continuous in q, there is a solution (Brouwer). Newton's method starts from adhesion and
+/// has the slip of cells that slip, and the motion, as unknowns; if it does not converge, other
+/// lengths r and shorter steps of q are tried, and in steps the discs of the start.
 /// \param limits  g, > 0, over G and by p/v of the cell's centre: n
 /// \param load    in the scale of PatchResponse
 /// \param start   where to start; nullptr for adhesion
