@@ -68,7 +68,7 @@ const std::map<std::string, std::string> others{{"mm", "um, cm, m, in"},
                                                 {"N/mm", "N/m, kN/m"},
                                                 {"N", "kN, MN"},
                                                 {"N mm", "N m, kN m"},
-                                                {"1/mm", "1/cm, 1/m"},
+                                                {"1/mm", "1/m, rad/m, deg/m"},
                                                 {"mm^3/N", "mm/MPa, um/MPa"},
                                                 {"mm/s", "cm/s, m/s, km/h"},
                                                 {"N s^2/mm^2", "kg/mm, kg/m, t/m"},
@@ -152,6 +152,14 @@ std::pair<std::string_view, std::string_view> split_number(std::string_view text
   return {text.substr(0, length), rest};
 }
 
+/// Whether a unit is one of the kind of another. A spin is an angle a length, and its unit 1/mm: rad/m
+/// and deg/m are of its kind, too.
+bool is_of_kind(const Unit& unit, const Unit& kind) {
+  constexpr std::array<int, 4> per_length{-1, 0, 0, 0}, angle_per_length{-1, 0, 0, 1};
+  return unit.powers == kind.powers ||
+         (kind.powers == per_length && unit.powers == angle_per_length);
+}
+
 double scaled(double value, int ten) {
   return ten < 0 ? value / std::pow(10.0, -ten) : value * std::pow(10.0, ten);
 }
@@ -170,7 +178,7 @@ std::optional<double> quantity(std::string_view text, std::string_view unit) {
   if (rest.empty()) return number.size() == text.size() ? value : std::nullopt;
   const auto from = unit_of(rest);
   const auto to = unit_of(unit);
-  if (!from || !to || from->powers != to->powers) return std::nullopt;
+  if (!from || !to || !is_of_kind(*from, *to)) return std::nullopt;
   const double result = scaled(*value * (from->factor / to->factor), from->ten - to->ten);
   return std::isfinite(result) ? std::optional(result) : std::nullopt;
 }

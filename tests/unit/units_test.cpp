@@ -142,6 +142,14 @@ TEST(Units, OfAnAngularVelocityNameTheAngle) {
     EXPECT_FALSE(quantity(text, "rad/s")) << text;
   }
   EXPECT_FALSE(quantity("30 rad/s", "1"));
+  // A spin is an angle a length; other lengths to a power have no angle.
+  EXPECT_DOUBLE_EQ(*quantity("0.2 rad/m", "1/mm"), 2e-4);
+  EXPECT_DOUBLE_EQ(*quantity("18 deg/m", "1/mm"), pi / 1e4);
+  EXPECT_EQ(quantities("0 1 2 rad/m", "1/mm"), (std::vector<double>{0, 0.001, 0.002}));
+  for (const char* text : {"0.2 rad", "0.2 rad2/m", "0.2 rad/s", "0.2 m/rad", "0.2 rev"}) {
+    EXPECT_FALSE(quantity(text, "1/mm")) << text;
+  }
+  EXPECT_FALSE(quantity("2 rad mm", "mm"));
   Scene scene = scene_of("load { file run.tsv }");
   scene.read_files_by([](const std::string&) { return "omega [1/min]\n461\n"; });
   EXPECT_EQ(
