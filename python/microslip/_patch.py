@@ -135,7 +135,7 @@ class Patch(Contact):
     ...                  grid={"rows": 8, "elements": 10})
     >>> state, slopes = patch.steady(creepage=1e-3, spin=1e-4, jacobian=True)
     >>> f"{state.force:.0f} N, {state.lateral_force:.0f} N"
-    '-10457 N, -2830 N'
+    '-10453 N, -2828 N'
     >>> slopes.shape  # derivatives of the resultants, in rows, by the motions
     (3, 3)
     >>> states = patch.roll([1, 1, 1], creepage=[1e-4, 2e-4, 3e-4])

@@ -144,7 +144,7 @@ class Result(Tables):
         ...                            "friction": 0.3},
         ...                   grid={"rows": 8, "elements": 10}, load={"creepage": 1e-3, "spin": "0.1 1/m"})
         >>> result.field("traction").shape, int(result.field("slips").sum())
-        ((8, 10, 2), 35)
+        ((8, 10, 2), 36)
         """
         if "zone" not in self.traction.dtype.names:
             raise InputError("name: expected a result of an ellipse or another patch; that of a line contact has "

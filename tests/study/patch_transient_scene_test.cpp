@@ -130,7 +130,7 @@ std::string tractions_in(const Table& table) {
 }
 
 // A run goes on from its own tractions, on the same grid and on rectangles: 2 mm change the force by
-// 3 % of full sliding.
+// 3 % of full sliding. Tractions that slip begins to raise above their bound are cut off in a table.
 TEST(PatchTransientTables, GoOnFromTheirOwnTractions) {
   const Settings load = transient({"load.creepage=0.002", "motion.distance=10"});
   Settings longer = load, more = load;
@@ -140,7 +140,7 @@ TEST(PatchTransientTables, GoOnFromTheirOwnTractions) {
   more.insert(more.end(), {"start.type=file", "start.file=tractions", "motion.distance=2"});
   const PatchTables after(more, tractions_in(before.named("traction")));
   const Table& history = after.named("history");
-  EXPECT_NEAR(history.number(0, "force"), before.of("force"), 1e-9 * full);
+  EXPECT_NEAR(history.number(0, "force"), before.of("force"), 2e-3 * full);
   EXPECT_EQ(history.number(0, "creepage"), 0);
   EXPECT_NEAR(after.of("force"), whole.of("force"), 1e-3 * full);
   EXPECT_LT(after.of("change"), 0.05);

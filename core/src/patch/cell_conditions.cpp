@@ -46,7 +46,12 @@ struct MixedSlip {
 }  // namespace
 
 CellConditions::CellConditions(const PatchResponse& response, const VectorXd& limits)
-    : limits_(&limits), lengths_(lengths_of(response, limits)), turning_(response, limits) {}
+    : limits_(&limits),
+      lengths_(lengths_of(response, limits)),
+      turning_(response, limits),
+      boundary_(response, limits),
+      shortfalls_(static_cast<std::size_t>(limits.size())),
+      discs_(shortfalls_.size()) {}
 
 void CellConditions::set(double length_ratio, double width) {
   length_ratio_ = length_ratio;
@@ -55,38 +60,59 @@ void CellConditions::set(double length_ratio, double width) {
 
 void CellConditions::look_at(const PatchState& state) {
   state_ = &state;
-  if (!keeps_discs_) turning_.look_at(state);
+  if (keeps_discs_) return;
+  turning_.look_at(state);
+  for (Index i = 0; i < limits_->size(); ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    shortfalls_[at] = boundary_.shortfall(state, i);
+    discs_[at] = turning_.disc(i);
+    discs_[at].radius *= 1 - shortfalls_[at].value;
+  }
 }
 
 Vector2d CellConditions::quotient(Index i) const {
   return pair_of(state_->unknowns, i) / (*limits_)[i];
 }
 
+Vector2d CellConditions::on_disc(Index i) const {
+  return disc(i).centre + onto_disc(quotient(i) - disc(i).centre, disc(i).radius);
+}
+
+Vector2d CellConditions::on_circle(Index i) const {
+  return disc(i).centre + disc(i).radius * (quotient(i) - disc(i).centre).normalized();
+}
+
 VectorXd CellConditions::quotients() const {
   VectorXd q(2 * limits_->size());
-  for (Index i = 0; i < limits_->size(); ++i) set_pair(q, i, onto_disc(quotient(i)));
+  for (Index i = 0; i < limits_->size(); ++i) set_pair(q, i, on_disc(i));
   return q;
 }
 
-bool CellConditions::slips_next(Index i) const {
-  const FrictionDisc& disc = turning_.disc(i);
-  if (disc.radius == 0) return true;
+void CellConditions::find_carried(VectorXd& parts) const {
+  parts.resize(limits_->size());
+  for (Index i = 0; i < parts.size(); ++i) {
+    parts[i] = 1 - shortfalls_[static_cast<std::size_t>(i)].value;
+  }
+}
+
+bool CellConditions::slips_next(Index i, const Vector2d& q) const {
+  const FrictionDisc& of = disc(i);
+  if (of.radius == 0) return true;
   const double length = lengths_[i] * length_ratio_;
-  const Vector2d y = quotient(i) - disc.centre;
-  return (y - length * pair_of(state_->own_slip, i)).norm() > disc.radius;
+  return (q - of.centre - length * pair_of(state_->own_slip, i)).norm() > of.radius;
 }
 
 Vector2d CellConditions::slip(Index i) const {
-  const FrictionDisc& disc = turning_.disc(i);
-  const Vector2d y = quotient(i) - disc.centre, own = pair_of(state_->own_slip, i);
-  const double beyond = (y - lengths_[i] * own).norm() - disc.radius;
+  const FrictionDisc& of = disc(i);
+  const Vector2d y = quotient(i) - of.centre, own = pair_of(state_->own_slip, i);
+  const double beyond = (y - lengths_[i] * own).norm() - of.radius;
   return MixedSlip(own, pair_of(state_->centre_slip, i), beyond, width_).value;
 }
 
 Vector2d CellConditions::error(Index i) const {
-  const FrictionDisc& disc = turning_.disc(i);
-  const Vector2d y = quotient(i) - disc.centre;
-  return y - onto_disc(y - lengths_[i] * slip(i), disc.radius);
+  const FrictionDisc& of = disc(i);
+  const Vector2d y = quotient(i) - of.centre;
+  return y - onto_disc(y - lengths_[i] * slip(i), of.radius);
 }
 
 double CellConditions::residual() const {
@@ -102,9 +128,37 @@ bool CellConditions::has_centre_slip(Index i, const std::vector<bool>& slips) co
   return slips[static_cast<std::size_t>(i)] || turning_.is_enclosed(i, slips);
 }
 
+/// Adds what the radius of a disc depends on by the shortfall.
+/// \param by_radius  derivative of the condition's left side by the radius that the turning slip leaves
+void CellConditions::add_shortfall(Index i, const Vector2d& by_radius, CellCondition& found) const {
+  const Shortfall& less = shortfalls_[static_cast<std::size_t>(i)];
+  if (less.value == 0) return;
+  const Vector2d by_value = -turning_.disc(i).radius * by_radius;
+  const auto term_of = [&](Index cell) -> CellCondition::BySlip& {
+    for (std::size_t j = 0; j < found.count; ++j) {
+      if (found.terms[j].cell == cell) return found.terms[j];
+    }
+    found.terms[found.count] = {.cell = cell};
+    return found.terms[found.count++];
+  };
+  const auto add = [&](Index cell, const Eigen::RowVector2d& by_own) {
+    if (!state_->slips[static_cast<std::size_t>(cell)]) return;
+    const Matrix2d by = by_value * by_own;
+    term_of(cell).by_own += by;
+    found.right += by * pair_of(state_->own_slip, cell);
+  };
+  add(i - 1, less.by_own_ahead);
+  add(i, less.by_own);
+  add(i + 1, less.by_own_behind);
+  const Matrix2d by_q = by_value * less.by_q_ahead;
+  term_of(i - 1).by_q += by_q;
+  found.right += by_q * quotient(i - 1);
+}
+
 CellCondition CellConditions::about(Index i, const Vector2d& q) const {
   const bool is_enclosed = keeps_discs_ || turning_.is_enclosed(i, state_->slips);
-  const FrictionDisc disc = is_enclosed ? turning_.disc(i) : FrictionDisc{};
+  const double left = 1 - shortfalls_[static_cast<std::size_t>(i)].value;
+  const FrictionDisc disc = is_enclosed ? this->disc(i) : FrictionDisc{.radius = left};
   const Vector2d own = pair_of(state_->own_slip, i), centre = pair_of(state_->centre_slip, i);
   const double own_length = lengths_[i], length = length_ratio_ * own_length;
   const Vector2d y = q - disc.centre, beyond = y - own_length * own;
@@ -119,6 +173,7 @@ CellCondition CellConditions::about(Index i, const Vector2d& q) const {
     D = disc.radius * (D - e * e.transpose()) / z.norm();
   }
   CellCondition found;
+  found.slides = !e.isZero();
   found.by_q = Matrix2d::Identity() - D;
   found.terms[0] = {
       .cell = i, .by_own = length * (1 - slip.part) * D, .by_centre = length * slip.part * D};
@@ -132,18 +187,22 @@ CellCondition CellConditions::about(Index i, const Vector2d& q) const {
     found.right += turned * beyond;
     by_radius -= grown;
   }
-  if (disc.radius == 1) return found;
   found.right += found.by_q * disc.centre;
   if (keeps_discs_) return found;
+  if (!is_enclosed || turning_.disc(i).radius == 1) {
+    add_shortfall(i, by_radius, found);
+    return found;
+  }
   const DiscGrowth by = turning_.growth(i);
   const CellCondition::BySlip of_cell = found.terms[0];
   const std::array<Index, 9> cells = turning_.around(i);
   for (std::size_t j = 0; j < cells.size(); ++j) {
     CellCondition::BySlip& term = found.terms[j];
-    term = {.cell = cells[j],
-            .by_own = by_radius * by.radius_by_own[j] - found.by_q * by.centre_by_own[j],
-            .by_centre = by_radius * by.radius_by_slip[j] - found.by_q * by.centre_by_slip[j],
-            .by_pole = -found.by_q * by.centre_by_pole[j]};
+    term = {
+        .cell = cells[j],
+        .by_own = left * by_radius * by.radius_by_own[j] - found.by_q * by.centre_by_own[j],
+        .by_centre = left * by_radius * by.radius_by_slip[j] - found.by_q * by.centre_by_slip[j],
+        .by_pole = -found.by_q * by.centre_by_pole[j]};
     found.right += term.by_own * pair_of(state_->own_slip, cells[j]) +
                    term.by_centre * pair_of(state_->centre_slip, cells[j]) +
                    term.by_pole * turning_.pole_slip(cells[j]);
@@ -152,6 +211,7 @@ CellCondition CellConditions::about(Index i, const Vector2d& q) const {
     term.by_centre += of_cell.by_centre;
   }
   found.count = cells.size();
+  add_shortfall(i, by_radius, found);
   return found;
 }
 

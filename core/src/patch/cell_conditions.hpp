@@ -8,25 +8,28 @@
 
 #include "microslip/patch/patch_response.hpp"
 #include "microslip/patch/stick_slip.hpp"
+#include "slip_boundary.hpp"
 #include "turning_slip.hpp"
 
 namespace microslip {
 
-/// The condition of a cell, linear about a state: by_q q, and by_own t + by_centre c + by_pole d of
-/// one cell or nine, are right. d is the lateral slip of PatchResponse::pole().
+/// The condition of a cell, linear about a state: by_q q, and by_own t + by_centre c +
+/// by_pole d + by_q q of one cell, of three or of nine, are right. d is the lateral slip of
+/// PatchResponse::pole().
 struct CellCondition {
   struct BySlip {
     Eigen::Index cell;
-    Eigen::Matrix2d by_own, by_centre;
+    Eigen::Matrix2d by_own = Eigen::Matrix2d::Zero(), by_centre = Eigen::Matrix2d::Zero();
     Eigen::Vector2d by_pole = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d by_q = Eigen::Matrix2d::Zero();
   };
 
   Eigen::Matrix2d by_q;
   Eigen::Vector2d right;
   std::array<BySlip, 9> terms;
   std::size_t count = 1;
+  bool slides = false;  ///< whether q is on the circle
 
-  bool has_pole() const { return count > 1; }
   std::span<const BySlip> by_slip() const { return {terms.data(), count}; }
 };
 
@@ -52,11 +55,19 @@ class CellConditions {
 
   Vector2d quotient(Index i) const;
 
+  /// The nearest point on the disc of the cell, and on its circle.
+  Vector2d on_disc(Index i) const;
+  Vector2d on_circle(Index i) const;
+
+  /// Computes the part of its limit that each cell carries where it slips, but for discs that shrink as
+  /// the slip turns: n.
+  void find_carried(Eigen::VectorXd& parts) const;
+
   /// Those of all cells, on the disc: 2n.
   Eigen::VectorXd quotients() const;
 
   /// Whether a cell slips in the next system, |q - r t| > 1.
-  bool slips_next(Index i) const;
+  bool slips_next(Index i, const Vector2d& q) const;
 
   /// s, which begins at the own slip and becomes that at the centre.
   Vector2d slip(Index i) const;
@@ -80,7 +91,13 @@ class CellConditions {
  private:
   const Eigen::VectorXd* limits_;
   Eigen::VectorXd lengths_;  ///< r0
+  const FrictionDisc& disc(Index i) const { return discs_[static_cast<std::size_t>(i)]; }
+  void add_shortfall(Index i, const Vector2d& by_radius, CellCondition& found) const;
+
   TurningSlip turning_;
+  SlipBoundary boundary_;
+  std::vector<Shortfall> shortfalls_;
+  std::vector<FrictionDisc> discs_;
   double length_ratio_ = 1, width_ = 0;
   bool keeps_discs_ = false;
   const PatchState* state_ = nullptr;

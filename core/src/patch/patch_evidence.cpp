@@ -18,7 +18,7 @@ Evidence friction_of(const PatchState& state, const VectorXd& shares, const Vect
     if (!state.slips[static_cast<std::size_t>(i)]) continue;
     const Vector2d v = pair_of(state.unknowns, i);
     const double power = shares[i] * v.dot(pair_of(state.centre_slip, i));
-    evidence.excess += shares[i] * std::max(0.0, v.norm() - limits[i]);
+    evidence.excess += shares[i] * std::max(0.0, v.norm() / state.carried[i] - limits[i]);
     evidence.backward += std::max(0.0, power);
     evidence.dissipated -= power;
   }

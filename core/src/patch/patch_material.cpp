@@ -55,11 +55,13 @@ double PatchMaterial::ratio_before(double dq) const {
   return step_before_ > dq * most || step_before_ * most < dq ? 0 : step_before_ / dq;
 }
 
-void PatchMaterial::impose(const PatchStep& step, PointDisplacements& u, ImposedSlip& found) const {
+void PatchMaterial::impose(const PatchStep& step, PointDisplacements& u,
+                           const VectorXd& seen_before, ImposedSlip& found) const {
   const JoinedRows& rows = u.rows();
   const StepWays ways(rows, step);
   found.own.resize(2 * rows.cells());
   found.centre.resize(2 * rows.cells());
+  found.seen.setZero(2 * rows.cells());
   const double part = ways.part_in_contact();
   for (Index k = 0; k < rows.rows(); ++k) {
     for (Index i = 0; i < rows.elements(); ++i) {
@@ -74,6 +76,11 @@ void PatchMaterial::impose(const PatchStep& step, PointDisplacements& u, Imposed
       Vector2d centre = imposed_by(ways, ways.about_centre(i, k), k);
       if (part > 0) centre += part * (-u.at(2 * i + 1, k) / step.dq - centre);
       set_pair(found.centre, cell, centre);
+      if (ways.is_seen(i, k)) {
+        const Vector2d before = pair_of(seen_before, cell);
+        const Vector2d now = seen_from_contact(ways, i, k, u, found.own);
+        set_pair(found.seen, cell, before + ways.part_seen(i, k) * (now - before));
+      }
     }
   }
 }
@@ -92,6 +99,18 @@ Vector2d PatchMaterial::imposed_by(const StepWays& ways, const MaterialWay& way,
   Vector2d at_entry = weights.before * edge_.row(k) + weights.earlier * edge_before_.row(k);
   at_entry -= ways.by_change_of_motion(way) * ways.rigid_slip_at_edge(k) * motion_;
   return -at_entry / way.length;
+}
+
+/// The part of imposed slip in that seen from the contact. Displacements at the end of the step are
+/// those of the own slip and of what the material remembers.
+Vector2d PatchMaterial::seen_from_contact(const StepWays& ways, Index i, Index k,
+                                          PointDisplacements& u, const VectorXd& own) {
+  const double dq = ways.step().dq;
+  const Index cell = ways.rows().cell(i, k);
+  const Vector2d here = -dq * pair_of(own, cell), ahead = -dq * pair_of(own, cell - 1);
+  const Vector2d here_before = u.at(2 * i + 1, k), ahead_before = u.at(2 * i - 1, k);
+  return (here + here_before - ahead - ahead_before) / (2 * ways.distance_ahead(i, k)) +
+         (here - here_before + ahead - ahead_before) / (2 * dq);
 }
 
 void PatchMaterial::begin(PointDisplacements& u) {

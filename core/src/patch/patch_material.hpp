@@ -41,7 +41,8 @@ class PatchMaterial {
   /// \param step   to the present size
   /// \param u      displacements before it
   /// \param found  out
-  void impose(const PatchStep& step, PointDisplacements& u, ImposedSlip& found) const;
+  void impose(const PatchStep& step, PointDisplacements& u, const Eigen::VectorXd& seen_before,
+              ImposedSlip& found) const;
 
   /// Remembers displacements that no slip has led to, before the first step.
   void begin(PointDisplacements& u);
@@ -59,6 +60,8 @@ class PatchMaterial {
  private:
   Vector2d remembered(const JoinedRows& rows, double x, Index k, double dq) const;
   Vector2d imposed_by(const StepWays& ways, const MaterialWay& way, Index k) const;
+  static Vector2d seen_from_contact(const StepWays& ways, Index i, Index k, PointDisplacements& u,
+                                    const Eigen::VectorXd& own);
   MaterialRecords moved_row(const JoinedRows& rows, Index k, double size) const;
   void record_entered(Index k, PointDisplacements& u, double dq);
   void replace_where_slips(Index k, PointDisplacements& u, const std::vector<bool>& slips);

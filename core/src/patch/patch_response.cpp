@@ -12,6 +12,7 @@ namespace microslip {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 namespace {
 
@@ -43,16 +44,22 @@ PatchSlipMap map_centre_slip(const JoinedRows& rows, const PatchResponse::Matrix
 
 }  // namespace
 
+SeenSlip SeenSlip::steady(Index cells) {
+  const VectorXd none = VectorXd::Zero(cells), all = VectorXd::Ones(cells);
+  return {.by_own = all, .by_ahead = none, .ways = all};
+}
+
 PatchResponse::PatchResponse(const JoinedRows& rows, double poisson_ratio)
     : PatchResponse(rows, displacement_by_traction(rows, poisson_ratio)) {}
 
 PatchResponse::PatchResponse(const JoinedRows& rows, const Matrix& displacement)
     : PatchResponse(rows, map_own_slip(rows, displacement), map_centre_slip(rows, displacement),
-                    map_pole(rows, [](Index, Index) { return 1.0; })) {}
+                    map_pole(rows, [](Index, Index) { return 1.0; }),
+                    SeenSlip::steady(rows.cells())) {}
 
 PatchResponse::PatchResponse(const JoinedRows& rows, const PatchSlipMap& own,
-                             const PatchSlipMap& centre, const Stencils& pole)
-    : rows_(rows), pole_(pole) {
+                             const PatchSlipMap& centre, const Stencils& pole, const SeenSlip& seen)
+    : rows_(rows), pole_(pole), seen_(seen) {
   solve(own.by_traction, centre.by_traction);
   const auto norm = [](const auto& map) { return map.cwiseAbs().colwise().sum().maxCoeff(); };
   condition_ = norm(own.by_traction) * norm(unknowns_);
@@ -64,6 +71,21 @@ PatchResponse::PatchResponse(const JoinedRows& rows, const PatchSlipMap& own,
   // `unknowns_` has its rows in order, so that its transpose is what the product takes.
   relief_ = matrix_product(unknowns_.transpose(), resultants_.transpose()).transpose();
   linear_ = -matrix_product(relief_, rigid_own_slip_);
+}
+
+void PatchResponse::see(const VectorXd& own, const VectorXd& imposed, VectorXd& found) const {
+  const Index n = rows_.cells();
+  if (!rolls()) {
+    found.setZero(2 * n);
+    return;
+  }
+  found.resize(2 * n);
+  for (const Index first : {Index{0}, n}) {
+    found.segment(first, n) = seen_.by_own.cwiseProduct(own.segment(first, n));
+    found.segment(first + 1, n - 1) +=
+        seen_.by_ahead.tail(n - 1).cwiseProduct(own.segment(first, n - 1));
+  }
+  if (imposed.size() > 0) found += imposed;
 }
 
 void PatchResponse::solve(const MatrixXd& own, const MatrixXd& centre) {

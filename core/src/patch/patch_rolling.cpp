@@ -147,7 +147,9 @@ VectorXd PatchRolling::bound() const {
 
 MatrixX2d PatchRolling::tractions() const {
   return parts_->vectors_in_frame(
-      tractions_of(parts_->constants->rows, parts_->state.unknowns, parts_->units().peak),
+      tractions_of(parts_->constants->rows,
+                   within_limits(parts_->state.unknowns, parts_->last_limits()),
+                   parts_->units().peak),
       parts_->resultant_signs());
 }
 

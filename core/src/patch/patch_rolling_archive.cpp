@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr SealedText state_of_patch{.mark = "microslip state of a patch ", .version = "3"};
+constexpr SealedText state_of_patch{.mark = "microslip state of a patch ", .version = "4"};
 
 /// The problem that a state belongs to.
 void archive_problem(Archive& archive, const SteadyPatch& problem, const JoinedRows& rows,
@@ -36,6 +36,8 @@ void archive_state(Archive& archive, PatchState& state, Index cells) {
   archive.numbers("unknowns", state.unknowns, 2 * cells);
   archive.numbers("own_slip", state.own_slip, 2 * cells);
   archive.numbers("centre_slip", state.centre_slip, 2 * cells);
+  archive.numbers("seen_slip", state.seen_slip, 2 * cells);
+  archive.numbers("carried", state.carried, cells);
   VectorXd motion = state.motion;
   archive.numbers("motion", motion, 3);
   state.motion = motion;

@@ -51,7 +51,8 @@ PatchRolling::Parts::Parts(std::shared_ptr<const PatchConstants> given, const Co
       next(contact),
       displacements(constants->rows, constants->displacement) {
   const Index n = constants->rows.cells();
-  state.unknowns = state.own_slip = state.centre_slip = VectorXd::Zero(2 * n);
+  state.unknowns = state.own_slip = state.centre_slip = state.seen_slip = VectorXd::Zero(2 * n);
+  state.carried = VectorXd::Ones(n);
   state.motion.setZero();
   state.slips.assign(static_cast<std::size_t>(n), false);
   before = state;
@@ -281,7 +282,7 @@ void PatchRolling::Parts::take(double dq, const PatchLoad& load) {
   displacements.set(state.unknowns, taken.from);
   std::optional<PatchMaterial> moved_rows;
   if (taken.to != taken.from) moved_rows = material.resized(constants->rows, taken.to);
-  (moved_rows ? *moved_rows : material).impose(taken, displacements, imposed);
+  (moved_rows ? *moved_rows : material).impose(taken, displacements, state.seen_slip, imposed);
   has_second = false;
   if (friction) {
     FrictionRows rows = *friction;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "component_pairs.hpp"
 #include "microslip/support/format.hpp"
 #include "microslip/support/require.hpp"
 
@@ -54,6 +55,14 @@ Eigen::MatrixX2d slip_of(const PatchState& state) {
     if (!state.slips[static_cast<std::size_t>(i)]) slip.row(i).setZero();
   }
   return slip;
+}
+
+VectorXd within_limits(const VectorXd& unknowns, const VectorXd& limits) {
+  VectorXd within = unknowns;
+  for (Index i = 0; i < limits.size(); ++i) {
+    set_pair(within, i, onto_disc(pair_of(unknowns, i), limits[i]));
+  }
+  return within;
 }
 
 Eigen::MatrixX2d tractions_of(const JoinedRows& rows, const VectorXd& unknowns, double peak) {

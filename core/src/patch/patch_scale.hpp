@@ -43,6 +43,10 @@ Eigen::MatrixX2d centres_of(const JoinedRows& rows);
 /// The slip at the centres of cells along and across, 0 where they stick.
 Eigen::MatrixX2d slip_of(const PatchState& state);
 
+/// The unknowns v within limits. Where the boundary of slip is within a cell, they may be above them by
+/// some hundredths, see SlipBoundary.
+Eigen::VectorXd within_limits(const Eigen::VectorXd& unknowns, const Eigen::VectorXd& limits);
+
 /// The tractions at the centres of cells, along and across, by the unknowns v in units of the peak.
 Eigen::MatrixX2d tractions_of(const JoinedRows& rows, const Eigen::VectorXd& unknowns, double peak);
 

@@ -32,6 +32,7 @@ void SlipSystem::assemble(const CellConditions& conditions, const PatchState& st
   const Index cells = limits_.size();
   split_motion(load);
   columns_.clear();
+  slides_.assign(static_cast<std::size_t>(cells), false);
   stuck_ = -matrix_product(response_.rigid_own_slip(), motions_);
   stuck_.col(0) -= imposed.own;
   for (Index i = 0; i < cells; ++i) {
@@ -51,7 +52,9 @@ void SlipSystem::assemble(const CellConditions& conditions, const PatchState& st
   right_.resize(2 * size + free);
   for (Index r = 0; r < size; ++r) {
     const Index i = columns_[static_cast<std::size_t>(r)];
-    set_condition(conditions.about(i, pair_of(q, i)), r, size, imposed);
+    const CellCondition condition = conditions.about(i, pair_of(q, i));
+    slides_[static_cast<std::size_t>(i)] = condition.slides;
+    set_condition(condition, r, size, imposed);
   }
   for (Index j = 0; j < free; ++j) set_resultant(load, j, 2 * size);
 }
@@ -68,11 +71,13 @@ void SlipSystem::set_condition(const CellCondition& condition, Index r, Index si
     for (Index d = 0; d < 2; ++d)
       by_elastic_ += by_q(c, d) * response_.unknowns().row(i + d * cells);
     matrix_.row(row).setZero();
-    for (const auto& [cell, own, centre, by_pole] : condition.by_slip()) {
-      if (condition.has_pole()) by_elastic_ += by_pole[c] * response_.pole_slip().row(cell);
+    for (const auto& [cell, own, centre, by_pole, q_of_cell] : condition.by_slip()) {
+      if (by_pole[c] != 0) by_elastic_ += by_pole[c] * response_.pole_slip().row(cell);
       for (Index d = 0; d < 2; ++d) {
         const Index of = cell + d * cells;
-        const double by_centre = centre(c, d), by_own = own(c, d);
+        const double by_centre = centre(c, d), by_own = own(c, d), by_q_of = q_of_cell(c, d);
+        if (by_q_of != 0) by_elastic_ += by_q_of / limits_[cell] * response_.unknowns().row(of);
+        if (by_centre == 0 && by_own == 0) continue;
         by_elastic_ += by_centre * response_.centre_slip().row(of);
         by_motion += (by_centre * response_.rigid_centre_slip().row(of) +
                       by_own * response_.rigid_own_slip().row(of)) *
@@ -134,6 +139,7 @@ void SlipSystem::apply(const VectorXd& solution, const CellConditions& condition
     state.own_slip[c] =
         elastic[c] + response_.rigid_own_slip().row(c) * state.motion + imposed.own[c];
   }
+  response_.see(state.own_slip, imposed.seen, state.seen_slip);
   const Index cells = limits_.size();
   state.centre_slip.setZero();
   for (Index c = 0; c < 2 * cells; ++c) {

@@ -34,6 +34,9 @@ class SlipSystem {
   /// The places of slip in vectors of 2n values.
   const std::vector<Index>& columns() const { return columns_; }
 
+  /// Whether the condition of a cell is that q is on the circle of its disc.
+  bool slides(Index cell) const { return slides_[static_cast<std::size_t>(cell)]; }
+
   /// The components of the motion that follow.
   const std::vector<Index>& free() const { return free_; }
 
@@ -62,6 +65,7 @@ class SlipSystem {
   const PatchResponse& response_;
   const VectorXd& limits_;
   std::vector<Index> columns_, free_;
+  std::vector<bool> slides_;
   std::vector<Index> places_;  ///< of slipping cells in `columns_`
   Eigen::MatrixXd motions_, stuck_;
   Matrix matrix_;

@@ -168,7 +168,8 @@ SteadyPatchSolution solve_steady(const SteadyPatch& problem, const PatchResponse
     }
   }
   solution.bound.array() *= limits.solved.array() / limits.at_rest.array();
-  solution.traction = tractions_of(rows, state.unknowns, problem.bound.peak());
+  solution.traction =
+      tractions_of(rows, within_limits(state.unknowns, limits.solved), problem.bound.peak());
   solution.slip = scaled.divisor * units.motion[0] * slip_of(state);
   solution.evidence = evidence_of(problem, solution, response, limits, scaled.divisor);
   return solution;

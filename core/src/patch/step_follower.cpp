@@ -88,6 +88,7 @@ void StepFollower::begin(const PatchLoad& load, const ImposedSlip& imposed, Patc
   elastic_ = state.own_slip - imposed.own;
   elastic_.noalias() -= response_->rigid_own_slip() * state.motion;
   state.unknowns.noalias() = response_->unknowns() * elastic_;
+  response_->see(state.own_slip, imposed.seen, state.seen_slip);
   slip_.noalias() = prepared_->centre_slip_elastic * elastic_;
   state.centre_slip.setZero();
   for (std::size_t r = 0; r < prepared_->centres.size(); ++r) {
@@ -103,7 +104,8 @@ double StepFollower::residual(const PatchState& state) {
   conditions_.look_at(state);
   double largest = 0;
   for (Index i = 0; i < limits_->size(); ++i) {
-    if (conditions_.slips_next(i) != slips(prepared_->state.slips, i)) return INFINITY;
+    if (conditions_.slips_next(i, conditions_.quotient(i)) != slips(prepared_->state.slips, i))
+      return INFINITY;
     const double found = conditions_.error(i).norm();
     if (!(found <= largest)) largest = found;
   }
@@ -111,7 +113,7 @@ double StepFollower::residual(const PatchState& state) {
 }
 
 /// Takes one correction, by what is missing in the conditions about the present state.
-bool StepFollower::correct(const PatchLoad& load, PatchState& state) {
+bool StepFollower::correct(const PatchLoad& load, const ImposedSlip& imposed, PatchState& state) {
   const auto count = static_cast<Index>(prepared_->columns.size()), size = count / 2;
   for (Index r = 0; r < size; ++r) {
     const Index i = prepared_->columns[static_cast<std::size_t>(r)];
@@ -141,6 +143,7 @@ bool StepFollower::correct(const PatchLoad& load, PatchState& state) {
   for (std::size_t j = 0; j < prepared_->free.size(); ++j) {
     state.motion[prepared_->free[j]] += correction_[count + static_cast<Index>(j)];
   }
+  response_->see(state.own_slip, imposed.seen, state.seen_slip);
   ++state.iterations;
   return correction_.allFinite();
 }
@@ -151,11 +154,17 @@ bool StepFollower::follow(const PatchLoad& load, const ImposedSlip& imposed, Pat
   for (int i = 0; i < most_corrections; ++i) {
     const double before = state.residual;
     // The first residual knows no resultant.
-    if (before < largest_residual && (i > 0 || prepared_->free.empty())) return true;
-    if (!std::isfinite(before) || !correct(load, state)) return false;
+    if (before < largest_residual && (i > 0 || prepared_->free.empty())) {
+      conditions_.find_carried(state.carried);
+      return true;
+    }
+    if (!std::isfinite(before) || !correct(load, imposed, state)) return false;
     state.residual = residual(state);
     const bool is_slow = i > 1 && state.residual > slowest * before;
-    if (is_slow) return state.residual < rounding_of_corrections;
+    if (is_slow) {
+      conditions_.find_carried(state.carried);
+      return state.residual < rounding_of_corrections;
+    }
   }
   return false;
 }

@@ -42,7 +42,7 @@ class StepFollower {
 
  private:
   void begin(const PatchLoad& load, const ImposedSlip& imposed, PatchState& state);
-  bool correct(const PatchLoad& load, PatchState& state);
+  bool correct(const PatchLoad& load, const ImposedSlip& imposed, PatchState& state);
   double residual(const PatchState& state);
 
   /// What it was prepared with, and what follows from it.

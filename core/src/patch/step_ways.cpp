@@ -107,6 +107,23 @@ void StepWays::mix_slip_in_contact(PatchSlipMap& map,
   map.by_motion += part * (seen.by_motion - map.by_motion);
 }
 
+SeenSlip StepWays::seen() const {
+  SeenSlip seen = SeenSlip::steady(rows_.cells());
+  for (Index k = 0; k < rows_.rows(); ++k) {
+    for (Index i = 1; i < rows_.elements(); ++i) {
+      const Index cell = rows_.cell(i, k);
+      const double way = step_.dq / distance_ahead(i, k);
+      if (!is_seen(i, k)) {
+        seen.ways[cell] = to_centre(i, k).length / distance_ahead(i, k);
+        continue;
+      }
+      seen.by_own[cell] = part_seen(i, k) * (1 + way) / 2;
+      seen.by_ahead[cell] = part_seen(i, k) * (1 - way) / 2;
+    }
+  }
+  return seen;
+}
+
 PatchResponse StepWays::response(const PatchResponse::Matrix& displacement) const {
   PatchSlipMap own = map_for(rows_), at_centre = map_for(rows_);
   const double size = step_.to;
@@ -131,10 +148,10 @@ PatchResponse StepWays::response(const PatchResponse::Matrix& displacement) cons
       add_entry(at_centre, i, k, about);
     }
   }
-  if (step_.dq == 0) return {rows_, own, at_centre, {}};
+  if (step_.dq == 0) return {rows_, own, at_centre, {}, {}};
   mix_slip_in_contact(at_centre, displacement);
   return {rows_, own, at_centre,
-          map_pole(rows_, [&](Index i, Index k) { return part_at_pole(i, k); })};
+          map_pole(rows_, [&](Index i, Index k) { return part_at_pole(i, k); }), seen()};
 }
 
 }  // namespace microslip

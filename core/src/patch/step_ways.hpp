@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 
 #include "microslip/patch/joined_rows.hpp"
 #include "microslip/patch/patch_response.hpp"
@@ -67,6 +68,21 @@ class StepWays {
   /// its mean is not that at the end.
   double part_in_contact() const { return part_in_contact_; }
 
+  /// Whether the slip seen from the contact follows from the own slip of a cell and of the cell ahead:
+  /// whether the material at both centres was in the contact before the step.
+  bool is_seen(Index i, Index k) const {
+    return i > 0 && to_centre(i - 1, k).entered == 0 && to_centre(i, k).entered == 0;
+  }
+
+  /// The part of a step in the slip that is seen: short steps change it by as much as they are of the way
+  /// to the centre ahead.
+  double part_seen(Index i, Index k) const {
+    return std::min(1.0, step_.dq / distance_ahead(i, k));
+  }
+
+  /// From the centre of a cell to the centre ahead.
+  double distance_ahead(Index i, Index k) const { return x(2 * i - 1, k) - x(2 * i + 1, k); }
+
   /// The length by which the change of the rigid slip from the step before to this one adds to the
   /// displacement at entry. What material remembers, its displacement and all rigid slip, is smooth
   /// where motions change, unlike the displacement alone: the parabola goes through that.
@@ -85,6 +101,7 @@ class StepWays {
   double entry(double x, Index k) const;
   void add_entry(PatchSlipMap& map, Index i, Index k, const MaterialWay& way) const;
   double part_at_pole(Index i, Index k) const;
+  SeenSlip seen() const;
   PointSlip slip_about(const MaterialWay& way, Index k) const;
   void mix_slip_in_contact(PatchSlipMap& map, const PatchResponse::Matrix& displacement) const;
   double length(Index i, Index k) const { return x(2 * i, k) - x(2 * i + 2, k); }

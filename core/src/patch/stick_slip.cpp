@@ -42,9 +42,10 @@ struct Attempt {
 /// They have 2000 random loads of 40 ellipses, a/b = 0.2 ... 5, but for one on a row of one cell.
 constexpr Attempt attempts[] = {{3, 2, 20}, {1.5, 0.7, 20}, {5, 2, 20}, {1, 0.3, 40}};
 
-/// The same for steps. In the first ones after a shift or a change of the load, one of 300 takes the
-/// wider transition, in which the slip of a cell changes less from one system to the next. Where a
-/// stick zone about a pole of the slip begins or ends, some steps take the discs of the step before.
+/// The same for steps. In the first ones after a shift or a sudden change of the load, one of twenty
+/// takes the wider transition, in which the slip of a cell changes less from one system to the next.
+/// Where a stick zone about a pole of the slip begins or ends, or where slip begins in many cells,
+/// some steps take the discs of the step before.
 constexpr double wide = 3;
 constexpr Attempt attempts_at_step[] = {{0.3, 2, 20},
                                         {1, 0.7, 20},
@@ -84,6 +85,8 @@ class Newton {
     return {.unknowns = none,
             .own_slip = none,
             .centre_slip = none,
+            .seen_slip = none,
+            .carried = VectorXd::Ones(cells_),
             .motion = Vector3d::Zero(),
             .slips = std::vector<bool>(static_cast<std::size_t>(cells_), false)};
   }
@@ -106,6 +109,7 @@ class Newton {
                                state.residual > least_progress * before;
       if (state.residual < tolerance_ || is_rounding) {
         state.transition = attempt.width;
+        conditions_.find_carried(state.carried);
         return true;
       }
       if (!std::isfinite(state.residual)) return false;
@@ -140,9 +144,13 @@ class Newton {
   /// Decides which cells slip, and takes their q.
   void take(PatchState& state, double longest_step) {
     for (Index i = 0; i < cells_; ++i) {
-      const bool slips_now = conditions_.slips_next(i);
+      // The circle may be another one than that on which the system has put q.
+      const bool slides = system_.slides(i);
+      const Vector2d on_circle = conditions_.on_circle(i);
+      const bool slips_now =
+          conditions_.slips_next(i, slides ? on_circle : conditions_.quotient(i));
       state.slips[static_cast<std::size_t>(i)] = slips_now;
-      Vector2d step = onto_disc(conditions_.quotient(i)) - pair_of(q_, i);
+      Vector2d step = (slides ? on_circle : conditions_.on_disc(i)) - pair_of(q_, i);
       if (slips_now && step.norm() > longest_step) step *= longest_step / step.norm();
       set_pair(q_, i, pair_of(q_, i) + step);
     }

@@ -17,6 +17,20 @@ struct PatchSlipMap {
 /// The part of the slip that a cell has from what was before: 2n each.
 struct ImposedSlip {
   Eigen::VectorXd own, centre;
+  Eigen::VectorXd seen = {};  ///< see SeenSlip; empty for none
+};
+
+/// The slip between the centre of a cell and the centre ahead, as it is seen from the contact in the
+/// middle of a step: w - du/dx + du/dq. In steady rolling it is the own slip. In a step it follows from
+/// the own slip of the cell and of the cell ahead, and imposed slip: by_own t + by_ahead t_ahead +
+/// seen. Where the material was not in both cells before the step, it is the own slip over a longer
+/// way. Each has n values; there are none for a shift.
+struct SeenSlip {
+  Eigen::VectorXd by_own, by_ahead;
+  Eigen::VectorXd ways;  ///< over the distance from centre to centre, >= 1
+
+  /// That of steady rolling.
+  static SeenSlip steady(Eigen::Index cells);
 };
 
 /// Joined rows on half-spaces of one material roll steadily. With u the displacement by the
@@ -43,7 +57,7 @@ class PatchResponse {
   /// Makes the response of other slip than in steady rolling: in a step, or in a shift.
   /// \param pole  see pole(); without rows for a shift
   PatchResponse(const JoinedRows& rows, const PatchSlipMap& own, const PatchSlipMap& centre,
-                const Stencils& pole);
+                const Stencils& pole, const SeenSlip& seen);
 
   const JoinedRows& rows() const { return rows_; }
 
@@ -65,6 +79,13 @@ class PatchResponse {
 
   /// The same by the elastic own slip: n x 2n.
   const Matrix& pole_slip() const { return pole_slip_; }
+
+  const SeenSlip& seen() const { return seen_; }
+
+  /// Computes the slip seen from the contact by own slip and what is imposed: 2n; 0 in a shift.
+  /// \param imposed  empty for none
+  void see(const Eigen::VectorXd& own, const Eigen::VectorXd& imposed,
+           Eigen::VectorXd& found) const;
 
   /// The rigid slip by the motion: 2n x 3.
   const Eigen::MatrixX3d& rigid_own_slip() const { return rigid_own_slip_; }
@@ -93,6 +114,7 @@ class PatchResponse {
 
   JoinedRows rows_;
   Stencils pole_;
+  SeenSlip seen_;
   Matrix unknowns_, centre_slip_, pole_slip_;
   Eigen::MatrixX3d rigid_own_slip_, rigid_centre_slip_;
   Eigen::VectorXd stiffness_;

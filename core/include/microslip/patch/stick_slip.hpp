@@ -14,6 +14,8 @@ struct PatchState {
   Eigen::VectorXd unknowns;     ///< 2n
   Eigen::VectorXd own_slip;     ///< 2n, 0 where a cell sticks
   Eigen::VectorXd centre_slip;  ///< 2n
+  Eigen::VectorXd seen_slip;    ///< 2n, see SeenSlip; 0 in a shift
+  Eigen::VectorXd carried;      ///< n, the part of its limit that a cell carries where it slips
   Eigen::Vector3d motion;       ///< xi, eta, phi
   std::vector<bool> slips;      ///< n
   int iterations = 0;           ///< systems that were solved

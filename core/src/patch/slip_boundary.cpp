@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "slip_boundary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "component_pairs.hpp"
+
+namespace microslip {
+
+using Eigen::Index;
+using Eigen::RowVector2d;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+using std::numbers::pi;
+
+namespace {
+
+/// Stiffness against slip along an edge, over that of antiplane shear: 1 - nu across the edge and 1 along
+/// it. This is the mean for nu = 0.28; b changes by half of what it differs.
+constexpr double stiffness = 0.86;
+
+/// Slip of the cell ahead over that of the cell, from which the cell ahead is no zone that sticks.
+constexpr double least_slip_ahead = 0.2;
+
+/// A part of the slip of the cell behind, below which that of the cell counts by its square.
+constexpr double softness = 0.05;
+
+/// A value and its derivative.
+struct Growing {
+  double value, growth;
+};
+
+/// z by the slip of the cell over that of the cell behind, as means over a way of 1 cell and more.
+Growing place_of(double ratio, double way) {
+  constexpr double at_end = 0.514;  // on a way of one cell
+  const double whole = std::pow(2.0, 1.5), past = std::pow(std::max(0.0, 2 - way), 1.5);
+  const double scale = at_end * (whole - 1) / (whole - past);
+  // Without a kink at 0, where slip that is nearly 0 has any direction.
+  const double soft = std::hypot(ratio, softness), smooth = ratio * ratio / soft;
+  return {std::min(1.0, smooth / scale), (2 * ratio - smooth * ratio / soft) / soft / scale};
+}
+
+/// Slip of the cell behind, over b.
+Growing slip_behind(double z, double way) {
+  const double longer = std::pow(way, -0.8);
+  return {longer * (0.69 + (0.9 - 0.31 * z) * z), longer * (0.9 - 0.62 * z)};
+}
+
+/// What the cell ahead carries less than its limit, over b.
+Growing missing_ahead(double z) { return {1.06 - 0.85 * z, -0.85}; }
+
+/// What the cell carries less, over b.
+Growing shortfall_of(double z) {
+  const double factor = 0.19 - (0.55 - 0.15 * z) * z;
+  return {(1 - z) * factor, -factor - (1 - z) * (0.55 - 0.3 * z)};
+}
+
+/// n_x of the normal of the trailing edge at a row.
+double normal_along(const JoinedRows& rows, Index k) {
+  constexpr double step = 1e-4;
+  const Lobe& lobe = rows.shape().lobes()[rows.lobe(k)];
+  const double psi = rows.psi(k);
+  const auto edge = [&](double at) { return lobe.row(at).middle - lobe.row(at).half_length; };
+  const double along = edge(psi + step) - edge(psi - step);
+  const double across = lobe.y(psi + step) - lobe.y(psi - step);
+  return across / std::hypot(along, across);
+}
+
+/// The derivative of a length by the vector.
+RowVector2d direction(const Vector2d& of) { return of.normalized().transpose(); }
+
+}  // namespace
+
+SlipBoundary::SlipBoundary(const PatchResponse& response, const VectorXd& limits)
+    : response_(&response), limits_(&limits), slips_(VectorXd::Zero(limits.size())) {
+  const JoinedRows& rows = response.rows();
+  for (Index k = 0; k < rows.rows(); ++k) {
+    const double by_traction = 2 * stiffness * normal_along(rows, k);
+    for (Index i = 1; i < rows.elements(); ++i) {
+      const double side = static_cast<double>(i) * pi / static_cast<double>(rows.elements());
+      const Index cell = rows.cell(i, k);
+      slips_[cell] = by_traction * std::tan(side / 2) * limits[cell];
+    }
+  }
+}
+
+Shortfall SlipBoundary::shortfall(const PatchState& state, Index cell) const {
+  const Index elements = response_->rows().elements(), i = cell % elements;
+  if (!response_->rolls() || i == 0 || i == elements - 1) return {};
+  const Vector2d here = pair_of(state.seen_slip, cell), behind = pair_of(state.seen_slip, cell + 1);
+  const Vector2d ahead = pair_of(state.own_slip, cell - 1);
+  const Vector2d q = pair_of(state.unknowns, cell - 1) / (*limits_)[cell - 1];
+  const double slip = here.norm(), slip_back = behind.norm(), missing = 1 - q.norm();
+  if (slip_back == 0 || missing <= 0) return {};
+  const SeenSlip& seen = response_->seen();
+  const Growing z = place_of(slip / slip_back, seen.ways[cell]);
+  if (z.value == 1) return {};
+  // The part of the zone ahead that sticks.
+  double sticks = 1;
+  if (const double slip_ahead = ahead.norm(); slip_ahead > 0) {
+    sticks = 1 - slip_ahead / (least_slip_ahead * slip);
+    if (!(sticks > 0)) return {};
+  }
+  // b by both neighbours, and their harmonic mean, which is 0 where one of them has no kink.
+  const Growing of_slip = slip_behind(z.value, seen.ways[cell + 1]);
+  const Growing of_missing = missing_ahead(z.value), part = shortfall_of(z.value);
+  const double by_slip = slip_back / (slips_[cell] * of_slip.value);
+  const double by_missing = sticks * missing / of_missing.value;
+  const double sum = by_slip + by_missing, b = 2 * by_slip * by_missing / sum;
+  const double grows_by_slip = 2 * std::pow(by_missing / sum, 2);
+  const double grows_by_missing = 2 * std::pow(by_slip / sum, 2);
+
+  Shortfall found;
+  found.value = b * part.value;
+  const double by_z =
+      b * part.growth -
+      part.value * (grows_by_slip * by_slip * of_slip.growth / of_slip.value +
+                    grows_by_missing * by_missing * of_missing.growth / of_missing.value);
+  const double by_sticks = part.value * grows_by_missing * missing / of_missing.value;
+  double by_here = by_z * z.growth / slip_back;
+  const double by_behind = part.value * grows_by_slip / (slips_[cell] * of_slip.value) -
+                           by_z * z.growth * slip / (slip_back * slip_back);
+  if (sticks < 1) {
+    by_here += by_sticks * (1 - sticks) / slip;
+    found.by_own_ahead = -by_sticks / (least_slip_ahead * slip) * direction(ahead);
+  }
+  found.by_q_ahead = -part.value * grows_by_missing * sticks / of_missing.value * direction(q);
+  const RowVector2d by_seen = by_here * direction(here),
+                    by_seen_behind = by_behind * direction(behind);
+  found.by_own_ahead += seen.by_ahead[cell] * by_seen;
+  found.by_own = seen.by_own[cell] * by_seen + seen.by_ahead[cell + 1] * by_seen_behind;
+  found.by_own_behind = seen.by_own[cell + 1] * by_seen_behind;
+  return found;
+}
+
+}  // namespace microslip
