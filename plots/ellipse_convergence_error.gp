@@ -8,7 +8,7 @@ set multiplot layout 1,2 margins 0.105,0.98,0.17,0.89 spacing 0.115,0.14
 set logscale xy
 set format y "10^{%T}"
 set xrange [40:1600]
-set yrange [5e-5:20]
+set yrange [1e-5:20]
 set xtics (50, 100, 200, 400, 800)
 set xlabel "number of cells [1]"
 kinds = "creepage spin"
