@@ -66,7 +66,7 @@ void CellConditions::look_at(const PatchState& state) {
     const auto at = static_cast<std::size_t>(i);
     shortfalls_[at] = boundary_.shortfall(state, i);
     discs_[at] = turning_.disc(i);
-    discs_[at].radius *= 1 - shortfalls_[at].value;
+    discs_[at].radius *= carried(i);
   }
 }
 
@@ -74,8 +74,8 @@ Vector2d CellConditions::quotient(Index i) const {
   return pair_of(state_->unknowns, i) / (*limits_)[i];
 }
 
-Vector2d CellConditions::on_disc(Index i) const {
-  return disc(i).centre + onto_disc(quotient(i) - disc(i).centre, disc(i).radius);
+Vector2d CellConditions::on_disc(Index i, const Vector2d& q) const {
+  return disc(i).centre + onto_disc(q - disc(i).centre, disc(i).radius);
 }
 
 Vector2d CellConditions::on_circle(Index i) const {
@@ -84,15 +84,13 @@ Vector2d CellConditions::on_circle(Index i) const {
 
 VectorXd CellConditions::quotients() const {
   VectorXd q(2 * limits_->size());
-  for (Index i = 0; i < limits_->size(); ++i) set_pair(q, i, on_disc(i));
+  for (Index i = 0; i < limits_->size(); ++i) set_pair(q, i, on_disc(i, quotient(i)));
   return q;
 }
 
 void CellConditions::find_carried(VectorXd& parts) const {
   parts.resize(limits_->size());
-  for (Index i = 0; i < parts.size(); ++i) {
-    parts[i] = 1 - shortfalls_[static_cast<std::size_t>(i)].value;
-  }
+  for (Index i = 0; i < parts.size(); ++i) parts[i] = carried(i);
 }
 
 bool CellConditions::slips_next(Index i, const Vector2d& q) const {
@@ -129,7 +127,7 @@ bool CellConditions::has_centre_slip(Index i, const std::vector<bool>& slips) co
 }
 
 /// Adds what the radius of a disc depends on by the shortfall.
-/// \param by_radius  derivative of the condition's left side by the radius that the turning slip leaves
+/// \param by_radius  derivative of the condition's left side by the radius
 void CellConditions::add_shortfall(Index i, const Vector2d& by_radius, CellCondition& found) const {
   const Shortfall& less = shortfalls_[static_cast<std::size_t>(i)];
   if (less.value == 0) return;
@@ -157,8 +155,7 @@ void CellConditions::add_shortfall(Index i, const Vector2d& by_radius, CellCondi
 
 CellCondition CellConditions::about(Index i, const Vector2d& q) const {
   const bool is_enclosed = keeps_discs_ || turning_.is_enclosed(i, state_->slips);
-  const double left = 1 - shortfalls_[static_cast<std::size_t>(i)].value;
-  const FrictionDisc disc = is_enclosed ? this->disc(i) : FrictionDisc{.radius = left};
+  const FrictionDisc disc = is_enclosed ? this->disc(i) : FrictionDisc{.radius = carried(i)};
   const Vector2d own = pair_of(state_->own_slip, i), centre = pair_of(state_->centre_slip, i);
   const double own_length = lengths_[i], length = length_ratio_ * own_length;
   const Vector2d y = q - disc.centre, beyond = y - own_length * own;
@@ -200,8 +197,9 @@ CellCondition CellConditions::about(Index i, const Vector2d& q) const {
     CellCondition::BySlip& term = found.terms[j];
     term = {
         .cell = cells[j],
-        .by_own = left * by_radius * by.radius_by_own[j] - found.by_q * by.centre_by_own[j],
-        .by_centre = left * by_radius * by.radius_by_slip[j] - found.by_q * by.centre_by_slip[j],
+        .by_own = carried(i) * by_radius * by.radius_by_own[j] - found.by_q * by.centre_by_own[j],
+        .by_centre =
+            carried(i) * by_radius * by.radius_by_slip[j] - found.by_q * by.centre_by_slip[j],
         .by_pole = -found.by_q * by.centre_by_pole[j]};
     found.right += term.by_own * pair_of(state_->own_slip, cells[j]) +
                    term.by_centre * pair_of(state_->centre_slip, cells[j]) +

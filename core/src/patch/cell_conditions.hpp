@@ -13,8 +13,8 @@
 
 namespace microslip {
 
-/// The condition of a cell, linear about a state: by_q q, and by_own t + by_centre c +
-/// by_pole d + by_q q of one cell, of three or of nine, are right. d is the lateral slip of
+/// The condition of a cell, linear about a state: by_q q, and by_own t + by_centre c + by_pole d +
+/// by_q q of the cell and of up to eight around it, are right. d is the lateral slip of
 /// PatchResponse::pole().
 struct CellCondition {
   struct BySlip {
@@ -55,8 +55,10 @@ class CellConditions {
 
   Vector2d quotient(Index i) const;
 
-  /// The nearest point on the disc of the cell, and on its circle.
-  Vector2d on_disc(Index i) const;
+  /// The nearest point to q on the disc of a cell.
+  Vector2d on_disc(Index i, const Vector2d& q) const;
+
+  /// The nearest point to the present q on the circle of a cell.
   Vector2d on_circle(Index i) const;
 
   /// Computes the part of its limit that each cell carries where it slips, but for discs that shrink as
@@ -89,11 +91,12 @@ class CellConditions {
   bool has_centre_slip(Index i, const std::vector<bool>& slips) const;
 
  private:
-  const Eigen::VectorXd* limits_;
-  Eigen::VectorXd lengths_;  ///< r0
   const FrictionDisc& disc(Index i) const { return discs_[static_cast<std::size_t>(i)]; }
+  double carried(Index i) const { return 1 - shortfalls_[static_cast<std::size_t>(i)].value; }
   void add_shortfall(Index i, const Vector2d& by_radius, CellCondition& found) const;
 
+  const Eigen::VectorXd* limits_;
+  Eigen::VectorXd lengths_;  ///< r0
   TurningSlip turning_;
   SlipBoundary boundary_;
   std::vector<Shortfall> shortfalls_;

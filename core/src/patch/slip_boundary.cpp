@@ -34,9 +34,10 @@ struct Growing {
 
 /// z by the slip of the cell over that of the cell behind, as means over a way of 1 cell and more.
 Growing place_of(double ratio, double way) {
-  constexpr double at_end = 0.514;  // on a way of one cell
-  const double whole = std::pow(2.0, 1.5), past = std::pow(std::max(0.0, 2 - way), 1.5);
-  const double scale = at_end * (whole - 1) / (whole - past);
+  constexpr double at_end = 0.514;                   // on a way of one cell
+  constexpr double whole = 2 * std::numbers::sqrt2;  // 2^(3/2)
+  const double left = std::max(0.0, 2 - way);
+  const double scale = at_end * (whole - 1) / (whole - left * std::sqrt(left));
   // Without a kink at 0, where slip that is nearly 0 has any direction.
   const double soft = std::hypot(ratio, softness), smooth = ratio * ratio / soft;
   return {std::min(1.0, smooth / scale), (2 * ratio - smooth * ratio / soft) / soft / scale};

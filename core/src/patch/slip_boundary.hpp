@@ -39,7 +39,7 @@ class SlipBoundary {
  private:
   const PatchResponse* response_;
   const Eigen::VectorXd* limits_;
-  Eigen::VectorXd slips_;  ///< slip over a cell by a kink of b = 1, where z is some 0.3: n
+  Eigen::VectorXd slips_;  ///< slip of the cell behind over b and slip_behind(): n
 };
 
 }  // namespace microslip

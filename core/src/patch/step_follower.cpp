@@ -88,7 +88,6 @@ void StepFollower::begin(const PatchLoad& load, const ImposedSlip& imposed, Patc
   elastic_ = state.own_slip - imposed.own;
   elastic_.noalias() -= response_->rigid_own_slip() * state.motion;
   state.unknowns.noalias() = response_->unknowns() * elastic_;
-  response_->see(state.own_slip, imposed.seen, state.seen_slip);
   slip_.noalias() = prepared_->centre_slip_elastic * elastic_;
   state.centre_slip.setZero();
   for (std::size_t r = 0; r < prepared_->centres.size(); ++r) {
@@ -99,8 +98,9 @@ void StepFollower::begin(const PatchLoad& load, const ImposedSlip& imposed, Patc
   state.iterations = 0;
 }
 
-/// The largest error; infinite if a cell begins or ends to slip.
-double StepFollower::residual(const PatchState& state) {
+/// The largest error; infinite if a cell begins or ends to slip. The state gets the slip that is seen.
+double StepFollower::residual(const ImposedSlip& imposed, PatchState& state) {
+  response_->see(state.own_slip, imposed.seen, state.seen_slip);
   conditions_.look_at(state);
   double largest = 0;
   for (Index i = 0; i < limits_->size(); ++i) {
@@ -113,7 +113,7 @@ double StepFollower::residual(const PatchState& state) {
 }
 
 /// Takes one correction, by what is missing in the conditions about the present state.
-bool StepFollower::correct(const PatchLoad& load, const ImposedSlip& imposed, PatchState& state) {
+bool StepFollower::correct(const PatchLoad& load, PatchState& state) {
   const auto count = static_cast<Index>(prepared_->columns.size()), size = count / 2;
   for (Index r = 0; r < size; ++r) {
     const Index i = prepared_->columns[static_cast<std::size_t>(r)];
@@ -143,30 +143,29 @@ bool StepFollower::correct(const PatchLoad& load, const ImposedSlip& imposed, Pa
   for (std::size_t j = 0; j < prepared_->free.size(); ++j) {
     state.motion[prepared_->free[j]] += correction_[count + static_cast<Index>(j)];
   }
-  response_->see(state.own_slip, imposed.seen, state.seen_slip);
   ++state.iterations;
   return correction_.allFinite();
 }
 
-bool StepFollower::follow(const PatchLoad& load, const ImposedSlip& imposed, PatchState& state) {
+bool StepFollower::converges(const PatchLoad& load, const ImposedSlip& imposed, PatchState& state) {
   begin(load, imposed, state);
-  state.residual = residual(state);
+  state.residual = residual(imposed, state);
   for (int i = 0; i < most_corrections; ++i) {
     const double before = state.residual;
     // The first residual knows no resultant.
-    if (before < largest_residual && (i > 0 || prepared_->free.empty())) {
-      conditions_.find_carried(state.carried);
-      return true;
-    }
-    if (!std::isfinite(before) || !correct(load, imposed, state)) return false;
-    state.residual = residual(state);
+    if (before < largest_residual && (i > 0 || prepared_->free.empty())) return true;
+    if (!std::isfinite(before) || !correct(load, state)) return false;
+    state.residual = residual(imposed, state);
     const bool is_slow = i > 1 && state.residual > slowest * before;
-    if (is_slow) {
-      conditions_.find_carried(state.carried);
-      return state.residual < rounding_of_corrections;
-    }
+    if (is_slow) return state.residual < rounding_of_corrections;
   }
   return false;
+}
+
+bool StepFollower::follow(const PatchLoad& load, const ImposedSlip& imposed, PatchState& state) {
+  if (!converges(load, imposed, state)) return false;
+  conditions_.find_carried(state.carried);
+  return true;
 }
 
 }  // namespace microslip

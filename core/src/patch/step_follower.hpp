@@ -42,8 +42,9 @@ class StepFollower {
 
  private:
   void begin(const PatchLoad& load, const ImposedSlip& imposed, PatchState& state);
-  bool correct(const PatchLoad& load, const ImposedSlip& imposed, PatchState& state);
-  double residual(const PatchState& state);
+  bool correct(const PatchLoad& load, PatchState& state);
+  double residual(const ImposedSlip& imposed, PatchState& state);
+  bool converges(const PatchLoad& load, const ImposedSlip& imposed, PatchState& state);
 
   /// What it was prepared with, and what follows from it.
   struct Prepared {

@@ -145,12 +145,10 @@ class Newton {
   void take(PatchState& state, double longest_step) {
     for (Index i = 0; i < cells_; ++i) {
       // The circle may be another one than that on which the system has put q.
-      const bool slides = system_.slides(i);
-      const Vector2d on_circle = conditions_.on_circle(i);
-      const bool slips_now =
-          conditions_.slips_next(i, slides ? on_circle : conditions_.quotient(i));
+      const Vector2d q = system_.slides(i) ? conditions_.on_circle(i) : conditions_.quotient(i);
+      const bool slips_now = conditions_.slips_next(i, q);
       state.slips[static_cast<std::size_t>(i)] = slips_now;
-      Vector2d step = (slides ? on_circle : conditions_.on_disc(i)) - pair_of(q_, i);
+      Vector2d step = conditions_.on_disc(i, q) - pair_of(q_, i);
       if (slips_now && step.norm() > longest_step) step *= longest_step / step.norm();
       set_pair(q_, i, pair_of(q_, i) + step);
     }

@@ -23,8 +23,9 @@ struct ImposedSlip {
 /// The slip between the centre of a cell and the centre ahead, as it is seen from the contact in the
 /// middle of a step: w - du/dx + du/dq. In steady rolling it is the own slip. In a step it follows from
 /// the own slip of the cell and of the cell ahead, and imposed slip: by_own t + by_ahead t_ahead +
-/// seen. Where the material was not in both cells before the step, it is the own slip over a longer
-/// way. Each has n values; there are none for a shift.
+/// seen. A step that is shorter than the distance of the centres changes it by its part of that
+/// distance; the rest is that of the step before, in `seen`. Where the material was not in both cells
+/// before the step, it is the own slip over a longer way. Each has n values; there are none for a shift.
 struct SeenSlip {
   Eigen::VectorXd by_own, by_ahead;
   Eigen::VectorXd ways;  ///< over the distance from centre to centre, >= 1
