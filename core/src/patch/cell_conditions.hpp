@@ -61,8 +61,8 @@ class CellConditions {
   /// The nearest point to the present q on the circle of a cell.
   Vector2d on_circle(Index i) const;
 
-  /// Computes the part of its limit that each cell carries where it slips, but for discs that shrink as
-  /// the slip turns: n.
+  /// Computes the part of its limit that each cell carries where it slips, without what it loses by
+  /// slip that turns: n.
   void find_carried(Eigen::VectorXd& parts) const;
 
   /// Those of all cells, on the disc: 2n.

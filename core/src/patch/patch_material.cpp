@@ -101,8 +101,8 @@ Vector2d PatchMaterial::imposed_by(const StepWays& ways, const MaterialWay& way,
   return -at_entry / way.length;
 }
 
-/// The part of imposed slip in that seen from the contact. Displacements at the end of the step are
-/// those of the own slip and of what the material remembers.
+/// Computes the imposed part of the slip seen from the contact: its part without own slip, in which the
+/// displacements at the end of the step are those that the material remembers.
 Vector2d PatchMaterial::seen_from_contact(const StepWays& ways, Index i, Index k,
                                           PointDisplacements& u, const VectorXd& own) {
   const double dq = ways.step().dq;

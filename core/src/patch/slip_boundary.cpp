@@ -21,10 +21,10 @@ namespace {
 /// it. This is the mean for nu = 0.28; b changes by half of what it differs.
 constexpr double stiffness = 0.86;
 
-/// Slip of the cell ahead over that of the cell, from which the cell ahead is no zone that sticks.
+/// The cell ahead is no part of a zone that sticks if it has more than this part of the slip of the cell.
 constexpr double least_slip_ahead = 0.2;
 
-/// A part of the slip of the cell behind, below which that of the cell counts by its square.
+/// The slip of a cell counts by its square where it is below this part of the slip of the cell behind.
 constexpr double softness = 0.05;
 
 /// A value and its derivative.

@@ -30,7 +30,7 @@ struct SeenSlip {
   Eigen::VectorXd by_own, by_ahead;
   Eigen::VectorXd ways;  ///< over the distance from centre to centre, >= 1
 
-  /// That of steady rolling.
+  /// In steady rolling the own slip is seen.
   static SeenSlip steady(Eigen::Index cells);
 };
 
