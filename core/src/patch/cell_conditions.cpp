@@ -18,6 +18,9 @@ namespace {
 /// attempt z is on the disc.
 constexpr double within_disc = 1e-6;
 
+/// |q - r0 t| - 1 from which the slip is that at the centre.
+constexpr double transition = 0.3;
+
 /// r0 of each cell: the reciprocal of the largest own slip in its row by a unit of q in one cell.
 VectorXd lengths_of(const PatchResponse& response, const VectorXd& limits) {
   const JoinedRows& rows = response.rows();
@@ -36,9 +39,9 @@ struct MixedSlip {
   Vector2d value;
   double part, growth;  ///< growth by |q - r0 t|
 
-  MixedSlip(const Vector2d& own, const Vector2d& centre, double beyond, double width) {
-    part = std::clamp(beyond / width, 0.0, 1.0);
-    growth = part > 0 && part < 1 ? 1 / width : 0;
+  MixedSlip(const Vector2d& own, const Vector2d& centre, double beyond) {
+    part = std::clamp(beyond / transition, 0.0, 1.0);
+    growth = part > 0 && part < 1 ? 1 / transition : 0;
     value = own + part * (centre - own);
   }
 };
@@ -53,19 +56,14 @@ CellConditions::CellConditions(const PatchResponse& response, const VectorXd& li
       shortfalls_(static_cast<std::size_t>(limits.size())),
       discs_(shortfalls_.size()) {}
 
-void CellConditions::set(double length_ratio, double width) {
-  length_ratio_ = length_ratio;
-  width_ = width;
-}
-
 void CellConditions::look_at(const PatchState& state) {
   state_ = &state;
-  if (keeps_discs_) return;
   turning_.look_at(state);
   for (Index i = 0; i < limits_->size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     shortfalls_[at] = boundary_.shortfall(state, i);
     discs_[at] = turning_.disc(i);
+    discs_[at].centre *= carried(i);
     discs_[at].radius *= carried(i);
   }
 }
@@ -104,7 +102,7 @@ Vector2d CellConditions::slip(Index i) const {
   const FrictionDisc& of = disc(i);
   const Vector2d y = quotient(i) - of.centre, own = pair_of(state_->own_slip, i);
   const double beyond = (y - lengths_[i] * own).norm() - of.radius;
-  return MixedSlip(own, pair_of(state_->centre_slip, i), beyond, width_).value;
+  return MixedSlip(own, pair_of(state_->centre_slip, i), beyond).value;
 }
 
 Vector2d CellConditions::error(Index i) const {
@@ -126,12 +124,11 @@ bool CellConditions::has_centre_slip(Index i, const std::vector<bool>& slips) co
   return slips[static_cast<std::size_t>(i)] || turning_.is_enclosed(i, slips);
 }
 
-/// Adds what the radius of a disc depends on by the shortfall.
-/// \param by_radius  derivative of the condition's left side by the radius
-void CellConditions::add_shortfall(Index i, const Vector2d& by_radius, CellCondition& found) const {
+/// Adds what a disc depends on by the shortfall.
+/// \param by_value  derivative of the condition's left side by the shortfall
+void CellConditions::add_shortfall(Index i, const Vector2d& by_value, CellCondition& found) const {
   const Shortfall& less = shortfalls_[static_cast<std::size_t>(i)];
   if (less.value == 0) return;
-  const Vector2d by_value = -turning_.disc(i).radius * by_radius;
   const auto term_of = [&](Index cell) -> CellCondition::BySlip& {
     for (std::size_t j = 0; j < found.count; ++j) {
       if (found.terms[j].cell == cell) return found.terms[j];
@@ -145,21 +142,23 @@ void CellConditions::add_shortfall(Index i, const Vector2d& by_radius, CellCondi
     term_of(cell).by_own += by;
     found.right += by * pair_of(state_->own_slip, cell);
   };
+  if (!less.by_own_second.isZero(0)) add(i - 2, less.by_own_second);
   add(i - 1, less.by_own_ahead);
   add(i, less.by_own);
   add(i + 1, less.by_own_behind);
-  const Matrix2d by_q = by_value * less.by_q_ahead;
+  const Matrix2d by_q = by_value * less.by_q_ahead, by_own_q = by_value * less.by_q;
   term_of(i - 1).by_q += by_q;
-  found.right += by_q * quotient(i - 1);
+  found.by_q += by_own_q;
+  found.right += by_q * quotient(i - 1) + by_own_q * quotient(i);
 }
 
 CellCondition CellConditions::about(Index i, const Vector2d& q) const {
-  const bool is_enclosed = keeps_discs_ || turning_.is_enclosed(i, state_->slips);
+  const bool is_enclosed = turning_.is_enclosed(i, state_->slips);
   const FrictionDisc disc = is_enclosed ? this->disc(i) : FrictionDisc{.radius = carried(i)};
   const Vector2d own = pair_of(state_->own_slip, i), centre = pair_of(state_->centre_slip, i);
   const double own_length = lengths_[i], length = length_ratio_ * own_length;
   const Vector2d y = q - disc.centre, beyond = y - own_length * own;
-  const MixedSlip slip(own, centre, beyond.norm() - disc.radius, width_);
+  const MixedSlip slip(own, centre, beyond.norm() - disc.radius);
   const Vector2d z = y - length * slip.value;
   Vector2d e = Vector2d::Zero();
   Matrix2d D = Matrix2d::Identity();
@@ -185,11 +184,13 @@ CellCondition CellConditions::about(Index i, const Vector2d& q) const {
     by_radius -= grown;
   }
   found.right += found.by_q * disc.centre;
-  if (keeps_discs_) return found;
   if (!is_enclosed || turning_.disc(i).radius == 1) {
-    add_shortfall(i, by_radius, found);
+    add_shortfall(i, -by_radius, found);
     return found;
   }
+  const Vector2d by_shortfall =
+      found.by_q * turning_.disc(i).centre - turning_.disc(i).radius * by_radius;
+  const Matrix2d by_centre = carried(i) * found.by_q;
   const DiscGrowth by = turning_.growth(i);
   const CellCondition::BySlip of_cell = found.terms[0];
   const std::array<Index, 9> cells = turning_.around(i);
@@ -197,10 +198,10 @@ CellCondition CellConditions::about(Index i, const Vector2d& q) const {
     CellCondition::BySlip& term = found.terms[j];
     term = {
         .cell = cells[j],
-        .by_own = carried(i) * by_radius * by.radius_by_own[j] - found.by_q * by.centre_by_own[j],
+        .by_own = carried(i) * by_radius * by.radius_by_own[j] - by_centre * by.centre_by_own[j],
         .by_centre =
-            carried(i) * by_radius * by.radius_by_slip[j] - found.by_q * by.centre_by_slip[j],
-        .by_pole = -found.by_q * by.centre_by_pole[j]};
+            carried(i) * by_radius * by.radius_by_slip[j] - by_centre * by.centre_by_slip[j],
+        .by_pole = -by_centre * by.centre_by_pole[j]};
     found.right += term.by_own * pair_of(state_->own_slip, cells[j]) +
                    term.by_centre * pair_of(state_->centre_slip, cells[j]) +
                    term.by_pole * turning_.pole_slip(cells[j]);
@@ -209,7 +210,7 @@ CellCondition CellConditions::about(Index i, const Vector2d& q) const {
     term.by_centre += of_cell.by_centre;
   }
   found.count = cells.size();
-  add_shortfall(i, by_radius, found);
+  add_shortfall(i, by_shortfall, found);
   return found;
 }
 

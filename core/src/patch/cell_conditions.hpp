@@ -14,7 +14,7 @@
 namespace microslip {
 
 /// The condition of a cell, linear about a state: by_q q, and by_own t + by_centre c + by_pole d +
-/// by_q q of the cell and of up to eight around it, are right. d is the lateral slip of
+/// by_q q of the cell and of up to nine near it, are right. d is the lateral slip of
 /// PatchResponse::pole().
 struct CellCondition {
   struct BySlip {
@@ -26,7 +26,7 @@ struct CellCondition {
 
   Eigen::Matrix2d by_q;
   Eigen::Vector2d right;
-  std::array<BySlip, 9> terms;
+  std::array<BySlip, 10> terms;
   std::size_t count = 1;
   bool slides = false;  ///< whether q is on the circle
 
@@ -42,12 +42,8 @@ class CellConditions {
   /// \param limits  g, which must outlive this object
   CellConditions(const PatchResponse& response, const Eigen::VectorXd& limits);
 
-  /// \param length_ratio  r over r0
-  /// \param width         of the transition: |q - r0 t| - 1 from which the slip is that at the centre
-  void set(double length_ratio, double width);
-
-  /// Whether discs stay those of the state that is looked at now.
-  void keep_discs(bool keeps) { keeps_discs_ = keeps; }
+  /// \param ratio  r over r0, which is 1 until it is set
+  void set_length(double ratio) { length_ratio_ = ratio; }
 
   /// Takes the state that all questions are about, until it is changed.
   /// \param state  must outlive this object
@@ -93,7 +89,7 @@ class CellConditions {
  private:
   const FrictionDisc& disc(Index i) const { return discs_[static_cast<std::size_t>(i)]; }
   double carried(Index i) const { return 1 - shortfalls_[static_cast<std::size_t>(i)].value; }
-  void add_shortfall(Index i, const Vector2d& by_radius, CellCondition& found) const;
+  void add_shortfall(Index i, const Vector2d& by_value, CellCondition& found) const;
 
   const Eigen::VectorXd* limits_;
   Eigen::VectorXd lengths_;  ///< r0
@@ -101,8 +97,7 @@ class CellConditions {
   SlipBoundary boundary_;
   std::vector<Shortfall> shortfalls_;
   std::vector<FrictionDisc> discs_;
-  double length_ratio_ = 1, width_ = 0;
-  bool keeps_discs_ = false;
+  double length_ratio_ = 1;
   const PatchState* state_ = nullptr;
 };
 

@@ -64,7 +64,6 @@ bool SlippingPatch::solve(const VectorXd& ratios) {
 
 VectorXd SlippingPatch::speeds() const {
   CellConditions conditions(given_.response, limits_);
-  conditions.set(1, state_.transition);
   conditions.look_at(state_);
   VectorXd speeds = VectorXd::Zero(limits_.size());
   for (Index i = 0; i < speeds.size(); ++i) {

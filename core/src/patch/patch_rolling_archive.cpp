@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr SealedText state_of_patch{.mark = "microslip state of a patch ", .version = "4"};
+constexpr SealedText state_of_patch{.mark = "microslip state of a patch ", .version = "5"};
 
 /// The problem that a state belongs to.
 void archive_problem(Archive& archive, const SteadyPatch& problem, const JoinedRows& rows,
@@ -52,7 +52,6 @@ void archive_state(Archive& archive, PatchState& state, Index cells) {
   archive.whole("iterations", iterations, 0, 1 << 20);
   state.iterations = static_cast<int>(iterations);
   archive.number("residual", state.residual);
-  archive.number("transition", state.transition);
 }
 
 }  // namespace

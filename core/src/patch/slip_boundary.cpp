@@ -21,8 +21,9 @@ namespace {
 /// it. This is the mean for nu = 0.28; b changes by half of what it differs.
 constexpr double stiffness = 0.86;
 
-/// The cell ahead is no part of a zone that sticks if it has more than this part of the slip of the cell.
-constexpr double least_slip_ahead = 0.2;
+/// The cell ahead is no part of a zone that sticks if it has more than this part of the slip of the cell
+/// behind.
+constexpr double least_slip_ahead = 0.1;
 
 /// The slip of a cell counts by its square where it is below this part of the slip of the cell behind.
 constexpr double softness = 0.05;
@@ -44,13 +45,19 @@ Growing place_of(double ratio, double way) {
 }
 
 /// Slip of the cell behind, over b.
-Growing slip_behind(double z, double way) {
+Growing slip_of_behind(double z, double way) {
   const double longer = std::pow(way, -0.8);
   return {longer * (0.69 + (0.9 - 0.31 * z) * z), longer * (0.9 - 0.62 * z)};
 }
 
 /// What the cell ahead carries less than its limit, over b.
 Growing missing_ahead(double z) { return {1.06 - 0.85 * z, -0.85}; }
+
+/// The part of the kink that is left where the tractions of the cell and of the cell ahead differ in
+/// direction, by the cosine of the angle between them: 1 at 0, and 0 from a right angle on.
+Growing shared_by(double cosine) {
+  return {cosine * cosine * (3 - 2 * cosine), 6 * cosine * (1 - cosine)};
+}
 
 /// What the cell carries less, over b.
 Growing shortfall_of(double z) {
@@ -69,8 +76,18 @@ double normal_along(const JoinedRows& rows, Index k) {
   return across / std::hypot(along, across);
 }
 
-/// The derivative of a length by the vector.
-RowVector2d direction(const Vector2d& of) { return of.normalized().transpose(); }
+/// The traction of a cell over its limit.
+struct Traction {
+  explicit Traction(const Vector2d& q) : size(q.norm()), direction(q.normalized()) {}
+
+  /// The derivative of v.direction by q, which is not 0.
+  RowVector2d turning(const Vector2d& v) const {
+    return (v - v.dot(direction) * direction).transpose() / size;
+  }
+
+  double size;
+  Vector2d direction;
+};
 
 }  // namespace
 
@@ -90,25 +107,26 @@ SlipBoundary::SlipBoundary(const PatchResponse& response, const VectorXd& limits
 Shortfall SlipBoundary::shortfall(const PatchState& state, Index cell) const {
   const Index elements = response_->rows().elements(), i = cell % elements;
   if (!response_->rolls() || i == 0 || i == elements - 1) return {};
+  const Traction traction(pair_of(state.unknowns, cell) / (*limits_)[cell]);
+  const Traction ahead(pair_of(state.unknowns, cell - 1) / (*limits_)[cell - 1]);
   const Vector2d here = pair_of(state.seen_slip, cell), behind = pair_of(state.seen_slip, cell + 1);
-  const Vector2d ahead = pair_of(state.own_slip, cell - 1);
-  const Vector2d q = pair_of(state.unknowns, cell - 1) / (*limits_)[cell - 1];
-  const double slip = here.norm(), slip_back = behind.norm(), missing = 1 - q.norm();
-  if (slip_back == 0 || missing <= 0) return {};
+  const double slip = std::max(0.0, -here.dot(traction.direction)), slip_behind = behind.norm();
+  const double missing = 1 - ahead.size, cosine = traction.direction.dot(ahead.direction);
+  if (slip_behind == 0 || missing <= 0 || cosine <= 0) return {};
   const SeenSlip& seen = response_->seen();
-  const Growing z = place_of(slip / slip_back, seen.ways[cell]);
+  const Growing z = place_of(slip / slip_behind, seen.ways[cell]);
   if (z.value == 1) return {};
   // The part of the zone ahead that sticks.
-  double sticks = 1;
-  if (const double slip_ahead = ahead.norm(); slip_ahead > 0) {
-    sticks = 1 - slip_ahead / (least_slip_ahead * slip);
-    if (!(sticks > 0)) return {};
-  }
+  const Vector2d seen_ahead = pair_of(state.seen_slip, cell - 1);
+  const double slip_ahead = seen_ahead.norm();
+  const double sticks = 1 - slip_ahead / (least_slip_ahead * slip_behind);
+  if (sticks <= 0) return {};
   // b by both neighbours, and their harmonic mean, which is 0 where one of them has no kink.
-  const Growing of_slip = slip_behind(z.value, seen.ways[cell + 1]);
+  const Growing of_slip = slip_of_behind(z.value, seen.ways[cell + 1]);
   const Growing of_missing = missing_ahead(z.value), part = shortfall_of(z.value);
-  const double by_slip = slip_back / (slips_[cell] * of_slip.value);
-  const double by_missing = sticks * missing / of_missing.value;
+  const Growing shared = shared_by(cosine);
+  const double by_slip = slip_behind / (slips_[cell] * of_slip.value);
+  const double by_missing = sticks * shared.value * missing / of_missing.value;
   const double sum = by_slip + by_missing, b = 2 * by_slip * by_missing / sum;
   const double grows_by_slip = 2 * std::pow(by_missing / sum, 2);
   const double grows_by_missing = 2 * std::pow(by_slip / sum, 2);
@@ -119,20 +137,28 @@ Shortfall SlipBoundary::shortfall(const PatchState& state, Index cell) const {
       b * part.growth -
       part.value * (grows_by_slip * by_slip * of_slip.growth / of_slip.value +
                     grows_by_missing * by_missing * of_missing.growth / of_missing.value);
-  const double by_sticks = part.value * grows_by_missing * missing / of_missing.value;
-  double by_here = by_z * z.growth / slip_back;
-  const double by_behind = part.value * grows_by_slip / (slips_[cell] * of_slip.value) -
-                           by_z * z.growth * slip / (slip_back * slip_back);
-  if (sticks < 1) {
-    by_here += by_sticks * (1 - sticks) / slip;
-    found.by_own_ahead = -by_sticks / (least_slip_ahead * slip) * direction(ahead);
-  }
-  found.by_q_ahead = -part.value * grows_by_missing * sticks / of_missing.value * direction(q);
-  const RowVector2d by_seen = by_here * direction(here),
-                    by_seen_behind = by_behind * direction(behind);
-  found.by_own_ahead += seen.by_ahead[cell] * by_seen;
-  found.by_own = seen.by_own[cell] * by_seen + seen.by_ahead[cell + 1] * by_seen_behind;
+  const double by_kink = part.value * grows_by_missing / of_missing.value;
+  const double by_here = by_z * z.growth / slip_behind;
+  const double by_sticks = by_kink * shared.value * missing;
+  const double by_behind = part.value * grows_by_slip / (slips_[cell] * of_slip.value) +
+                           (by_sticks * (1 - sticks) - by_here * slip) / slip_behind;
+  const RowVector2d by_seen_ahead =
+      -by_sticks / (least_slip_ahead * slip_behind) * seen_ahead.normalized().transpose();
+  found.by_own_ahead = seen.by_own[cell - 1] * by_seen_ahead;
+  found.by_own_second = seen.by_ahead[cell - 1] * by_seen_ahead;
+  const double by_cosine = by_kink * sticks * missing * shared.growth;
+  found.by_q_ahead = by_cosine * ahead.turning(traction.direction) -
+                     by_kink * sticks * shared.value * ahead.direction.transpose();
+  found.by_q = by_cosine * traction.turning(ahead.direction);
+  const RowVector2d by_seen_behind = by_behind * behind.normalized().transpose();
+  found.by_own = seen.by_ahead[cell + 1] * by_seen_behind;
   found.by_own_behind = seen.by_own[cell + 1] * by_seen_behind;
+  if (slip > 0) {
+    const RowVector2d by_seen = -by_here * traction.direction.transpose();
+    found.by_q -= by_here * traction.turning(here);
+    found.by_own_ahead += seen.by_ahead[cell] * by_seen;
+    found.by_own += seen.by_own[cell] * by_seen;
+  }
   return found;
 }
 

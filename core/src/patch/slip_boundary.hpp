@@ -12,9 +12,11 @@ namespace microslip {
 struct Shortfall {
   double value = 0;
   Eigen::RowVector2d by_own_ahead = Eigen::RowVector2d::Zero();  ///< by own slip of the cell ahead
-  Eigen::RowVector2d by_own = by_own_ahead;                      ///< by that of the cell
-  Eigen::RowVector2d by_own_behind = by_own_ahead;               ///< by that of the cell behind
-  Eigen::RowVector2d by_q_ahead = by_own_ahead;                  ///< by q of the cell ahead
+  Eigen::RowVector2d by_own_second = by_own_ahead;  ///< by that of the cell ahead of it
+  Eigen::RowVector2d by_own = by_own_ahead;         ///< by that of the cell
+  Eigen::RowVector2d by_own_behind = by_own_ahead;  ///< by that of the cell behind
+  Eigen::RowVector2d by_q_ahead = by_own_ahead;     ///< by q of the cell ahead
+  Eigen::RowVector2d by_q = by_own_ahead;           ///< by that of the cell
 };
 
 /// The cells in which slip begins, behind a zone that sticks.
@@ -23,8 +25,9 @@ struct Shortfall {
 /// between centres. With the boundary at the part z of the way from the centre of a cell to the centre
 /// ahead, and a kink that is b after one cell, the forces are those of a line contact if the cell
 /// carries b (1 - z)(0.19 - 0.55 z + 0.15 z^2) less than its limit: less as slip begins at its centre,
-/// and a little more as the boundary goes on. Here z and b follow from the slip of the cell and of the
-/// cell behind, and from the traction of the cell ahead. Derivation: docs/ellipse.md.
+/// and a little more as the boundary goes on. Here z and b follow from the slip of the cell, as far as
+/// it is against its traction, from that of the cell behind, and from the traction of the cell ahead.
+/// Derivation: docs/ellipse.md.
 class SlipBoundary {
  public:
   using Index = Eigen::Index;

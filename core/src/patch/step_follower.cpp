@@ -37,7 +37,6 @@ StepFollower::StepFollower(const PatchResponse& response, const VectorXd& limits
                            const PatchState& state, const PatchLoad& load)
     : response_(&response), limits_(&limits), conditions_(response, limits) {
   const Index n = limits.size();
-  conditions_.set(1, state.transition);
   SlipSystem system(response, limits);
   const ImposedSlip none{VectorXd::Zero(2 * n), VectorXd::Zero(2 * n)};
   conditions_.look_at(state);

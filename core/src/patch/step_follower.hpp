@@ -26,8 +26,7 @@ class StepFollower {
   StepFollower(const PatchResponse& response, const VectorXd& limits, const PatchState& state,
                const PatchLoad& load);
 
-  /// The state that it was prepared with, of which only the slip, the tractions and the transition
-  /// matter.
+  /// The state that it was prepared with, of which only the slip and the tractions matter.
   const PatchState& prepared_with() const { return prepared_->state; }
 
   /// The load that it was prepared for, of which only the kinds of components matter.

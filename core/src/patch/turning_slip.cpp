@@ -24,6 +24,9 @@ constexpr double full_slip = 0.7;
 /// 1 - |mean direction| of the cells around, from which the slip turns, and from which in full.
 constexpr double least_turn = 0.08, full_turn = 0.25;
 
+/// Slip over the same bound, far below which it has no direction: rounding has any.
+constexpr double least_slip = 1e-4;
+
 /// The slip of nine cells, along and across.
 using NineSlips = Eigen::Matrix<double, 9, 2>;
 
@@ -149,6 +152,7 @@ TurningSlip::TurningSlip(const PatchResponse& response, const VectorXd& limits)
       is_inner_(static_cast<std::size_t>(limits.size()), false),
       discs_(is_inner_.size()),
       directions_(2, limits.size()),
+      sizes_(limits.size()),
       parts_(limits.size()),
       pole_slip_(limits.size()) {
   const JoinedRows& rows = response.rows();
@@ -210,7 +214,9 @@ NineSlips TurningSlip::slips_about(Index cell) const {
 void TurningSlip::look_at(const PatchState& state) {
   state_ = &state;
   for (Index i = 0; i < bounds_.size(); ++i) {
-    directions_.col(i) = pair_of(state.centre_slip, i).normalized();
+    const Vector2d slip = pair_of(state.centre_slip, i);
+    sizes_[i] = std::hypot(slip.norm(), least_slip * bounds_[i]);
+    directions_.col(i) = slip / sizes_[i];
     parts_[i] = Ramp(pair_of(state.own_slip, i).norm() / (full_slip * bounds_[i])).value;
   }
   bool has_pole_slip = false;
@@ -245,8 +251,7 @@ DiscGrowth TurningSlip::growth(Index cell) const {
       weight_by_own = weight * part.growth / part.value / full * own.normalized().transpose();
       weight_by_slip = -ring.slip * turn.growth / (full_turn - least_turn) / 8 *
                        ring.mean.normalized().transpose() *
-                       (Matrix2d::Identity() - e * e.transpose()) /
-                       pair_of(state_->centre_slip, cells[j]).norm();
+                       (Matrix2d::Identity() - e * e.transpose()) / sizes_[cells[j]];
     }
     growth.centre_by_own[j] = mean.value() * weight_by_own;
     growth.centre_by_pole[j] = weight * by_slip[j].col(1);

@@ -77,6 +77,7 @@ class TurningSlip {
   const PatchState* state_ = nullptr;
   std::vector<FrictionDisc> discs_;
   Eigen::Matrix2Xd directions_;  ///< of the slip at centres
+  Eigen::VectorXd sizes_;        ///< of the same, more than 0
   Eigen::VectorXd parts_;        ///< of full slip, from 0 to 1
   Eigen::VectorXd pole_slip_;
 };

@@ -20,8 +20,6 @@ struct PatchState {
   std::vector<bool> slips;      ///< n
   int iterations = 0;           ///< systems that were solved
   double residual = 0;          ///< largest error of the slip conditions, over the bound  [1]
-  /// The width of the transition from own slip to centre slip that was solved, see solve_stick_slip()
-  double transition = 0;
 };
 
 /// Residuals of solved steps are smaller.
@@ -34,8 +32,9 @@ inline constexpr double largest_residual_of_step = 1e-7;
 /// and becomes c beyond, by a part that grows with |q - r0 t| - 1 from 0 to 1. Where the slip turns
 /// within a cell, the disc of P shrinks to the mean of its directions: docs/ellipse.md. As the right
 /// side is continuous in q, there is a solution (Brouwer). Newton's method starts from adhesion and
-/// has the slip of cells that slip, and the motion, as unknowns; if it does not converge, other
-/// lengths r and shorter steps of q are tried, and in steps the discs of the start.
+/// has the slip of cells that slip, and the motion, as unknowns. It goes back on the way of a system
+/// that makes the residual larger. If it does not converge, other lengths r and shorter steps of q
+/// are tried.
 /// \param limits  g, > 0, over G and by p/v of the cell's centre: n
 /// \param load    in the scale of PatchResponse
 /// \param start   where to start; nullptr for adhesion
