@@ -1,5 +1,5 @@
 # Errors of forces on ellipses, each point one load: with rows and cells that fit a/b, some hundred cells in joined rows
-# have at most one percent of full sliding without spin, and one and a half percent with any spin. Crosses are of the
+# have at most two thousandths of full sliding without spin, and one percent with any spin. Crosses are of the
 # standard scheme on equal rectangles.
 ellipses = tables."/ellipses.tsv"
 aspect_at(i) = real(by_awk(ellipses, sprintf("!seen[$at[\"aspect\"]]++ { if (++n == %d) print $at[\"aspect\"] }'", i)))
