@@ -197,7 +197,8 @@ TEST(GeneratedPatchSteps, HaveTheirResultantsOrStayAsTheyWere) {
   EXPECT_LT(refused, steps / 50);
 }
 
-// By rounding, a cell at the threshold of slip may take the other side: some 3 of 90 runs then differ by up to 2e-3 of full sliding.
+// By rounding, a cell at the threshold of slip may take the other side: some 3 of 90 runs then differ
+// by up to 2e-3 of full sliding.
 TEST(GeneratedPatchSteps, HaveMirrorImagesAndUnits) {
   Generator generator(13);
   const int runs = samples(90);

@@ -142,6 +142,7 @@ void CellConditions::add_shortfall(Index i, const Vector2d& by_value, CellCondit
     term_of(cell).by_own += by;
     found.right += by * pair_of(state_->own_slip, cell);
   };
+  // It is 0 in the second cell of a row, which has one cell ahead.
   if (!less.by_own_second.isZero(0)) add(i - 2, less.by_own_second);
   add(i - 1, less.by_own_ahead);
   add(i, less.by_own);

@@ -33,7 +33,7 @@ namespace {
 /// How Newton's method is tried.
 struct Attempt {
   double length;        ///< r over r0
-  double longest_step;  ///< of q, from the third system on
+  double longest_step;  ///< of q, after the first systems
   int systems;
 };
 
@@ -51,7 +51,7 @@ constexpr double least_progress_of_part = 0.9;
 /// A system that makes the residual larger is gone back on, by halves, to this part of its way.
 constexpr double least_part = 1.0 / 32;
 
-/// The first systems may make it larger: they find out which cells slip.
+/// The first systems are taken whole, whatever the residual: they find out which cells slip.
 constexpr int first_systems = 2;
 
 /// Attempts at a part of the load.
@@ -101,22 +101,24 @@ class Newton {
     conditions_.set_length(attempt.length);
     conditions_.look_at(state);
     q_ = conditions_.quotients();
+    state.residual = std::numeric_limits<double>::infinity();
     for (int i = 0; i < attempt.systems; ++i) {
+      const bool is_first = i < first_systems;
       before_ = state;
-      const double before = i > 0 ? state.residual : std::numeric_limits<double>::infinity();
       solve(state);
       ++state.iterations;
       look_at(state);
-      const bool is_part = i >= first_systems && goes_back(state);
-      const bool is_rounding =
-          state.residual < largest_residual_of_step && before < largest_residual_of_step &&
-          state.residual > (is_part ? least_progress_of_part : least_progress) * before;
+      const bool is_part = !is_first && goes_back(state);
+      const double progress = is_part ? least_progress_of_part : least_progress;
+      const bool is_rounding = state.residual < largest_residual_of_step &&
+                               before_.residual < largest_residual_of_step &&
+                               state.residual > progress * before_.residual;
       if (state.residual < tolerance_ || is_rounding) {
         conditions_.find_carried(state.carried);
         return true;
       }
       if (!std::isfinite(state.residual)) return false;
-      take(state, i < 2 ? std::numeric_limits<double>::infinity() : attempt.longest_step);
+      take(state, is_first ? std::numeric_limits<double>::infinity() : attempt.longest_step);
     }
     return false;
   }
