@@ -138,6 +138,63 @@ TEST(GeneratedPatchSteps, AreSolvedForAnyMotions) {
   EXPECT_LT(systems, 8 * steps);
 }
 
+/// Steps of a constant motion from rest, until it has rolled a distance.
+void expect_solved(PatchRolling rolling, double dq, const Vector3d& motion, double distance) {
+  const PatchLoad load{{{false, motion[0]}, {false, motion[1]}, {false, motion[2]}}};
+  while (rolling.distance() < distance) {
+    ASSERT_NO_THROW(rolling.roll(dq, load)) << "at " << rolling.distance();
+  }
+}
+
+// In spin alone, tractions of the row in the middle pass 0 where cells begin to slip.
+TEST(GeneratedPatchSteps, AreSolvedForSpinAlone) {
+  std::mt19937 random(13);
+  const auto uniform = [&](double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(random);
+  };
+  const int runs = samples(20);
+  for (int i = 0; i < runs; ++i) {
+    const double ratio = std::exp(uniform(-1.1, 1.1)), a = std::sqrt(ratio);
+    const auto elements = static_cast<Index>(uniform(8, 19));
+    const auto rows = 2 * static_cast<Index>(uniform(2, 5)) + 1;
+    const SteadyPatch problem{.material = {1, uniform(0, 0.5)},
+                              .bound = EllipticBound(a, 1 / a, 1),
+                              .rows = rows,
+                              .elements = elements};
+    SCOPED_TRACE("run " + std::to_string(i) + ", a/b = " + std::to_string(ratio));
+    const double dq = uniform(0.05, 0.3) * 2 * a / static_cast<double>(elements);
+    expect_solved(PatchRolling(problem), dq, {0, 0, uniform(0.3, 3.4)}, 2.5 * a);
+  }
+}
+
+// The last steps had no solution: that of the first run, while the law of beginning slip saw the
+// direction of the traction ahead jump; those of the others, while discs shrank with the own slip of the
+// step.
+TEST(GeneratedPatchSteps, AreSolvedWhereAPoleBeginsToSlip) {
+  struct Run {
+    double ratio;
+    Index rows, elements;
+    double part_of_element;
+    Vector3d motion;
+    int steps;
+  };
+  const Run runs[] = {{1, 11, 20, 0.1, {0, 0, 1.3}, 151},
+                      {0.682, 5, 9, 0.1, {0, 0, 3.355}, 64},
+                      {0.291, 7, 12, 0.5, {0, 0, 3.068}, 30},
+                      {2.207, 4, 11, 0.05, {-0.431, 0.187, 2.05}, 91},
+                      {1.229, 4, 15, 0.1, {0.827, 0.171, -2.013}, 91}};
+  for (const Run& run : runs) {
+    SCOPED_TRACE("a/b = " + std::to_string(run.ratio));
+    const double a = std::sqrt(run.ratio);
+    const SteadyPatch problem{.material = {1, 0.28},
+                              .bound = EllipticBound(a, 1 / a, 1),
+                              .rows = run.rows,
+                              .elements = run.elements};
+    const double dq = run.part_of_element * 2 * a / static_cast<double>(run.elements);
+    expect_solved(PatchRolling(problem), dq, run.motion, (run.steps + 0.5) * dq);
+  }
+}
+
 // Constant creepages have the forces of steady rolling after some lengths of the contact, whatever
 // the lengths of the steps. Long steps are off by up to 1.1 % of full sliding themselves.
 TEST(GeneratedPatchSteps, OfAnyLengthsTendToSteadyRolling) {

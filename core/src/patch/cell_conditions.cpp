@@ -48,8 +48,17 @@ struct MixedSlip {
 
 }  // namespace
 
+CellCondition::BySlip& CellCondition::term_of(Index cell) {
+  for (std::size_t j = 0; j < count; ++j) {
+    if (terms[j].cell == cell) return terms[j];
+  }
+  terms[count] = {.cell = cell};
+  return terms[count++];
+}
+
 CellConditions::CellConditions(const PatchResponse& response, const VectorXd& limits)
-    : limits_(&limits),
+    : response_(&response),
+      limits_(&limits),
       lengths_(lengths_of(response, limits)),
       turning_(response, limits),
       boundary_(response, limits),
@@ -124,23 +133,27 @@ bool CellConditions::has_centre_slip(Index i, const std::vector<bool>& slips) co
   return slips[static_cast<std::size_t>(i)] || turning_.is_enclosed(i, slips);
 }
 
+/// Adds what a condition depends on by the own slip of a cell.
+void CellConditions::add_own(Index cell, const Matrix2d& by_own, CellCondition& found) const {
+  if (!state_->slips[static_cast<std::size_t>(cell)]) return;
+  found.term_of(cell).by_own += by_own;
+  found.right += by_own * pair_of(state_->own_slip, cell);
+}
+
+/// Adds what a condition depends on by the slip that is seen in a cell.
+void CellConditions::add_seen(Index cell, const Matrix2d& by_seen, CellCondition& found) const {
+  const SeenSlip& seen = response_->seen();
+  add_own(cell, seen.by_own[cell] * by_seen, found);
+  if (seen.by_ahead[cell] != 0) add_own(cell - 1, seen.by_ahead[cell] * by_seen, found);
+}
+
 /// Adds what a disc depends on by the shortfall.
 /// \param by_value  derivative of the condition's left side by the shortfall
 void CellConditions::add_shortfall(Index i, const Vector2d& by_value, CellCondition& found) const {
   const Shortfall& less = shortfalls_[static_cast<std::size_t>(i)];
   if (less.value == 0) return;
-  const auto term_of = [&](Index cell) -> CellCondition::BySlip& {
-    for (std::size_t j = 0; j < found.count; ++j) {
-      if (found.terms[j].cell == cell) return found.terms[j];
-    }
-    found.terms[found.count] = {.cell = cell};
-    return found.terms[found.count++];
-  };
   const auto add = [&](Index cell, const Eigen::RowVector2d& by_own) {
-    if (!state_->slips[static_cast<std::size_t>(cell)]) return;
-    const Matrix2d by = by_value * by_own;
-    term_of(cell).by_own += by;
-    found.right += by * pair_of(state_->own_slip, cell);
+    add_own(cell, by_value * by_own, found);
   };
   // It is 0 in the second cell of a row, which has one cell ahead.
   if (!less.by_own_second.isZero(0)) add(i - 2, less.by_own_second);
@@ -148,7 +161,7 @@ void CellConditions::add_shortfall(Index i, const Vector2d& by_value, CellCondit
   add(i, less.by_own);
   add(i + 1, less.by_own_behind);
   const Matrix2d by_q = by_value * less.by_q_ahead, by_own_q = by_value * less.by_q;
-  term_of(i - 1).by_q += by_q;
+  found.term_of(i - 1).by_q += by_q;
   found.by_q += by_own_q;
   found.right += by_q * quotient(i - 1) + by_own_q * quotient(i);
 }
@@ -193,24 +206,20 @@ CellCondition CellConditions::about(Index i, const Vector2d& q) const {
       found.by_q * turning_.disc(i).centre - turning_.disc(i).radius * by_radius;
   const Matrix2d by_centre = carried(i) * found.by_q;
   const DiscGrowth by = turning_.growth(i);
-  const CellCondition::BySlip of_cell = found.terms[0];
   const std::array<Index, 9> cells = turning_.around(i);
   for (std::size_t j = 0; j < cells.size(); ++j) {
-    CellCondition::BySlip& term = found.terms[j];
-    term = {
-        .cell = cells[j],
-        .by_own = carried(i) * by_radius * by.radius_by_own[j] - by_centre * by.centre_by_own[j],
-        .by_centre =
-            carried(i) * by_radius * by.radius_by_slip[j] - by_centre * by.centre_by_slip[j],
-        .by_pole = -by_centre * by.centre_by_pole[j]};
-    found.right += term.by_own * pair_of(state_->own_slip, cells[j]) +
-                   term.by_centre * pair_of(state_->centre_slip, cells[j]) +
-                   term.by_pole * turning_.pole_slip(cells[j]);
-    if (cells[j] != i) continue;
-    term.by_own += of_cell.by_own;
-    term.by_centre += of_cell.by_centre;
+    const Index cell = cells[j];
+    const Matrix2d by_slip =
+        carried(i) * by_radius * by.radius_by_slip[j] - by_centre * by.centre_by_slip[j];
+    const Vector2d by_pole = -by_centre * by.centre_by_pole[j];
+    add_seen(cell, carried(i) * by_radius * by.radius_by_seen[j] - by_centre * by.centre_by_seen[j],
+             found);
+    CellCondition::BySlip& term = found.term_of(cell);
+    term.by_centre += by_slip;
+    term.by_pole += by_pole;
+    found.right +=
+        by_slip * pair_of(state_->centre_slip, cell) + by_pole * turning_.pole_slip(cell);
   }
-  found.count = cells.size();
   add_shortfall(i, by_shortfall, found);
   return found;
 }

@@ -14,7 +14,7 @@
 namespace microslip {
 
 /// The condition of a cell, linear about a state: by_q q, and by_own t + by_centre c + by_pole d +
-/// by_q q of the cell and of up to nine near it, are right. d is the lateral slip of
+/// by_q q of the cell and of up to twelve near it, are right. d is the lateral slip of
 /// PatchResponse::pole().
 struct CellCondition {
   struct BySlip {
@@ -26,11 +26,14 @@ struct CellCondition {
 
   Eigen::Matrix2d by_q;
   Eigen::Vector2d right;
-  std::array<BySlip, 10> terms;
+  std::array<BySlip, 12> terms;
   std::size_t count = 1;
   bool slides = false;  ///< whether q is on the circle
 
   std::span<const BySlip> by_slip() const { return {terms.data(), count}; }
+
+  /// The term of a cell, a new one if there is none yet.
+  BySlip& term_of(Eigen::Index cell);
 };
 
 /// The slip conditions of cells about a state; equations and letters are those of solve_stick_slip().
@@ -39,7 +42,8 @@ class CellConditions {
   using Index = Eigen::Index;
   using Vector2d = Eigen::Vector2d;
 
-  /// \param limits  g, which must outlive this object
+  /// \param response  must outlive this object
+  /// \param limits    g, which must outlive this object
   CellConditions(const PatchResponse& response, const Eigen::VectorXd& limits);
 
   /// \param ratio  r over r0, which is 1 until it is set
@@ -89,8 +93,11 @@ class CellConditions {
  private:
   const FrictionDisc& disc(Index i) const { return discs_[static_cast<std::size_t>(i)]; }
   double carried(Index i) const { return 1 - shortfalls_[static_cast<std::size_t>(i)].value; }
+  void add_own(Index cell, const Eigen::Matrix2d& by_own, CellCondition& found) const;
+  void add_seen(Index cell, const Eigen::Matrix2d& by_seen, CellCondition& found) const;
   void add_shortfall(Index i, const Vector2d& by_value, CellCondition& found) const;
 
+  const PatchResponse* response_;
   const Eigen::VectorXd* limits_;
   Eigen::VectorXd lengths_;  ///< r0
   TurningSlip turning_;

@@ -28,6 +28,10 @@ constexpr double least_slip_ahead = 0.1;
 /// The slip of a cell counts by its square where it is below this part of the slip of the cell behind.
 constexpr double softness = 0.05;
 
+/// The traction of the cell ahead, over its limit, far below which it has no direction: where it passes
+/// 0, that jumps.
+constexpr double least_traction = 0.1;
+
 /// A value and its derivative.
 struct Growing {
   double value, growth;
@@ -111,7 +115,9 @@ Shortfall SlipBoundary::shortfall(const PatchState& state, Index cell) const {
   const Traction ahead(pair_of(state.unknowns, cell - 1) / (*limits_)[cell - 1]);
   const Vector2d here = pair_of(state.seen_slip, cell), behind = pair_of(state.seen_slip, cell + 1);
   const double slip = std::max(0.0, -here.dot(traction.direction)), slip_behind = behind.norm();
-  const double missing = 1 - ahead.size, cosine = traction.direction.dot(ahead.direction);
+  const double soft = std::hypot(ahead.size, least_traction);
+  const Vector2d direction_ahead = ahead.size / soft * ahead.direction;
+  const double missing = 1 - ahead.size, cosine = traction.direction.dot(direction_ahead);
   if (slip_behind == 0 || missing <= 0 || cosine <= 0) return {};
   const SeenSlip& seen = response_->seen();
   const Growing z = place_of(slip / slip_behind, seen.ways[cell]);
@@ -147,9 +153,10 @@ Shortfall SlipBoundary::shortfall(const PatchState& state, Index cell) const {
   found.by_own_ahead = seen.by_own[cell - 1] * by_seen_ahead;
   found.by_own_second = seen.by_ahead[cell - 1] * by_seen_ahead;
   const double by_cosine = by_kink * sticks * missing * shared.growth;
-  found.by_q_ahead = by_cosine * ahead.turning(traction.direction) -
-                     by_kink * sticks * shared.value * ahead.direction.transpose();
-  found.by_q = by_cosine * traction.turning(ahead.direction);
+  found.by_q_ahead =
+      by_cosine / soft * (traction.direction - cosine * direction_ahead).transpose() -
+      by_kink * sticks * shared.value * ahead.direction.transpose();
+  found.by_q = by_cosine * traction.turning(direction_ahead);
   const RowVector2d by_seen_behind = by_behind * behind.normalized().transpose();
   found.by_own = seen.by_ahead[cell + 1] * by_seen_behind;
   found.by_own_behind = seen.by_own[cell + 1] * by_seen_behind;

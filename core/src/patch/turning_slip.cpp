@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t middle = 4;
 
-/// Own slip of a cell around, over the largest bound in its row, from which it slips in full.
+/// Slip that is seen of a cell around, over the largest bound in its row, from which it slips in full.
 constexpr double full_slip = 0.7;
 
 /// 1 - |mean direction| of the cells around, from which the slip turns, and from which in full.
@@ -217,7 +217,9 @@ void TurningSlip::look_at(const PatchState& state) {
     const Vector2d slip = pair_of(state.centre_slip, i);
     sizes_[i] = std::hypot(slip.norm(), least_slip * bounds_[i]);
     directions_.col(i) = slip / sizes_[i];
-    parts_[i] = Ramp(pair_of(state.own_slip, i).norm() / (full_slip * bounds_[i])).value;
+    const bool slips = state.slips[static_cast<std::size_t>(i)];
+    parts_[i] =
+        slips ? Ramp(pair_of(state.seen_slip, i).norm() / (full_slip * bounds_[i])).value : 0;
   }
   bool has_pole_slip = false;
   for (Index i = 0; i < bounds_.size(); ++i) {
@@ -242,21 +244,21 @@ DiscGrowth TurningSlip::growth(Index cell) const {
   const std::array<Matrix2d, 9> by_slip = mean.growth();
   DiscGrowth growth;
   for (std::size_t j = 0; j < cells.size(); ++j) {
-    RowVector2d weight_by_own = RowVector2d::Zero(), weight_by_slip = RowVector2d::Zero();
+    RowVector2d weight_by_seen = RowVector2d::Zero(), weight_by_slip = RowVector2d::Zero();
     if (j != middle) {
-      const Vector2d own = pair_of(state_->own_slip, cells[j]);
+      const Vector2d seen = pair_of(state_->seen_slip, cells[j]);
       const Vector2d e = directions_.col(cells[j]);
       const double full = full_slip * bounds_[cells[j]];
-      const Ramp part(own.norm() / full);
-      weight_by_own = weight * part.growth / part.value / full * own.normalized().transpose();
+      const Ramp part(seen.norm() / full);
+      weight_by_seen = weight * part.growth / part.value / full * seen.normalized().transpose();
       weight_by_slip = -ring.slip * turn.growth / (full_turn - least_turn) / 8 *
                        ring.mean.normalized().transpose() *
                        (Matrix2d::Identity() - e * e.transpose()) / sizes_[cells[j]];
     }
-    growth.centre_by_own[j] = mean.value() * weight_by_own;
+    growth.centre_by_seen[j] = mean.value() * weight_by_seen;
     growth.centre_by_pole[j] = weight * by_slip[j].col(1);
     growth.centre_by_slip[j] = weight * by_slip[j] + mean.value() * weight_by_slip;
-    growth.radius_by_own[j] = -weight_by_own;
+    growth.radius_by_seen[j] = -weight_by_seen;
     growth.radius_by_slip[j] = -weight_by_slip;
   }
   return growth;

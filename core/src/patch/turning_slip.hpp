@@ -17,11 +17,12 @@ struct FrictionDisc {
   double radius = 1;
 };
 
-/// The disc's derivatives by the own slip and by the slip at the centre of a cell and of those around.
+/// The disc's derivatives by the slip that is seen and by the slip at the centre of a cell and of those
+/// around.
 struct DiscGrowth {
-  std::array<Eigen::Matrix2d, 9> centre_by_own, centre_by_slip;
+  std::array<Eigen::Matrix2d, 9> centre_by_seen, centre_by_slip;
   std::array<Eigen::Vector2d, 9> centre_by_pole;  ///< by lateral slip of PatchResponse::pole()
-  std::array<Eigen::RowVector2d, 9> radius_by_own, radius_by_slip;
+  std::array<Eigen::RowVector2d, 9> radius_by_seen, radius_by_slip;
 };
 
 /// The slip of cells about which it turns.
@@ -34,6 +35,10 @@ struct DiscGrowth {
 /// The slip within the cell and halfway beyond is the parabola through the slip at nine centres, with
 /// that of PatchResponse::pole(). Tractions that are interpolated between centres are to have the mean
 /// of directions, so that m has 1/24 of their second differences less.
+///
+/// How much the cells around slip is told by the slip that is seen. The own slip of a short step would
+/// leave some without a solution: its traction falls as a cell begins to slip, which gives more slip,
+/// all the more the shorter the step.
 class TurningSlip {
  public:
   using Index = Eigen::Index;
@@ -78,7 +83,7 @@ class TurningSlip {
   std::vector<FrictionDisc> discs_;
   Eigen::Matrix2Xd directions_;  ///< of the slip at centres
   Eigen::VectorXd sizes_;        ///< of the same, more than 0
-  Eigen::VectorXd parts_;        ///< of full slip, from 0 to 1
+  Eigen::VectorXd parts_;        ///< of full slip, from 0 to 1; 0 of cells that stick
   Eigen::VectorXd pole_slip_;
 };
 
