@@ -169,7 +169,7 @@ TEST(GeneratedPatchSteps, AreSolvedForSpinAlone) {
 
 // The last steps had no solution: that of the first run, while the law of beginning slip saw the
 // direction of the traction ahead jump; those of the others, while discs shrank with the own slip of the
-// step.
+// step. That of the last one has none but with the discs of the step before.
 TEST(GeneratedPatchSteps, AreSolvedWhereAPoleBeginsToSlip) {
   struct Run {
     double ratio;
@@ -182,7 +182,8 @@ TEST(GeneratedPatchSteps, AreSolvedWhereAPoleBeginsToSlip) {
                       {0.682, 5, 9, 0.1, {0, 0, 3.355}, 64},
                       {0.291, 7, 12, 0.5, {0, 0, 3.068}, 30},
                       {2.207, 4, 11, 0.05, {-0.431, 0.187, 2.05}, 91},
-                      {1.229, 4, 15, 0.1, {0.827, 0.171, -2.013}, 91}};
+                      {1.229, 4, 15, 0.1, {0.827, 0.171, -2.013}, 91},
+                      {0.30691331265827421, 7, 12, 0.1, {0, 0, 3.3252693180306059}, 179}};
   for (const Run& run : runs) {
     SCOPED_TRACE("a/b = " + std::to_string(run.ratio));
     const double a = std::sqrt(run.ratio);

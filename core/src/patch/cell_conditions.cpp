@@ -18,8 +18,15 @@ namespace {
 /// attempt z is on the disc.
 constexpr double within_disc = 1e-6;
 
-/// |q - r0 t| - 1 from which the slip is that at the centre.
+/// |q - r0 t| - 1 from which the slip is that at the centre, in steady rolling.
 constexpr double transition = 0.3;
+
+/// The same of each cell. The shorter a step, the shorter r0, and so the transition: it ends at the same
+/// slip in steps of all lengths.
+VectorXd transitions_of(const PatchResponse& response, Index cells) {
+  if (!response.rolls()) return VectorXd::Constant(cells, transition);
+  return transition * (response.seen().by_own + response.seen().by_ahead);
+}
 
 /// r0 of each cell: the reciprocal of the largest own slip in its row by a unit of q in one cell.
 VectorXd lengths_of(const PatchResponse& response, const VectorXd& limits) {
@@ -39,7 +46,7 @@ struct MixedSlip {
   Vector2d value;
   double part, growth;  ///< growth by |q - r0 t|
 
-  MixedSlip(const Vector2d& own, const Vector2d& centre, double beyond) {
+  MixedSlip(const Vector2d& own, const Vector2d& centre, double beyond, double transition) {
     part = std::clamp(beyond / transition, 0.0, 1.0);
     growth = part > 0 && part < 1 ? 1 / transition : 0;
     value = own + part * (centre - own);
@@ -63,10 +70,12 @@ CellConditions::CellConditions(const PatchResponse& response, const VectorXd& li
       turning_(response, limits),
       boundary_(response, limits),
       shortfalls_(static_cast<std::size_t>(limits.size())),
-      discs_(shortfalls_.size()) {}
+      discs_(shortfalls_.size()),
+      transitions_(transitions_of(response, limits.size())) {}
 
 void CellConditions::look_at(const PatchState& state) {
   state_ = &state;
+  if (keeps_discs_) return;
   turning_.look_at(state);
   for (Index i = 0; i < limits_->size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
@@ -111,7 +120,7 @@ Vector2d CellConditions::slip(Index i) const {
   const FrictionDisc& of = disc(i);
   const Vector2d y = quotient(i) - of.centre, own = pair_of(state_->own_slip, i);
   const double beyond = (y - lengths_[i] * own).norm() - of.radius;
-  return MixedSlip(own, pair_of(state_->centre_slip, i), beyond).value;
+  return MixedSlip(own, pair_of(state_->centre_slip, i), beyond, transitions_[i]).value;
 }
 
 Vector2d CellConditions::error(Index i) const {
@@ -167,12 +176,12 @@ void CellConditions::add_shortfall(Index i, const Vector2d& by_value, CellCondit
 }
 
 CellCondition CellConditions::about(Index i, const Vector2d& q) const {
-  const bool is_enclosed = turning_.is_enclosed(i, state_->slips);
+  const bool is_enclosed = keeps_discs_ || turning_.is_enclosed(i, state_->slips);
   const FrictionDisc disc = is_enclosed ? this->disc(i) : FrictionDisc{.radius = carried(i)};
   const Vector2d own = pair_of(state_->own_slip, i), centre = pair_of(state_->centre_slip, i);
   const double own_length = lengths_[i], length = length_ratio_ * own_length;
   const Vector2d y = q - disc.centre, beyond = y - own_length * own;
-  const MixedSlip slip(own, centre, beyond.norm() - disc.radius);
+  const MixedSlip slip(own, centre, beyond.norm() - disc.radius, transitions_[i]);
   const Vector2d z = y - length * slip.value;
   Vector2d e = Vector2d::Zero();
   Matrix2d D = Matrix2d::Identity();
@@ -198,6 +207,7 @@ CellCondition CellConditions::about(Index i, const Vector2d& q) const {
     by_radius -= grown;
   }
   found.right += found.by_q * disc.centre;
+  if (keeps_discs_) return found;
   if (!is_enclosed || turning_.disc(i).radius == 1) {
     add_shortfall(i, -by_radius, found);
     return found;

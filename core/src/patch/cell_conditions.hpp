@@ -49,6 +49,9 @@ class CellConditions {
   /// \param ratio  r over r0, which is 1 until it is set
   void set_length(double ratio) { length_ratio_ = ratio; }
 
+  /// Whether discs stay those of the state that is looked at now.
+  void keep_discs(bool keeps) { keeps_discs_ = keeps; }
+
   /// Takes the state that all questions are about, until it is changed.
   /// \param state  must outlive this object
   void look_at(const PatchState& state);
@@ -104,7 +107,9 @@ class CellConditions {
   SlipBoundary boundary_;
   std::vector<Shortfall> shortfalls_;
   std::vector<FrictionDisc> discs_;
+  Eigen::VectorXd transitions_;  ///< |q - r0 t| - 1 from which the slip is that at the centre
   double length_ratio_ = 1;
+  bool keeps_discs_ = false;
   const PatchState* state_ = nullptr;
 };
 

@@ -239,11 +239,11 @@ void PatchRolling::Parts::prepare_follower(const PatchResponse& of, const Vector
 /// Solves a step into `trial`, from the state before it. If the same cells slip in two steps that
 /// are solved anew, the next ones may follow.
 void PatchRolling::Parts::solve(const PatchResponse& of, const VectorXd& limits_now,
-                                const PatchLoad& load) {
+                                const PatchLoad& load, Discs discs) {
   trial = state;
   const bool can_follow = follows && follower->fits(load, state.slips);
   const bool followed = can_follow && follower->follow(load, imposed, trial);
-  if (!followed) trial = solve_stick_slip(of, limits_now, load, &state, &imposed);
+  if (!followed) trial = solve_stick_slip(of, limits_now, load, &state, &imposed, discs);
   const bool is_slow = followed && trial.iterations >= many_corrections;
   if (is_slow || (!followed && trial.slips == state.slips)) {
     prepare_follower(of, limits_now, trial, load);
@@ -272,7 +272,7 @@ void PatchRolling::Parts::solve_slipping(const PatchStep& taken, const PatchResp
   slipping_limits = patch.limits();
 }
 
-void PatchRolling::Parts::take(double dq, const PatchLoad& load) {
+void PatchRolling::Parts::take(double dq, const PatchLoad& load, Discs discs) {
   const PatchLoad wanted = scaled(load, dq > 0);
   const PatchStep taken{.dq = dq,
                         .from = now.half_width,
@@ -292,7 +292,7 @@ void PatchRolling::Parts::take(double dq, const PatchLoad& load) {
     solve_slipping(taken, of, wanted, rows);
     friction = std::move(rows);
   } else {
-    solve(of, limits_of_bound(next.bound), wanted);
+    solve(of, limits_of_bound(next.bound), wanted, discs);
   }
   std::swap(before, state);
   std::swap(state, trial);
@@ -368,8 +368,9 @@ void PatchRolling::Parts::roll(double dq, const PatchLoad& load, int divisions) 
   try {
     return take(dq, load);
   } catch (const NotConverged&) {
-    if (divisions == 0) throw;
+    if (divisions == 0 && friction) throw;
   }
+  if (divisions == 0) return take(dq, load, Discs::of_start);
   Parts halves = *this;
   halves.next = between(now, next, 0.5);
   halves.roll(dq / 2, middle_of(load, halves.next), divisions - 1);

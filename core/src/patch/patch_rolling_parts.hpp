@@ -118,10 +118,13 @@ struct PatchRolling::Parts {
   /// \throws std::invalid_argument if a number is out of its range
   void require_load(const PatchLoad& load, bool rolls) const { scaled(load, rolls); }
 
-  /// \param dq  0 for a shift
-  void take(double dq, const PatchLoad& load);
+  /// \param dq     0 for a shift
+  /// \param discs  where friction does not depend on slip
+  void take(double dq, const PatchLoad& load, Discs discs = Discs::of_solution);
 
-  /// Takes a step; one that is not solved is divided into halves, and these again.
+  /// Takes a step; one that is not solved is divided into halves, and these again. The last ones may
+  /// keep their discs: where several cells about a pole begin to slip at once, tractions fall, and
+  /// there may be no solution near with discs that shrink, however short the step.
   void roll(double dq, const PatchLoad& load, int divisions);
 
   /// Shifts the bodies without rolling. Those that touch anew are at rest then, or carry resultants.
@@ -138,7 +141,8 @@ struct PatchRolling::Parts {
   PatchLoad scaled(const PatchLoad& load, bool rolls) const;
   void lose(double dq, const PatchLoad& load);
   PatchLoad middle_of(const PatchLoad& load, const ContactScale& middle) const;
-  void solve(const PatchResponse& of, const Eigen::VectorXd& limits, const PatchLoad& load);
+  void solve(const PatchResponse& of, const Eigen::VectorXd& limits, const PatchLoad& load,
+             Discs discs);
   void solve_slipping(const PatchStep& taken, const PatchResponse& of, const PatchLoad& load,
                       FrictionRows& rows);
   void begin_friction();

@@ -30,7 +30,7 @@ constexpr double softness = 0.05;
 
 /// The traction of the cell ahead, over its limit, far below which it has no direction: where it passes
 /// 0, that jumps.
-constexpr double least_traction = 0.1;
+constexpr double least_traction = 0.03;
 
 /// A value and its derivative.
 struct Growing {

@@ -76,13 +76,15 @@ class Newton {
  public:
   PatchLoad load = {};
 
-  Newton(const PatchResponse& response, const VectorXd& limits, const ImposedSlip* imposed)
+  Newton(const PatchResponse& response, const VectorXd& limits, const ImposedSlip* imposed,
+         Discs discs = Discs::of_solution)
       : imposed_(imposed != nullptr ? *imposed
                                     : ImposedSlip{VectorXd::Zero(2 * limits.size()),
                                                   VectorXd::Zero(2 * limits.size())}),
         cells_(limits.size()),
         conditions_(response, limits),
         system_(response, limits),
+        discs_(discs),
         tolerance_(imposed != nullptr ? tolerance_of_step : tolerance) {}
 
   PatchState adhesion() const {
@@ -99,7 +101,9 @@ class Newton {
   /// Whether it converges.
   bool converges(PatchState& state, const Attempt& attempt) {
     conditions_.set_length(attempt.length);
+    conditions_.keep_discs(false);
     conditions_.look_at(state);
+    conditions_.keep_discs(discs_ == Discs::of_start);
     q_ = conditions_.quotients();
     state.residual = std::numeric_limits<double>::infinity();
     for (int i = 0; i < attempt.systems; ++i) {
@@ -184,6 +188,7 @@ class Newton {
   CellConditions conditions_;
   SlipSystem system_;
   RowBlockSolver solver_;
+  Discs discs_;
   double tolerance_;
   VectorXd q_;         ///< on the disc
   PatchState before_;  ///< that of the last system
@@ -205,8 +210,8 @@ bool converges(Newton& newton, const PatchState& start, std::span<const Attempt>
 
 PatchState solve_stick_slip(const PatchResponse& response, const VectorXd& limits,
                             const PatchLoad& load, const PatchState* start,
-                            const ImposedSlip* imposed) {
-  Newton newton(response, limits, imposed);
+                            const ImposedSlip* imposed, Discs discs) {
+  Newton newton(response, limits, imposed, discs);
   newton.load = load;
   PatchState state, reached = newton.adhesion();
   if (converges(newton, start != nullptr ? *start : reached, attempts, state)) return state;

@@ -37,7 +37,7 @@ struct DiscGrowth {
 /// of directions, so that m has 1/24 of their second differences less.
 ///
 /// How much the cells around slip is told by the slip that is seen. The own slip of a short step would
-/// leave some without a solution: its traction falls as a cell begins to slip, which gives more slip,
+/// leave some without a solution near: traction falls as a cell begins to slip, which gives more slip,
 /// all the more the shorter the step.
 class TurningSlip {
  public:

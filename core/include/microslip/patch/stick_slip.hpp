@@ -25,6 +25,9 @@ struct PatchState {
 /// Residuals of solved steps are smaller.
 inline constexpr double largest_residual_of_step = 1e-7;
 
+/// The discs onto which P projects; see solve_stick_slip().
+enum class Discs { of_solution, of_start };
+
 /// Solves the slip conditions of steady rolling: with q = v/g, g the limit of a cell, and s its slip
 ///   |q| <= 1 where s = 0,  q = -s/|s| elsewhere.
 /// A cell sticks by its own slip t, and slips in the direction of the slip c at its centre. With a
@@ -39,10 +42,12 @@ inline constexpr double largest_residual_of_step = 1e-7;
 /// \param load    in the scale of PatchResponse
 /// \param start   where to start; nullptr for adhesion
 /// \param imposed  slip in a step by what was before it; nullptr in steady rolling
+/// \param discs    those of the start are for a step over whose way they hardly change; there is a
+///                solution near the start then
 /// \throws NotConverged
 PatchState solve_stick_slip(const PatchResponse& response, const Eigen::VectorXd& limits,
                             const PatchLoad& load, const PatchState* start = nullptr,
-                            const ImposedSlip* imposed = nullptr);
+                            const ImposedSlip* imposed = nullptr, Discs discs = Discs::of_solution);
 
 /// The derivatives of the resultants by the motion, in a state that is solved. They are exact where
 /// no cell changes between stick and slip, and one-sided elsewhere.
