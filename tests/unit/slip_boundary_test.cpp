@@ -168,8 +168,8 @@ TEST(SlipBoundary, IsSolvedInFewSystemsOnFineCells) {
   EXPECT_LT(largest, 45);
 }
 
-/// The largest difference of forces and moment at a distance from those of steady rolling, over full
-/// sliding.
+/// The largest difference of forces and moment at a distance from those of steady rolling, over
+/// full sliding.
 double error_in_the_end(double spin, std::initializer_list<double> steps, double distance) {
   const SteadyPatch problem = ellipse(1, 7, 8);
   double largest = 0;

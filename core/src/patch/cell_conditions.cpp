@@ -21,8 +21,8 @@ constexpr double within_disc = 1e-6;
 /// |q - r0 t| - 1 from which the slip is that at the centre, in steady rolling.
 constexpr double transition = 0.3;
 
-/// The same of each cell. The shorter a step, the shorter r0, and so the transition: it ends at the same
-/// slip in steps of all lengths.
+/// The same of each cell. The shorter a step, the shorter r0, and so the transition: it ends at the
+/// same slip in steps of all lengths.
 VectorXd transitions_of(const PatchResponse& response, Index cells) {
   if (!response.rolls()) return VectorXd::Constant(cells, transition);
   return transition * (response.seen().by_own + response.seen().by_ahead);

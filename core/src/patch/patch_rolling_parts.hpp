@@ -122,9 +122,9 @@ struct PatchRolling::Parts {
   /// \param discs  where friction does not depend on slip
   void take(double dq, const PatchLoad& load, Discs discs = Discs::of_solution);
 
-  /// Takes a step; one that is not solved is divided into halves, and these again. The last ones may
-  /// keep their discs: where several cells about a pole begin to slip at once, tractions fall, and
-  /// there may be no solution near with discs that shrink, however short the step.
+  /// Takes a step; one that is not solved is divided into halves, and these again. The last ones
+  /// may keep their discs: where several cells about a pole begin to slip at once, tractions fall,
+  /// and there may be no solution near with discs that shrink, however short the step.
   void roll(double dq, const PatchLoad& load, int divisions);
 
   /// Shifts the bodies without rolling. Those that touch anew are at rest then, or carry resultants.

@@ -36,9 +36,9 @@ struct DiscGrowth {
 /// that of PatchResponse::pole(). Tractions that are interpolated between centres are to have the mean
 /// of directions, so that m has 1/24 of their second differences less.
 ///
-/// How much the cells around slip is told by the slip that is seen. The own slip of a short step would
-/// leave some without a solution near: traction falls as a cell begins to slip, which gives more slip,
-/// all the more the shorter the step.
+/// How much the cells around slip is told by the slip that is seen. The own slip of a short step
+/// would leave some without a solution near: traction falls as a cell begins to slip, which gives
+/// more slip, all the more the shorter the step.
 class TurningSlip {
  public:
   using Index = Eigen::Index;
