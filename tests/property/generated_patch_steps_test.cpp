@@ -167,9 +167,9 @@ TEST(GeneratedPatchSteps, AreSolvedForSpinAlone) {
   }
 }
 
-// The last steps had no solution: that of the first run, while the law of beginning slip saw the
-// direction of the traction ahead jump; those of the others, while discs shrank with the own slip of the
-// step. That of the last one has none but with the discs of the step before.
+// The last step of each run had no solution. In the first run, the law of beginning slip saw the
+// direction of the traction ahead jump; in the others, discs shrank with the own slip of the step. The
+// last run is solved only with the discs of the step before.
 TEST(GeneratedPatchSteps, AreSolvedWhereAPoleBeginsToSlip) {
   struct Run {
     double ratio;

@@ -46,9 +46,9 @@ struct MixedSlip {
   Vector2d value;
   double part, growth;  ///< growth by |q - r0 t|
 
-  MixedSlip(const Vector2d& own, const Vector2d& centre, double beyond, double transition) {
-    part = std::clamp(beyond / transition, 0.0, 1.0);
-    growth = part > 0 && part < 1 ? 1 / transition : 0;
+  MixedSlip(const Vector2d& own, const Vector2d& centre, double beyond, double width) {
+    part = std::clamp(beyond / width, 0.0, 1.0);
+    growth = part > 0 && part < 1 ? 1 / width : 0;
     value = own + part * (centre - own);
   }
 };
@@ -161,14 +161,9 @@ void CellConditions::add_seen(Index cell, const Matrix2d& by_seen, CellCondition
 void CellConditions::add_shortfall(Index i, const Vector2d& by_value, CellCondition& found) const {
   const Shortfall& less = shortfalls_[static_cast<std::size_t>(i)];
   if (less.value == 0) return;
-  const auto add = [&](Index cell, const Eigen::RowVector2d& by_own) {
-    add_own(cell, by_value * by_own, found);
-  };
-  // It is 0 in the second cell of a row, which has one cell ahead.
-  if (!less.by_own_second.isZero(0)) add(i - 2, less.by_own_second);
-  add(i - 1, less.by_own_ahead);
-  add(i, less.by_own);
-  add(i + 1, less.by_own_behind);
+  add_seen(i - 1, by_value * less.by_seen_ahead, found);
+  add_seen(i, by_value * less.by_seen, found);
+  add_seen(i + 1, by_value * less.by_seen_behind, found);
   const Matrix2d by_q = by_value * less.by_q_ahead, by_own_q = by_value * less.by_q;
   found.term_of(i - 1).by_q += by_q;
   found.by_q += by_own_q;

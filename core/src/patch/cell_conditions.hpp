@@ -14,7 +14,7 @@
 namespace microslip {
 
 /// The condition of a cell, linear about a state: by_q q, and by_own t + by_centre c + by_pole d +
-/// by_q q of the cell and of up to twelve near it, are right. d is the lateral slip of
+/// by_q q of the cell and of up to eleven near it, are right. d is the lateral slip of
 /// PatchResponse::pole().
 struct CellCondition {
   struct BySlip {

@@ -119,8 +119,8 @@ Shortfall SlipBoundary::shortfall(const PatchState& state, Index cell) const {
   const Vector2d direction_ahead = ahead.size / soft * ahead.direction;
   const double missing = 1 - ahead.size, cosine = traction.direction.dot(direction_ahead);
   if (slip_behind == 0 || missing <= 0 || cosine <= 0) return {};
-  const SeenSlip& seen = response_->seen();
-  const Growing z = place_of(slip / slip_behind, seen.ways[cell]);
+  const VectorXd& ways = response_->seen().ways;
+  const Growing z = place_of(slip / slip_behind, ways[cell]);
   if (z.value == 1) return {};
   // The part of the zone ahead that sticks.
   const Vector2d seen_ahead = pair_of(state.seen_slip, cell - 1);
@@ -128,7 +128,7 @@ Shortfall SlipBoundary::shortfall(const PatchState& state, Index cell) const {
   const double sticks = 1 - slip_ahead / (least_slip_ahead * slip_behind);
   if (sticks <= 0) return {};
   // b by both neighbours, and their harmonic mean, which is 0 where one of them has no kink.
-  const Growing of_slip = slip_of_behind(z.value, seen.ways[cell + 1]);
+  const Growing of_slip = slip_of_behind(z.value, ways[cell + 1]);
   const Growing of_missing = missing_ahead(z.value), part = shortfall_of(z.value);
   const Growing shared = shared_by(cosine);
   const double by_slip = slip_behind / (slips_[cell] * of_slip.value);
@@ -148,23 +148,17 @@ Shortfall SlipBoundary::shortfall(const PatchState& state, Index cell) const {
   const double by_sticks = by_kink * shared.value * missing;
   const double by_behind = part.value * grows_by_slip / (slips_[cell] * of_slip.value) +
                            (by_sticks * (1 - sticks) - by_here * slip) / slip_behind;
-  const RowVector2d by_seen_ahead =
+  found.by_seen_ahead =
       -by_sticks / (least_slip_ahead * slip_behind) * seen_ahead.normalized().transpose();
-  found.by_own_ahead = seen.by_own[cell - 1] * by_seen_ahead;
-  found.by_own_second = seen.by_ahead[cell - 1] * by_seen_ahead;
   const double by_cosine = by_kink * sticks * missing * shared.growth;
   found.by_q_ahead =
       by_cosine / soft * (traction.direction - cosine * direction_ahead).transpose() -
       by_kink * sticks * shared.value * ahead.direction.transpose();
   found.by_q = by_cosine * traction.turning(direction_ahead);
-  const RowVector2d by_seen_behind = by_behind * behind.normalized().transpose();
-  found.by_own = seen.by_ahead[cell + 1] * by_seen_behind;
-  found.by_own_behind = seen.by_own[cell + 1] * by_seen_behind;
+  found.by_seen_behind = by_behind * behind.normalized().transpose();
   if (slip > 0) {
-    const RowVector2d by_seen = -by_here * traction.direction.transpose();
     found.by_q -= by_here * traction.turning(here);
-    found.by_own_ahead += seen.by_ahead[cell] * by_seen;
-    found.by_own += seen.by_own[cell] * by_seen;
+    found.by_seen = -by_here * traction.direction.transpose();
   }
   return found;
 }

@@ -11,12 +11,12 @@ namespace microslip {
 /// The part of its limit that a cell carries less, and its derivatives.
 struct Shortfall {
   double value = 0;
-  Eigen::RowVector2d by_own_ahead = Eigen::RowVector2d::Zero();  ///< by own slip of the cell ahead
-  Eigen::RowVector2d by_own_second = by_own_ahead;  ///< by that of the cell ahead of it
-  Eigen::RowVector2d by_own = by_own_ahead;         ///< by that of the cell
-  Eigen::RowVector2d by_own_behind = by_own_ahead;  ///< by that of the cell behind
-  Eigen::RowVector2d by_q_ahead = by_own_ahead;     ///< by q of the cell ahead
-  Eigen::RowVector2d by_q = by_own_ahead;           ///< by that of the cell
+  Eigen::RowVector2d by_seen_ahead =
+      Eigen::RowVector2d::Zero();                     ///< by seen slip of the cell ahead
+  Eigen::RowVector2d by_seen = by_seen_ahead;         ///< by that of the cell
+  Eigen::RowVector2d by_seen_behind = by_seen_ahead;  ///< by that of the cell behind
+  Eigen::RowVector2d by_q_ahead = by_seen_ahead;      ///< by q of the cell ahead
+  Eigen::RowVector2d by_q = by_seen_ahead;            ///< by that of the cell
 };
 
 /// The cells in which slip begins, behind a zone that sticks.
