@@ -9,7 +9,7 @@ ratios = "1 0.1"
 set xlabel "distance rolled over the half-width, q/a [1]"
 set ylabel "creepage [1]"
 set xrange [0:3]
-set yrange [0.02:0.062]
+set yrange [0.02:0.065]
 set key bottom right
 plot for [s=1:3] for [k=(s == 2 ? 2 : 1):2] creepages using (of(word(names, s), word(ratios, k))):"creepage" with lines \
        linecolor rgb colour_of(word(names, s)) dashtype k \
