@@ -241,7 +241,7 @@ def plot_curve(steady: Any, axes: Any = None) -> Any:
         axes.plot(100 * np.abs(steady.creepage), np.abs(steady.fastsim_force), linestyle=":", color=line.get_color(),
                   label="FASTSIM")
     axes.axhline(steady.full_sliding, color="0.6", linewidth=0.8, linestyle="--", label="full sliding")
-    axes.set(xlabel="creepage [%]", ylabel="force [N/mm]")
+    axes.set(xlabel="size of the creepage [%]", ylabel="size of the force [N/mm]")
     axes.autoscale_view()
     axes.legend()
     return axes

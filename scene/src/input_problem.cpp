@@ -68,6 +68,9 @@ const char* name_of(const InputCase& read, std::size_t k) {
   return static_cast<int>(k) < read['F'] ? forces[k] : motions[k];
 }
 
+/// The sine of CHI below which a direction is along x but for digits that were left out, as in 3.14.
+constexpr double most_turned = 2e-3;
+
 /// Refuses numbers of the motion without a scene.
 void require_motion(const InputCase& read, const std::string& file, bool direct) {
   const std::vector<InputNumber>& given = read.kinematics;
@@ -83,7 +86,7 @@ void require_motion(const InputCase& read, const std::string& file, bool direct)
   }
   if (read['T'] == 1) return;
   const std::vector<InputNumber>& rolling = read.rolling;
-  require_input(std::abs(std::sin(rolling[0].value)) < 1e-6, file, rolling[0], "CHI",
+  require_input(std::abs(std::sin(rolling[0].value)) < most_turned, file, rolling[0], "CHI",
                 "0 or 180d, rolling along x");
   require_input(rolling[1].value > 0, file, rolling[1], "DQ", "a number > 0");
   if (direct && rolling.size() > 3) {
@@ -94,6 +97,11 @@ void require_motion(const InputCase& read, const std::string& file, bool direct)
 
 bool rolls_backwards(const InputCase& read) {
   return read['T'] > 1 && std::cos(read.rolling[0].value) < 0;
+}
+
+/// Whether the direction of rolling is one of x but for digits that were left out.
+bool is_rounded_direction(const InputCase& read) {
+  return read['T'] > 1 && std::abs(std::sin(read.rolling[0].value)) > 1e-6;
 }
 
 /// Forces are over mu FN.
@@ -195,6 +203,11 @@ void add_notes(InputProblem& problem, const InputCase& read, const std::string& 
     problem.notes.push_back(fmt::format("{}:{}: {} = {}: {}", shown(file), read.line_of(digit),
                                         name_of_digit(digit), read[digit], text));
   };
+  if (is_rounded_direction(read)) {
+    problem.notes.push_back(fmt::format("{}:{}: CHI = {}: taken as {}, rolling along x", shown(file),
+                                        read.rolling[0].line, read.rolling[0].text,
+                                        rolls_backwards(read) ? "180d" : "0"));
+  }
   if (rolls_backwards(read)) {
     problem.notes.push_back(
         fmt::format("{}:{}: CHI = {}: x and y of the scene are opposite to those of the case, and "

@@ -177,8 +177,7 @@ void warn_of_other_aspect(Scene& scene, const SteadyPatch& patch) {
   scene.warn("grid.rows", static_cast<double>(patch.rows),
              fmt::format("rows and elements do not fit a/b = {:.3g}: {} rows of {} elements have a "
                          "smaller error",
-                         patch.bound.ratio(), std::max(1.0, std::round(size / root)),
-                         std::max(1.0, std::round(size * root))));
+                         patch.bound.ratio(), std::ceil(size / root), std::ceil(size * root)));
 }
 
 }  // namespace

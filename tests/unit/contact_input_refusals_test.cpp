@@ -127,6 +127,7 @@ TEST(ContactInputRefusals, NameNumbers) {
        {"0.3  0.3", "0.3  0.2", "8: FKIN = 0.2: expected FSTAT, 0.3"},
        {"0.3  0.3", "0  0.2", "8: FSTAT = 0: expected a number > 0"},
        {"  0.0  0.1", "  90d  0.1", "9: CHI = 90d: expected 0 or 180d"},
+       {"  0.0  0.1", "  3.13  0.1", "9: CHI = 3.13: expected 0 or 180d"},
        {"  0.0  0.1", "  d  0.1", "9: CHI = d: expected a number"},
        {"  0.0  0.1", "  0.0  -0.1", "9: DQ = -0.1: expected a number > 0"},
        {"0.28 0.28 1.0 1.0", "0.28 0.6 1.0 1.0", "10: POISS2 = 0.6: expected a number from 0"},

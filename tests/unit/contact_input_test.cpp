@@ -191,6 +191,15 @@ TEST(ContactInput, TurnsRollingBackwards) {
   EXPECT_EQ(scene_text(replaced(good_input, "  0.0  0.1", "  360d  0.1")), scene_text(good_input));
 }
 
+TEST(ContactInput, TakesADirectionInFewDigits) {
+  const std::string few = replaced(good_input, "  0.0  0.1", "  3.14  0.1");
+  EXPECT_EQ(ellipse_of(few).load, (PatchLoad{{{false, -0.07}, {false, -0.02}, {false, -0.01}}}));
+  const ImportedScene scene = scene_of_input(few, "a.inp", {});
+  ASSERT_EQ(scene.notes.size(), 2U);
+  EXPECT_NE(scene.notes[0].find("CHI = 3.14: taken as 180d, rolling along x"), std::string::npos)
+      << scene.notes[0];
+}
+
 TEST(ContactInput, MakesARunOfStepsThatContinue) {
   Scene scene = imported(good_run, {.number = 4});
   const auto run = std::get<PatchTransient>(read_model(scene));
