@@ -98,7 +98,7 @@ FUNCTIONS = {
     "tt": "py_writable_target",
     "ipt": "save restore ellipse_save ellipse_restore ellipse_restore_from_memory py_restore",
     "ipp": "copy ellipse_copy ellipse_get_cells ellipse_get_elastic_energy ellipse_get_state get_state "
-           "get_elastic_energy get_full_sliding py_ellipse_contact",
+           "get_elastic_energy get_full_sliding py_contact py_ellipse_contact",
     "ipd": "set_creepage set_force advance set_speed ellipse_set_speed",
     "ppii": "py_read",
     "tps": "py_warnings py_table_name py_table_text",

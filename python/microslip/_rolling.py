@@ -73,7 +73,6 @@ class Rolling(Contact):
     def __init__(self, scene: Scene = None, **overrides: Any):
         self._scene = SceneArguments(scene, overrides)
         self._load: Optional[Load] = None
-        self._contact = (1.0, 1.0)
         self._own(self._new_handle())
 
     def _new_handle(self) -> int:
@@ -83,7 +82,6 @@ class Rolling(Contact):
         return require(call("py_save", self._open()))
 
     def _take_saved(self, saved: bytes) -> None:
-        self._call("set_contact", *self._contact)
         require_ok(call("py_restore", self._handle, saved))
         if self._load is not None:
             self._set_load(**{self._load.kind: self._load.value})
@@ -122,12 +120,12 @@ class Rolling(Contact):
         InputError, NoSolution
             No step has been made then; the message names the first step that fails, counted from 0.
         """
-        given = {"dq": dq, "creepage": creepage, "force": force, "half_width_factor": half_width_factor,
+        given = {"dq": dq, **self._load_of(creepage, force), "half_width_factor": half_width_factor,
                  "bound_factor": bound_factor}
-        self._require_load(creepage, force)
         if (half_width_factor is None) != (bound_factor is None):
-            given["half_width_factor"] = self._contact[0] if half_width_factor is None else half_width_factor
-            given["bound_factor"] = self._contact[1] if bound_factor is None else bound_factor
+            size, bound = self._factors()
+            given["half_width_factor"] = size if half_width_factor is None else half_width_factor
+            given["bound_factor"] = bound if bound_factor is None else bound_factor
         columns = broadcast({**given, "dq": numbers("dq", dq)})
         if columns["dq"].ndim == 0:
             self._roll_once(**{name: float(value) for name, value in columns.items()})
@@ -151,16 +149,20 @@ class Rolling(Contact):
     @contextlib.contextmanager
     def _settings_kept(self) -> Iterator[None]:
         """Puts load and contact back if a call fails."""
-        before = self._load
+        load, contact = self._load, self._factors()
         try:
             yield
         except Error:
             if self._finalizer.alive:
-                call("set_contact", self._handle, *self._contact)
-                self._load = None
-                if before is not None:
-                    self._set_load(**{before.kind: before.value})
+                call("set_contact", self._handle, *contact)
+                self._load = load  # the contact that is set may not carry it
             raise
+
+    def _factors(self) -> Tuple[float, float]:
+        """Returns those that set_contact() set, or a step or a file."""
+        factors = np.ones(2)
+        require_ok(call("py_contact", self._open(), factors.ctypes.data))
+        return float(factors[0]), float(factors[1])
 
     def _roll_all(self, columns: Dict[str, np.ndarray], states: np.ndarray, told: Any) -> str:
         """Rolls all or no steps. Returns the last warning."""
@@ -185,8 +187,6 @@ class Rolling(Contact):
         for kind in ("creepage", "force"):
             if kind in columns:
                 self._load = Load(kind, float(columns[kind].flat[-1]))
-        if "bound_factor" in columns:
-            self._contact = (float(columns["half_width_factor"].flat[-1]), float(columns["bound_factor"].flat[-1]))
 
     @alone
     def attempt(self, dq: float, *, creepage: Optional[float] = None, force: Optional[float] = None,
@@ -209,21 +209,25 @@ class Rolling(Contact):
             With ``jacobian=True``: fields ``by_load`` and ``by_length``, each with force, mean_force, creepage
             and dissipation; derivatives by the creepage or force, and by dq.
         """
-        self._require_load(creepage, force)
+        load = self._load_of(creepage, force)
         length = number("dq", dq)
         with self._settings_kept():
-            self._set_load(creepage, force)
+            self._set_load(**load)
             found = (self._filled("attempt_with_jacobian", length, into=(STATE, JACOBIAN)) if jacobian
                      else self._filled("attempt", length, into=(STATE,))[0])
         self._tell_once(text_of("warning", self._handle))
         return found
 
-    def _require_load(self, creepage: Any, force: Any) -> None:
+    def _load_of(self, creepage: Any, force: Any) -> Dict[str, Any]:
+        """Returns the load of a step: the given one, or that of the last step."""
         if creepage is not None and force is not None:
             raise InputError("force: expected a creepage or a force, not both", "force", str(force),
                              "a creepage or a force")
-        if self._load is None and creepage is None and force is None:
+        if creepage is not None or force is not None:
+            return {"creepage": creepage, "force": force}
+        if self._load is None:
             raise InputError("load: expected a creepage or a force to be set", "load", "", "a creepage or a force")
+        return {self._load.kind: self._load.value}
 
     def _set_load(self, creepage: Optional[float] = None, force: Optional[float] = None) -> None:
         for kind, value in (("creepage", creepage), ("force", force)):
@@ -254,9 +258,8 @@ class Rolling(Contact):
             another normal load by Hertz's theory, and another friction coefficient changes the bound alone.
             With 0, bodies do not touch. The scheme must be remembered.
         """
-        contact = (number("half_width_factor", half_width_factor), number("bound_factor", bound_factor))
-        self._call("set_contact", *contact)
-        self._contact = contact
+        self._call("set_contact", number("half_width_factor", half_width_factor),
+                   number("bound_factor", bound_factor))
 
     @alone
     def start_from_shift(self, force: float) -> float:

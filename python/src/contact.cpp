@@ -34,6 +34,15 @@ int microslip_py_restore(microslip_rolling* rolling, const char* text) {
   });
 }
 
+int microslip_py_contact(const microslip_rolling* rolling, double* factors) {
+  return python::status_of([&] {
+    const std::lock_guard lock(rolling->mutex);
+    const ContactScale& contact = rolling->contact->contact();
+    factors[0] = contact.half_width;
+    factors[1] = contact.bound;
+  });
+}
+
 const char* microslip_py_writable_target(const char* path) {
   return text_or_null([&] { return capi::target_of(path).string(); });
 }

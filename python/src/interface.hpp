@@ -71,6 +71,8 @@ MICROSLIP_API microslip_rolling* microslip_py_rolling(const microslip_py_scene* 
 /// \return a text that is valid until this thread's next call; null if it fails
 MICROSLIP_API const char* microslip_py_save(microslip_rolling* rolling);
 MICROSLIP_API int microslip_py_restore(microslip_rolling* rolling, const char* text);
+/// \param factors  out: of the half-width and of the bound, as they are set
+MICROSLIP_API int microslip_py_contact(const microslip_rolling* rolling, double* factors);
 /// The file that a writer of a path replaces.
 /// \return a path that is valid until this thread's next call; null for what is no regular file
 MICROSLIP_API const char* microslip_py_writable_target(const char* path);

@@ -59,6 +59,35 @@ def test_copies_roll_on_their_own_to_the_bit(make, scene):
     original.roll(0.1)
 
 
+def test_a_state_of_a_file_has_the_contact_that_was_set(scene, tmp_path):
+    original = started(scene)
+    original.set_contact(0.5, 0.5)
+    original.save(tmp_path / "set")
+    restored = ms.Rolling(scene)
+    restored.restore(tmp_path / "set")
+    assert restored.full_sliding == original.full_sliding
+    with pytest.raises(ms.InputError, match="force = -1e\\+06"):
+        restored.roll(0.2, force=-1e6)
+    for contact in original, restored:
+        contact.roll(0.2, creepage=1e-3, bound_factor=0.6)
+    assert everything(restored) == everything(original)
+
+
+def test_what_the_contact_set_does_not_carry_is_no_load_of_a_refused_step(scene):
+    contact = ms.Rolling(scene)
+    contact.roll(0.2, force=-1000)
+    contact.set_contact(0.5, 0.5)
+    for given, message in (({"force": -800}, "force = -800"), ({"creepage": float("nan")}, "creepage = nan"),
+                           ({}, "force = -1000")):
+        for step in contact.roll, contact.attempt:
+            with pytest.raises(ms.InputError, match=message):
+                step(0.2, **given)
+    assert contact.load == ("force", -1000)
+    contact.set_contact(1, 1)
+    contact.roll([0.2])
+    assert contact.state.force == pytest.approx(-1000)
+
+
 def test_within_one_deepcopy_they_are_one(scene):
     first, second = copy.deepcopy([*[started(scene)] * 2])
     assert first is second

@@ -173,6 +173,27 @@ TEST(ChangingContact, ThatIsLostCarriesNothingAndReturnsUnstrained) {
   EXPECT_NEAR(rolling.state().force, -0.2, 1e-13);
 }
 
+// An implicit integrator tries a step in which the contact returns, and rejects it.
+TEST(ChangingContact, ThatIsLostStaysSoInAnAttempt) {
+  for (const double sign : {1.0, -1.0}) {
+    TransientRolling rolling(problem_with(plane, 30));
+    rolling.roll(1, {0.1}, PrescribedCreepage{0.3}, [](const TransientState&) {});
+    rolling.set_contact({0, 0});
+    rolling.step(0.1, PrescribedCreepage{0.3});
+    rolling.set_contact({1, 1});
+    TransientRolling tried = rolling;
+    EXPECT_LT(tried.attempt(sign * 0.1, PrescribedCreepage{sign * 0.3}).force, 0);
+    TransientRolling shifted = tried, other = rolling;
+    shifted.shift(PrescribedShift{1e-3});
+    other.shift(PrescribedShift{1e-3});
+    EXPECT_EQ(shifted.state().force, other.state().force);
+    tried.step(0.1, PrescribedForce{-0.2});
+    rolling.step(0.1, PrescribedForce{-0.2});
+    EXPECT_EQ(tried.state().creepage, rolling.state().creepage);
+    EXPECT_EQ(tried.state().traction, rolling.state().traction);
+  }
+}
+
 // Whatever it is that is lost: nodes have no tractions then, and no bound.
 TEST(ChangingContact, ThatIsLostHasNoTractionsAtItsNodes) {
   for (const ContactScale& lost :

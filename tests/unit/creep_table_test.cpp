@@ -182,11 +182,13 @@ Matrix3d jacobian_at(const Vector3d& motion) {
 
 // Where formulas change: pure spin, the border of what is about it, no spin, no creepage.
 TEST(CreepTable, HasAContinuousJacobian) {
-  constexpr double little = 1e-7;
+  constexpr double little = 1e-7, rounding = 1e-15;
   const Matrix3d pure_spin = jacobian_at({0, 0, 1});
-  for (const double turn : {0.0, 1.0, 2.0, 3.0, 4.5}) {
-    const Vector3d near(little * std::sin(turn), little * std::cos(turn), 1);
-    EXPECT_LT(largest(jacobian_at(near) - pure_spin), 1e-5) << turn;
+  for (const double size : {little, rounding}) {
+    for (const double turn : {0.0, 1.0, 2.0, 3.0, 4.5}) {
+      const Vector3d near(size * std::sin(turn), size * std::cos(turn), 1);
+      EXPECT_LT(largest(jacobian_at(near) - pure_spin), 1e-5) << size << ", " << turn;
+    }
   }
   for (const Vector3d& at :
        {Vector3d(0.5, 0.7, 0), Vector3d(0, 0.7, 0.3), Vector3d(0.8, 0, 0), Vector3d(0, 0.6, 0)}) {

@@ -109,6 +109,41 @@ TEST(StepJacobian, IsTheSlopeOfTheStep) { expect_slopes(false, 1e-6); }
 // One of 800 steps is 6e-6 off, for a reason not found; all others are below 1e-6.
 TEST(StepJacobian, IsTheSlopeAfterShifts) { expect_slopes(true, 1e-5); }
 
+// The contact returns under a force or a creepage, is lost, and stays lost.
+TEST(StepJacobian, HoldsWhereAContactIsLostOrReturns) {
+  const ContactScale none{0, 0}, whole{1, 1};
+  TransientRolling touching(problem(40));
+  touching.step(0.3, PrescribedCreepage{0.4});
+  TransientRolling leaving = touching, lost = touching;
+  leaving.set_contact(none);
+  lost.set_contact(none);
+  lost.step(0.1, PrescribedCreepage{0.4});
+  TransientRolling returning = lost;
+  returning.set_contact(whole);
+  const double length = 0.1;
+  const auto expect = [&](TransientRolling& rolling, const Load& load, bool by_length) {
+    StepJacobian jacobian;
+    rolling.attempt(length, load, jacobian);
+    const double value = value_of(load), step = 1e-4 * std::abs(value);
+    const Differences by_load = differences(
+        [&](double h) { return results_of(rolling.attempt(length, with_value(load, value + h))); },
+        step);
+    EXPECT_LT((results_of(jacobian.by_load) - by_load.fourth).abs().maxCoeff(), 1e-7)
+        << results_of(jacobian.by_load).transpose() << " / " << by_load.fourth.transpose();
+    if (!by_length) return;
+    const Differences along = differences(
+        [&](double h) { return results_of(rolling.attempt(length + h, load)); }, 1e-4 * length);
+    EXPECT_LT((results_of(jacobian.by_length) - along.fourth).abs().maxCoeff(), 1e-9);
+  };
+  expect(returning, PrescribedForce{-0.3 * full_sliding}, false);
+  expect(returning, PrescribedCreepage{0.4}, false);
+  expect(leaving, PrescribedCreepage{0.4}, false);
+  expect(lost, PrescribedCreepage{0.4}, true);
+  StepJacobian by_force;
+  lost.attempt(length, PrescribedForce{0}, by_force);
+  EXPECT_TRUE(std::isnan(by_force.by_load.creepage)) << "bodies that do not touch carry no other";
+}
+
 // A creepage and the force to which it leads are the same step within an element, except that the
 // mean over partitions keeps the one or the other: exactly where nothing slips.
 TEST(StepJacobian, OfAForceIsTheInverseOfThatOfACreepage) {

@@ -252,7 +252,9 @@ Vector3d CreepTable::forces_of_octant(double ratio, const Vector3d& motion,
   const Vector3d direction = motion.cwiseQuotient(scales.directions);
   const double across = direction.head<2>().norm();
   const double polar = std::atan2(across, direction[2]);
-  const double azimuth = std::atan2(std::abs(direction[0]), direction[1]);
+  // At pure spin, the direction along eta has the azimuth 0, and the polar angle is a length.
+  const bool is_pure_spin = across < 1e-12 * direction[2];
+  const double azimuth = is_pure_spin ? 0 : std::atan2(std::abs(direction[0]), direction[1]);
 
   Slopes at;
   if (polar < cap_angle_) {
@@ -271,8 +273,6 @@ Vector3d CreepTable::forces_of_octant(double ratio, const Vector3d& motion,
     const Vector3d size_slope = sized.cwiseProduct(scales.sizes) / r;
     const Vector3d step_slope = rest / (r + half_step_size) * size_slope;
     const double square = direction.squaredNorm();
-    // At pure spin, the direction along eta has the azimuth 0, and the polar angle is a length.
-    const bool is_pure_spin = across < 1e-12 * direction[2];
     Eigen::Vector2d away(0, 1);
     if (!is_pure_spin) away = direction.head<2>() / across;
     const double turned = is_pure_spin ? 1 / direction[2] : polar / across;

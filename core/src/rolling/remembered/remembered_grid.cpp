@@ -30,7 +30,7 @@ RememberedGrid::RememberedGrid(const TransientProblem& problem, const RollingRow
       reach_(problem.grid.half_width() + problem.grid.spacing()),
       row_(row),
       memory_(row.response().nodes()),
-      turned_(memory_),
+      start_(memory_),
       placed_backward_(false) {
   require_filling(problem.grid, fewest_points, "where the material remembers its displacement");
   x_ = problem_x_;
@@ -170,20 +170,30 @@ void RememberedGrid::place_nodes() {
   std::ranges::reverse(bound_);
 }
 
-/// Begins a contact that was lost and returns within the step where it returns: as a tiny one,
+/// The memory of a contact that was lost and returns within the step where it returns: a tiny one,
 /// which grows on the way. Its material is unstrained.
-void RememberedGrid::begin_lost_contact() {
+RowMemory RememberedGrid::begun_contact() {
   constexpr double tiny = 1e-9;
-  if (memory_.scale.carries() || !target_.carries()) return;
   ContactScale first = memory_.scale;
   if (!(first.half_width > 0)) first.half_width = tiny * target_.half_width;
   if (!(first.bound > 0)) first.bound = tiny * target_.bound;
-  const double distance = memory_.distance;
   row_.face(memory_.backward);
   row_.set_half_width(first.half_width);
   row_.set_bound(first);
-  memory_ = row_.started(VectorXd::Zero(x_.size()), first);
-  memory_.distance = memory_.origin = distance;
+  RowMemory begun = row_.started(VectorXd::Zero(x_.size()), first);
+  begun.distance = begun.origin = memory_.distance;
+  return begun;
+}
+
+/// Where a step begins: in the memory, but for a contact that returns or turns round.
+/// \param load  over the length of the step
+const RowMemory& RememberedGrid::start_of(double length, const Load& load, bool backward) {
+  const bool returns = length > 0 && !memory_.scale.carries() && target_.carries() &&
+                       std::holds_alternative<PrescribedCreepage>(load);
+  const bool turns = backward != memory_.backward;
+  if (returns) start_ = begun_contact();
+  if (turns) start_ = row_.turned(returns ? start_ : memory_);
+  return returns || turns ? start_ : memory_;
 }
 
 /// Goes all the way, on the contact as it changes.
@@ -221,10 +231,7 @@ void RememberedGrid::solve_step(const TransientState&, double signed_length, con
   require_forward(backward, jacobian);
   if (backward) require_carried_back(given);
   const Load load = backward ? mirrored(given) : given;
-  if (length > 0 && std::holds_alternative<PrescribedCreepage>(load)) begin_lost_contact();
-  const bool turns = backward != memory_.backward;
-  if (turns) turned_ = row_.turned(memory_);
-  const RowMemory& from = turns ? turned_ : memory_;
+  const RowMemory& from = start_of(length, load, backward);
   row_.begin(from, jacobian != nullptr);
   go({.length = length, .load = over_length(load, length)}, from);
   const RowStep& step = row_.step();
@@ -240,7 +247,9 @@ void RememberedGrid::solve_step(const TransientState&, double signed_length, con
   after.dissipation = -(step.work + memory.stored - from.stored) / length;
   if (jacobian != nullptr) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    jacobian->by_load = row_.tangent().by_load(after, length);
+    const bool is_free = target_.carries() || std::holds_alternative<PrescribedCreepage>(load);
+    jacobian->by_load = is_free ? row_.tangent().by_load(after, length)
+                                : StepSlopes{unknown, unknown, unknown, unknown};
     jacobian->by_length = target_ == from.scale ? row_.tangent().by_length(after, length)
                                                 : StepSlopes{unknown, unknown, unknown, unknown};
   }

@@ -54,7 +54,8 @@ class RememberedGrid final : public RollingGrid {
 
   bool has_shifted() const;
   StandingRow& standing();
-  void begin_lost_contact();
+  RowMemory begun_contact();
+  const RowMemory& start_of(double length, const Load& load, bool backward);
   void go(const Way& way, const RowMemory& from);
   void give_tractions(const RowMemory& now, TransientState& state) const;
   void place_nodes();
@@ -68,7 +69,7 @@ class RememberedGrid final : public RollingGrid {
   RollingRow row_;
   std::optional<StandingRow> standing_;  ///< from the first shift on
   RowMemory memory_;
-  RowMemory turned_;      ///< where a step begins that turns round
+  RowMemory start_;       ///< of a step in which the contact returns or turns round
   bool placed_backward_;  ///< whether x_ and bound_ are those of the mirrored row
 };
 

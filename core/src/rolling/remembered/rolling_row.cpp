@@ -152,11 +152,16 @@ void RollingRow::replace(const Way& way, const RowMemory& from, const ContactSca
     step_.shift = std::get<PrescribedShift>(way.load).value;
     step_.work = mean_force * step_.shift;
   }
+  tangent_.replace(way, mean_force);
   step_.memory = started(VectorXd::Zero(grid_.size()), target);
   step_.memory.distance = step_.memory.origin = end;
   result_.traction = step_.memory.traction;
   if (target.carries() && force != nullptr && force->value != 0) {
-    roll_substep({step_.memory.end_of_substep(0, end, target), 0, way.load, {}, true});
+    roll_substep({step_.memory.end_of_substep(0, end, target),
+                  0,
+                  way.load,
+                  {PrescribedForce{1}, PrescribedForce{0}},
+                  true});
   }
 }
 

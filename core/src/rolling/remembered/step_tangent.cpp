@@ -34,6 +34,16 @@ void StepTangent::begin(const RowMemory& from, bool asked) {
   }
 }
 
+void StepTangent::replace(const Way& way, double mean_force) {
+  if (!asked_) return;
+  slopes_[1].mean_force = mean_force;
+  const auto* shift = std::get_if<PrescribedShift>(&way.load);
+  if (shift == nullptr) return;
+  slopes_[0].shift = way.length;
+  slopes_[1].shift = shift->value / way.length;
+  for (RowStep& slope : slopes_) slope.work = mean_force * slope.shift;
+}
+
 void StepTangent::admit_slip() {
   for (RowStep& slope : slopes()) slope.memory.admit_slip();
 }

@@ -20,6 +20,11 @@ class StepTangent {
   /// \param asked  whether the step asks for derivatives
   void begin(const RowMemory& from, bool asked);
 
+  /// Begins with a contact that is lost or returns on the way. A prescribed shift moves bodies that
+  /// do not touch; no force but 0 is one of these.
+  /// \param mean_force  over the step  [N/mm]
+  void replace(const Way& way, double mean_force);
+
   /// As RowMemory::admit_slip.
   void admit_slip();
 
