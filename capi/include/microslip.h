@@ -103,9 +103,9 @@ struct microslip_state {
   double mean_force;  /**< its mean over the step  [N/mm] */
   double creepage;    /**< w of the step  [1] */
   double dissipation; /**< energy lost per mm rolled, over the step. Under a prescribed creepage,
-                         dissipation dq + mean_force w dq + the change of the elastic energy is 0:
-                         to rounding with MICROSLIP_REMEMBERED, to the order of the scheme with
-                         MICROSLIP_DIRECT  [N/mm] */
+                         dissipation |dq| + mean_force w |dq| + the change of the elastic energy is
+                         0: to rounding with MICROSLIP_REMEMBERED, but in a step that turns, where it
+                         is of the order of the scheme, as always with MICROSLIP_DIRECT  [N/mm] */
   double residual;    /**< slip left in adhesion, over the largest term of its equations  [1] */
   double violation;   /**< of the bound or of the direction of slip, relative  [1] */
   int adhesion_elements;

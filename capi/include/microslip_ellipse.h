@@ -122,7 +122,9 @@ MICROSLIP_API const char* microslip_ellipse_warning(const microslip_ellipse* ell
  *
  * 0 of one or both: the contact is lost at the end of the next step or shift. It has no tractions
  * then, resultants must be 0, and the bodies forget. A contact that returns begins at the start of
- * its step, or at the end of its shift. Steady rolling takes no 0. */
+ * its step, or at the end of its shift; its forces then depend on the steps over which it grows, by
+ * some percent of full sliding under spin. A shift takes no other size, but to and from 0. Steady
+ * rolling takes no 0. */
 MICROSLIP_API enum microslip_status microslip_ellipse_set_contact(microslip_ellipse* ellipse,
                                                                   double size_factor,
                                                                   double bound_factor);

@@ -67,6 +67,11 @@ std::string second_solution_in_steps(std::size_t steps, SlipBranch branch) {
                      steps == 1 ? "" : "s", second_solution(branch));
 }
 
+std::optional<std::string> both(const std::optional<std::string>& first,
+                                const std::optional<std::string>& second) {
+  return first && second ? *first + "; " + *second : first ? first : second;
+}
+
 Column second_solution_column() {
   return {"second_solution", "1", "1 if there is another one, with other slip"};
 }

@@ -11,16 +11,18 @@
 namespace microslip::experiments {
 
 Table patch_traction_table(const std::string& description, const PatchValues& values) {
-  Table table("traction", description,
-              {{"x", "mm", "position along the rolling; the leading edge is at x > 0"},
-               {"y", "mm", "position across the rolling"},
-               {"traction_x", "N/mm^2", "tangential traction along the rolling"},
-               {"traction_y", "N/mm^2", "tangential traction across the rolling"},
-               {"bound", "N/mm^2", "traction bound g"},
-               {"slip_x", "1", "relative slip along the rolling"},
-               {"slip_y", "1", "relative slip across the rolling"},
-               {"zone", "1", "A adhesion, S slip"},
-               {"area", "mm^2", "area of the cell"}});
+  Table table(
+      "traction", description,
+      {{"x", "mm", "position along the rolling; the leading edge is at x > 0"},
+       {"y", "mm", "position across the rolling"},
+       {"traction_x", "N/mm^2", "tangential traction along the rolling"},
+       {"traction_y", "N/mm^2", "tangential traction across the rolling"},
+       {"bound", "N/mm^2", "traction bound g"},
+       {"slip_x", "1", "relative slip along the rolling"},
+       {"slip_y", "1", "relative slip across the rolling"},
+       {"zone", "1", "A adhesion, S slip"},
+       {"area", "mm^2",
+        "area of the cell; a sum of traction times area is a midpoint rule, and no resultant"}});
   for (Eigen::Index i = 0; i < values.x.size(); ++i) {
     table.add({values.x[i], values.y[i], values.traction(i, 0), values.traction(i, 1),
                values.bound[i], values.slip(i, 0), values.slip(i, 1),

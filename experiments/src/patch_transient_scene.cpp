@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "back_and_forth.hpp"
 #include "instants.hpp"
 #include "lost_energy.hpp"
 #include "microslip/experiments/contact_tables.hpp"
@@ -200,6 +201,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
                                 const std::function<void(const PatchRolling&)>& at_end) {
   const std::vector<double> lengths = scene.step_lengths();
   const PatchHistory& loads = scene.loads;
+  const double full_sliding = scene.patch.bound.total();
   const std::vector<double> ends = loads.ends_of_steps();
   const std::size_t steps = number_of_steps(scene.distance, lengths, scene.from, ends);
   std::size_t done = 0;
@@ -222,6 +224,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   shifts.add(end);
   PatchSums of_shifts, sums;
   std::size_t doubled = 0;
+  BackAndForth forces(scene.patch.friction);
   for (const PatchLoad& load : scene.shifts) {
     end = at_place(
         [&] {
@@ -289,6 +292,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
     record({loads.position_at(to), dq * end.motion, length * end.dissipation, loads.time_at(to)});
     sums.include(end, dq);
     doubled += end.has_second ? 1 : 0;
+    forces.take(end.resultants.head<2>() / full_sliding);
     ++steps_done;
     keep(to, loads.time_at(to));
     stand(to);
@@ -316,8 +320,8 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   if (friction) summary.add({"steps_with_second_solution", doubled, "1"});
   summary.add({"method", name_of(scene.scheme), "1"});
   summary.add({"iterations", worst.iterations, "1"});
-  auto doubt = doubt_of_patch(worst.evidence);
-  if (doubled > 0) doubt = second_solution_in_steps(doubled, friction->branch);
+  auto doubt = both(forces.doubt(), doubt_of_patch(worst.evidence));
+  if (doubled > 0) doubt = both(second_solution_in_steps(doubled, friction->branch), doubt);
   add_evidence(summary, worst.evidence,
                {.condition = rolled.condition(),
                 .iterations = worst.iterations,

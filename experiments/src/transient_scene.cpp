@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "back_and_forth.hpp"
 #include "instants.hpp"
 #include "lost_energy.hpp"
 #include "microslip/experiments/contact_tables.hpp"
@@ -161,6 +162,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   add(history, start, {.time = scene.loads.time_at(scene.from)}, scene);
   double cumulative_creep = 0;
   std::size_t doubled = 0;
+  BackAndForth forces(scene.problem.friction);
   LostEnergy lost;
   const double full = full_sliding_force(scene.problem.contact.bound);
   double distance_before = start.distance, force_before = start.force;
@@ -186,6 +188,7 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
           [&](const TransientState& state, std::optional<double> time) {
             const double length = state.distance - distance_before;
             lost.add(state, std::abs(length), force_before, full);
+            forces.take({state.force / full, 0});
             take(state, {.shift = state.creepage * length,
                          .loss = state.dissipation * std::abs(length),
                          .time = time});
@@ -235,11 +238,11 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   const std::optional<SlipFriction>& friction = scene.problem.friction;
   if (friction) summary.add({"steps_with_second_solution", doubled, "1"});
   summary.add({"method", name_of(scene.problem.scheme), "1"});
-  auto doubt = shift_doubt;
-  if (!doubt && doubled > 0) doubt = second_solution_in_steps(doubled, friction->branch);
-  if (!doubt && !microslip::doubt_of(worst.evidence, scene.problem.accepted, false)) {
-    doubt = lost.doubt();
-  }
+  auto doubt =
+      both(forces.doubt(),
+           both(shift_doubt, microslip::doubt_of(worst.evidence, scene.problem.accepted, false)));
+  if (doubled > 0) doubt = both(second_solution_in_steps(doubled, friction->branch), doubt);
+  if (!doubt) doubt = lost.doubt();
   add_evidence(summary, worst.evidence,
                {.condition = rolling.condition(),
                 .iterations = worst.iterations,

@@ -56,7 +56,7 @@ Options table_options() {
       "azimuths", number(standard.azimuths), "nodes of the direction of the creepage, 3 to 200")(
       "cells", number(standard.cells),
       "rows, and elements of each, of a circle: nodes are means of solutions on these and on one "
-      "more, and for a/b from 0.4 to 2.5 on a third more, 4 to 40")(
+      "more, 4 to 40")(
       "states", number(Index{1000}),
       "random motions that are solved to measure the errors of the table; 0 for none")(
       "error-cells", number(Index{24}), "cells on which these are solved, and one more, 4 to 40")(

@@ -47,8 +47,8 @@ int dispatch(const Program& program, const std::vector<Command>& commands, int a
   return run_process(program.name, [&]() -> int {
     const std::vector<std::string> names = names_of(commands);
     throw std::invalid_argument(
-        fmt::format("'{}': expected a scene's file or a command{}; commands: {}", shown(word),
-                    suggestion(nearest(word, names)), joined(names, ", ")));
+        fmt::format("'{}': expected a scene's file that is there or a command{}; commands: {}",
+                    shown(word), suggestion(nearest(word, names)), joined(names, ", ")));
   });
 }
 

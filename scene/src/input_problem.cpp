@@ -204,8 +204,8 @@ void add_notes(InputProblem& problem, const InputCase& read, const std::string& 
                                         name_of_digit(digit), read[digit], text));
   };
   if (is_rounded_direction(read)) {
-    problem.notes.push_back(fmt::format("{}:{}: CHI = {}: taken as {}, rolling along x", shown(file),
-                                        read.rolling[0].line, read.rolling[0].text,
+    problem.notes.push_back(fmt::format("{}:{}: CHI = {}: taken as {}, rolling along x",
+                                        shown(file), read.rolling[0].line, read.rolling[0].text,
                                         rolls_backwards(read) ? "180d" : "0"));
   }
   if (rolls_backwards(read)) {

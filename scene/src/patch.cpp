@@ -165,19 +165,26 @@ Eigen::Index read_cells(Scene& scene, const std::string& key, Eigen::Index least
   return cells;
 }
 
-/// Warns of cells that are much longer than wide, or wider than long, beside those of a grid that
-/// fits.
+/// Warns of a grid that is cut in another proportion than one by default, if as many cells in that
+/// proportion have a smaller error. They have none if the side that has too few cells has many, or
+/// if one of the other grid's sides would have few.
 void warn_of_other_aspect(Scene& scene, const SteadyPatch& patch) {
-  constexpr double most = 3;
-  const double rows = static_cast<double>(patch.rows) / stacked_height(patch.bound.shape());
-  const double off = static_cast<double>(patch.elements) / rows / patch.bound.ratio();
+  constexpr double most = 3, many = 16, fewest = 6;
+  const PatchGrid fitting = fitting_grid(patch.bound.shape());
+  const auto rows = static_cast<double>(fitting.rows);
+  const auto elements = static_cast<double>(fitting.elements);
+  const auto given_rows = static_cast<double>(patch.rows);
+  const auto given_elements = static_cast<double>(patch.elements);
+  const double off = given_elements / given_rows / (elements / rows);
+  const double scale = std::sqrt(given_elements * given_rows / (elements * rows));
+  const double better_rows = std::ceil(scale * rows), better = std::ceil(scale * elements);
   if (off <= most && off >= 1 / most) return;
-  const double size = std::sqrt(static_cast<double>(patch.elements * patch.rows));
-  const double root = std::sqrt(patch.bound.ratio() / stacked_height(patch.bound.shape()));
-  scene.warn("grid.rows", static_cast<double>(patch.rows),
+  if ((off > 1 ? given_rows : given_elements) >= many) return;
+  if (std::min(better_rows, better) < fewest) return;
+  scene.warn("grid.rows", given_rows,
              fmt::format("rows and elements do not fit a/b = {:.3g}: {} rows of {} elements have a "
                          "smaller error",
-                         patch.bound.ratio(), std::ceil(size / root), std::ceil(size * root)));
+                         patch.bound.ratio(), better_rows, better));
 }
 
 }  // namespace

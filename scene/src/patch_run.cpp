@@ -221,6 +221,7 @@ PatchHistory read_patch_run(Scene& scene, const SteadyPatch& patch, const Advect
       require_scheme_of_changes(scheme);
       require_patch_contacts(columns, loads, patch);
     }
+    require_scheme_of_direction(scheme, histories[0]);
     if (!loads.stops().empty()) require_scheme_of_stops(scene, scheme);
     require_rows_carried(columns, loads, patch);
     warn_of_motions_in_run(scene, loads, patch);

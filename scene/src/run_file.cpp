@@ -91,6 +91,7 @@ LoadHistory read_run(Scene& scene, const TransientProblem& problem) {
     rows.of_problem = reference_of(scene, rows);
     const LoadHistory loads(rows);
     require_contacts(loads, problem);
+    require_scheme_of_direction(problem.scheme, loads);
     if (!loads.stops().empty()) require_scheme_of_stops(scene, problem.scheme);
     warn_of_large_creepages(scene, loads, problem.contact.bound);
     warn_of_other_load(scene, rows.normal_load);
@@ -119,6 +120,13 @@ void require_scheme_of_changes(const AdvectionScheme& scheme) {
   reject("step.scheme", name_of(scheme),
          "remembered, which alone rolls on a contact that changes, as columns of load.file have "
          "it");
+}
+
+void require_scheme_of_direction(const AdvectionScheme& scheme, const LoadHistory& loads) {
+  if (std::holds_alternative<Remembered>(scheme) || !loads.stops().empty()) return;
+  if (loads.direction_to(loads.distance()) > 0) return;
+  reject("step.scheme", name_of(scheme),
+         "remembered, which alone rolls back, as rows of load.file have it");
 }
 
 void require_scheme_of_stops(Scene& scene, const AdvectionScheme& scheme) {

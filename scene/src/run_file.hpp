@@ -27,6 +27,9 @@ bool starts_under_force(const Scene& scene);
 /// Refuses schemes that do not roll on a contact that changes.
 void require_scheme_of_changes(const AdvectionScheme& scheme);
 
+/// Refuses schemes that do not roll back, for a load that does so all the way.
+void require_scheme_of_direction(const AdvectionScheme& scheme, const LoadHistory& loads);
+
 /// Refuses schemes, steps and starts that do not go with a load that turns or shifts the bodies.
 void require_scheme_of_stops(Scene& scene, const AdvectionScheme& scheme);
 

@@ -126,8 +126,9 @@ std::string happens(TransientRolling& rolling, const Event& event, std::vector<d
         return "";
       case Event::Kind::attempt_with_slopes:
         answers = numbers_of(rolling.attempt(event.length, event.load, jacobian));
-        answers.push_back(jacobian.by_load.force);
-        answers.push_back(jacobian.by_load.creepage);
+        for (const double slope : {jacobian.by_load.force, jacobian.by_load.creepage}) {
+          answers.push_back(std::isnan(slope) ? HUGE_VAL : slope);  // of a force on a lost contact
+        }
         return "";
       default:
         rolling.step(event.length, event.load);

@@ -33,9 +33,10 @@ TEST_F(Commands, AWordThatIsNone) {
   const std::string known =
       "; commands: init, import, keys, explain, response, curve, converge, table, plot, sweep, "
       "merge";
-  expect_error("swep",
-               "'swep': expected a scene's file or a command (did you mean 'sweep'?)" + known);
-  expect_error("my.info", "'my.info': expected a scene's file or a command" + known);
+  expect_error(
+      "swep",
+      "'swep': expected a scene's file that is there or a command (did you mean 'sweep'?)" + known);
+  expect_error("my.info", "'my.info': expected a scene's file that is there or a command" + known);
   expect_error("", "missing a scene: expected its file, as in 'microslip scene.info'; see --help");
   run_in_folder("init wheel");
   expect_error("init wheel line",

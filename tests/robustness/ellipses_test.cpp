@@ -260,7 +260,16 @@ TEST_F(Ellipses, AreWarnedOfWhereTheirElementsAreTooFew) {
   const Outcome other = solve("--set grid.rows=20 --set grid.elements=4");
   EXPECT_NE(other.error.find("rows and elements do not fit a/b = 1.3"), std::string::npos)
       << other.error;
+  EXPECT_NE(other.error.find("9 rows of 10 elements have a smaller error"), std::string::npos)
+      << other.error;
   EXPECT_EQ(solve("").error, "");
+  // Rows of a wide ellipse are nearly alone: more of them with two elements each would be worse.
+  EXPECT_EQ(solve("--set contact.radius_1= --set contact.lateral_radius_2= --set "
+                  "contact.half_width=5 --set contact.lateral_half_width=2500 --set "
+                  "contact.normal_load=30MN --set grid.rows=20 --set grid.elements=16 --set "
+                  "load.spin=0")
+                .error,
+            "");
 }
 
 TEST_F(Ellipses, AreSweptWithTheirUnits) {

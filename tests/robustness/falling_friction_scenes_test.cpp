@@ -191,6 +191,22 @@ TEST_F(FallingPatchScenes, TakeTheSpeedOfARun) {
   EXPECT_GT(summary_value("force"), 1.005 * fast);
 }
 
+// Forces of steps come and go here without a second solution in any step.
+TEST_F(FallingPatchScenes, WarnOfForcesThatGoBackAndForthWithoutAMemory) {
+  const std::string fast =
+      "--set problem=transient --set step.ratio=1 --set motion.distance=40 --set start.type=rest "
+      "--set contact.half_width=5 --set contact.peak_traction=300 --set contact.kinetic_ratio=0.5 "
+      "--set grid.rows=10 --set grid.elements=10 --set load.creepage=0.005 --set load.speed=20000 ";
+  const Outcome at_once = solve(fast);
+  EXPECT_EQ(at_once.status, 0);
+  EXPECT_NE(at_once.error.find("forces go back and forth from step to step by 0."),
+            std::string::npos)
+      << at_once.error;
+  const Outcome remembers = solve(fast + "--set contact.friction_memory=0.02");
+  EXPECT_EQ(remembers.status, 0);
+  EXPECT_EQ(remembers.error, "");
+}
+
 TEST_F(FallingPatchScenes, AreRefusedWhereTheyAreNotSolved) {
   const std::string no_role =
       "scene.info:7: key 'contact.friction_law' has no role here: it is for problem steady or "
@@ -198,7 +214,8 @@ TEST_F(FallingPatchScenes, AreRefusedWhereTheyAreNotSolved) {
   expect_refused(rolls + "--set step.scheme=direct", no_role);
   expect_refused("--set target_error=0.01 --set grid.rows= --set grid.elements=", no_role);
   expect_refused("--set load.creepage= --set load.force_ratio=0.97 --set contact.half_speed=10",
-                 "friction that depends on slip: no motion is found for the resultants", 2);
+                 "friction that depends on slip: no solution is found, as friction falls too fast",
+                 2);
   std::ofstream(folder_ / "run.tsv") << "q\tcreepage\n0\t-0.001\n2\t-0.001\n1\t-0.001\n";
   expect_refused(
       "--set problem=transient --set step.ratio=0.2 --set start.type=rest "

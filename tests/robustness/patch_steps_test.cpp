@@ -123,6 +123,12 @@ TEST_F(PatchSteps, AreRefusedInOneLineThatNamesTheKey) {
   expect_refused("--set cylinder.mass=1", "key 'cylinder.mass' has no role here");
   expect_refused("--set step.scheme=direct --save x",
                  "step.scheme = 'direct': expected remembered with --save");
+  std::ofstream(folder_ / "back.tsv") << "q\tcreepage\n0\t-0.001\n-6\t-0.001\n";
+  expect_refused(
+      "--set start.type=rest --set load.force= --set load.lateral_force= --set load.spin= --set "
+      "motion.distance= --set load.file=back.tsv --set step.scheme=direct",
+      "load.file = 'back.tsv': step.scheme = 'direct': expected remembered, which alone rolls "
+      "back");
   for (const char* command : {"curve", "response"}) {
     const Outcome outcome = run_in_folder(std::string(command) + " ellipse_transient.info");
     EXPECT_EQ(outcome.status, 1) << command;

@@ -10,6 +10,7 @@
 
 #include "microslip/patch/patch_rolling.hpp"
 #include "microslip/patch/standard_patch.hpp"
+#include "microslip/patch/steady_patch.hpp"
 #include "microslip/patch/traction_table.hpp"
 
 namespace microslip::patch_start_test {
@@ -149,17 +150,17 @@ struct Points {
   }
 };
 
-// A part of the bound that is bilinear in s and y is the table's own function.
+// A part of the bound that is bilinear in s and y over 1 + s is the table's own function.
 TEST(TractionTable, HasBilinearPartsOfTheBound) {
   const PatchBound bound = EllipticBound(2, 1, 3);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-1, 1);
   for (int sample = 0; sample < 20; ++sample) {
     Eigen::Matrix<double, 2, 4> of;
-    for (double& value : of.reshaped()) value = 0.17 * uniform(random);
+    for (double& value : of.reshaped()) value = 0.03 * uniform(random);
     const auto part = [&](double x, double y) -> Vector2d {
       const double s = x / (2 * std::sqrt(1 - y * y));
-      return of * Eigen::Vector4d(1, s, y, s * y);
+      return of * Eigen::Vector4d(1, s, y, s * y) / (1 + s);
     };
     const Points points(5 + sample % 3, 4 + sample % 5, bound);
     MatrixX2d tractions(points.x.size(), 2);
@@ -169,12 +170,37 @@ TEST(TractionTable, HasBilinearPartsOfTheBound) {
     const TractionTable table(bound, points.x, points.y, tractions);
     EXPECT_EQ(table.left_out(), 0);
     for (int probe = 0; probe < 20; ++probe) {
-      const double y = 0.7 * uniform(random), x = 1.4 * std::sqrt(1 - y * y) * uniform(random);
+      const double y = 0.7 * uniform(random), s = 0.7 * uniform(random);
+      const double x = 2 * s * std::sqrt(1 - y * y);
       EXPECT_LT((table(x, y) - part(x, y)).norm(), 1e-14) << x << ' ' << y;
     }
     for (Index i = 0; i < points.x.size(); ++i) {
       EXPECT_LT((table(points.x[i], points.y[i]) - part(points.x[i], points.y[i])).norm(), 1e-14);
     }
+  }
+}
+
+// Rolling without slip has tractions that rise steeply over the bound towards the trailing edge.
+TEST(TractionTable, KeepsForcesOnOtherRowsAndElements) {
+  const auto steady = [](Index rows, Index elements) {
+    return SteadyPatch{.material = {1, 0.28},
+                       .bound = EllipticBound(1, 1, 1),
+                       .rows = rows,
+                       .elements = elements,
+                       .load = load_of(0.02, 0.03, 0.02, false)};
+  };
+  const SteadyPatchSolution found = solve_steady(steady(12, 12));
+  for (const auto& [rows, elements] : {std::pair<Index, Index>{9, 11}, {20, 18}}) {
+    const SteadyPatch other = steady(rows, elements);
+    PatchRolling rolling(other);
+    const TractionTable table(other.bound, found.x, found.y, found.traction);
+    MatrixX2d tractions(rolling.x().size(), 2);
+    for (Index i = 0; i < tractions.rows(); ++i) {
+      tractions.row(i) = rolling.bound()[i] * table(rolling.x()[i], rolling.y()[i]);
+    }
+    rolling.start_from(tractions);
+    const Vector2d force = found.resultants.head<2>();
+    EXPECT_LT((rolling.resultants().head<2>() - force).norm(), 0.015 * force.norm()) << rows;
   }
 }
 

@@ -59,11 +59,6 @@ double CreepTableLayout::angle(Index j) const {
   return angle;
 }
 
-Index CreepTableLayout::cells_at(double ratio) const {
-  const bool is_round = ratio > 0.4 && ratio < 2.5;
-  return is_round ? std::min(most_cells, cells + cells / 3) : cells;
-}
-
 double CreepTableLayout::place_of_ratio(double ratio) const {
   const double part = std::log(ratio / least_ratio) / std::log(largest_ratio / least_ratio);
   return std::clamp(part, 0.0, 1.0) * static_cast<double>(ratios - 1);
@@ -164,9 +159,8 @@ std::size_t CreepTableMaker::values_of(std::size_t part) const {
 const UnitPatch& CreepTableMaker::patch(std::size_t ratio, std::size_t grid) const {
   Shape& shape = (*shapes_)[ratio];
   std::call_once(shape.made[grid], [&] {
-    const double a_over_b = layout_.ratio(static_cast<Index>(ratio));
-    shape.patches[grid].emplace(a_over_b, layout_.poisson_ratio,
-                                layout_.cells_at(a_over_b) + static_cast<Index>(grid));
+    shape.patches[grid].emplace(layout_.ratio(static_cast<Index>(ratio)), layout_.poisson_ratio,
+                                layout_.cells + static_cast<Index>(grid));
   });
   return *shape.patches[grid];
 }

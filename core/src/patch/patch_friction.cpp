@@ -83,8 +83,9 @@ bool solve_by_friction(SlippingPatch& patch, SlipBranch branch) {
   SlipFrictionSearch search(branch);
   if (!search.solve(patch)) {
     throw NotConverged(
-        "friction that depends on slip: no motion is found for the resultants, as friction may "
-        "carry less where the bodies slip",
+        "friction that depends on slip: no solution is found, as friction falls too fast with "
+        "slip; "
+        "a longer memory has one, and so have smaller resultants, if any are prescribed",
         0, 0);
   }
   return search.has_second();

@@ -20,14 +20,7 @@ double cells_by(double ratio) {
   return std::sqrt(least + of_circle * ratio) / cells_of_circle;
 }
 
-}  // namespace
-
-bool is_patch_ratio(double ratio) {
-  constexpr double rounding = 1e-12;
-  return ratio >= least_patch_ratio * (1 - rounding) &&
-         ratio <= largest_patch_ratio * (1 + rounding);
-}
-
+/// The heights of all lobes together, over the largest one.
 double stacked_height(const PatchShape& shape) {
   double sum = 0, highest = 0;
   for (const Lobe& lobe : shape.lobes()) {
@@ -35,6 +28,14 @@ double stacked_height(const PatchShape& shape) {
     highest = std::max(highest, lobe.height());
   }
   return sum / highest;
+}
+
+}  // namespace
+
+bool is_patch_ratio(double ratio) {
+  constexpr double rounding = 1e-12;
+  return ratio >= least_patch_ratio * (1 - rounding) &&
+         ratio <= largest_patch_ratio * (1 + rounding);
 }
 
 PatchGrid fitting_grid(const PatchShape& shape, double cells) {

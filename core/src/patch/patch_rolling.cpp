@@ -94,7 +94,7 @@ void PatchRolling::shift(const PatchLoad& load) {
   }
   const double size = parts_->next.half_width;
   const bool keeps_contact = parts_->next.carries() && parts_->now.carries();
-  require(!keeps_contact || size == parts_->now.half_width, "half_width", size,
+  require(!keeps_contact || size == parts_->now.half_width, "size_factor", size,
           "that of the contact before a shift, which changes no lengths but to and from 0");
   if (parts_->backward) parts_->require_load(load, false);
   parts_->shift(parts_->in_frame(load, false));

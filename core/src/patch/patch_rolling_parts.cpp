@@ -27,11 +27,12 @@ constexpr int many_corrections = 6;
 void require_contact(const ContactScale& scale, const PatchShape& shape) {
   using Ranges = PatchStepRanges;
   const auto& [size, bound] = scale;
-  require(size == 0 || (size >= Ranges::least_size && size <= Ranges::largest_size), "half_width",
+  require(size == 0 || (size >= Ranges::least_size && size <= Ranges::largest_size), "size_factor",
           size, "1e-4 ... 100 times that of the problem, or 0 of bodies that do not touch");
-  require(bound == 0 || (bound >= Ranges::least_bound && bound <= Ranges::largest_bound), "bound",
-          bound, "1e-6 ... 1e6 times that of the problem, or 0 of bodies without friction");
-  require(size == 1 || shape.is_ellipse(), "half_width", size,
+  require(bound == 0 || (bound >= Ranges::least_bound && bound <= Ranges::largest_bound),
+          "bound_factor", bound,
+          "1e-6 ... 1e6 times that of the problem, or 0 of bodies without friction");
+  require(size == 1 || shape.is_ellipse(), "size_factor", size,
           "1 of a contact that is no ellipse: it has one size");
 }
 

@@ -79,7 +79,8 @@ TractionTable::TractionTable(const PatchBound& bound, const VectorXd& x, const V
 Vector2d TractionTable::within(const Row& row, double s) {
   const auto [i, part] = interval_about(row.places, s, [](double place) { return place; });
   if (part == 0) return row.values[i];
-  return (1 - part) * row.values[i] + part * row.values[i + 1];
+  const double from = (1 - part) * (1 + row.places[i]), to = part * (1 + row.places[i + 1]);
+  return (from * row.values[i] + to * row.values[i + 1]) / (1 + s);
 }
 
 Vector2d TractionTable::in_lobe(std::size_t lobe, double s, double y) const {

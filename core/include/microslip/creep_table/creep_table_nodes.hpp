@@ -14,9 +14,8 @@ namespace microslip {
 struct PatchState;
 class UnitPatch;
 
-/// Results are means of two solutions, on `cells` and on one cell more. What remains of errors where
-/// contacts slip alternates with the number of cells: a mean on 15 and 16 has a half of the errors
-/// of 16, and those of 20.
+/// Results are means of two solutions, on `cells` and on one cell more, as errors where contacts slip
+/// alternate with the number of cells.
 inline constexpr std::size_t grids_of_mean = 2;
 
 /// The nodes of a table of creep forces.
@@ -29,22 +28,17 @@ inline constexpr std::size_t grids_of_mean = 2;
 struct CreepTableLayout {
   double poisson_ratio = 0.28;                   ///< nu, in [0, 0.5]
   double least_ratio = 0.1, largest_ratio = 10;  ///< a/b
-  Eigen::Index ratios = 13;                      ///< nodes of ln(a/b), evenly spaced, >= 4
+  Eigen::Index ratios = 19;                      ///< nodes of ln(a/b), evenly spaced, >= 4
   Eigen::Index steps = 33;                       ///< nodes of t, evenly spaced, >= 4
   Eigen::Index polar = 25;                       ///< polar angles, closer near pure spin, >= 3
-  Eigen::Index azimuths = 13;                    ///< azimuths, evenly spaced, >= 3
-  /// Nodes are means of solutions on so many rows and elements of a circle, 4 ... 40, and on one more;
-  /// see cells_at().
-  Eigen::Index cells = 15;
+  Eigen::Index azimuths = 17;                    ///< azimuths, evenly spaced, >= 3
+  /// Nodes are means of solutions on so many rows and elements of a circle, 4 ... 40, and on one more.
+  Eigen::Index cells = 12;
 
   double ratio(Eigen::Index i) const;    ///< a/b
   double step(Eigen::Index i) const;     ///< t
   double angle(Eigen::Index j) const;    ///< polar angle  [rad]
   double azimuth(Eigen::Index k) const;  ///< [rad]
-
-  /// The cells at a ratio: a third more than `cells` for a/b = 0.4 ... 2.5, where errors of the
-  /// solutions are larger than those between nodes.
-  Eigen::Index cells_at(double ratio) const;
 
   /// The place of a value among the nodes, from 0 to one less than their number.
   double place_of_ratio(double ratio) const;

@@ -26,7 +26,4 @@ struct PatchGrid {
 /// \param cells  rows, and elements of each, on a circle
 PatchGrid fitting_grid(const PatchShape& shape, double cells = 16);
 
-/// The heights of all lobes together, over the largest one.
-double stacked_height(const PatchShape& shape);
-
 }  // namespace microslip

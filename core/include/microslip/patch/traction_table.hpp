@@ -10,9 +10,10 @@ namespace microslip {
 
 /// Tractions that are known at points of a patch, as a part of the bound.
 ///
-/// Points of one y are a row. Within a row, and from row to row along lines of equal s = (x -
-/// middle)/half-length, the tractions over the bound are linear; beyond the outermost points and rows
-/// they stay as they are there. Order: 2 in the distance of points.
+/// Points of one y are a row, with s = (x - middle)/half-length. Within a row, 1 + s times the
+/// tractions over the bound is linear, as it is where all slips, and nearly so where all sticks in
+/// rolling. From row to row the tractions over the bound are linear along lines of equal s. Beyond the
+/// outermost points and rows these functions stay as they are there. Order: 2 in the distance of points.
 class TractionTable {
  public:
   /// \param x, y       coordinates, in any order; points outside the shape are left out  [mm]

@@ -60,6 +60,10 @@ std::string second_solution(SlipBranch branch);
 /// The same doubt in so many steps.
 std::string second_solution_in_steps(std::size_t steps, SlipBranch branch);
 
+/// Two warnings as one, or the one that is there.
+std::optional<std::string> both(const std::optional<std::string>& first,
+                                const std::optional<std::string>& second);
+
 /// The column of a table that says whether there is one.
 Column second_solution_column();
 
