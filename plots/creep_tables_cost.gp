@@ -13,7 +13,7 @@ set format y "10^{%T}"
 set xlabel "time of an evaluation [s]"
 set ylabel "error of a force, over full sliding [1]"
 set xrange [8e-9:0.1]
-set yrange [4e-4:300]
+set yrange [1e-4:300]
 set ytics 1e-3,10,1
 set key top left Left reverse maxrows 5 at graph 0.01,0.99 samplen 1.5
 plot for [m in methods] times using (of(m) * column("time")):"rms":"rms":"of_99_percent" with yerrorbars \
