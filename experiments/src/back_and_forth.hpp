@@ -34,8 +34,7 @@ class BackAndForth {
     if (largest_ <= most) return std::nullopt;
     return fmt::format(
         "forces go back and forth from step to step by {:.2g} of full sliding, as friction falls "
-        "with "
-        "slip at once; with a contact.friction_memory they do not",
+        "with slip at once; with a contact.friction_memory they do not",
         largest_);
   }
 
