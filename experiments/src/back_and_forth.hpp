@@ -16,8 +16,9 @@ namespace microslip::experiments {
 /// each step may find the bodies sticking or sliding anew, and no step has a second solution then.
 class BackAndForth {
  public:
-  explicit BackAndForth(const std::optional<SlipFriction>& friction)
-      : is_at_once_(friction && !friction->remembers()) {}
+  /// \param start  the force before the first step, over full sliding
+  BackAndForth(const std::optional<SlipFriction>& friction, const Eigen::Vector2d& start)
+      : is_at_once_(friction && !friction->remembers()), before_(start) {}
 
   /// \param force  at the end of a step, over full sliding
   void take(const Eigen::Vector2d& force) {
@@ -34,13 +35,13 @@ class BackAndForth {
     if (largest_ <= most) return std::nullopt;
     return fmt::format(
         "forces go back and forth from step to step by {:.2g} of full sliding, as friction falls "
-        "with slip at once; with a contact.friction_memory they do not",
+        "with slip at once; a contact.friction_memory that is long enough ends it",
         largest_);
   }
 
  private:
   bool is_at_once_;
-  Eigen::Vector2d before_ = Eigen::Vector2d::Zero(), change_ = before_;
+  Eigen::Vector2d before_, change_ = Eigen::Vector2d::Zero();
   double largest_ = 0;
 };
 

@@ -224,7 +224,6 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
   shifts.add(end);
   PatchSums of_shifts, sums;
   std::size_t doubled = 0;
-  BackAndForth forces(scene.patch.friction);
   for (const PatchLoad& load : scene.shifts) {
     end = at_place(
         [&] {
@@ -249,6 +248,7 @@ std::vector<Table> scene_tables(const PatchTransient& scene, const Progress& pro
     end.iterations = 0;
     end.evidence.power = 0;
   }
+  BackAndForth forces(scene.patch.friction, end.resultants.head<2>() / full_sliding);
   record({.q = scene.from, .time = loads.time_at(scene.from)});
   InstantTables instants(scene.instants, !loads.stops().empty());
   std::size_t steps_done = 0;

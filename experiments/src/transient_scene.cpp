@@ -162,9 +162,9 @@ std::vector<Table> scene_tables(const TransientScene& scene, const Progress& pro
   add(history, start, {.time = scene.loads.time_at(scene.from)}, scene);
   double cumulative_creep = 0;
   std::size_t doubled = 0;
-  BackAndForth forces(scene.problem.friction);
   LostEnergy lost;
   const double full = full_sliding_force(scene.problem.contact.bound);
+  BackAndForth forces(scene.problem.friction, {start.force / full, 0});
   double distance_before = start.distance, force_before = start.force;
   WorstOfSteps worst;
   InstantTables instants(scene.instants, !scene.loads.stops().empty());

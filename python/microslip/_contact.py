@@ -15,7 +15,7 @@ import numpy as np
 from ._arrays import record
 from ._errors import Error
 from ._files import as_path
-from ._library import call, error_of, free_with, text_of
+from ._library import call, error_of, free_with, require_ok, text_of
 from ._result import warn_of
 
 # Attributes of one contact that no copy shares.
@@ -184,6 +184,12 @@ class Contact:
         if doubt and not self._warned:
             self._warned = True
             warn_of([doubt], depth=5)
+
+    def _factors(self) -> Tuple[float, float]:
+        """Returns those of the contact that set_contact() set, or a step or a file."""
+        factors = np.ones(2)
+        require_ok(call(f"py_{self._functions}contact", self._open(), factors.ctypes.data))
+        return float(factors[0]), float(factors[1])
 
     def _open(self) -> int:
         if not self._finalizer.alive:

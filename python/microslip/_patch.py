@@ -361,9 +361,7 @@ class Patch(Contact):
     @in_turn
     def contact(self) -> PatchFactors:
         """The factors that set_contact() set, or a step or a file."""
-        factors = np.ones(2)
-        require_ok(call("py_ellipse_contact", self._open(), factors.ctypes.data))
-        return PatchFactors(*map(float, factors))
+        return PatchFactors(*self._factors())
 
     @property
     @in_turn

@@ -140,29 +140,24 @@ class Rolling(Contact):
     def _roll_once(self, dq: float, creepage: Optional[float] = None, force: Optional[float] = None,
                    half_width_factor: Optional[float] = None, bound_factor: Optional[float] = None) -> None:
         """Rolls one step without the copy that an array of steps takes, which costs about as much as a step."""
-        with self._settings_kept():
+        with self._settings_kept(None if half_width_factor is None else self._factors()):
             if half_width_factor is not None:
                 self._call("set_contact", half_width_factor, bound_factor)
             self._set_load(creepage, force)
             self._call("advance", dq)
 
     @contextlib.contextmanager
-    def _settings_kept(self) -> Iterator[None]:
-        """Puts load and contact back if a call fails."""
-        load, contact = self._load, self._factors()
+    def _settings_kept(self, contact: Optional[Tuple[float, float]] = None) -> Iterator[None]:
+        """Puts the load back if a call fails, and a contact that the call changes."""
+        load = self._load
         try:
             yield
         except Error:
             if self._finalizer.alive:
-                call("set_contact", self._handle, *contact)
+                if contact is not None:
+                    call("set_contact", self._handle, *contact)
                 self._load = load  # the contact that is set may not carry it
             raise
-
-    def _factors(self) -> Tuple[float, float]:
-        """Returns those that set_contact() set, or a step or a file."""
-        factors = np.ones(2)
-        require_ok(call("py_contact", self._open(), factors.ctypes.data))
-        return float(factors[0]), float(factors[1])
 
     def _roll_all(self, columns: Dict[str, np.ndarray], states: np.ndarray, told: Any) -> str:
         """Rolls all or no steps. Returns the last warning."""

@@ -169,7 +169,7 @@ Eigen::Index read_cells(Scene& scene, const std::string& key, Eigen::Index least
 /// proportion have a smaller error. They have none if the side that has too few cells has many, or
 /// if one of the other grid's sides would have few.
 void warn_of_other_aspect(Scene& scene, const SteadyPatch& patch) {
-  constexpr double most = 3, many = 16, fewest = 6;
+  constexpr double most = 3, many = 16, fewest = 6, limit = most_cells_of_side;
   const PatchGrid fitting = fitting_grid(patch.bound.shape());
   const auto rows = static_cast<double>(fitting.rows);
   const auto elements = static_cast<double>(fitting.elements);
@@ -180,7 +180,7 @@ void warn_of_other_aspect(Scene& scene, const SteadyPatch& patch) {
   const double better_rows = std::ceil(scale * rows), better = std::ceil(scale * elements);
   if (off <= most && off >= 1 / most) return;
   if ((off > 1 ? given_rows : given_elements) >= many) return;
-  if (std::min(better_rows, better) < fewest) return;
+  if (std::min(better_rows, better) < fewest || std::max(better_rows, better) > limit) return;
   scene.warn("grid.rows", given_rows,
              fmt::format("rows and elements do not fit a/b = {:.3g}: {} rows of {} elements have a "
                          "smaller error",

@@ -272,6 +272,22 @@ TEST_F(Ellipses, AreWarnedOfWhereTheirElementsAreTooFew) {
             "");
 }
 
+// Nor is a grid advised that would have more than 100 rows.
+TEST_F(Ellipses, AreNotWarnedWhereNoOtherGridIsAllowed) {
+  const auto explanation_of = [&](const std::string& grid) {
+    return run_in_folder(
+               "explain ellipse.info --set contact.radius_1= --set contact.lateral_radius_2= --set "
+               "contact.half_width=0.05 --set contact.lateral_half_width=5 --set "
+               "contact.normal_load=600N --set load.spin=0 " +
+               grid)
+        .output;
+  };
+  EXPECT_NE(explanation_of("--set grid.rows=10 --set grid.elements=40").find("do not fit"),
+            std::string::npos);
+  EXPECT_EQ(explanation_of("--set grid.rows=15 --set grid.elements=100").find("do not fit"),
+            std::string::npos);
+}
+
 TEST_F(Ellipses, AreSweptWithTheirUnits) {
   EXPECT_EQ(run_in_folder("sweep ellipse.info --quiet --set load.creepage= --set "
                           "'sweep.load.force=1 kN | 2 kN' --out s")

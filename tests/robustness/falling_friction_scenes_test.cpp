@@ -207,6 +207,18 @@ TEST_F(FallingPatchScenes, WarnOfForcesThatGoBackAndForthWithoutAMemory) {
   EXPECT_EQ(remembers.error, "");
 }
 
+// A run that goes on from a state under less creepage loses its force step by step.
+TEST_F(FallingPatchScenes, DoNotWarnOfAForceThatGoesOn) {
+  const std::string mild = rolls + "--set step.ratio=1 --set contact.half_speed=20000 ";
+  const Outcome begun = solve(mild + "--save begun.state");
+  EXPECT_EQ(begun.error, "");
+  const Outcome goes_on = solve(mild +
+                                "--set start.type=state --set start.state=begun.state --set "
+                                "motion.distance=19 --set load.creepage=-0.0002");
+  EXPECT_EQ(goes_on.status, 0);
+  EXPECT_EQ(goes_on.error, "");
+}
+
 TEST_F(FallingPatchScenes, AreRefusedWhereTheyAreNotSolved) {
   const std::string no_role =
       "scene.info:7: key 'contact.friction_law' has no role here: it is for problem steady or "

@@ -246,12 +246,11 @@ void RememberedGrid::solve_step(const TransientState&, double signed_length, con
   after.mean_force = step.mean_force / length;
   after.dissipation = -(step.work + memory.stored - from.stored) / length;
   if (jacobian != nullptr) {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    constexpr StepSlopes unknown{none, none, none, none};
     const bool is_free = target_.carries() || std::holds_alternative<PrescribedCreepage>(load);
-    jacobian->by_load = is_free ? row_.tangent().by_load(after, length)
-                                : StepSlopes{unknown, unknown, unknown, unknown};
-    jacobian->by_length = target_ == from.scale ? row_.tangent().by_length(after, length)
-                                                : StepSlopes{unknown, unknown, unknown, unknown};
+    jacobian->by_load = is_free ? row_.tangent().by_load(after, length) : unknown;
+    jacobian->by_length = target_ == from.scale ? row_.tangent().by_length(after, length) : unknown;
   }
   if (!backward) return;
   mirror(after);

@@ -20,8 +20,8 @@ class StepTangent {
   /// \param asked  whether the step asks for derivatives
   void begin(const RowMemory& from, bool asked);
 
-  /// Begins with a contact that is lost or returns on the way. A prescribed shift moves bodies that
-  /// do not touch; no force but 0 is one of these.
+  /// Begins with a contact that is lost on the way, or returns under a force. The mean force does not
+  /// depend on the load, and a prescribed shift is made all the same.
   /// \param mean_force  over the step  [N/mm]
   void replace(const Way& way, double mean_force);
 
